@@ -28,8 +28,8 @@ enum key_type {
 
 /* A table of keys is an array of rows, ended by one whose path is NULL. */
 struct key {
-    const char *path;     /* "fluid.density"; <patch> stands for any side of
-                             the box; keys of a list's groups follow its name */
+    const char *path; /* "fluid.density"; <patch> stands for any side of
+                         the box; keys of a list's groups follow its name */
     enum key_type type;
     const char *unit;     /* "kg/m^3"; "-" for a pure number, "" for words */
     const char *allowed;  /* conditions and words, "> 0, <= 1" or "a | b" or
