@@ -34,11 +34,13 @@ static int is_patch(const char *name, size_t length)
 static int matches(const char *row, const char *path)
 {
     const char *const at = strstr(row, placeholder);
-    const size_t before = at == NULL ? 0 : (size_t)(at - row);
-    const size_t length = at == NULL ? 0 : strcspn(path + before, ".");
+    size_t before, length;
 
     if (at == NULL) return strcmp(row, path) == 0;
-    return strncmp(row, path, before) == 0 && is_patch(path + before, length) &&
+    before = (size_t)(at - row);
+    if (strncmp(row, path, before) != 0) return 0;
+    length = strcspn(path + before, ".");
+    return is_patch(path + before, length) &&
            strcmp(at + strlen(placeholder), path + before + length) == 0;
 }
 

@@ -2,6 +2,7 @@
 #include "scene/settings.h"
 
 #include "base/alloc.h"
+#include "scene/override.h"
 #include "scene/rows.h"
 #include "scene/source.h"
 #include "scene/strict.h"
@@ -28,7 +29,7 @@ struct settings *settings_create(const char *file, int n_overrides,
     s->file = strdup(file);
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
-        *code = source_override(&s->tree, overrides[i]);
+        *code = override_apply(&s->tree, overrides[i]);
     if (*code == 0) *code = strict_check(&s->tree, tables);
     if (*code == 0) {
         strict_fill(&s->tree, tables);

@@ -1,8 +1,9 @@
 /* source.h -- the case file as a tree that knows where each value came from.
  *
- * libconfig reads the file and keeps file and line of every setting; a value
- * set by an override or a default carries that in its hook instead. So every
- * message can name the place where the writer of the case has to look.
+ * libconfig reads the file and keeps file and line of every setting. A value
+ * that came otherwise carries that in its hook: the text of an override, or
+ * the mark of a default. So every message can name the place where the writer
+ * of the case has to look.
  */
 #ifndef SOURCE_H
 #define SOURCE_H
@@ -11,20 +12,13 @@
 
 enum { SOURCE_TEXT = 512 }; /* room for a place or a value */
 
+/* The hook of a default. */
+extern const char source_default[];
+
 /* Reads the file and what it includes, looked for beside it. 0; or after one
  * message 2 for wrong syntax, 4 for a file that cannot be read. tree is
  * initialised in any case. */
 int source_read(config_t *tree, const char *file);
-
-/* Applies "path.to.key=value"; the text is borrowed for the life of the tree.
- * The value is written as in a case, or is a bare word. Groups on the way are
- * made, an element of a list is named by its number. 0, or 2 after a message.
- */
-int source_override(config_t *tree, const char *text);
-
-/* Adds a value that the case leaves out, written as in a case. */
-void source_default(config_setting_t *group, const char *name,
-                    const char *value);
 
 /* 1 if the value is a default. */
 int source_is_default(const config_setting_t *setting);

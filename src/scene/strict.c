@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/strict.h"
 
+#include "scene/override.h"
 #include "scene/rows.h"
 #include "scene/source.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -228,7 +228,7 @@ static void fill_group(const struct key *const *tables, const char *path,
 
         if (name != NULL && k->fallback != NULL && k->fallback[0] != '\0' &&
             config_setting_get_member(group, name) == NULL)
-            source_default(group, name, k->fallback);
+            override_default(group, name, k->fallback);
     }
 }
 
