@@ -94,8 +94,7 @@ static int count_substeps(const struct simulation *sim)
     const struct coupling *const cp = sim->coupling;
     double n = cp->options.substeps;
 
-    if (cp->options.substeps == 0)
-        n = ceil(sim->dt / cp->report.shortest_time);
+    if (cp->options.substeps == 0) n = ceil(sim->dt / cp->report.shortest_time);
     return n < 1.0 ? 1 : n > sim->dem_steps ? sim->dem_steps : (int)n;
 }
 
@@ -109,8 +108,7 @@ static int move_with_drag(struct simulation *sim, double *clock)
 
     transfer_open_account(sim);
     for (int k = 0; k < n && !failed; k++) {
-        const int steps =
-            sim->dem_steps * (k + 1) / n - sim->dem_steps * k / n;
+        const int steps = sim->dem_steps * (k + 1) / n - sim->dem_steps * k / n;
         apply_held_forces(sim);
         transfer_apply_drag(sim, steps);
         clock_add(&sim->seconds.exchange, clock);

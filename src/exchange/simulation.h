@@ -27,14 +27,14 @@ struct simulation {
     struct dem *dem;
     struct averaging *averaging;
     struct coupling *coupling;
-    double dt;           /* [s] of the loop: the fluid's step where there is
-                            one */
-    int dem_steps;       /* [-] particle steps in one step of the loop */
-    double t;            /* [s] */
-    long steps;          /* [-] done */
-    double gravity[3];   /* [m/s^2] 0 unless the scene names it */
-    double *held;        /* [N] forces that effects put on the particles for
-                            this step, 3 a particle */
+    double dt;         /* [s] of the loop: the fluid's step where there is
+                          one */
+    int dem_steps;     /* [-] particle steps in one step of the loop */
+    double t;          /* [s] */
+    long steps;        /* [-] done */
+    double gravity[3]; /* [m/s^2] 0 unless the scene names it */
+    double *held;      /* [N] forces that effects put on the particles for
+                          this step, 3 a particle */
     struct dem_report dem_report; /* of the last step */
     int n_effects;
     struct effect_state *effects;

@@ -26,10 +26,9 @@ static double drag_rate(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
     const struct particles *const ps = sim->particles;
-    return volume(ps, i) *
-           sim->coupling->options.law->resistance(sim->coupling->eps[i],
-                                                  o->rho, o->mu, ps->d[i],
-                                                  slip_speed(sim, i));
+    return volume(ps, i) * sim->coupling->options.law->resistance(
+                               sim->coupling->eps[i], o->rho, o->mu, ps->d[i],
+                               slip_speed(sim, i));
 }
 
 static void take_solids(struct simulation *sim)
