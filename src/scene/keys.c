@@ -105,7 +105,7 @@ const struct key keys_core[] = {
     {"averaging.scheme", KEY_NAME, "",
      "exponential | crank-nicolson | implicit-euler", "exponential",
      "time scheme of the diffusion", "SX15 5", ""},
-    {"averaging.tolerance", KEY_REAL, "-", "> 0, < 1", "1e-8",
+    {"averaging.tolerance", KEY_REAL, "-", "> 0, < 1", "1e-6",
      "residual of the diffusion solver, over its scale", "", ""},
     {"averaging.cap", KEY_REAL, "-", "> 0, <= 1", "",
      "highest solid fraction of a cell under pcm; what is cut is counted",
