@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "exchange/coupling.h"
@@ -67,8 +68,8 @@ int transfer_average(struct simulation *sim)
     }
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
     take_solids(sim);
-    interpolation_apply(cp->options.interpolation, sim->averaging, 1,
-                        sim->fluid->eps, cp->eps);
+    cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
+                                     cp->eps);
     return cp->report.eps_lowest <= 0.0;
 }
 
@@ -167,8 +168,8 @@ void transfer_fluid(struct simulation *sim)
         averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
         if (sim->fluid->t > 0.0) settle_payment(sim);
     }
-    interpolation_apply(cp->options.interpolation, sim->averaging, 3,
-                        sim->fluid->u, cp->u_f);
+    cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
+                                     cp->u_f);
 }
 
 void transfer_open_account(struct simulation *sim)

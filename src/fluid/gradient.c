@@ -5,7 +5,7 @@
  * slope of p: the slope on each side of a face differs from that on the other
  * by the difference of the drag forces there, both taken at the velocity that
  * the flux through the face has in that cell. p_f is where the two meet. With
- * equal forces it is the linear mean.
+ * equal forces it is the linear mean. A step of p by inertia adds to it.
  */
 #include "fluid/piso.h"
 
@@ -46,6 +46,8 @@ static void inner_pressures(struct fluid *fl)
         fl->p_face[f] +=
             w * (1.0 - w) * face_length(m, f, area) *
             (drag_slope(fl, o, f, area) - drag_slope(fl, n, f, area));
+        fl->p_face[f] +=
+            jump_above_owner(fl, f) - (1.0 - w) * jump_pressure(fl, f);
     }
 }
 

@@ -39,6 +39,7 @@ static void link_coefficients(struct fluid *fl)
     for (int f = 0; f < m->n_internal; f++) {
         const double flow = o->rho * fl->phi[f]; /* [kg/s] */
         const double share = o->convection->share(fl->phi[f], m->w[f]);
+        fl->piso->share[f] = share;
         const double D = o->mu * link_strength(m, f);
         A->a[A->upper[f]] = flow * (1.0 - share) - D;
         A->a[A->lower[f]] = -flow * share - D;
@@ -155,7 +156,10 @@ void momentum_assemble(struct fluid *fl)
     memcpy(fl->piso->u_old, fl->u, 3 * (size_t)n * sizeof *fl->u);
     link_coefficients(fl);
     cell_coefficients(fl);
-    if (fl->options.coupled) add_drag(fl);
+    if (fl->options.coupled) {
+        add_drag(fl);
+        jump_update(fl);
+    }
     add_boundaries(fl);
 }
 

@@ -46,6 +46,9 @@ struct piso *piso_create(const struct fluid *fl)
     ps->H = alloc_doubles(3 * n);
     ps->owed = alloc_doubles(3 * n);
     ps->defect = alloc_doubles(n);
+    ps->jump = alloc_doubles(m->n_internal);
+    ps->share = alloc_doubles(m->n_internal);
+    ps->inertia = alloc_doubles(3 * n);
     ps->mobility = alloc_doubles(n);
     ps->drive = alloc_doubles(3 * n);
     ps->m_face = alloc_doubles(m->n_faces);
@@ -73,6 +76,9 @@ void piso_free(struct piso *ps)
     free(ps->H);
     free(ps->owed);
     free(ps->defect);
+    free(ps->jump);
+    free(ps->share);
+    free(ps->inertia);
     free(ps->mobility);
     free(ps->drive);
     free(ps->m_face);

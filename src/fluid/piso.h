@@ -25,6 +25,9 @@ struct piso {
     double *owed;         /* [N] residual carried into the next step */
     double *defect;       /* [m^3/s] d(eps V)/dt + sum phi of the flux that
                              carries momentum: what continuity lacks */
+    double *jump;         /* [Pa] inertia at a face where eps jumps */
+    double *share;        /* [-] of the owner in the carried velocity */
+    double *inertia;      /* [N] what the jumps put on a cell, 3 each */
     double *mobility;     /* [m^3 s/kg] m_P = eps gamma V / a_P */
     double *drive;        /* [Pa/m] H / (gamma V), 3 a cell */
     struct csr *pressure; /* [m^3/(Pa s)] */
@@ -69,6 +72,13 @@ struct solve_report pressure_correct(struct fluid *fl);
  * leaves of continuity over the largest flux through a cell [-]. */
 void continuity_source(struct fluid *fl);
 double continuity_residual(struct fluid *fl);
+
+/* jump.c: where eps jumps, so do velocity and pressure; once a step. */
+void jump_update(struct fluid *fl);
+/* The step of p across face f, owner to neighbour [Pa]. */
+double jump_pressure(const struct fluid *fl, int f);
+/* By how much p_f lies above the owner's side of the face [Pa]. */
+double jump_above_owner(const struct fluid *fl, int f);
 
 /* gradient.c: p_face and grad_p from p, phi and the forces. */
 void gradient_update(struct fluid *fl);

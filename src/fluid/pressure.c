@@ -10,9 +10,10 @@
  *   1 / m_f = (1 - w) / m_P + w / m_N,   drive_f, c_f averaged alike
  *
  * So drag, which jumps with eps, enters a face as the pressure gradient does,
- * and a packed column has its exact pressure drop. The term with phi_old keeps
- * the storage of momentum at the face itself: in a steady flow it cancels from
- * both sides, and the solution does not know the time step.
+ * and a packed column has its exact pressure drop. (Where eps jumps, a step of
+ * p_N - p_P belongs to the fluid's inertia: jump.c.) The term with phi_old
+ * keeps the storage of momentum at the face itself: in a steady flow it cancels
+ * from both sides, and the solution does not know the time step.
  */
 #include "fluid/piso.h"
 
@@ -85,8 +86,8 @@ static void driven_fluxes(struct fluid *fl)
 
     for (int c = 0; c < m->n_cells; c++)
         for (int k = 0; k < 3; k++)
-            ps->drive[3 * c + k] =
-                ps->H[3 * c + k] / (piso_gamma(fl, c) * m->V[c]);
+            ps->drive[3 * c + k] = (ps->H[3 * c + k] - ps->inertia[3 * c + k]) /
+                                   (piso_gamma(fl, c) * m->V[c]);
     for (int f = 0; f < m->n_internal; f++) {
         const int o = m->owner[f], n = m->neighbour[f];
         const double *const S = &m->S[3 * f], w = m->w[f];
@@ -95,6 +96,8 @@ static void driven_fluxes(struct fluid *fl)
         const double storage =
             (1.0 - w) * storage_per_flux(fl, o) + w * storage_per_flux(fl, n);
         fl->phi[f] = ps->m_face[f] * (drive + storage * ps->phi_old[f]);
+        if (fl->options.coupled)
+            fl->phi[f] += ps->conductance[f] * jump_pressure(fl, f);
     }
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];

@@ -15,7 +15,7 @@
 
 struct settings {
     config_t tree;
-    const struct key *const *tables; /* borrowed */
+    const struct key **tables; /* a copy of the list, the tables borrowed */
     char *file;
 };
 
@@ -24,8 +24,12 @@ struct settings *settings_create(const char *file, int n_overrides,
                                  const struct key *const *tables, int *code)
 {
     struct settings *const s = alloc_zeroed(1, sizeof *s);
+    size_t n = 0;
 
-    s->tables = tables;
+    while (tables[n] != NULL)
+        n++;
+    s->tables = alloc_zeroed(n + 1, sizeof *s->tables);
+    memcpy(s->tables, tables, n * sizeof *s->tables);
     s->file = strdup(file);
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
@@ -43,6 +47,7 @@ void settings_free(struct settings *s)
 {
     if (s == NULL) return;
     config_destroy(&s->tree);
+    free(s->tables);
     free(s->file);
     free(s);
 }

@@ -17,7 +17,8 @@
 
 struct settings;
 
-/* Reads and checks. tables: tables of keys, ended by NULL (borrowed). NULL
+/* Reads and checks. tables: a list of tables, ended by NULL
+ * (the tables are borrowed, and so are the overrides). NULL
  * after one message on stderr; *code is then 2 if the input is wrong, 4 if it
  * could not be read, and else 0. */
 struct settings *settings_create(const char *file, int n_overrides,

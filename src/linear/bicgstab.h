@@ -1,0 +1,32 @@
+/* bicgstab.h -- BiCGStab for the three components of a momentum equation.
+ * Chapter 4.
+ *
+ * The components lie side by side, x[3 * i + k]. They share the entries off
+ * the diagonal; each has its own diagonal, diag3[3 * i + k], which stands in
+ * for A->diag and is the preconditioner (Jacobi). Each component has its own
+ * step lengths and stops on its own.
+ */
+#ifndef BICGSTAB_H
+#define BICGSTAB_H
+
+#include "linear/csr.h"
+#include "linear/report.h"
+
+struct bicgstab_work;
+
+struct bicgstab_work *bicgstab_work_create(int n);
+void bicgstab_work_free(struct bicgstab_work *w);
+
+/* Solves A x = b from the guess in x. Stops when, for each component,
+ * |b - A x|_2 <= max(tolerance |b|_2, absolute). The scale |b| is the 2-norm
+ * over all three components, so that a component that is almost zero is not
+ * asked for more than it matters. The report is that of the worst component;
+ * a guess that is good enough costs 0 iterations. After a breakdown the method
+ * starts afresh from where it is; converged says whether that helped. */
+struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
+                                   const double *b3, double *x3,
+                                   double tolerance /* [-] */,
+                                   double absolute /* unit of b */,
+                                   int max_iterations, struct bicgstab_work *w);
+
+#endif

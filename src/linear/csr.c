@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/csr.h"
+
+#include "base/alloc.h"
+#include "linear/reduce.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* Room for the entries of each row: every link has one in both its rows. */
+static void count_rows(struct csr *A, const int *owner, const int *neighbour)
+{
+    for (int l = 0; l < A->n_links; l++) {
+        assert(owner[l] >= 0 && owner[l] < A->n);
+        assert(neighbour[l] >= 0 && neighbour[l] < A->n);
+        A->start[owner[l] + 1]++;
+        A->start[neighbour[l] + 1]++;
+    }
+    for (int i = 0; i < A->n; i++)
+        A->start[i + 1] += A->start[i];
+}
+
+/* Moves the entry at e down to its place among those of its row that are
+ * already sorted. link[e] is the link of entry e, inverted for the lower. */
+static void sink(struct csr *A, int *link, int first, int e)
+{
+    const int col = A->col[e], moved = link[e];
+
+    for (; e > first && A->col[e - 1] > col; e--) {
+        A->col[e] = A->col[e - 1];
+        link[e] = link[e - 1];
+    }
+    A->col[e] = col;
+    link[e] = moved;
+}
+
+static void fill_rows(struct csr *A, int *link, const int *owner,
+                      const int *neighbour)
+{
+    int *const used = alloc_ints(A->n);
+
+    for (int l = 0; l < A->n_links; l++) {
+        const int i = owner[l], j = neighbour[l];
+        int e = A->start[i] + used[i]++;
+
+        A->col[e] = j;
+        link[e] = l;
+        sink(A, link, A->start[i], e);
+        e = A->start[j] + used[j]++;
+        A->col[e] = i;
+        link[e] = ~l;
+        sink(A, link, A->start[j], e);
+    }
+    free(used);
+}
+
+struct csr *csr_create(int n, int n_links, const int *owner,
+                       const int *neighbour)
+{
+    struct csr *const A = alloc_zeroed(1, sizeof *A);
+
+    A->n = n;
+    A->n_links = n_links;
+    A->start = alloc_ints(n + 1);
+    A->col = alloc_ints(2 * n_links);
+    A->a = alloc_doubles(2 * n_links);
+    A->diag = alloc_doubles(n);
+    A->upper = alloc_ints(n_links);
+    A->lower = alloc_ints(n_links);
+
+    int *const link = alloc_ints(2 * n_links);
+
+    count_rows(A, owner, neighbour);
+    fill_rows(A, link, owner, neighbour);
+    for (int e = 0; e < 2 * n_links; e++)
+        if (link[e] >= 0)
+            A->upper[link[e]] = e;
+        else
+            A->lower[~link[e]] = e;
+    free(link);
+    return A;
+}
+
+void csr_free(struct csr *A)
+{
+    if (A == NULL) return;
+    free(A->start);
+    free(A->col);
+    free(A->a);
+    free(A->diag);
+    free(A->upper);
+    free(A->lower);
+    free(A);
+}
+
+void csr_multiply(const struct csr *A, const double *x, double *y)
+{
+#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4)
+    for (int i = 0; i < A->n; i++) {
+        double sum = A->diag[i] * x[i];
+
+        for (int e = A->start[i]; e < A->start[i + 1]; e++)
+            sum += A->a[e] * x[A->col[e]];
+        y[i] = sum;
+    }
+}
+
+/* One row for m fields. Called with m a constant where it matters, so that
+ * the sums stay in registers. d is the diagonal: one number (step = 0) or one
+ * a field (step = 1). */
+static inline void row_many(const struct csr *A, int i, int m, const double *d,
+                            int step, const double *x, double *y)
+{
+    double sum[REDUCE_FIELDS];
+    const double *const xi = x + (long)m * i;
+    double *const yi = y + (long)m * i;
+
+    for (int k = 0; k < m; k++)
+        sum[k] = d[k * step] * xi[k];
+    for (int e = A->start[i]; e < A->start[i + 1]; e++) {
+        const double a = A->a[e];
+        const double *const xj = x + (long)m * A->col[e];
+
+        for (int k = 0; k < m; k++)
+            sum[k] += a * xj[k];
+    }
+    for (int k = 0; k < m; k++)
+        yi[k] = sum[k];
+}
+
+void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
+{
+    assert(m >= 1 && m <= REDUCE_FIELDS);
+#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
+    for (int i = 0; i < A->n; i++) {
+        const double *const d = A->diag + i;
+
+        switch (m) {
+        case 3:
+            row_many(A, i, 3, d, 0, x, y);
+            break;
+        case 4:
+            row_many(A, i, 4, d, 0, x, y);
+            break;
+        case 8:
+            row_many(A, i, 8, d, 0, x, y);
+            break;
+        default:
+            row_many(A, i, m, d, 0, x, y);
+        }
+    }
+}
+
+void csr_multiply_each(const struct csr *A, int m, const double *diag,
+                       const double *x, double *y)
+{
+    const double none[REDUCE_FIELDS] = {0.0};
+
+    assert(m >= 1 && m <= REDUCE_FIELDS);
+#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
+    for (int i = 0; i < A->n; i++) {
+        const double *const d = diag != NULL ? diag + (long)m * i : none;
+
+        if (m == 3)
+            row_many(A, i, 3, d, 1, x, y);
+        else
+            row_many(A, i, m, d, 1, x, y);
+    }
+}

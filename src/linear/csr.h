@@ -1,0 +1,45 @@
+/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 4.
+ *
+ * Link l joins two unknowns, owner[l] and neighbour[l], and stands for the two
+ * entries (owner, neighbour) and (neighbour, owner). The rows are stored one
+ * after the other (compressed sparse rows), so that a product gathers: each
+ * row is summed by one thread, in ascending columns, and the bits do not
+ * depend on the number of threads. The diagonal is kept apart.
+ *
+ *     (A x)_i = diag_i x_i + sum_e a_e x_(col_e),  start_i <= e < start_(i+1)
+ *
+ * Every link has entries of its own, even where two links join the same pair
+ * (a periodic row of two cells) or a cell to itself (of one): to fill the
+ * matrix is to write a[upper[l]] and a[lower[l]], and to add to diag.
+ */
+#ifndef CSR_H
+#define CSR_H
+
+struct csr {
+    int n, n_links;
+    int *start;   /* [-] n + 1; the entries of row i are a[start[i]] ... */
+    int *col;     /* [-] 2 n_links; ascending within a row */
+    double *a;    /* 2 n_links; entries off the diagonal */
+    double *diag; /* n */
+    int *upper;   /* [-] a[upper[l]] is the entry (owner, neighbour) */
+    int *lower;   /* [-] a[lower[l]] is the entry (neighbour, owner) */
+};
+
+/* The pattern of these links with all coefficients zero. */
+struct csr *csr_create(int n, int n_links, const int *owner,
+                       const int *neighbour);
+void csr_free(struct csr *A);
+
+/* y = A x. x and y do not overlap, here and below. */
+void csr_multiply(const struct csr *A, const double *x, double *y);
+
+/* y = A x for m fields side by side, x[m * i + k]: each coefficient is read
+ * once for all fields. */
+void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
+
+/* The same, but each field has its own diagonal, diag[m * i + k], which stands
+ * in for A->diag. diag = NULL: only the entries off the diagonal. */
+void csr_multiply_each(const struct csr *A, int m, const double *diag,
+                       const double *x, double *y);
+
+#endif

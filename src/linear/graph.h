@@ -1,0 +1,34 @@
+/* graph.h -- cells and the links between them, and the same seen from farther
+ * away, with aggregates for cells.  Chapter 4.
+ */
+#ifndef GRAPH_H
+#define GRAPH_H
+
+struct graph {
+    int n, n_links;
+    int *owner, *neighbour; /* [-] of each link */
+    double *strength;       /* [m] S/d of each link */
+    double *link;           /* [m] from owner to neighbour, 3 a link */
+    double *V;              /* [m^3] of each cell */
+    int *strong;            /* [-] 1: the link may join cells */
+};
+
+/* A graph with copies of these arrays, no link marked strong. */
+struct graph *graph_create(int n, int n_links, const int *owner,
+                           const int *neighbour, const double *strength,
+                           const double *link, const double *V);
+void graph_free(struct graph *g);
+
+/* Length of link l [m]. */
+double graph_length(const struct graph *g, int l);
+
+/* The graph of aggregates. root[i] is the first cell of the aggregate of i,
+ * offset the way from there to i [m] (becomes the way from the centroid).
+ * parent[i] becomes the aggregate of i, bundle[l] the coarse link that link l
+ * is part of, or -1 if it lies within an aggregate. Links between the same two
+ * aggregates are one bundle if they lead the same way: through a periodic side
+ * they may not. */
+struct graph *graph_joined(const struct graph *g, const int *root,
+                           double *offset, int *parent, int *bundle);
+
+#endif

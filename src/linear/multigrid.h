@@ -1,0 +1,40 @@
+/* multigrid.h -- the pressure solver's preconditioner.  Chapter 4.
+ *
+ * Cells are joined in aggregates, aggregates in larger ones, until a few are
+ * left. The aggregates come from the geometry alone and are made once; each
+ * time the matrix changes, its coefficients are only summed upward. A coarse
+ * coefficient is divided by how much its link is longer than the links it is
+ * summed from: piecewise constant corrections are too stiff by that factor.
+ * One application is one symmetric cycle, smoothed by Chebyshev polynomials of
+ * degree two: products only, so it threads, vectorises, and gives the same
+ * bits for any number of threads.
+ */
+#ifndef MULTIGRID_H
+#define MULTIGRID_H
+
+#include "linear/csr.h"
+
+struct multigrid;
+
+/* Aggregates for the unknowns and links of a csr (same order). V and the
+ * arrays of links are borrowed during the call only. */
+struct multigrid *multigrid_create(int n, int n_links, const int *owner,
+                                   const int *neighbour,
+                                   const double *strength, /* [m] |S|/|d| */
+                                   const double *link,     /* [m] 3 a link */
+                                   const double *V);       /* [m^3] */
+void multigrid_free(struct multigrid *mg);
+
+/* Takes over the coefficients of A: symmetric, positive definite, entries off
+ * the diagonal <= 0, rows weakly diagonally dominant. A is borrowed and must
+ * not change until the next update. */
+void multigrid_update(struct multigrid *mg, const struct csr *A);
+
+/* z = M r, one cycle from zero: a symmetric positive definite M. */
+void multigrid_apply(struct multigrid *mg, const double *r, double *z);
+
+/* For reports: the number of levels, and the unknowns of one of them. */
+int multigrid_levels(const struct multigrid *mg);
+int multigrid_unknowns(const struct multigrid *mg, int level);
+
+#endif

@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/symmetric.h"
+
+#include "base/alloc.h"
+#include "linear/reduce.h"
+
+#include <stdlib.h>
+
+enum {
+    BLOCK = 512,  /* rows worked on at once: they stay in the nearest cache */
+    WORTH_IT = 8, /* a distance is a band if a row in so many has it */
+};
+
+/* The distances that occur most, most frequent first. */
+static void find_bands(struct symmetric *S, const int *owner,
+                       const int *neighbour)
+{
+    int *const count = alloc_ints(S->n);
+
+    for (int l = 0; l < S->n_links; l++)
+        count[abs(neighbour[l] - owner[l])]++;
+    while (S->n_bands < SYMMETRIC_BANDS) {
+        int best = 0;
+
+        count[0] = S->n / WORTH_IT;
+        for (int d = 1; d < S->n; d++)
+            if (count[d] > count[best]) best = d;
+        if (best == 0) break;
+        count[best] = 0;
+        S->distance[S->n_bands++] = best;
+        if (best > S->pad) S->pad = best;
+    }
+    S->pad = (S->pad + 7) / 8 * 8; /* keeps vectors aligned to 64 bytes */
+    free(count);
+}
+
+/* Gives each link its place: in a band, if nobody has taken it, else in the
+ * rest. */
+static void place_links(struct symmetric *S, const int *owner,
+                        const int *neighbour)
+{
+    int *const own = alloc_ints(S->n_links), *const nei = alloc_ints(S->n_links);
+    int n_rest = 0;
+
+    for (int l = 0; l < S->n_links; l++) {
+        const int i = owner[l], j = neighbour[l], low = i < j ? i : j;
+        int k = 0;
+
+        while (k < S->n_bands && S->distance[k] != abs(j - i)) k++;
+        S->kind[l] = i == j ? -2 : k < S->n_bands ? k : -1;
+        S->place[l] = low;
+        if (S->kind[l] >= 0 && S->band[k][low] != 0.0) S->kind[l] = -1;
+        if (S->kind[l] >= 0) S->band[k][low] = 1.0;
+        if (S->kind[l] != -1) continue;
+        own[n_rest] = i;
+        nei[n_rest] = j;
+        S->place[l] = n_rest++;
+    }
+    if (n_rest > 0) S->rest = csr_create(S->n, n_rest, own, nei);
+    free(own);
+    free(nei);
+}
+
+struct symmetric *symmetric_create(int n, int n_links, const int *owner,
+                                   const int *neighbour)
+{
+    struct symmetric *const S = alloc_zeroed(1, sizeof *S);
+
+    S->n = n;
+    S->n_links = n_links;
+    S->kind = alloc_ints(n_links);
+    S->place = alloc_ints(n_links);
+    S->diag = alloc_doubles(n);
+    S->inverse = alloc_doubles(n);
+    find_bands(S, owner, neighbour);
+    for (int k = 0; k < S->n_bands; k++) S->band[k] = symmetric_vector(S);
+    place_links(S, owner, neighbour);
+    return S;
+}
+
+void symmetric_free(struct symmetric *S)
+{
+    if (S == NULL) return;
+    for (int k = 0; k < S->n_bands; k++) symmetric_vector_free(S, S->band[k]);
+    csr_free(S->rest);
+    free(S->kind);
+    free(S->place);
+    free(S->diag);
+    free(S->inverse);
+    free(S);
+}
+
+double *symmetric_vector(const struct symmetric *S)
+{
+    return alloc_doubles(S->n + 2 * S->pad) + S->pad;
+}
+
+void symmetric_vector_free(const struct symmetric *S, double *x)
+{
+    if (x != NULL) free(x - S->pad);
+}
+
+/* y[i - first] = sum of the bands k < bands of row i, times x. Called with a
+ * constant number of bands, so that the loop over rows is the one that
+ * vectorises. */
+static inline void band_rows(const struct symmetric *S, int bands, int first,
+                             int last, const double *x, double *restrict y)
+{
+    const double *u[3], *v[3], *up[3], *down[3];
+
+    for (int k = 0; k < bands; k++) {
+        u[k] = S->band[k] + first;
+        v[k] = u[k] - S->distance[k];
+        up[k] = x + first + S->distance[k];
+        down[k] = x + first - S->distance[k];
+    }
+    for (int i = 0; i < last - first; i++) {
+        double sum = S->diag[first + i] * x[first + i];
+
+        for (int k = 0; k < bands; k++)
+            sum += u[k][i] * up[k][i] + v[k][i] * down[k][i];
+        y[i] = sum;
+    }
+}
+
+static void other_bands(const struct symmetric *S, int first, int last,
+                        const double *x, double *restrict y)
+{
+    for (int k = 3; k < S->n_bands; k++) {
+        const int d = S->distance[k];
+        const double *const u = S->band[k];
+
+        for (int i = first; i < last; i++)
+            y[i - first] += u[i] * x[i + d] + u[i - d] * x[i - d];
+    }
+}
+
+static void rest_rows(const struct csr *R, int first, int last,
+                      const double *x, double *y)
+{
+    for (int i = first; i < last; i++) {
+        double sum = 0.0;
+
+        for (int e = R->start[i]; e < R->start[i + 1]; e++)
+            sum += R->a[e] * x[R->col[e]];
+        y[i - first] += sum;
+    }
+}
+
+/* y[0 ..] = rows first .. last - 1 of A x. */
+static void rows(const struct symmetric *S, int first, int last,
+                 const double *x, double *y)
+{
+    switch (S->n_bands) {
+    case 0: band_rows(S, 0, first, last, x, y); break;
+    case 1: band_rows(S, 1, first, last, x, y); break;
+    case 2: band_rows(S, 2, first, last, x, y); break;
+    default: band_rows(S, 3, first, last, x, y);
+    }
+    other_bands(S, first, last, x, y);
+    if (S->rest != NULL) rest_rows(S->rest, first, last, x, y);
+}
+
+void symmetric_residual(const struct symmetric *S, const double *b,
+                        const double *x, double *r)
+{
+#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
+    for (int first = 0; first < S->n; first += BLOCK) {
+        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
+        double Ax[BLOCK];
+
+        rows(S, first, last, x, Ax);
+        for (int i = first; i < last; i++) r[i] = b[i] - Ax[i - first];
+    }
+}
+
+void symmetric_relax(const struct symmetric *S, const double *b,
+                     const double *x, double alpha, const double *w,
+                     double beta, double gamma, double *y)
+{
+#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
+    for (int first = 0; first < S->n; first += BLOCK) {
+        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
+        double Ax[BLOCK];
+
+        rows(S, first, last, x, Ax);
+        for (int i = first; i < last; i++)
+            y[i] = alpha * x[i] + beta * w[i] +
+                   gamma * S->inverse[i] * (b[i] - Ax[i - first]);
+    }
+}
+
+/* Writes the coefficients of all links; each has a place of its own. */
+static void write_links(struct symmetric *S, const double *g)
+{
+#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
+    for (int l = 0; l < S->n_links; l++) {
+        const int kind = S->kind[l], place = S->place[l];
+
+        if (kind >= 0) {
+            S->band[kind][place] = -g[l];
+        } else if (kind == -1) {
+            S->rest->a[S->rest->upper[place]] = -g[l];
+            S->rest->a[S->rest->lower[place]] = -g[l];
+        }
+    }
+}
+
+/* Minus the sum of the entries off the diagonal of row i. */
+static double links_of_row(const struct symmetric *S, int i)
+{
+    double sum = 0.0;
+
+    for (int k = 0; k < S->n_bands; k++)
+        sum -= S->band[k][i] + S->band[k][i - S->distance[k]];
+    if (S->rest != NULL)
+        for (int e = S->rest->start[i]; e < S->rest->start[i + 1]; e++)
+            sum -= S->rest->a[e];
+    return sum;
+}
+
+void symmetric_fill(struct symmetric *S, const double *g, const double *sums)
+{
+    write_links(S, g);
+#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
+    for (int i = 0; i < S->n; i++) {
+        S->diag[i] = sums[i] + links_of_row(S, i);
+        S->inverse[i] = S->diag[i] > 0.0 ? 1.0 / S->diag[i] : 0.0;
+    }
+}

@@ -1,0 +1,51 @@
+/* symmetric.h -- a symmetric matrix stored by diagonals.  Chapter 4.
+ *
+ * On a box, owner and neighbour of a link are almost always one of a few
+ * distances apart: 1, n_x, n_x n_y. Such links are stored by distance, each
+ * coefficient once, without an index, and the product runs at vector speed:
+ *
+ *     (A x)_i = diag_i x_i + sum_k (u_k,i x_(i+d_k) + u_k,(i-d_k) x_(i-d_k))
+ *
+ * Links at any other distance go to a csr. A mesh without regularity has all
+ * of them there, and the same code works at the speed of csr.
+ */
+#ifndef SYMMETRIC_H
+#define SYMMETRIC_H
+
+#include "linear/csr.h"
+
+enum { SYMMETRIC_BANDS = 6 }; /* at most */
+
+struct symmetric {
+    int n, n_links;
+    int n_bands, distance[SYMMETRIC_BANDS];
+    int pad; /* [-] zeros before and after a vector, so that i - d and i + d
+                need no test */
+    double *diag, *inverse;        /* the diagonal and one over it */
+    double *band[SYMMETRIC_BANDS]; /* padded like the vectors */
+    int *kind, *place; /* [-] of link l: its band and place there; or -1 and
+                          its link in rest; -2: joins a cell to itself */
+    struct csr *rest;  /* NULL if there is nothing left */
+};
+
+struct symmetric *symmetric_create(int n, int n_links, const int *owner,
+                                   const int *neighbour);
+void symmetric_free(struct symmetric *S);
+
+/* A vector with its padding, zero; only entries 0 .. n - 1 may be written. */
+double *symmetric_vector(const struct symmetric *S);
+void symmetric_vector_free(const struct symmetric *S, double *x);
+
+/* The matrix of diffusion: entry -g[l] for link l, the diagonal such that the
+ * row sums are those given. Links that join a cell to itself do nothing. */
+void symmetric_fill(struct symmetric *S, const double *g, const double *sums);
+
+/* r = b - A x, and y = alpha x + beta w + gamma D^-1 (b - A x). x is padded;
+ * y may be w. */
+void symmetric_residual(const struct symmetric *S, const double *b,
+                        const double *x, double *r);
+void symmetric_relax(const struct symmetric *S, const double *b,
+                     const double *x, double alpha, const double *w,
+                     double beta, double gamma, double *y);
+
+#endif
