@@ -15,6 +15,7 @@ const char *const picture_script[] = {
 "wide = tall * (x1 - x0) / (y1 - y0)",
 "if (wide > 560) { wide = 560.0; tall = wide * (y1 - y0) / (x1 - x0) }",
 "if (wide < 60) { wide = 60.0; tall = wide * (y1 - y0) / (x1 - x0) }",
+"if (tall > 1000) { tall = 1000.0; wide = tall * (x1 - x0) / (y1 - y0) }",
 "roomy = wide > 200 ? wide : 200.0    # a colour bar needs some room",
 "left = 90.0; gap = 60.0; below = 140.0; above = 105.0",
 "shown = tall > 420 ? tall : 420.0",
