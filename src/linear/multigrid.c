@@ -30,15 +30,15 @@ struct members {
 struct level {
     int n, n_links;
     struct symmetric *A;
-    double *g;    /* coefficient of each link: minus the matrix entry */
-    double *sums; /* row sums of the matrix: what is not diffusion */
-    double *b, *r;          /* right-hand side (not on the finest), residual */
-    double *x, *y;          /* two stages of the solution, padded */
-    int *parent;            /* [-] aggregate of each unknown */
-    struct members cells;   /* of the finer level, in each unknown */
-    struct members links;   /* of the finer level, in each link */
-    double *share;          /* [-] of links.list: length of the finer link over
-                               that of the coarser */
+    double *g;            /* coefficient of each link: minus the matrix entry */
+    double *sums;         /* row sums of the matrix: what is not diffusion */
+    double *b, *r;        /* right-hand side (not on the finest), residual */
+    double *x, *y;        /* two stages of the solution, padded */
+    int *parent;          /* [-] aggregate of each unknown */
+    struct members cells; /* of the finer level, in each unknown */
+    struct members links; /* of the finer level, in each link */
+    double *share;        /* [-] of links.list: length of the finer link over
+                             that of the coarser */
 };
 
 struct multigrid {
@@ -55,8 +55,10 @@ static struct members members_of(int n_groups, int n, const int *group)
 
     for (int i = 0; i < n; i++)
         if (group[i] >= 0) m.start[group[i] + 1]++;
-    for (int s = 0; s < n_groups; s++) m.start[s + 1] += m.start[s];
-    for (int s = 0; s < n_groups; s++) next[s] = m.start[s];
+    for (int s = 0; s < n_groups; s++)
+        m.start[s + 1] += m.start[s];
+    for (int s = 0; s < n_groups; s++)
+        next[s] = m.start[s];
     m.list = alloc_ints(m.start[n_groups]);
     for (int i = 0; i < n; i++)
         if (group[i] >= 0) m.list[next[group[i]]++] = i;
@@ -92,9 +94,8 @@ static void level_tie(struct level *v, const struct graph *fine,
 }
 
 struct multigrid *multigrid_create(int n, int n_links, const int *owner,
-                                   const int *neighbour,
-                                   const double *strength, const double *link,
-                                   const double *V)
+                                   const int *neighbour, const double *strength,
+                                   const double *link, const double *V)
 {
     struct multigrid *const mg = alloc_zeroed(1, sizeof *mg);
     struct graph *g =
@@ -147,7 +148,8 @@ static void level_free(struct level *v)
 void multigrid_free(struct multigrid *mg)
 {
     if (mg == NULL) return;
-    for (int k = 0; k < mg->n_levels; k++) level_free(&mg->level[k]);
+    for (int k = 0; k < mg->n_levels; k++)
+        level_free(&mg->level[k]);
     dense_free(mg->coarsest);
     free(mg);
 }
@@ -156,12 +158,14 @@ void multigrid_free(struct multigrid *mg)
 static void take_over(struct level *v, const struct csr *A)
 {
 #pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 4)
-    for (int l = 0; l < v->n_links; l++) v->g[l] = -A->a[A->upper[l]];
+    for (int l = 0; l < v->n_links; l++)
+        v->g[l] = -A->a[A->upper[l]];
 #pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 4)
     for (int i = 0; i < v->n; i++) {
         double sum = A->diag[i];
 
-        for (int e = A->start[i]; e < A->start[i + 1]; e++) sum += A->a[e];
+        for (int e = A->start[i]; e < A->start[i + 1]; e++)
+            sum += A->a[e];
         v->sums[i] = sum;
     }
 }
@@ -193,7 +197,8 @@ static void factor_coarsest(struct multigrid *mg)
     struct level *const v = &mg->level[mg->n_levels - 1];
     double *const a = dense_matrix(mg->coarsest);
 
-    for (int i = 0; i < v->n; i++) v->b[i] = v->x[i] = 0.0;
+    for (int i = 0; i < v->n; i++)
+        v->b[i] = v->x[i] = 0.0;
     for (int j = 0; j < v->n; j++) {
         v->x[j] = -1.0;
         symmetric_residual(v->A, v->b, v->x, a + j * v->n);
@@ -238,7 +243,8 @@ static void smooth_from_zero(const struct level *v, const double *b)
     const struct weights w = smoothing();
 
 #pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED)
-    for (int i = 0; i < v->n; i++) v->x[i] = w.first * v->A->inverse[i] * b[i];
+    for (int i = 0; i < v->n; i++)
+        v->x[i] = w.first * v->A->inverse[i] * b[i];
     symmetric_relax(v->A, b, v->x, 1.0 + w.turn, v->x, 0.0, w.second, v->y);
 }
 
@@ -270,7 +276,8 @@ static void go_up(const struct level *fine, const double *b,
                   const struct level *v, double *z)
 {
 #pragma omp parallel for schedule(static) if (fine->n > REDUCE_THREADED)
-    for (int i = 0; i < fine->n; i++) fine->y[i] += v->y[fine->parent[i]];
+    for (int i = 0; i < fine->n; i++)
+        fine->y[i] += v->y[fine->parent[i]];
     smooth(fine, b, z);
 }
 
@@ -283,7 +290,8 @@ static void solve_coarsest(const struct multigrid *mg, const double *b)
         return;
     }
     smooth_from_zero(v, b);
-    for (int s = 1; s < COARSEST_SWEEPS; s++) smooth(v, b, v->y);
+    for (int s = 1; s < COARSEST_SWEEPS; s++)
+        smooth(v, b, v->y);
 }
 
 void multigrid_apply(struct multigrid *mg, const double *r, double *z)
@@ -291,12 +299,14 @@ void multigrid_apply(struct multigrid *mg, const double *r, double *z)
     struct level *const v = mg->level;
     const int last = mg->n_levels - 1;
 
-    for (int k = 0; k < last; k++) go_down(&v[k], k ? v[k].b : r, &v[k + 1]);
+    for (int k = 0; k < last; k++)
+        go_down(&v[k], k ? v[k].b : r, &v[k + 1]);
     solve_coarsest(mg, last ? v[last].b : r);
     for (int k = last - 1; k >= 0; k--)
         go_up(&v[k], k ? v[k].b : r, &v[k + 1], k ? v[k].y : z);
     if (last == 0)
-        for (int i = 0; i < v->n; i++) z[i] = v->y[i];
+        for (int i = 0; i < v->n; i++)
+            z[i] = v->y[i];
 }
 
 int multigrid_levels(const struct multigrid *mg)

@@ -39,14 +39,16 @@ static void find_bands(struct symmetric *S, const int *owner,
 static void place_links(struct symmetric *S, const int *owner,
                         const int *neighbour)
 {
-    int *const own = alloc_ints(S->n_links), *const nei = alloc_ints(S->n_links);
+    int *const own = alloc_ints(S->n_links), *const nei =
+                                                 alloc_ints(S->n_links);
     int n_rest = 0;
 
     for (int l = 0; l < S->n_links; l++) {
         const int i = owner[l], j = neighbour[l], low = i < j ? i : j;
         int k = 0;
 
-        while (k < S->n_bands && S->distance[k] != abs(j - i)) k++;
+        while (k < S->n_bands && S->distance[k] != abs(j - i))
+            k++;
         S->kind[l] = i == j ? -2 : k < S->n_bands ? k : -1;
         S->place[l] = low;
         if (S->kind[l] >= 0 && S->band[k][low] != 0.0) S->kind[l] = -1;
@@ -73,7 +75,8 @@ struct symmetric *symmetric_create(int n, int n_links, const int *owner,
     S->diag = alloc_doubles(n);
     S->inverse = alloc_doubles(n);
     find_bands(S, owner, neighbour);
-    for (int k = 0; k < S->n_bands; k++) S->band[k] = symmetric_vector(S);
+    for (int k = 0; k < S->n_bands; k++)
+        S->band[k] = symmetric_vector(S);
     place_links(S, owner, neighbour);
     return S;
 }
@@ -81,7 +84,8 @@ struct symmetric *symmetric_create(int n, int n_links, const int *owner,
 void symmetric_free(struct symmetric *S)
 {
     if (S == NULL) return;
-    for (int k = 0; k < S->n_bands; k++) symmetric_vector_free(S, S->band[k]);
+    for (int k = 0; k < S->n_bands; k++)
+        symmetric_vector_free(S, S->band[k]);
     csr_free(S->rest);
     free(S->kind);
     free(S->place);
@@ -135,8 +139,8 @@ static void other_bands(const struct symmetric *S, int first, int last,
     }
 }
 
-static void rest_rows(const struct csr *R, int first, int last,
-                      const double *x, double *y)
+static void rest_rows(const struct csr *R, int first, int last, const double *x,
+                      double *y)
 {
     for (int i = first; i < last; i++) {
         double sum = 0.0;
@@ -152,10 +156,17 @@ static void rows(const struct symmetric *S, int first, int last,
                  const double *x, double *y)
 {
     switch (S->n_bands) {
-    case 0: band_rows(S, 0, first, last, x, y); break;
-    case 1: band_rows(S, 1, first, last, x, y); break;
-    case 2: band_rows(S, 2, first, last, x, y); break;
-    default: band_rows(S, 3, first, last, x, y);
+    case 0:
+        band_rows(S, 0, first, last, x, y);
+        break;
+    case 1:
+        band_rows(S, 1, first, last, x, y);
+        break;
+    case 2:
+        band_rows(S, 2, first, last, x, y);
+        break;
+    default:
+        band_rows(S, 3, first, last, x, y);
     }
     other_bands(S, first, last, x, y);
     if (S->rest != NULL) rest_rows(S->rest, first, last, x, y);
@@ -170,7 +181,8 @@ void symmetric_residual(const struct symmetric *S, const double *b,
         double Ax[BLOCK];
 
         rows(S, first, last, x, Ax);
-        for (int i = first; i < last; i++) r[i] = b[i] - Ax[i - first];
+        for (int i = first; i < last; i++)
+            r[i] = b[i] - Ax[i - first];
     }
 }
 
