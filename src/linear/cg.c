@@ -35,31 +35,39 @@ void cg_work_free(struct cg_work *w)
     free(w);
 }
 
+/* y = A x; returns x.y */
+static double multiply(const struct csr *A, const struct multigrid *mg,
+                       const double *x, double *y)
+{
+    if (mg != NULL) return multigrid_multiply(mg, x, y);
+    csr_multiply(A, x, y);
+    return reduce_dot(A->n, x, y);
+}
+
 /* r = b - A x; returns r.r */
-static double residual(const struct csr *A, const double *b, const double *x,
-                       double *r)
+static double residual(const struct csr *A, const struct multigrid *mg,
+                       const double *b, const double *x, double *r)
 {
     const int n = A->n;
 
-    csr_multiply(A, x, r);
+    multiply(A, mg, x, r);
 #pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
     for (int i = 0; i < n; i++)
         r[i] = b[i] - r[i];
     return reduce_dot(n, r, r);
 }
 
-static void precondition(const struct csr *A, struct multigrid *mg,
-                         const double *r, double *z)
+/* z = M r; returns r.z */
+static double precondition(const struct csr *A, struct multigrid *mg,
+                           const double *r, double *z)
 {
     const int n = A->n;
 
-    if (mg != NULL) {
-        multigrid_apply(mg, r, z);
-        return;
-    }
+    if (mg != NULL) return multigrid_apply(mg, r, z);
 #pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
     for (int i = 0; i < n; i++)
         z[i] = r[i] / A->diag[i];
+    return reduce_dot(n, r, z);
 }
 
 /* p = z + beta p */
@@ -99,14 +107,11 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
     double rz_old = 1.0;
 
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
-        precondition(A, mg, w->r, w->z);
-
-        const double rz = reduce_dot(n, w->r, w->z);
+        const double rz = precondition(A, mg, w->r, w->z);
 
         turn(n, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
-        csr_multiply(A, w->p, w->q);
 
-        const double pq = reduce_dot(n, w->p, w->q);
+        const double pq = multiply(A, mg, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
         rr = advance(rz / pq, w, x);
@@ -130,7 +135,7 @@ struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
     }
 
     const double target = fmax(tolerance * scale, absolute);
-    const double rr = residual(A, b, x, w->r);
+    const double rr = residual(A, mg, b, x, w->r);
     const double after =
         iterate(A, mg, x, rr, target, max_iterations, w, &report.iterations);
 
