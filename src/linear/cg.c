@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
+#include "linear/strips.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,58 +45,64 @@ static double multiply(const struct csr *A, const struct multigrid *mg,
     return reduce_dot(A->n, x, y);
 }
 
+/* r = b - r over a range; returns its part of r.r */
+static double subtract(int first, int last, const double *b, double *r)
+{
+    for (int i = first; i < last; i++)
+        r[i] = b[i] - r[i];
+    return reduce_range(first, last, r, r);
+}
+
 /* r = b - A x; returns r.r */
 static double residual(const struct csr *A, const struct multigrid *mg,
                        const double *b, const double *x, double *r)
 {
-    const int n = A->n;
+    double rr;
 
     multiply(A, mg, x, r);
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
-        r[i] = b[i] - r[i];
-    return reduce_dot(n, r, r);
+    STRIPS_SUM(rr, A->n, 1, subtract, b, r);
+    return rr;
+}
+
+/* z = r / diag over a range; returns its part of r.z */
+static double jacobi(int first, int last, const double *diag, const double *r,
+                     double *z)
+{
+    for (int i = first; i < last; i++)
+        z[i] = r[i] / diag[i];
+    return reduce_range(first, last, r, z);
 }
 
 /* z = M r; returns r.z */
 static double precondition(const struct csr *A, struct multigrid *mg,
                            const double *r, double *z)
 {
-    const int n = A->n;
+    double rz;
 
     if (mg != NULL) return multigrid_apply(mg, r, z);
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
-        z[i] = r[i] / A->diag[i];
-    return reduce_dot(n, r, z);
+    STRIPS_SUM(rz, A->n, 1, jacobi, A->diag, r, z);
+    return rz;
 }
 
-/* p = z + beta p */
-static void turn(int n, double beta, const double *z, double *p)
+/* p = z + beta p over a range */
+static void turn(int first, int last, double beta, const double *z, double *p)
 {
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
+    for (int i = first; i < last; i++)
         p[i] = z[i] + beta * p[i];
 }
 
-/* x += alpha p, r -= alpha q; returns r.r */
-static double advance(double alpha, const struct cg_work *w, double *x)
+/* x += alpha p, r -= alpha q over a range; returns its part of r.r */
+static double advance(int first, int last, double alpha, struct cg_work *w,
+                      double *x)
 {
+    const double *const p = w->p, *const q = w->q;
     double *const r = w->r;
-    double strip[REDUCE_STRIPS];
 
-#pragma omp parallel for schedule(static) if (w->n > REDUCE_THREADED)
-    for (int s = 0; s < REDUCE_STRIPS; s++) {
-        const int first = reduce_strip(w->n, s);
-        const int last = reduce_strip(w->n, s + 1);
-
-        for (int i = first; i < last; i++) {
-            x[i] += alpha * w->p[i];
-            r[i] -= alpha * w->q[i];
-        }
-        strip[s] = reduce_range(first, last, r, r);
+    for (int i = first; i < last; i++) {
+        x[i] += alpha * p[i];
+        r[i] -= alpha * q[i];
     }
-    return reduce_strips(strip);
+    return reduce_range(first, last, r, r);
 }
 
 /* The iteration, until |r| <= target. Returns the last |r|. */
@@ -103,18 +110,17 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
                       double rr, double target, int max_iterations,
                       struct cg_work *w, int *iterations)
 {
-    const int n = A->n;
     double rz_old = 1.0;
 
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
         const double rz = precondition(A, mg, w->r, w->z);
 
-        turn(n, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
+        STRIPS_RUN(A->n, 1, turn, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
 
         const double pq = multiply(A, mg, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
-        rr = advance(rz / pq, w, x);
+        STRIPS_SUM(rr, A->n, 1, advance, rz / pq, w, x);
         rz_old = rz;
         *iterations = it + 1;
     }

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
+#include "linear/strips.h"
 
 #include <stdlib.h>
 
@@ -183,17 +184,42 @@ static void rows(const struct symmetric *S, int first, int last, const float *x,
     if (S->rest != NULL) rest_rows(S, first, last, x, y);
 }
 
+static int block_end(int first, int last)
+{
+    return first + BLOCK < last ? first + BLOCK : last;
+}
+
+static void residual_rows(int first, int last, const struct symmetric *S,
+                          const float *b, const float *x, float *r)
+{
+    float Ax[BLOCK];
+
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        rows(S, first, end, x, Ax);
+        for (int i = first; i < end; i++)
+            r[i] = b[i] - Ax[i - first];
+    }
+}
+
 void symmetric_residual(const struct symmetric *S, const float *b,
                         const float *x, float *r)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int first = 0; first < S->n; first += BLOCK) {
-        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
-        float Ax[BLOCK];
+    STRIPS_RUN(S->n, 2, residual_rows, S, b, x, r);
+}
 
-        rows(S, first, last, x, Ax);
-        for (int i = first; i < last; i++)
-            r[i] = b[i] - Ax[i - first];
+static void relax_rows(int first, int last, const struct symmetric *S,
+                       const float *b, const float *x, float alpha,
+                       const float *w, float beta, float gamma, float *y)
+{
+    float Ax[BLOCK];
+
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        rows(S, first, end, x, Ax);
+        for (int i = first; i < end; i++)
+            y[i] = alpha * x[i] + beta * w[i] +
+                   gamma * S->inverse[i] * (b[i] - Ax[i - first]);
     }
 }
 
@@ -201,16 +227,7 @@ void symmetric_relax(const struct symmetric *S, const float *b, const float *x,
                      float alpha, const float *w, float beta, float gamma,
                      float *y)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int first = 0; first < S->n; first += BLOCK) {
-        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
-        float Ax[BLOCK];
-
-        rows(S, first, last, x, Ax);
-        for (int i = first; i < last; i++)
-            y[i] = alpha * x[i] + beta * w[i] +
-                   gamma * S->inverse[i] * (b[i] - Ax[i - first]);
-    }
+    STRIPS_RUN(S->n, 2, relax_rows, S, b, x, alpha, w, beta, gamma, y);
 }
 
 /* Rows first .. last - 1 of A x in double. Away from the ends of the vector a
@@ -237,28 +254,31 @@ static void exact_rows(const struct symmetric *S, int first, int last,
             y[i] += S->rest->a[e] * x[S->rest->col[e]];
 }
 
-double symmetric_multiply(const struct symmetric *S, const double *x, double *y)
+static double multiply_rows(int first, int last, const struct symmetric *S,
+                            const double *x, double *y)
 {
-    const int n = S->n;
-    double strip[REDUCE_STRIPS];
+    const int begin = first;
 
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED / 2)
-    for (int s = 0; s < REDUCE_STRIPS; s++) {
-        const int begin = reduce_strip(n, s), end = reduce_strip(n, s + 1);
-
-        for (int first = begin; first < end; first += BLOCK)
-            exact_rows(S, first, first + BLOCK < end ? first + BLOCK : end, x,
-                       y);
-        strip[s] = reduce_range(begin, end, x, y);
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        exact_rows(S, first, end, x, y);
     }
-    return reduce_strips(strip);
+    return reduce_range(begin, last, x, y);
 }
 
-/* Writes the coefficients of all links; each has a place of its own. */
-static void write_links(struct symmetric *S, const double *g)
+double symmetric_multiply(const struct symmetric *S, const double *x, double *y)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int l = 0; l < S->n_links; l++) {
+    double xy;
+
+    STRIPS_SUM(xy, S->n, 2, multiply_rows, S, x, y);
+    return xy;
+}
+
+/* Writes the coefficients of links first ..; each has a place of its own. */
+static void write_links(int first, int last, struct symmetric *S,
+                        const double *g)
+{
+    for (int l = first; l < last; l++) {
         const int kind = S->kind[l], place = S->place[l];
 
         if (kind >= 0) {
@@ -290,17 +310,22 @@ static double links_of_row(const struct symmetric *S, int i)
     return sum + rounded / S->unit;
 }
 
+static void write_diagonal(int first, int last, struct symmetric *S,
+                           const double *sums)
+{
+    for (int i = first; i < last; i++) {
+        const double diag = sums[i] - links_of_row(S, i);
+
+        if (S->exact_diag != NULL) S->exact_diag[i] = diag;
+        S->diag[i] = (float)(S->unit * diag);
+        S->inverse[i] = S->diag[i] > 0.0F ? 1.0F / S->diag[i] : 0.0F;
+    }
+}
+
 void symmetric_fill(struct symmetric *S, const double *g, const double *sums,
                     double unit)
 {
     S->unit = unit;
-    write_links(S, g);
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int i = 0; i < S->n; i++) {
-        const double diag = sums[i] - links_of_row(S, i);
-
-        if (S->exact_diag != NULL) S->exact_diag[i] = diag;
-        S->diag[i] = (float)(unit * diag);
-        S->inverse[i] = S->diag[i] > 0.0F ? 1.0F / S->diag[i] : 0.0F;
-    }
+    STRIPS_RUN(S->n_links, 2, write_links, S, g);
+    STRIPS_RUN(S->n, 4, write_diagonal, S, sums);
 }
