@@ -2,7 +2,7 @@
 #include "averaging/averaging.h"
 
 #include <check.h>
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
