@@ -35,7 +35,8 @@ static inline int strips_of(int n, int first)
     return first / strips_length(n);
 }
 
-/* f(first, last, ...) for all n unknowns of m numbers each. */
+/* f(first, last, ...) for all n unknowns of m numbers each. Strips left empty
+ * at the end are not called. */
 #define STRIPS_RUN(n, m, f, ...)                                               \
     do {                                                                       \
         if ((n) < STRIPS_WORTH_IT / (m)) {                                     \
