@@ -77,7 +77,8 @@ static inline double *noise_vector(int n, unsigned seed)
 {
     double *const x = alloc_doubles(n);
 
-    for (int i = 0; i < n; i++) x[i] = noise(&seed);
+    for (int i = 0; i < n; i++)
+        x[i] = noise(&seed);
     return x;
 }
 
@@ -87,7 +88,8 @@ static inline void links_shuffle(struct links *b, unsigned seed)
     int *const p = alloc_ints(b->n);
     double *const at = alloc_doubles(3 * b->n);
 
-    for (int i = 0; i < b->n; i++) p[i] = i;
+    for (int i = 0; i < b->n; i++)
+        p[i] = i;
     for (int i = b->n - 1; i > 0; i--) {
         const int j = (int)((noise(&seed) + 1.0) * 0.5 * (i + 1));
         const int t = p[i];
@@ -110,13 +112,11 @@ static inline void links_shuffle(struct links *b, unsigned seed)
  * cell, its harmonic mean that of a link; NULL: 1. */
 static inline struct csr *diffusion(const struct links *b, const double *k)
 {
-    struct csr *const A =
-        csr_create(b->n, b->n_links, b->owner, b->neighbour);
+    struct csr *const A = csr_create(b->n, b->n_links, b->owner, b->neighbour);
 
     for (int l = 0; l < b->n_links; l++) {
         const int i = b->owner[l], j = b->neighbour[l];
-        const double mean =
-            k == NULL ? 1.0 : 2.0 * k[i] * k[j] / (k[i] + k[j]);
+        const double mean = k == NULL ? 1.0 : 2.0 * k[i] * k[j] / (k[i] + k[j]);
         const double g = mean * b->strength[l];
 
         A->a[A->upper[l]] = A->a[A->lower[l]] = -g;
@@ -152,7 +152,8 @@ static inline double dot_plain(int n, const double *x, const double *y)
 {
     double sum = 0.0;
 
-    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    for (int i = 0; i < n; i++)
+        sum += x[i] * y[i];
     return sum;
 }
 
@@ -163,10 +164,10 @@ static inline double true_residual(const struct csr *A, const double *b,
     double *const r = alloc_doubles(A->n);
 
     csr_multiply(A, x, r);
-    for (int i = 0; i < A->n; i++) r[i] = b[i] - r[i];
+    for (int i = 0; i < A->n; i++)
+        r[i] = b[i] - r[i];
 
-    const double share =
-        sqrt(dot_plain(A->n, r, r) / dot_plain(A->n, b, b));
+    const double share = sqrt(dot_plain(A->n, r, r) / dot_plain(A->n, b, b));
 
     free(r);
     return share;

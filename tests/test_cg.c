@@ -48,8 +48,8 @@ START_TEST(the_true_residual_is_the_one_reported)
 {
     for (int jacobi = 0; jacobi < 2; jacobi++) {
         struct setting s = poisson(16, 16, 16);
-        const struct solve_report r = cg_solve(
-            s.A, jacobi ? NULL : s.mg, s.rhs, s.x, 1e-10, 0.0, 1000, s.w);
+        const struct solve_report r = cg_solve(s.A, jacobi ? NULL : s.mg, s.rhs,
+                                               s.x, 1e-10, 0.0, 1000, s.w);
 
         ck_assert(r.converged);
         ck_assert_double_eq_tol(r.before, 1.0, 1e-15);
@@ -72,7 +72,8 @@ START_TEST(without_a_right_hand_side_the_solution_is_zero)
 
     ck_assert(r.converged && r.iterations == 0);
     ck_assert_double_eq(r.before, 0.0);
-    for (int i = 0; i < 64; i++) ck_assert_double_eq(s.x[i], 0.0);
+    for (int i = 0; i < 64; i++)
+        ck_assert_double_eq(s.x[i], 0.0);
     release(&s);
 }
 END_TEST
@@ -126,7 +127,8 @@ START_TEST(a_matrix_that_is_not_positive_is_reported)
 {
     struct setting s = poisson(6, 6, 1);
 
-    for (int i = 0; i < s.b.n; i++) s.A->diag[i] = 0.1;
+    for (int i = 0; i < s.b.n; i++)
+        s.A->diag[i] = 0.1;
 
     const struct solve_report r =
         cg_solve(s.A, NULL, s.rhs, s.x, 1e-10, 0.0, 100, s.w);
@@ -149,8 +151,7 @@ START_TEST(threads_do_not_change_a_bit)
         omp_set_num_threads(threads);
         multigrid_update(s.mg, s.A);
         memset(s.x, 0, (size_t)s.b.n * sizeof *s.x);
-        r[threads - 1] =
-            cg_solve(s.A, s.mg, s.rhs, s.x, 1e-8, 0.0, 50, s.w);
+        r[threads - 1] = cg_solve(s.A, s.mg, s.rhs, s.x, 1e-8, 0.0, 50, s.w);
         if (threads == 1) memcpy(first, s.x, (size_t)s.b.n * sizeof *s.x);
     }
     ck_assert_mem_eq(first, s.x, (size_t)s.b.n * sizeof *s.x);

@@ -14,14 +14,14 @@ static struct csr *odd_matrix(struct links *b)
 
     *b = links_box(2, 3, 1, (double[3]){1, 1, 1}, (int[3]){1, 1, 1});
 
-    struct csr *const A =
-        csr_create(b->n, b->n_links, b->owner, b->neighbour);
+    struct csr *const A = csr_create(b->n, b->n_links, b->owner, b->neighbour);
 
     for (int l = 0; l < b->n_links; l++) {
         A->a[A->upper[l]] = noise(&seed);
         A->a[A->lower[l]] = noise(&seed);
     }
-    for (int i = 0; i < A->n; i++) A->diag[i] = noise(&seed);
+    for (int i = 0; i < A->n; i++)
+        A->diag[i] = noise(&seed);
     return A;
 }
 
@@ -93,7 +93,8 @@ START_TEST(fields_side_by_side_are_multiplied_as_each_alone)
 
         csr_multiply_many(A, m, x, y);
         for (int k = 0; k < m; k++) {
-            for (int i = 0; i < A->n; i++) x1[i] = x[m * i + k];
+            for (int i = 0; i < A->n; i++)
+                x1[i] = x[m * i + k];
             csr_multiply(A, x1, y1);
             for (int i = 0; i < A->n; i++)
                 ck_assert_double_eq(y[m * i + k], y1[i]);

@@ -33,11 +33,13 @@ START_TEST(a_dot_product_counts_every_unknown_once)
         const int n = sizes[k];
         double *const x = alloc_doubles(n), *const y = alloc_doubles(n);
 
-        for (int i = 0; i < n; i++) x[i] = i % 10, y[i] = 2.0;
+        for (int i = 0; i < n; i++)
+            x[i] = i % 10, y[i] = 2.0;
 
         double exact = 0.0;
 
-        for (int i = 0; i < n; i++) exact += 2 * (i % 10);
+        for (int i = 0; i < n; i++)
+            exact += 2 * (i % 10);
         ck_assert_double_eq(reduce_dot(n, x, y), exact);
         free(x);
         free(y);
@@ -52,7 +54,8 @@ START_TEST(fields_side_by_side_have_their_own_dot_products)
             double *const x = alloc_doubles(m * n);
             double dot[REDUCE_FIELDS];
 
-            for (int i = 0; i < n * m; i++) x[i] = 1 + i % m;
+            for (int i = 0; i < n * m; i++)
+                x[i] = 1 + i % m;
             reduce_dot_many(n, m, x, x, dot);
             for (int k = 0; k < m; k++)
                 ck_assert_double_eq(dot[k], (1.0 + k) * (1.0 + k) * n);
