@@ -35,6 +35,20 @@ static void find_bands(struct symmetric *S, const int *owner,
     free(count);
 }
 
+static void list_rest_rows(struct symmetric *S)
+{
+    const int *const start = S->rest->start;
+    int n = 0;
+
+    S->rest_row = alloc_ints(S->n);
+    S->rest_from = alloc_ints(S->n + 1);
+    for (int i = 0; i < S->n; i++) {
+        S->rest_from[i] = n;
+        if (start[i + 1] > start[i]) S->rest_row[n++] = i;
+    }
+    S->rest_from[S->n] = n;
+}
+
 /* Gives each link its place: in a band, if nobody has taken it, else in the
  * rest. */
 static void place_links(struct symmetric *S, const int *owner,
@@ -59,7 +73,10 @@ static void place_links(struct symmetric *S, const int *owner,
         nei[n_rest] = j;
         S->place[l] = n_rest++;
     }
-    if (n_rest > 0) S->rest = csr_create(S->n, n_rest, own, nei);
+    if (n_rest > 0) {
+        S->rest = csr_create(S->n, n_rest, own, nei);
+        list_rest_rows(S);
+    }
     free(own);
     free(nei);
 }
@@ -95,6 +112,8 @@ void symmetric_free(struct symmetric *S)
     }
     free(S->exact_diag);
     csr_free(S->rest);
+    free(S->rest_row);
+    free(S->rest_from);
     free(S->kind);
     free(S->place);
     free(S->diag);
@@ -154,7 +173,8 @@ static void rest_rows(const struct symmetric *S, int first, int last,
 {
     const struct csr *const R = S->rest;
 
-    for (int i = first; i < last; i++) {
+    for (int s = S->rest_from[first]; s < S->rest_from[last]; s++) {
+        const int i = S->rest_row[s];
         double sum = 0.0;
 
         for (int e = R->start[i]; e < R->start[i + 1]; e++)
@@ -249,9 +269,12 @@ static void exact_rows(const struct symmetric *S, int first, int last,
             y[i] += u[i - d] * x[i - d];
     }
     if (S->rest == NULL) return;
-    for (int i = first; i < last; i++)
+    for (int s = S->rest_from[first]; s < S->rest_from[last]; s++) {
+        const int i = S->rest_row[s];
+
         for (int e = S->rest->start[i]; e < S->rest->start[i + 1]; e++)
             y[i] += S->rest->a[e] * x[S->rest->col[e]];
+    }
 }
 
 static double multiply_rows(int first, int last, const struct symmetric *S,

@@ -34,6 +34,8 @@ struct symmetric {
     int *kind, *place; /* [-] of link l: its band and place there; or -1 and
                           its link in rest; -2: joins a cell to itself */
     struct csr *rest;  /* NULL if there is nothing left */
+    int *rest_row;     /* [-] the rows of rest that are not empty, ascending */
+    int *rest_from;    /* [-] n + 1: rest_row[rest_from[i]] is the first >= i */
 };
 
 /* exact: the matrix will be multiplied in double. */
