@@ -16,7 +16,7 @@
 #include "averaging/stencil.h"
 #include "base/alloc.h"
 
-enum { STRIPS = 16 }; /* more would cost time in adding up the windows */
+enum { KERNEL_STRIPS = 16 }; /* more windows would take longer to add up */
 
 struct strip {
     int first, last; /* [-] hosts first .. last - 1 */
@@ -29,7 +29,7 @@ struct kernel {
     const struct hosts *h; /* borrowed */
     struct stencil *near;
     double b; /* [m] */
-    struct strip strip[STRIPS];
+    struct strip strip[KERNEL_STRIPS];
 };
 
 /* [XS11 3.6] as a function of zeta^2. */
@@ -169,7 +169,7 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
     int alone = 0;
 
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)
-    for (int t = 0; t < STRIPS; t++)
+    for (int t = 0; t < KERNEL_STRIPS; t++)
         if (!is_empty(k, &k->strip[t]))
             alone += spread_strip(k, &k->strip[t], m, q);
     r->alone = alone;
@@ -178,7 +178,7 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
         double *const f = &field[m * c];
         for (int j = 0; j < m; j++)
             f[j] = 0.0;
-        for (int t = 0; t < STRIPS; t++) {
+        for (int t = 0; t < KERNEL_STRIPS; t++) {
             const struct strip *const s = &k->strip[t];
             if (c < s->low || c >= s->high || is_empty(k, s)) continue;
             for (int j = 0; j < m; j++)
@@ -196,7 +196,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
 
     (void)r;
 #pragma omp parallel for schedule(dynamic, 1)
-    for (int t = 0; t < STRIPS; t++)
+    for (int t = 0; t < KERNEL_STRIPS; t++)
         gather_strip(k, &k->strip[t], m, field, q);
 }
 
@@ -206,8 +206,8 @@ static void cut_strip(struct kernel *k, int t, int fields)
     struct strip *const s = &k->strip[t];
     const long long n = k->h->mesh->n_cells;
 
-    s->first = (int)(n * t / STRIPS);
-    s->last = (int)(n * (t + 1) / STRIPS);
+    s->first = (int)(n * t / KERNEL_STRIPS);
+    s->last = (int)(n * (t + 1) / KERNEL_STRIPS);
     s->low = s->first;
     s->high = s->last;
     for (int c = s->first; c < s->last; c++) {
@@ -236,7 +236,7 @@ static void *kernel_create(const struct hosts *h,
     k->h = h;
     k->b = o->bandwidth;
     k->near = stencil_create(h->mesh, k->b);
-    for (int t = 0; t < STRIPS; t++)
+    for (int t = 0; t < KERNEL_STRIPS; t++)
         cut_strip(k, t, o->fields);
     return k;
 }
@@ -245,7 +245,7 @@ static void kernel_free(void *state)
 {
     struct kernel *const k = state;
 
-    for (int t = 0; t < STRIPS; t++) {
+    for (int t = 0; t < KERNEL_STRIPS; t++) {
         free(k->strip[t].sum);
         free(k->strip[t].weight);
     }
