@@ -3,7 +3,7 @@ CC       = gcc
 WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math -mprefer-vector-width=512
-SANITIZE = -O1 -g -fsanitize=address,undefined -fno-omit-frame-pointer
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
@@ -11,9 +11,32 @@ LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o)
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
+# All cores, unless make was told how many.
+CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 
 all: $B/winnow
 
+run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
+	sh .ci/install run
+	$(MAKE) $(CORES) $B/winnow
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed
+
+check: ## install what is missing, build, run every test, also under sanitizers
+	sh .ci/install check
+	$(MAKE) $(CORES) $B/winnow tests
+	sh tests/run.sh $B/tests
+	$(MAKE) $(CORES) tests B=$B/san OPT="$(SANITIZE)"
+	sh tests/run.sh $B/san/tests
+	sh tests/style.sh $B
+	sh tests/cli.sh $B/winnow
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
+
+clean: ## forget everything built
+	rm -rf $B
+
+tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a
 	$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
 $B/libwinnow.a: $(OBJ)
@@ -24,11 +47,6 @@ $B/%.o: %.c
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-check: $(TESTS)
-	@for t in $(TESTS); do $$t || exit 1; done
-
-clean:
-	rm -rf build
-.PHONY: all check clean
+.PHONY: all run check help clean tests
 .SECONDARY:
--include $(OBJ:.o=.d) $(B)/src/main.d
+-include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d

@@ -2,7 +2,7 @@
 #include "averaging/averaging.h"
 
 #include <check.h>
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,24 +168,24 @@ static void spread_and_gather(struct scene *s, int threads, double *f,
     averaging_gather(s->a, M, f, g);
 }
 
-START_TEST(one_thread_and_three_give_the_same_bits)
+START_TEST(one_thread_and_two_give_the_same_bits)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
     const size_t f_size = sizeof(double) * M * (size_t)s.mesh->n_cells;
     double *const f = alloc_doubles(M * s.mesh->n_cells);
     double *const g = alloc_doubles(M * N);
-    double *const g3 = alloc_doubles(M * N);
+    double *const g2 = alloc_doubles(M * N);
     const int before = omp_get_max_threads();
 
     cloud_numbers(6, M * N, s.q);
     spread_and_gather(&s, 1, s.field, g);
-    spread_and_gather(&s, 3, f, g3);
+    spread_and_gather(&s, 2, f, g2);
     omp_set_num_threads(before);
     ck_assert_mem_eq(f, s.field, f_size);
-    ck_assert_mem_eq(g, g3, sizeof(double) * M * N);
+    ck_assert_mem_eq(g, g2, sizeof(double) * M * N);
     free(f);
     free(g);
-    free(g3);
+    free(g2);
     scene_free(&s);
 }
 END_TEST
@@ -342,6 +342,7 @@ int main(void)
     Suite *const s = suite_create("averaging");
     TCase *const t = tcase_create("every way on every mesh");
 
+    omp_set_num_threads(1); /* on meshes this small threads only wait */
     suite_add_tcase(s, t);
     tcase_add_loop_test(t, sx15_a_1a_volume_is_conserved, 0, ALL);
     tcase_add_loop_test(t, sx15_a_1b_momentum_is_conserved, 0, ALL);
@@ -349,7 +350,7 @@ int main(void)
                         ALL);
     tcase_add_loop_test(t, gathering_is_the_adjoint_of_spreading, 0, ALL);
     tcase_add_loop_test(t, constants_are_gathered_as_they_are, 0, ALL);
-    tcase_add_loop_test(t, one_thread_and_three_give_the_same_bits, 0, ALL);
+    tcase_add_loop_test(t, one_thread_and_two_give_the_same_bits, 0, ALL);
     tcase_add_loop_test(t, a_field_alone_equals_a_field_among_others, 0, ALL);
     tcase_add_loop_test(t, solids_stay_between_zero_and_the_fullest_cell, 0,
                         ALL);

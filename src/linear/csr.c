@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
+#include "linear/strips.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -93,10 +94,10 @@ void csr_free(struct csr *A)
     free(A);
 }
 
-void csr_multiply(const struct csr *A, const double *x, double *y)
+static void rows(int first, int last, const struct csr *A, const double *x,
+                 double *y)
 {
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4)
-    for (int i = 0; i < A->n; i++) {
+    for (int i = first; i < last; i++) {
         double sum = A->diag[i] * x[i];
 
         for (int e = A->start[i]; e < A->start[i + 1]; e++)
@@ -105,65 +106,74 @@ void csr_multiply(const struct csr *A, const double *x, double *y)
     }
 }
 
-/* One row for m fields. Called with m a constant where it matters, so that
- * the sums stay in registers. d is the diagonal: one number (step = 0) or one
- * a field (step = 1). */
-static inline void row_many(const struct csr *A, int i, int m, const double *d,
-                            int step, const double *x, double *y)
+void csr_multiply(const struct csr *A, const double *x, double *y)
 {
-    double sum[REDUCE_FIELDS];
-    const double *const xi = x + (long)m * i;
-    double *const yi = y + (long)m * i;
+    STRIPS_RUN(A->n, 4, rows, A, x, y);
+}
 
-    for (int k = 0; k < m; k++)
-        sum[k] = d[k * step] * xi[k];
-    for (int e = A->start[i]; e < A->start[i + 1]; e++) {
-        const double a = A->a[e];
-        const double *const xj = x + (long)m * A->col[e];
+/* Rows for m fields. Called with a constant m where it matters, so that the
+ * sums stay in registers. The diagonal is one number a row (step = 0) or one a
+ * field (step = 1). */
+static inline void rows_of(int first, int last, const struct csr *A, int m,
+                           const double *diag, int step, const double *x,
+                           double *y)
+{
+    for (int i = first; i < last; i++) {
+        const double *const xi = x + (long)m * i;
+        double sum[REDUCE_FIELDS] = {0.0};
 
+        for (int k = 0; k < m && diag != NULL; k++)
+            sum[k] = diag[step ? (long)m * i + k : i] * xi[k];
+        for (int e = A->start[i]; e < A->start[i + 1]; e++) {
+            const double a = A->a[e];
+            const double *const xj = x + (long)m * A->col[e];
+
+            for (int k = 0; k < m; k++)
+                sum[k] += a * xj[k];
+        }
         for (int k = 0; k < m; k++)
-            sum[k] += a * xj[k];
+            y[(long)m * i + k] = sum[k];
     }
-    for (int k = 0; k < m; k++)
-        yi[k] = sum[k];
+}
+
+static void rows_many(int first, int last, const struct csr *A, int m,
+                      const double *x, double *y)
+{
+    const double *const d = A->diag;
+
+    switch (m) {
+    case 3:
+        rows_of(first, last, A, 3, d, 0, x, y);
+        break;
+    case 4:
+        rows_of(first, last, A, 4, d, 0, x, y);
+        break;
+    case 8:
+        rows_of(first, last, A, 8, d, 0, x, y);
+        break;
+    default:
+        rows_of(first, last, A, m, d, 0, x, y);
+    }
 }
 
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
 {
     assert(m >= 1 && m <= REDUCE_FIELDS);
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
-    for (int i = 0; i < A->n; i++) {
-        const double *const d = A->diag + i;
+    STRIPS_RUN(A->n, 4 * m, rows_many, A, m, x, y);
+}
 
-        switch (m) {
-        case 3:
-            row_many(A, i, 3, d, 0, x, y);
-            break;
-        case 4:
-            row_many(A, i, 4, d, 0, x, y);
-            break;
-        case 8:
-            row_many(A, i, 8, d, 0, x, y);
-            break;
-        default:
-            row_many(A, i, m, d, 0, x, y);
-        }
-    }
+static void rows_each(int first, int last, const struct csr *A, int m,
+                      const double *diag, const double *x, double *y)
+{
+    if (m == 3)
+        rows_of(first, last, A, 3, diag, 1, x, y);
+    else
+        rows_of(first, last, A, m, diag, 1, x, y);
 }
 
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y)
 {
-    const double none[REDUCE_FIELDS] = {0.0};
-
     assert(m >= 1 && m <= REDUCE_FIELDS);
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
-    for (int i = 0; i < A->n; i++) {
-        const double *const d = diag != NULL ? diag + (long)m * i : none;
-
-        if (m == 3)
-            row_many(A, i, 3, d, 1, x, y);
-        else
-            row_many(A, i, m, d, 1, x, y);
-    }
+    STRIPS_RUN(A->n, 4 * m, rows_each, A, m, diag, x, y);
 }

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/equations.h"
 
+#include "averaging/diffusion.h"
+#include "averaging/kernel.h"
+#include "effects/time_average.h"
 #include "exchange/drag.h"
 
 #include <stdio.h>
@@ -34,6 +37,21 @@ static double relaxation_time(const double *x)
 {
     return drag_relaxation_time(drag_law_named("syamlal-obrien"), x[0], x[1],
                                 x[2], x[3], x[4], x[5]);
+}
+
+static double bell(const double *x)
+{
+    return kernel_bell(x[0]);
+}
+
+static double gauss(const double *x)
+{
+    return diffusion_kernel(x[0], x[1]);
+}
+
+static double fading_weight(const double *x)
+{
+    return time_average_weight(x[0], x[1]);
 }
 
 static double force(const double *x)
@@ -75,9 +93,14 @@ const struct equation equations_all[] = {
      reynolds},
     {"XS11:2.13", "terminal velocity of a suspension over that of one sphere",
      "Re [-], eps_f [-]", "V_r", "-", "drag_terminal_ratio", terminal_ratio},
+    {"XS11:3.6", "bell kernel", "zeta [-]", "K", "-", "kernel_bell", bell},
     {"XS11:3.17", "time in which drag would stop a particle, Syamlal-O'Brien",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
      "tau_p", "s", "drag_relaxation_time", relaxation_time},
+    {"SX15:6", "Gaussian kernel that diffusion amounts to", "r [m], b [m]", "h",
+     "1/m^3", "diffusion_kernel", gauss},
+    {"SX15:14", "weight of the past in a fading time mean", "dt [s], b_t [s]",
+     "alpha", "-", "time_average_weight", fading_weight},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},

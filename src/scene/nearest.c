@@ -44,7 +44,7 @@ static int limit(const char *word)
 void nearest_init(struct nearest *n, const char *wanted)
 {
     n->wanted = wanted;
-    n->edits = limit(wanted) + 1;
+    n->edits = strlen(wanted) < NEAREST_TEXT ? limit(wanted) + 1 : 0;
     n->best[0] = '\0';
 }
 
