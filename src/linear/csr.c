@@ -120,11 +120,10 @@ static inline void rows_of(int first, int last, const struct csr *A, int m,
 {
     for (int i = first; i < last; i++) {
         const double *const xi = x + (long)m * i;
-        const double *const d = diag + (step ? (long)m * i : i);
-        double sum[REDUCE_FIELDS];
+        double sum[REDUCE_FIELDS] = {0.0};
 
-        for (int k = 0; k < m; k++)
-            sum[k] = d[k * step] * xi[k];
+        for (int k = 0; k < m && diag != NULL; k++)
+            sum[k] = diag[step ? (long)m * i + k : i] * xi[k];
         for (int e = A->start[i]; e < A->start[i + 1]; e++) {
             const double a = A->a[e];
             const double *const xj = x + (long)m * A->col[e];

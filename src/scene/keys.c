@@ -140,11 +140,13 @@ const struct key keys_core[] = {
     {"output.profiles", KEY_LIST, "", "", "",
      "time averages on lines along x, each { field, height, from }",
      "SX15 Fig. 4-7", ""},
-    {"output.profiles.field", KEY_NAME, "", "eps_f | eps_s | u | v | p", NULL,
-     "void fraction, solid fraction, fluid or particle velocity, pressure", "",
-     ""},
+    {"output.profiles.field", KEY_NAME, "",
+     "eps_f | eps_s | p | u_x | u_y | u_z | us_x | us_y | us_z", NULL,
+     "fluid or solid fraction, pressure, velocity of the fluid (u) or of the "
+     "particles (us)",
+     "", ""},
     {"output.profiles.height", KEY_REAL, "m", ">= 0", NULL, "y of the line", "",
      ""},
     {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
-     "time at which the average begins", "", ""},
+     "time at which the average begins; later than the end: none", "", ""},
     {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};

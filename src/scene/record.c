@@ -11,6 +11,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/version.h"
+#include "exchange/coupling.h"
 #include "output/summary.h"
 #include "output/table.h"
 #include "scene/history.h"
@@ -232,7 +233,7 @@ static int write_summary(const struct record *r, const char *reason, int code)
 
     snprintf(path, sizeof path, "%s/summary.json", r->dir);
     struct summary *const f = summary_create(path);
-    summary_text(f, "program", "winnow " WINNOW_VERSION);
+    summary_text(f, "program", "winnow " VERSION_TEXT);
     summary_text(f, "case", settings_file(r->settings));
     summary_text(f, "exit_reason", reason);
     summary_count(f, "exit_code", code);
