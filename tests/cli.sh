@@ -102,7 +102,7 @@ defined() {
     {
         "$winnow" eval | sed -n 's/.*, by //p'
         for case in "$top"/cases/*.cfg; do
-            "$winnow" explain "$case" | sed -n 's/^  .*  *\([a-z_0-9]*\)$/\1/p'
+            "$winnow" explain "$case" | sed -n 's/^  .\{22\} \([a-z_0-9]*\)  *.*/\1/p'
         done
     } | sort -u | while read -r function; do
         grep -rqE "^[a-z].*[ *]$function\(" "$top/src" || echo "no $function"
