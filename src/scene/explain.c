@@ -30,7 +30,7 @@ static const struct part parts[] = {
 static void print_line(const char *source, const char *function,
                        const char *kind, const char *what)
 {
-    printf("  %-22s %-32s %s%s%s\n", source, function, kind,
+    printf("  %-26s %-32s %s%s%s\n", source, function, kind,
            kind[0] != '\0' ? ": " : "", what);
 }
 
