@@ -37,6 +37,12 @@ START_TEST(two_swapped_letters_are_one_edit)
 }
 END_TEST
 
+START_TEST(capitals_are_no_edit)
+{
+    ck_assert_int_eq(nearest_edits("Density", "denSITY"), 0);
+}
+END_TEST
+
 START_TEST(misspelt_word_finds_the_one_meant)
 {
     struct nearest n;
@@ -72,6 +78,7 @@ int main(void)
     tcase_add_test(t, edits_between_kitten_and_sitting_are_three);
     tcase_add_test(t, edits_are_the_same_both_ways);
     tcase_add_test(t, two_swapped_letters_are_one_edit);
+    tcase_add_test(t, capitals_are_no_edit);
     tcase_add_test(t, misspelt_word_finds_the_one_meant);
     tcase_add_test(t, strange_word_finds_none);
     r = srunner_create(s);

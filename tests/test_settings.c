@@ -17,20 +17,21 @@ static const struct key effect_keys[] = {
     {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
 
 static const char good[] =
-    "title = \"a test\";\n"                                            /* 1 */
-    "mesh = { size = [1.0, 2.0, 3.0]; cells = [4, 5, 6]; };\n"         /* 2 */
-    "fluid = {\n"                                                      /* 3 */
-    "    density = 1000; viscosity = 1e-3;\n"                          /* 4 */
-    "    step = 1e-4;\n"                                               /* 5 */
-    "    sides = \"no-slip\"; front_back = \"slip\";\n"                /* 6 */
-    "    bottom = { inlet = ((0.0, 0.0), (15.0, 1.5)); };\n"           /* 7 */
-    "    top = { outlet = 0.0; };\n"                                   /* 8 */
-    "};\n"                                                             /* 9 */
-    "effects = { gravity = [0.0, -9.81, 0.0]; };\n"                    /* 10 */
-    "output = { end = 2.0; every = 1;\n"                               /* 11 */
-    "    profiles = ( { field = \"eps_f\"; height = 0.5; },\n"         /* 12 */
-    "                 { field = \"u\"; height = 1; from = 0.5; } );\n" /* 13 */
-    "};\n";                                                            /* 14 */
+    "title = \"a test\";\n"                                    /* 1 */
+    "mesh = { size = [1.0, 2.0, 3.0]; cells = [4, 5, 6]; };\n" /* 2 */
+    "fluid = {\n"                                              /* 3 */
+    "    density = 1000; viscosity = 1e-3;\n"                  /* 4 */
+    "    step = 1e-4;\n"                                       /* 5 */
+    "    sides = \"no-slip\"; front_back = \"slip\";\n"        /* 6 */
+    "    bottom = { inlet = ((0.0, 0.0), (15.0, 1.5)); };\n"   /* 7 */
+    "    top = { outlet = 0.0; };\n"                           /* 8 */
+    "};\n"                                                     /* 9 */
+    "effects = { gravity = [0.0, -9.81, 0.0]; };\n"            /* 10 */
+    "output = { end = 2.0; every = 1;\n"                       /* 11 */
+    "    profiles = ( { field = \"eps_f\"; height = 0.5; },\n" /* 12 */
+    "                 { field = \"u_x\"; height = 1; from = 0.5; } );\n" /* 13
+                                                                          */
+    "};\n"; /* 14 */
 
 static char folder[] = "/tmp/winnow-settings-XXXXXX";
 static char path[64];
@@ -171,7 +172,7 @@ START_TEST(lists_hold_groups_with_defaults_of_their_own)
     const char *const list = "output.profiles";
 
     ck_assert_int_eq(settings_length(s, list), 2);
-    ck_assert_str_eq(settings_item_text(s, list, 1, "field"), "u");
+    ck_assert_str_eq(settings_item_text(s, list, 1, "field"), "u_x");
     ck_assert_double_eq(settings_item_real(s, list, 0, "from"), 0.0);
     ck_assert_double_eq(settings_item_real(s, list, 1, "from"), 0.5);
     ck_assert(!settings_item_has(s, list, 0, "from"));
@@ -323,7 +324,7 @@ END_TEST
 
 START_TEST(included_file_is_found_beside_the_case_and_named_in_errors)
 {
-    char part[64], text[4096];
+    char part[64], text[5000];
 
     snprintf(part, sizeof part, "%s/part.cfg", folder);
     write_file(part, "\ncites = 3;\n");

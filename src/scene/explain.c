@@ -27,10 +27,11 @@ static const struct part parts[] = {
      "move_with_drag"},
     {NULL, NULL, NULL, NULL}};
 
-static void print_line(const char *what, const char *source,
-                       const char *function)
+static void print_line(const char *source, const char *function,
+                       const char *kind, const char *what)
 {
-    printf("  %-58s %-20s %s\n", what, source, function);
+    printf("  %-26s %-32s %s%s%s\n", source, function, kind,
+           kind[0] != '\0' ? ": " : "", what);
 }
 
 /* 1 if a side of the box is the patch, or a group with it as key. */
@@ -87,14 +88,13 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (settings_has(s, p->group))
-            print_line(p->what, p->source, p->function);
+            print_line(p->source, p->function, "", p->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         for (int i = 0; k->model(i, &m); i++)
             if (is_on(s, k, &m)) {
-                char what[256];
-                snprintf(what, sizeof what, "%s %s: %s", k->name, m.name,
-                         m.what);
-                print_line(what, m.source, m.function);
+                char name[128];
+                snprintf(name, sizeof name, "%s %s", k->name, m.name);
+                print_line(m.source, m.function, name, m.what);
             }
 }
 
@@ -105,7 +105,7 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!settings_has(s, p->group))
-            print_line(p->what, p->source, p->function);
+            print_line(p->source, p->function, "", p->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         int n = 0;
 

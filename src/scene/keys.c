@@ -17,7 +17,7 @@ const struct key keys_core[] = {
      "cells in x, y, z; 1 where the flow does not vary", "SX15 Table 2", ""},
     {"mesh.grading", KEY_VECTOR, "-", "> 0", "[1.0, 1.0, 1.0]",
      "width of the last cell over that of the first", "", ""},
-    {"mesh.periodic", KEY_FLAGS, "-", "", "[false, false, false]",
+    {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
      "directions in which the two ends of the box are one", "", ""},
 
     {"fluid", KEY_GROUP, "", "", "",
@@ -48,7 +48,7 @@ const struct key keys_core[] = {
 
     {"particles", KEY_GROUP, "", "", "", "spheres, all of one material",
      "LS 4.1-4.3", ""},
-    {"particles.contact", KEY_NAME, "", "hertz | linear", NULL, "contact law",
+    {"particles.contact", KEY_NAME, "", "linear | hertz", NULL, "contact law",
      "LS 4.4, 4.7-4.10", ""},
     {"particles.step", KEY_REAL, "s", "> 0", NULL, "time step of the contacts",
      "LS 5.11", ""},

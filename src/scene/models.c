@@ -5,6 +5,7 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
+#include "particles/contact.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -20,14 +21,16 @@ static int row(const struct model *table, int i, struct model *m)
 
 static int contact(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"hertz", "elastic spheres after Hertz and Mindlin, damped from e",
-         "LS 4.7-4.10", "CONTACT_HERTZ",
-         "particles.grains.young particles.grains.poisson"},
-        {"linear", "spring and dashpot, tangential spring with Coulomb's cap",
-         "LS 4.4", "CONTACT_LINEAR", "particles.grains.stiffness"},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct contact_law *const *const all = contact_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
+    m->function = all[i] == &contact_hertz ? "hertz_springs" : "linear_springs";
+    m->keys = all[i] == &contact_hertz
+                  ? "particles.grains.young particles.grains.poisson"
+                  : "particles.grains.stiffness";
+    return 1;
 }
 
 /* Which keys a method of averaging reads. */
