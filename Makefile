@@ -29,6 +29,10 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/run.sh $B/san/tests
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
+	sh chapters/tools/weave.sh check
+
+weave: ## refresh what the chapters quote from source and results
+	sh chapters/tools/weave.sh
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
@@ -47,6 +51,6 @@ $B/%.o: %.c
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check help clean tests
+.PHONY: all run check weave help clean tests
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d
