@@ -30,9 +30,11 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
 	sh chapters/tools/weave.sh check
+	sh chapters/tools/ledger.sh check
 
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
+	sh chapters/tools/ledger.sh
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
