@@ -29,6 +29,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/run.sh $B/san/tests
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
+	sh tests/vtk.sh $B
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
