@@ -188,7 +188,7 @@ START_TEST(a_breakdown_is_reported)
     for (int k = 0; k < 6; k++)
         ck_assert_double_eq(x[k], 0.0);
     for (int k = 0; k < 3; k++)
-        x[k] = 0.2;
+        x[3 + k] = 0.2;
     r = bicgstab_solve(A, diag, b, x, 1e-10, 0.0, 50, w);
     ck_assert(r.converged);
     for (int k = 0; k < 3; k++) {
