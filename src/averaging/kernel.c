@@ -16,7 +16,10 @@
 #include "averaging/stencil.h"
 #include "base/alloc.h"
 
-enum { KERNEL_STRIPS = 16 }; /* more windows would take longer to add up */
+enum {
+    KERNEL_STRIPS = 16,  /* more windows would take longer to add up */
+    WORTH_A_THREAD = 128 /* particles; fewer are done before it wakes up */
+};
 
 struct strip {
     int first, last; /* [-] hosts first .. last - 1 */
@@ -168,12 +171,13 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
     const int n_cells = k->h->mesh->n_cells;
     int alone = 0;
 
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)            \
+    if (k->h->n > WORTH_A_THREAD)
     for (int t = 0; t < KERNEL_STRIPS; t++)
         if (!is_empty(k, &k->strip[t]))
             alone += spread_strip(k, &k->strip[t], m, q);
     r->alone = alone;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (k->h->n > WORTH_A_THREAD)
     for (int c = 0; c < n_cells; c++) {
         double *const f = &field[m * c];
         for (int j = 0; j < m; j++)
@@ -195,7 +199,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
     const struct kernel *const k = state;
 
     (void)r;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (k->h->n > WORTH_A_THREAD)
     for (int t = 0; t < KERNEL_STRIPS; t++)
         gather_strip(k, &k->strip[t], m, field, q);
 }
@@ -254,6 +258,11 @@ static void kernel_free(void *state)
 }
 
 const struct averaging_method kernel_method = {
-    "kernel",      "XS11 3.2-3.9", "a bell-shaped weight on the cells around",
-    kernel_create, kernel_free,    NULL,
-    kernel_spread, kernel_gather};
+    .name = "kernel",
+    .cite = "XS11 3.2-3.9",
+    .what = "a bell-shaped weight on the cells around",
+    .create = kernel_create,
+    .free = kernel_free,
+    .spread = kernel_spread,
+    .gather = kernel_gather,
+};
