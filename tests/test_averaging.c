@@ -189,6 +189,7 @@ static void spread_and_gather(struct scene *s, int threads, double *f,
     ck_assert_int_eq(averaging_bind(s->a), 0);
     averaging_spread(s->a, M, s->q, f);
     averaging_gather(s->a, M, f, g);
+    omp_set_num_threads(1);
 }
 
 /* As many cells and particles as it takes for a second thread to be asked. */
@@ -420,6 +421,7 @@ int main(void)
     tcase_add_loop_test(t, a_particle_outside_the_mesh_is_named, 0, WAYS);
     tcase_add_loop_test(t, wrong_options_are_refused, 0, 7);
     SRunner *const r = srunner_create(s);
+    srunner_set_fork_status(r, CK_NOFORK); /* hundreds of small tests */
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);
     srunner_free(r);
