@@ -92,9 +92,9 @@ static struct around around_host(const struct kernel *k, int c)
 
 /* Adds the weighted amounts q of one particle to the cells around its host,
  * whose sums begin at `host`. */
-static inline void add_weighted(int m, const struct around *near,
-                                const double *restrict w,
-                                const double *restrict q, double *host)
+static inline void add_loop(int m, const struct around *near,
+                            const double *restrict w, const double *restrict q,
+                            double *host)
 {
     for (int e = 0; e < near->n; e++) {
         double *restrict const to = &host[m * near->step[e]];
@@ -105,15 +105,53 @@ static inline void add_weighted(int m, const struct around *near,
 }
 
 /* q = the weighted sum of the fields around the host. */
-static inline void take_weighted(int m, const struct around *near,
-                                 const double *restrict w, const double *host,
-                                 double *restrict q)
+static inline void take_loop(int m, const struct around *near,
+                             const double *restrict w, const double *host,
+                             double *restrict q)
 {
     for (int j = 0; j < m; j++)
         q[j] = 0.0;
     for (int e = 0; e < near->n; e++)
         for (int j = 0; j < m; j++)
             q[j] += w[e] * host[m * near->step[e] + j];
+}
+
+/* Loops of known length for the frequent numbers of fields: up to twice as
+ * fast. */
+static void add_weighted(int m, const struct around *near, const double *w,
+                         const double *q, double *host)
+{
+    switch (m) {
+    case 3:
+        add_loop(3, near, w, q, host);
+        break;
+    case 4:
+        add_loop(4, near, w, q, host);
+        break;
+    case 8:
+        add_loop(8, near, w, q, host);
+        break;
+    default:
+        add_loop(m, near, w, q, host);
+    }
+}
+
+static void take_weighted(int m, const struct around *near, const double *w,
+                          const double *host, double *q)
+{
+    switch (m) {
+    case 3:
+        take_loop(3, near, w, host, q);
+        break;
+    case 4:
+        take_loop(4, near, w, host, q);
+        break;
+    case 8:
+        take_loop(8, near, w, host, q);
+        break;
+    default:
+        take_loop(m, near, w, host, q);
+    }
 }
 
 /* Spreads the particles whose hosts are in the strip into its window. Returns
@@ -132,10 +170,7 @@ static int spread_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             alone += find_weights(k, i, near.first, near.n, s->weight);
-            if (m == 8) /* known length: a quarter faster */
-                add_weighted(8, &near, s->weight, &q[8 * i], host);
-            else
-                add_weighted(m, &near, s->weight, &q[m * i], host);
+            add_weighted(m, &near, s->weight, &q[m * i], host);
         }
     }
     return alone;
@@ -151,10 +186,7 @@ static void gather_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             find_weights(k, i, near.first, near.n, s->weight);
-            if (m == 8) /* known length: twice as fast */
-                take_weighted(8, &near, s->weight, &field[8 * c], &q[8 * i]);
-            else
-                take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
+            take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
         }
     }
 }
