@@ -37,6 +37,10 @@ weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
 
+book: ## the chapters as pages: build/book/index.html
+	sh .ci/install book
+	sh chapters/tools/book.sh $B/book
+
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
 
@@ -56,6 +60,6 @@ $B/%.o: %.c
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check weave help clean tests
+.PHONY: all run check weave book help clean tests
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d

@@ -140,8 +140,8 @@ function table(    i, doc) {
     print "# Equations\n"
     print "Every equation of the four documents: the functions that compute it,"
     print "the tests that prove it, the sections that explain it, and the command"
-    print "that evaluates it. Made by `make weave`; the documents are in"
-    print "[references.md](references.md)."
+    print "that evaluates it. Made by `make weave`; the documents are among"
+    print "the [references](references.md)."
     for (i = 1; i <= n_keys; i++) {
         if (key[i] !~ "^" doc " " || doc == "") {
             doc = key[i]
