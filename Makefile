@@ -57,8 +57,10 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+# This test counts allocations.
+$B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	@$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
 .PHONY: all run check weave book help clean tests
 .SECONDARY:
