@@ -11,7 +11,7 @@ step() { "$@" || failed=1; }
 
 # shellcheck disable=SC2046 # one word a file
 step awk -f "$tools/text.awk" chapters/*.md $(find src tests -name '*.[ch]')
-step sh "$tools/transcript.sh" -w "$winnow" check figures/*.txt
+[ ! -d figures ] || step sh "$tools/transcript.sh" -w "$winnow" check figures/*.txt
 step sh "$tools/weave.sh" check
 step sh "$tools/ledger.sh" check
 step sh "$tools/unshown.sh" check
