@@ -30,6 +30,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/run.sh $B/san/tests
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
+	sh tests/vtk.sh $B
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
@@ -47,8 +48,10 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+# This test counts allocations.
+$B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	@$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
 .PHONY: all run check help clean tests
 .SECONDARY:

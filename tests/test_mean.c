@@ -55,14 +55,16 @@ START_TEST(long_stretches_count_more)
 }
 END_TEST
 
-START_TEST(what_never_had_a_weight_has_no_mean)
+/* A sample of weight 0 may be nan: a velocity where nothing moves. */
+START_TEST(without_a_weight_nothing_counts)
 {
-    const double x[2] = {7.0, 7.0}, w[2] = {0.0, 1.0}, bad[2] = {NAN, 7.0};
+    const double x[2] = {7.0, 7.0}, nothing[2] = {NAN, NAN};
+    const double first[2] = {0.0, 1.0}, never[2] = {0.0, 0.0};
     struct mean *const m = mean_create(2);
 
     ck_assert(isnan(m->value[0]));
-    mean_add(m, 1.0, x, w);
-    mean_add(m, 1.0, bad, w);
+    mean_add(m, 1.0, x, first);
+    mean_add(m, 1.0, nothing, never);
     ck_assert(isnan(m->value[0]) && isnan(mean_spread(m, 0)));
     ck_assert_double_eq(m->value[1], 7.0);
     ck_assert_double_eq(mean_spread(m, 1), 0.0);
@@ -100,7 +102,7 @@ int main(void)
     tcase_add_test(t, mean_and_spread_keep_their_digits_far_from_zero);
     tcase_add_test(t, weights_count_as_repetitions);
     tcase_add_test(t, long_stretches_count_more);
-    tcase_add_test(t, what_never_had_a_weight_has_no_mean);
+    tcase_add_test(t, without_a_weight_nothing_counts);
     tcase_add_test(t, the_state_carries_a_mean_over_an_interruption);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

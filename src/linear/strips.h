@@ -35,16 +35,19 @@ static inline int strips_of(int n, int first)
     return first / strips_length(n);
 }
 
-/* f(first, last, ...) for all n unknowns of m numbers each. */
+/* clang-format off: it would break the pragmas apart. */
+
+/* f(first, last, ...) for all n unknowns of m numbers each. Strips left empty
+ * at the end are not called. */
 #define STRIPS_RUN(n, m, f, ...)                                               \
     do {                                                                       \
         if ((n) < STRIPS_WORTH_IT / (m)) {                                     \
             f(0, n, __VA_ARGS__);                                              \
             break;                                                             \
         }                                                                      \
-        _Pragma("omp parallel for schedule(static)") for (int strip_ = 0;      \
-                                                          strip_ < STRIPS;     \
-                                                          strip_++)            \
+        _Pragma("omp parallel for schedule(static)") for (                     \
+            int strip_ = 0; strip_ < STRIPS;                                   \
+            strip_++) if (strips_first(n, strip_) < (n))                       \
             f(strips_first(n, strip_), strips_first(n, strip_ + 1),            \
               __VA_ARGS__);                                                    \
     } while (0)
@@ -66,5 +69,6 @@ static inline int strips_of(int n, int first)
         for (int strip_ = 0; strip_ < STRIPS; strip_++)                        \
             result += part_[strip_];                                           \
     } while (0)
+/* clang-format on */
 
 #endif

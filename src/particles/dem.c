@@ -119,7 +119,7 @@ static void move(struct dem *dem, double kick_time)
     const double dt = dem->options.step;
     double most = 0.0;
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (l->n_strips > 1)
     for (int s = 0; s < l->n_strips; s++) {
         const int first = l->particle_start[s], last = l->particle_start[s + 1];
         kick(dem, first, last, kick_time);
@@ -176,7 +176,7 @@ static void forces(struct dem *dem)
     const struct pair_list *const l = &dem->neighbours->pairs;
     struct strip_forces f[MOST_STRIPS];
 
-#pragma omp parallel
+#pragma omp parallel if (l->n_strips > 1)
     {
 #pragma omp for schedule(static)
         for (int s = 0; s < l->n_strips; s++)
