@@ -10,6 +10,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failed=0
 facts=0
+# Threads that wait should not keep others from working on a busy machine.
+export OMP_WAIT_POLICY=passive
 
 # fact NAME CODE PART COMMAND...: the command ends with the code, and what it
 # prints, on either stream, holds the part.
