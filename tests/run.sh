@@ -27,6 +27,7 @@ for test in "$dir"/test_*; do
     cat "$log.facts"
     if grep -q ':[FE]:' "$log" || ! grep -q ':P:' "$log"; then
         grep ':[FE]:' "$log" || cat "$log.out"
+        grep -A 12 -E 'Sanitizer|runtime error' "$log.out" # why it ended early
         [ "$failed" -gt 0 ] || failed=1
     fi
 done
