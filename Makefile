@@ -21,7 +21,7 @@ all: $B/winnow
 run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
 	sh .ci/install run
 	$(MAKE) $(CORES) $B/winnow WERROR=
-	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.6
 
 check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check

@@ -248,6 +248,7 @@ static int keep_list(struct dem *dem)
 int dem_run(struct dem *dem, int steps, struct dem_report *report)
 {
     const double dt = dem->options.step;
+    const double before = dem->report.max_overlap;
     int failed = dem->listed ? 0 : keep_list(dem);
 
     dem->report.max_overlap = 0.0;
@@ -260,6 +261,7 @@ int dem_run(struct dem *dem, int steps, struct dem_report *report)
     }
     if (!failed && steps > 0) kick(dem, 0, dem->ps->n, 0.5 * dt);
     if (!failed) failed = count_lost(dem) > 0;
+    if (failed) dem->report.max_overlap = fmax(before, dem->report.max_overlap);
     *report = dem->report;
     return failed;
 }
