@@ -164,10 +164,14 @@ static void settle_payment(struct simulation *sim)
     check_payment(sim, charged, scale);
 }
 
-/* 1: what a particle sees of the fluid is the adjoint already. */
-static int seen_alike(const struct coupling *cp)
+/* 1: what a particle sees of the fluid is the adjoint already. (Where a cap
+ * is at work it is not: see averaging_share.) */
+static int seen_alike(const struct simulation *sim)
 {
-    return cp->options.interpolation == interpolation_named("same");
+    const struct coupling *const cp = sim->coupling;
+
+    return cp->options.interpolation == interpolation_named("same") &&
+           averaging_report(sim->averaging)->capped == 0;
 }
 
 void transfer_fluid(struct simulation *sim)
@@ -178,7 +182,7 @@ void transfer_fluid(struct simulation *sim)
         averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
         if (sim->fluid->t > 0.0) settle_payment(sim);
     }
-    if (cp->options.two_way && seen_alike(cp))
+    if (cp->options.two_way && seen_alike(sim))
         memcpy(cp->u_f, cp->smooth,
                3 * (size_t)sim->particles->n * sizeof *cp->u_f);
     else
