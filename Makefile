@@ -48,7 +48,7 @@ $B/libwinnow.a: $(OBJ)
 $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
-	@$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+	@$(CC) $(STD) $(OPT) $(WARN) -MMD -MP -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
