@@ -66,11 +66,12 @@ static inline void links_free(struct links *b)
     free(b->at);
 }
 
-/* Numbers in [-1, 1) that are the same on every machine. */
+/* Numbers in [-1, 1] that are the same on every machine, with digits to the
+ * last: sums of short numbers would be exact in any order. */
 static inline double noise(unsigned *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) / 8388608.0 - 1.0;
+    return (double)(*seed >> 8) / 8388607.5 - 1.0;
 }
 
 static inline double *noise_vector(int n, unsigned seed)
@@ -91,7 +92,7 @@ static inline void links_shuffle(struct links *b, unsigned seed)
     for (int i = 0; i < b->n; i++)
         p[i] = i;
     for (int i = b->n - 1; i > 0; i--) {
-        const int j = (int)((noise(&seed) + 1.0) * 0.5 * (i + 1));
+        const int j = (int)((noise(&seed) + 1.0) * 0.4999 * (i + 1));
         const int t = p[i];
 
         p[i] = p[j];

@@ -168,6 +168,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, every_entry_has_a_place_of_its_own);
     tcase_add_test(t, columns_ascend_in_a_row);
     tcase_add_test(t, product_is_that_of_the_full_matrix);

@@ -143,6 +143,7 @@ int main(void)
     SRunner *r = srunner_create(s);
 
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, a_box_becomes_the_box_of_half_as_many_cells);
     tcase_add_test(t, a_cell_left_over_joins_the_pair_beside_it);
     tcase_add_test(t, flat_cells_are_joined_across_their_flat_sides_only);
