@@ -63,7 +63,7 @@ static int options_wrong(const struct dem_options *o,
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
     const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
-    const struct domain box = domain_create(o->lo, o->hi, o->periodic);
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
