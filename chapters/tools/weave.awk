@@ -147,7 +147,7 @@ function directive(line,    words, n, text, mark) {
     if (words[1] == "code" && places) sub(words[2], "&:" place, line)
     print line
     skip()
-    fence(words[1] == "code" ? "c" : "text", text)
+    fence(words[1] == "code" ? "c" : words[2] ~ /patch$/ ? "diff" : "text", text)
 }
 
 {
