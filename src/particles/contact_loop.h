@@ -151,7 +151,7 @@ contact_pairs(contact_springs *law, int periodic,
         law(c, k.delta, k.R, k.m, &springs);
         contact_force(&k, &springs, c->friction, dt, &list->s[3 * e]);
         list->touching[e] = 1;
-        contact_note(f, k.delta / (2.0 * reach));
+        contact_note(f, k.delta / reach);
         contact_add(f->own, i, 1.0, 0.5 * ps->d[i], &k);
         contact_add(j < end ? f->own : f->spill, j, -1.0, 0.5 * ps->d[j], &k);
     }

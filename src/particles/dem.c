@@ -15,7 +15,7 @@ struct dem {
     struct neighbours *neighbours;
     double *load[6];  /* [N], [N m] contact forces and torques, attached */
     double *spill[6]; /* the same, from the strip before */
-    double *ones;     /* [m/s] fastest of each strip */
+    double *fastest;  /* [m^2/s^2] speed squared, of each strip */
     double travel;    /* [m] nobody has moved further since the last look */
     int listed;       /* 0: no list yet */
     struct dem_report report;
@@ -46,7 +46,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         dem->spill[a] = alloc_doubles(ps->capacity);
         particles_attach(ps, dem->load[a], 1);
     }
-    dem->ones = alloc_doubles(MOST_STRIPS);
+    dem->fastest = alloc_doubles(MOST_STRIPS);
     dem->report.lost_id = -1;
     return dem;
 }
@@ -60,7 +60,7 @@ void dem_free(struct dem *dem)
         free(dem->spill[a]);
     }
     neighbours_free(dem->neighbours);
-    free(dem->ones);
+    free(dem->fastest);
     free(dem);
 }
 
@@ -73,8 +73,7 @@ void dem_forget(struct dem *dem)
         pair_list_forget(&dem->neighbours->walls, e);
 }
 
-/* --- integration -----------------------------------------------------------
- */
+/* --- integration --------------------------------------------------------- */
 
 /* Velocities of particles first .. last - 1 by the present forces for dt; I =
  * m d^2 / 10 [LS 4.1]. */
@@ -123,16 +122,15 @@ static void move(struct dem *dem, double kick_time)
     for (int s = 0; s < l->n_strips; s++) {
         const int first = l->particle_start[s], last = l->particle_start[s + 1];
         kick(dem, first, last, kick_time);
-        dem->ones[s] = drift(dem->ps, first, last, dt);
+        dem->fastest[s] = drift(dem->ps, first, last, dt);
     }
     for (int s = 0; s < l->n_strips; s++)
-        most = fmax(most, dem->ones[s]);
+        most = fmax(most, dem->fastest[s]);
     dem->report.max_speed = sqrt(most);
     dem->travel += dem->report.max_speed * dt;
 }
 
-/* --- forces ------------------------------------------------------------------
- */
+/* --- forces -------------------------------------------------------------- */
 
 static void clear_loads(struct dem *dem, int first, int last)
 {
@@ -144,8 +142,9 @@ static void clear_loads(struct dem *dem, int first, int last)
     }
 }
 
-/* The forces within a strip and on the next one. */
-static void strip_force(struct dem *dem, int s, struct strip_forces *f)
+/* The forces within a strip and on the next one; springs follow for dt. */
+static void strip_force(struct dem *dem, int s, double dt,
+                        struct strip_forces *f)
 {
     const struct contact_law *const law = dem->options.law;
     const int *const periodic = dem->options.periodic;
@@ -158,10 +157,9 @@ static void strip_force(struct dem *dem, int s, struct strip_forces *f)
     f->max_overlap = 0.0;
     (periodic[0] || periodic[1] || periodic[2]
          ? law->pairs_periodic
-         : law->pairs)(&dem->constants, dem->options.step, dem->ps,
-                       &dem->neighbours->pairs, s, f);
-    law->walls(&dem->constants, dem->options.step, dem->ps,
-               &dem->neighbours->walls, s, f);
+         : law->pairs)(&dem->constants, dt, dem->ps, &dem->neighbours->pairs, s,
+                       f);
+    law->walls(&dem->constants, dt, dem->ps, &dem->neighbours->walls, s, f);
 }
 
 static void add_spill(struct dem *dem, int first, int last)
@@ -171,7 +169,7 @@ static void add_spill(struct dem *dem, int first, int last)
             dem->load[a][i] += dem->spill[a][i];
 }
 
-static void forces(struct dem *dem)
+static void forces(struct dem *dem, double dt)
 {
     const struct pair_list *const l = &dem->neighbours->pairs;
     struct strip_forces f[MOST_STRIPS];
@@ -183,7 +181,7 @@ static void forces(struct dem *dem)
             clear_loads(dem, l->particle_start[s], l->particle_start[s + 1]);
 #pragma omp for schedule(static)
         for (int s = 0; s < l->n_strips; s++)
-            strip_force(dem, s, &f[s]);
+            strip_force(dem, s, dt, &f[s]);
 #pragma omp for schedule(static)
         for (int s = 0; s < l->n_strips; s++)
             add_spill(dem, l->particle_start[s], l->particle_start[s + 1]);
@@ -196,30 +194,39 @@ static void forces(struct dem *dem)
     }
 }
 
-/* --- the list
- * ------------------------------------------------------------------ */
+/* --- the list ------------------------------------------------------------ */
 
-/* Lost: the centre further outside than its radius, or nowhere. */
-static int count_lost(struct dem *dem)
+/* Lost: its surface has left the box (its centre by a whole period, where the
+ * box is periodic), or position or velocity is not a number. */
+static int is_lost(const struct dem *dem, int i)
 {
     const struct particles *const ps = dem->ps;
     const struct dem_options *const o = &dem->options;
-    const double *const x[3] = {ps->x, ps->y, ps->z};
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+
+    for (int a = 0; a < 3; a++) {
+        const double margin =
+            o->periodic[a] ? o->high[a] - o->low[a] : 0.5 * ps->d[i];
+        if (!isfinite(v[a]) || !(x[a] > o->low[a] - margin) ||
+            !(x[a] < o->high[a] + margin))
+            return 1;
+    }
+    return 0;
+}
+
+static int count_lost(struct dem *dem)
+{
+    const struct particles *const ps = dem->ps;
     struct dem_report *const r = &dem->report;
 
     r->lost = 0;
     for (int i = 0; i < ps->n; i++) {
-        int inside = 1;
-        for (int a = 0; a < 3; a++)
-            inside &=
-                isfinite(x[a][i]) &&
-                (o->periodic[a] || (x[a][i] > o->low[a] - 0.5 * ps->d[i] &&
-                                    x[a][i] < o->high[a] + 0.5 * ps->d[i]));
-        if (inside) continue;
-        if (r->lost++ > 0) continue;
+        if (!is_lost(dem, i) || r->lost++ > 0) continue;
         r->lost_id = ps->id[i];
-        for (int a = 0; a < 3; a++)
-            r->lost_at[a] = x[a][i];
+        r->lost_at[0] = ps->x[i];
+        r->lost_at[1] = ps->y[i];
+        r->lost_at[2] = ps->z[i];
     }
     return r->lost;
 }
@@ -245,17 +252,27 @@ static int keep_list(struct dem *dem)
     return 0;
 }
 
+/* The first list, and the forces of contacts that exist from the start; no
+ * time has passed in them. */
+static int begin(struct dem *dem)
+{
+    if (dem->listed) return 0;
+    if (keep_list(dem) != 0) return 1;
+    forces(dem, 0.0);
+    return 0;
+}
+
 int dem_run(struct dem *dem, int steps, struct dem_report *report)
 {
     const double dt = dem->options.step;
-    int failed = dem->listed ? 0 : keep_list(dem);
 
     dem->report.max_overlap = 0.0;
+    int failed = begin(dem);
     for (int k = 0; k < steps && !failed; k++) {
         move(dem, k == 0 ? 0.5 * dt : dt); /* two half kicks are one */
         failed = keep_list(dem);
         if (failed) break;
-        forces(dem);
+        forces(dem, dt);
         dem->report.steps++;
     }
     if (!failed && steps > 0) kick(dem, 0, dem->ps->n, 0.5 * dt);

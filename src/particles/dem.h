@@ -24,12 +24,11 @@ struct dem_report {
     long steps;    /* [-] so far, over all runs */
     long rebuilds; /* [-] of the neighbour list, so far */
     int contacts;  /* [-] touching pairs and walls at the last step */
-    double
-        max_overlap;   /* [-] over the mean diameter of the pair, in any step */
-    double max_speed;  /* [m/s] at the last step */
-    int lost;          /* [-] particles outside the box, or not finite */
-    int lost_id;       /* [-] the first of them; -1 */
-    double lost_at[3]; /* [m] where it is */
+    double max_overlap; /* [-] over the pair's mean diameter, in any step */
+    double max_speed;   /* [m/s] at the last step */
+    int lost;           /* [-] particles outside the box, or not finite */
+    int lost_id;        /* [-] the first of them; -1 */
+    double lost_at[3];  /* [m] where it is */
 };
 
 struct dem;
@@ -41,7 +40,8 @@ void dem_free(struct dem *dem);
 /* `steps` steps. Non-zero if a particle was lost; the report says which. */
 int dem_run(struct dem *dem, int steps, struct dem_report *report);
 
-/* Forgets all contacts: the next contact begins without a spring. */
+/* Forgets all contacts: each begins anew without a spring. For a caller who has
+ * put particles elsewhere between two runs. */
 void dem_forget(struct dem *dem);
 
 #endif
