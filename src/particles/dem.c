@@ -155,10 +155,9 @@ static void strip_force(struct dem *dem, int s, double dt,
     }
     f->contacts = 0;
     f->max_overlap = 0.0;
-    (periodic[0] || periodic[1] || periodic[2]
-         ? law->pairs_periodic
-         : law->pairs)(&dem->constants, dt, dem->ps, &dem->neighbours->pairs, s,
-                       f);
+    (periodic[0] || periodic[1] || periodic[2] ? law->pairs_periodic
+                                               : law->pairs)(
+        &dem->constants, dt, dem->ps, &dem->neighbours->pairs, s, f);
     law->walls(&dem->constants, dt, dem->ps, &dem->neighbours->walls, s, f);
 }
 

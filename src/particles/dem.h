@@ -21,9 +21,9 @@ struct dem_options {
 
 /* What the last dem_run did. */
 struct dem_report {
-    long steps;    /* [-] so far, over all runs */
-    long rebuilds; /* [-] of the neighbour list, so far */
-    int contacts;  /* [-] touching pairs and walls at the last step */
+    long steps;         /* [-] so far, over all runs */
+    long rebuilds;      /* [-] of the neighbour list, so far */
+    int contacts;       /* [-] touching pairs and walls at the last step */
     double max_overlap; /* [-] over the pair's mean diameter, in any step */
     double max_speed;   /* [m/s] at the last step */
     int lost;           /* [-] particles outside the box, or not finite */
