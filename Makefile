@@ -1,8 +1,10 @@
 # Winnow. `make run` shows a fluidized bed, `make check` proves the code, `make help` lists the rest.
 CC       = gcc
-WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror
+WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes $(WERROR)
+WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
-FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math -mprefer-vector-width=512
+FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math $(WIDE)
+WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
 SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
@@ -18,17 +20,18 @@ all: $B/winnow
 
 run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
 	sh .ci/install run
-	$(MAKE) $(CORES) $B/winnow
-	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed
+	$(MAKE) $(CORES) $B/winnow WERROR=
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.6
 
 check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	$(MAKE) $(CORES) $B/winnow tests
 	sh tests/run.sh $B/tests
-	$(MAKE) $(CORES) tests B=$B/san OPT="$(SANITIZE)"
+	$(MAKE) $(CORES) tests B=$B/san OPT="$(SANITIZE)" WERROR=
 	sh tests/run.sh $B/san/tests
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
+	sh tests/vtk.sh $B
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
@@ -38,14 +41,18 @@ clean: ## forget everything built
 
 tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a
-	$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
+	@echo "link $@"
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
 $B/libwinnow.a: $(OBJ)
 	@rm -f $@; ar rcs $@ $^
 $B/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+	@echo "compile $<"
+	@$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+# This test counts allocations.
+$B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
 .PHONY: all run check help clean tests
 .SECONDARY:

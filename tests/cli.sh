@@ -10,6 +10,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failed=0
 facts=0
+# Threads that wait should not keep others from working on a busy machine.
+export OMP_WAIT_POLICY=passive
 
 # fact NAME CODE PART COMMAND...: the command ends with the code, and what it
 # prints, on either stream, holds the part.
@@ -111,6 +113,9 @@ defined() {
 }
 fact functions_that_are_named_exist 0 defined defined
 
+fact check_calls_a_step_unsafe_that_is 0 "NOT SAFE" \
+    "$winnow" check tiny.cfg -s particles.step=1e-4
+
 echo "runs:"
 fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
 fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \
@@ -143,6 +148,11 @@ interrupted() {
 }
 fact interrupted_run_is_code_130 130 "" interrupted
 fact interrupted_run_says_so_in_its_summary 0 interrupted cat long/summary.json
+
+fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
+    "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
+    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip
+fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 
 if [ $failed -gt 0 ]; then
     echo "$failed facts of the command line do not hold"

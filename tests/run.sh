@@ -12,17 +12,22 @@ failed=0
 count=0
 # Instrumented tests are many times slower than the limit of 4 s is meant for.
 export CK_TIMEOUT_MULTIPLIER=20
+# Threads that wait should not keep others from working on a busy machine.
+export OMP_WAIT_POLICY=passive
 
 for test in "$dir"/test_*; do
     case $test in *.*) continue ;; esac
     : >"$log"
     CK_LOG_FILE_NAME=$log "$test" >"$log.out" 2>&1 || failed=$((failed + 1))
-    passed=$(grep -c ':P:' "$log")
+    # A test that loops over a table is one fact.
+    sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log" | uniq >"$log.facts"
+    passed=$(wc -l <"$log.facts")
     count=$((count + passed))
     echo "$(basename "$test"): $passed facts"
-    sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log"
+    cat "$log.facts"
     if grep -q ':[FE]:' "$log" || ! grep -q ':P:' "$log"; then
         grep ':[FE]:' "$log" || cat "$log.out"
+        grep -A 12 -E 'Sanitizer|runtime error' "$log.out" # why it ended early
         [ "$failed" -gt 0 ] || failed=1
     fi
 done
@@ -30,4 +35,4 @@ if [ "$failed" -gt 0 ]; then
     echo "$failed test programs failed"
     exit 1
 fi
-echo "$count facts hold ($dir)"
+echo "$count passed, 0 failed"

@@ -200,6 +200,26 @@ START_TEST(every_way_gives_constants_back)
 }
 END_TEST
 
+/* Capped cells too: a slip velocity cut down by the share would be wrong. */
+START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
+{
+    const struct averaging_options o = {.cap = 0.004};
+    struct scene s = scene_of(&cloud_shapes[4], "pcm");
+
+    averaging_free(s.a);
+    s.a = averaging_create(averaging_method_named("pcm"), s.mesh, s.ps, &o);
+    ck_assert_int_eq(averaging_bind(s.a), 0);
+    ck_assert_int_gt(averaging_report(s.a)->capped, 3);
+    cloud_numbers(15, M * s.mesh->n_cells, s.field);
+    interpolation_named("same")->apply(s.a, M, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < M; k++)
+            ck_assert_double_eq_tol(
+                s.q[M * i + k], s.field[M * averaging_host(s.a)[i] + k], 1e-15);
+    scene_free(&s);
+}
+END_TEST
+
 START_TEST(an_unknown_way_has_no_name)
 {
     ck_assert_ptr_null(interpolation_named("cubic"));
@@ -225,6 +245,7 @@ int main(void)
     tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,
                         CLOUD_SHAPES);
     tcase_add_loop_test(t, every_way_gives_constants_back, 0, CLOUD_SHAPES);
+    tcase_add_test(t, the_cap_of_pcm_does_not_cut_down_what_particles_see);
     tcase_add_test(t, an_unknown_way_has_no_name);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

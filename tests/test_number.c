@@ -33,7 +33,7 @@ START_TEST(numbers_read_back_to_the_same_bits)
 
     for (int i = 0; i < 5; i++)
         ck_assert(strtod(number_text(edges[i], text), NULL) == edges[i]);
-    for (int i = 0; i < 100000; i++) {
+    for (int i = 0; i < 20000; i++) {
         double x;
 
         bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
@@ -54,19 +54,23 @@ START_TEST(rounded_numbers_keep_so_many_digits)
 }
 END_TEST
 
-/* German writes 0,5. Where localedef can make that language, the test must have
- * met it; elsewhere it shows nothing. */
+/* A language that writes 0,5, made by localedef, which complains of all that
+ * this one lacks. Where localedef cannot make it, the test shows nothing. */
 START_TEST(the_decimal_point_is_a_point_in_every_language)
 {
     char dir[64], command[256], text[NUMBER_LENGTH];
 
     scratch_make(dir);
+    scratch_write(scratch_path(dir, "source"),
+                  "LC_NUMERIC\ndecimal_point \",\"\nthousands_sep \"\"\n"
+                  "grouping -1\nEND LC_NUMERIC\n"
+                  "LC_CTYPE\ncopy \"POSIX\"\nEND LC_CTYPE\n");
     snprintf(command, sizeof command,
-             "localedef -i de_DE -f UTF-8 %s/de_DE.utf8 2>/dev/null", dir);
-    const int german = system(command) == 0;
+             "localedef -c -i %s/source -f UTF-8 %s/comma.utf8 >/dev/null 2>&1",
+             dir, dir);
+    ck_assert_int_ne(system(command), -1);
     setenv("LOCPATH", dir, 1);
-    ck_assert(setlocale(LC_NUMERIC, "de_DE.utf8") != NULL || !german);
-    if (german) {
+    if (setlocale(LC_NUMERIC, "comma.utf8") != NULL) {
         snprintf(text, sizeof text, "%g", 0.5);
         ck_assert_str_eq(text, "0,5");
     }

@@ -51,6 +51,8 @@ START_TEST(each_side_of_the_box_matches_the_row_of_sides)
     }
     ck_assert_ptr_null(rows_find(tables, "fluid.middle"));
     ck_assert_ptr_null(rows_find(tables, "fluid.leftover"));
+    ck_assert_ptr_null(rows_find(tables, "fluid.lef"));
+    ck_assert_ptr_null(rows_find(tables, "fluid."));
     ck_assert_ptr_null(rows_find(tables, "fluid.<patch>"));
     ck_assert_ptr_null(rows_find(tables, "flu"));
 }
@@ -102,6 +104,7 @@ START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
 {
     const char *const text = "# 99999999999\n/* 99999999999\n */ a = "
                              "\"99999999999\"; // 99999999999\n"
+                             "q = \"a \\\" 99999999999\";"
                              "b = 99999999999.0; c = 9e99; x99999999999 = 1;\n"
                              "d = 2147483647;\ne = -2147483648;";
     int line;

@@ -71,7 +71,7 @@ START_TEST(a_restart_drops_what_is_at_its_time_or_later)
     struct series *s = series_create(dir, "fluid", "vtr");
     char text[NUMBER_LENGTH], line[128];
 
-    for (int i = 0; i < 200; i++)
+    for (int i = 0; i < 70; i++)
         ck_assert_int_eq(series_add(s, i * 0.1), 0);
     series_free(s);
     s = series_create(dir, "fluid", "vtr");

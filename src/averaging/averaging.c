@@ -121,6 +121,11 @@ void averaging_gather(struct averaging *a, int m, const double *field,
     a->method->gather(a->state, m, field, q, &a->report);
 }
 
+double averaging_share(const struct averaging *a, int i)
+{
+    return a->method->share == NULL ? 1.0 : a->method->share(a->state, i);
+}
+
 const int *averaging_host(const struct averaging *a)
 {
     return a->hosts->host;

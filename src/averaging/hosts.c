@@ -2,7 +2,7 @@
 #include "averaging/hosts.h"
 
 #include <assert.h>
-#include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -32,12 +32,6 @@ void hosts_free(struct hosts *h)
     free(h->start);
     free(h->member);
     free(h);
-}
-
-double hosts_particle_volume(const struct hosts *h, int i)
-{
-    const double d = h->ps->d[i];
-    return M_PI / 6.0 * d * d * d;
 }
 
 /* Host and offset of particle i. In a periodic direction the nearest image of

@@ -16,7 +16,10 @@
 #include "averaging/stencil.h"
 #include "base/alloc.h"
 
-enum { KERNEL_STRIPS = 16 }; /* more windows would take longer to add up */
+enum {
+    KERNEL_STRIPS = 16,  /* more windows would take longer to add up */
+    WORTH_A_THREAD = 128 /* particles; fewer are done before it wakes up */
+};
 
 struct strip {
     int first, last; /* [-] hosts first .. last - 1 */
@@ -89,9 +92,9 @@ static struct around around_host(const struct kernel *k, int c)
 
 /* Adds the weighted amounts q of one particle to the cells around its host,
  * whose sums begin at `host`. */
-static inline void add_weighted(int m, const struct around *near,
-                                const double *restrict w,
-                                const double *restrict q, double *host)
+static inline void add_loop(int m, const struct around *near,
+                            const double *restrict w, const double *restrict q,
+                            double *host)
 {
     for (int e = 0; e < near->n; e++) {
         double *restrict const to = &host[m * near->step[e]];
@@ -102,15 +105,53 @@ static inline void add_weighted(int m, const struct around *near,
 }
 
 /* q = the weighted sum of the fields around the host. */
-static inline void take_weighted(int m, const struct around *near,
-                                 const double *restrict w, const double *host,
-                                 double *restrict q)
+static inline void take_loop(int m, const struct around *near,
+                             const double *restrict w, const double *host,
+                             double *restrict q)
 {
     for (int j = 0; j < m; j++)
         q[j] = 0.0;
     for (int e = 0; e < near->n; e++)
         for (int j = 0; j < m; j++)
             q[j] += w[e] * host[m * near->step[e] + j];
+}
+
+/* Loops of known length for the frequent numbers of fields: up to twice as
+ * fast. */
+static void add_weighted(int m, const struct around *near, const double *w,
+                         const double *q, double *host)
+{
+    switch (m) {
+    case 3:
+        add_loop(3, near, w, q, host);
+        break;
+    case 4:
+        add_loop(4, near, w, q, host);
+        break;
+    case 8:
+        add_loop(8, near, w, q, host);
+        break;
+    default:
+        add_loop(m, near, w, q, host);
+    }
+}
+
+static void take_weighted(int m, const struct around *near, const double *w,
+                          const double *host, double *q)
+{
+    switch (m) {
+    case 3:
+        take_loop(3, near, w, host, q);
+        break;
+    case 4:
+        take_loop(4, near, w, host, q);
+        break;
+    case 8:
+        take_loop(8, near, w, host, q);
+        break;
+    default:
+        take_loop(m, near, w, host, q);
+    }
 }
 
 /* Spreads the particles whose hosts are in the strip into its window. Returns
@@ -129,10 +170,7 @@ static int spread_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             alone += find_weights(k, i, near.first, near.n, s->weight);
-            if (m == 8) /* known length: a quarter faster */
-                add_weighted(8, &near, s->weight, &q[8 * i], host);
-            else
-                add_weighted(m, &near, s->weight, &q[m * i], host);
+            add_weighted(m, &near, s->weight, &q[m * i], host);
         }
     }
     return alone;
@@ -148,10 +186,7 @@ static void gather_strip(const struct kernel *k, const struct strip *s, int m,
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int i = h->member[a];
             find_weights(k, i, near.first, near.n, s->weight);
-            if (m == 8) /* known length: twice as fast */
-                take_weighted(8, &near, s->weight, &field[8 * c], &q[8 * i]);
-            else
-                take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
+            take_weighted(m, &near, s->weight, &field[m * c], &q[m * i]);
         }
     }
 }
@@ -168,12 +203,13 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
     const int n_cells = k->h->mesh->n_cells;
     int alone = 0;
 
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)            \
+    if (k->h->n > WORTH_A_THREAD)
     for (int t = 0; t < KERNEL_STRIPS; t++)
         if (!is_empty(k, &k->strip[t]))
             alone += spread_strip(k, &k->strip[t], m, q);
     r->alone = alone;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (k->h->n > WORTH_A_THREAD)
     for (int c = 0; c < n_cells; c++) {
         double *const f = &field[m * c];
         for (int j = 0; j < m; j++)
@@ -195,7 +231,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
     const struct kernel *const k = state;
 
     (void)r;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (k->h->n > WORTH_A_THREAD)
     for (int t = 0; t < KERNEL_STRIPS; t++)
         gather_strip(k, &k->strip[t], m, field, q);
 }
@@ -254,6 +290,11 @@ static void kernel_free(void *state)
 }
 
 const struct averaging_method kernel_method = {
-    "kernel",      "XS11 3.2-3.9", "a bell-shaped weight on the cells around",
-    kernel_create, kernel_free,    NULL,
-    kernel_spread, kernel_gather};
+    .name = "kernel",
+    .cite = "XS11 3.2-3.9",
+    .what = "a bell-shaped weight on the cells around",
+    .create = kernel_create,
+    .free = kernel_free,
+    .spread = kernel_spread,
+    .gather = kernel_gather,
+};

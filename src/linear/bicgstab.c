@@ -180,10 +180,10 @@ struct state {
 
 static double worst(const struct triple *rr)
 {
-    double most = rr->at[0];
+    double most = 0.0;
 
-    for (int k = 1; k < 3; k++)
-        if (!(rr->at[k] <= most)) most = rr->at[k]; /* NaN counts as worst */
+    for (int k = 0; k < 3 && !isnan(most); k++)
+        if (!(rr->at[k] <= most)) most = rr->at[k]; /* NaN is the worst */
     return sqrt(most);
 }
 
@@ -274,10 +274,14 @@ struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
     begin(A, diag3, b3, x3, w, &s);
     report.before = s.start / scale;
     while (worst(&s.rr) > target && report.iterations < max_iterations) {
+        const double before = worst(&s.rr);
+
         step(A, diag3, x3, target, w, &s);
         report.iterations++;
         if (!(worst(&s.rr) > target)) break;
-        if (!redirect(target, w, &s)) begin(A, diag3, b3, x3, w, &s);
+        if (redirect(target, w, &s)) continue;
+        if (worst(&s.rr) == before) break; /* afresh it would be the same */
+        begin(A, diag3, b3, x3, w, &s);
     }
     report.after = worst(&s.rr) / scale;
     report.converged = worst(&s.rr) <= target;

@@ -154,10 +154,10 @@ static double worst(int m, const double *rr, const double *bb)
 {
     double most = 0.0;
 
-    for (int k = 0; k < m; k++) {
-        const double share = bb[k] > 0.0 ? sqrt(rr[k] / bb[k]) : 0.0;
+    for (int k = 0; k < m && !isnan(most); k++) {
+        const double share = bb[k] == 0.0 ? 0.0 : sqrt(rr[k] / bb[k]);
 
-        if (!(share <= most)) most = share; /* NaN counts as worst */
+        if (!(share <= most)) most = share; /* NaN is the worst */
     }
     return most;
 }

@@ -190,6 +190,11 @@ static double momentum_residual(const struct simulation *sim)
     return sim->fluid->report.momentum_residual;
 }
 
+static double splitting(const struct simulation *sim)
+{
+    return sim->fluid->report.splitting;
+}
+
 static double pressure_iterations(const struct simulation *sim)
 {
     return sim->fluid->report.pressure.iterations;
@@ -278,6 +283,7 @@ const struct history_column history_columns[] = {
     {"shortest_relaxation_time [s]", shortest_time, C},
     {"mass_residual [-]", mass_residual, F},
     {"momentum_residual [-]", momentum_residual, F},
+    {"piso_splitting [-]", splitting, F},
     {"exchange_residual [-]", exchange_residual, C},
     {"relabelled_momentum [N s]", relabelled, C},
     {"pressure_iterations [-]", pressure_iterations, F},

@@ -161,16 +161,18 @@ void rows_expected(const struct key *key, char text[ROWS_TEXT])
         [KEY_FLAGS] = "three of true or false [x, y, z]",
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_PATCH] = "{ inlet = ...; } or { outlet = ...; }"};
-    const char *const kind = kinds[key->type];
-    const int has_unit = key->unit[0] != '\0';
     char conditions[ROWS_TEXT], words[ROWS_TEXT];
 
     gather(key, 1, ", ", conditions);
     gather(key, 0, " or ", words);
-    snprintf(text, ROWS_TEXT, "%s%s%s%s%s%s%s%s", kind,
-             conditions[0] != '\0' ? " " : "", conditions, has_unit ? " [" : "",
-             key->unit, has_unit ? "]" : "",
-             kind[0] != '\0' && words[0] != '\0' ? " or " : "", words);
+    snprintf(text, ROWS_TEXT, "%s", kinds[key->type]);
+    if (conditions[0] != '\0') append(text, " ");
+    append(text, conditions);
+    if (key->unit[0] != '\0') append(text, " [");
+    append(text, key->unit);
+    if (key->unit[0] != '\0') append(text, "]");
+    if (text[0] != '\0' && words[0] != '\0') append(text, " or ");
+    append(text, words);
 }
 
 /* Replaces the last name of a path. */

@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/multigrid.h"
+
+#include "linear/cg.h"
+#include "linear_case.h"
+
+#include <check.h>
+#include <omp.h>
+
+static const double unit[3] = {1, 1, 1};
+static const int closed[3] = {0, 0, 0}, round_about[3] = {1, 1, 1};
+
+enum side { WALL, PINNED };
+
+static struct multigrid *create(const struct links *b, const struct csr *A)
+{
+    struct multigrid *const mg = multigrid_create(
+        b->n, b->n_links, b->owner, b->neighbour, b->strength, b->link, b->V);
+
+    multigrid_update(mg, A);
+    return mg;
+}
+
+/* Iterations to 1e-6 from zero for random right-hand sides, the largest of
+ * two; 1000 if the limit did not suffice or the true residual is larger. The
+ * sides let nothing through but x = 0, which has the value 0 (WALL), or
+ * nothing at all, and cell 0 is held by twice its diagonal (PINNED). Frees b.
+ */
+static int iterations(struct links b, const double *h, const double *k,
+                      enum side side)
+{
+    struct csr *const A = diffusion(&b, k);
+    struct cg_work *const w = cg_work_create(b.n);
+    int most = 0;
+
+    if (side == WALL)
+        add_wall(A, &b, k, h);
+    else
+        A->diag[0] = A->diag[0] > 0.0 ? 2.0 * A->diag[0] : 1.0;
+
+    struct multigrid *const mg = create(&b, A);
+
+    for (unsigned seed = 1; seed <= 2; seed++) {
+        double *const rhs = noise_vector(b.n, seed);
+        double *const x = alloc_doubles(b.n);
+        const struct solve_report r =
+            cg_solve(A, mg, rhs, x, 1e-6, 0.0, 300, w);
+        const int good = r.converged && true_residual(A, rhs, x) < 1.001e-6;
+
+        if (!good) most = 1000;
+        if (r.iterations > most) most = r.iterations;
+        free(rhs);
+        free(x);
+    }
+    multigrid_free(mg);
+    cg_work_free(w);
+    csr_free(A);
+    links_free(&b);
+    return most;
+}
+
+static double *smooth_coefficients(const struct links *b)
+{
+    double *const k = alloc_doubles(b->n);
+
+    for (int i = 0; i < b->n; i++) {
+        const double x = b->at[3 * i] / b->cells[0];
+        const double y = b->at[3 * i + 1] / b->cells[1];
+        const double z = b->at[3 * i + 2] / b->cells[2];
+
+        k[i] = exp(sin(6.28 * x) * cos(6.28 * y) +
+                   (b->cells[2] > 1 ? cos(6.28 * z) : 0.0));
+    }
+    return k;
+}
+
+/* Blocks of 8 cells a side, each 1 or 1000 at random. */
+static double *jumping_coefficients(const struct links *b)
+{
+    double *const k = alloc_doubles(b->n);
+
+    for (int i = 0; i < b->n; i++) {
+        unsigned seed = 0;
+
+        for (int d = 0; d < 3; d++) {
+            seed =
+                (seed + (unsigned)(b->at[3 * i + d] / 8.0) + 1) * 2654435761u;
+            seed ^= seed >> 15;
+        }
+        k[i] = noise(&seed) > 0.0 ? 1000.0 : 1.0;
+    }
+    return k;
+}
+
+static int smooth_iterations(int nx, int ny, int nz)
+{
+    struct links b = links_cube(nx, ny, nz);
+    double *const k = smooth_coefficients(&b);
+    const int n = iterations(b, unit, k, WALL);
+
+    free(k);
+    return n;
+}
+
+/* Measured: 6 to 9. With the coarse coefficients undivided it takes 14 (16^3)
+ * to 20 and more. */
+START_TEST(iterations_do_not_grow_with_the_mesh)
+{
+    const int sizes[][3] = {{16, 16, 1},   {32, 32, 1},  {64, 64, 1},
+                            {128, 128, 1}, {16, 16, 16}, {32, 32, 32},
+                            {100, 1, 1},   {1000, 1, 1}, {18, 50, 4},
+                            {37, 29, 23},  {45, 61, 1},  {1, 33, 47}};
+
+    for (int s = 0; s < 12; s++) {
+        const int n = smooth_iterations(sizes[s][0], sizes[s][1], sizes[s][2]);
+
+        ck_assert_msg(n <= 10, "%d x %d x %d: %d iterations", sizes[s][0],
+                      sizes[s][1], sizes[s][2], n);
+    }
+}
+END_TEST
+
+START_TEST(one_cell_and_two_cells_are_solved)
+{
+    const int sizes[][3] = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {2, 2, 2}};
+
+    for (int s = 0; s < 4; s++)
+        for (int periodic = 0; periodic < 2; periodic++) {
+            struct links b = links_box(sizes[s][0], sizes[s][1], sizes[s][2],
+                                       unit, periodic ? round_about : closed);
+
+            ck_assert_int_le(iterations(b, unit, NULL, PINNED), 2);
+        }
+}
+END_TEST
+
+/* Measured: 7 to 9; 58 to 120 if all directions are coarsened alike. */
+START_TEST(flat_cells_cost_no_more)
+{
+    const double ratios[] = {2, 4, 10}; /* of lengths: 4, 16, 100 of S/d */
+
+    for (int s = 0; s < 3; s++)
+        for (int k = 0; k < 3; k++)
+            for (int thin = 0; thin < 2; thin++) {
+                double h[3] = {1, 1, 1};
+                const struct links b =
+                    (h[k] = thin ? 1.0 / ratios[s] : ratios[s],
+                     links_box(24, 24, 24, h, closed));
+                const int n = iterations(b, h, NULL, WALL);
+
+                ck_assert_msg(n <= 14, "direction %d, %g: %d", k, h[k], n);
+            }
+}
+END_TEST
+
+/* Measured: 8 to 20. Piecewise constant corrections know nothing of jumps. */
+START_TEST(jumps_of_1000_converge_within_30_iterations)
+{
+    const int sizes[][3] = {
+        {32, 32, 1}, {64, 64, 1}, {16, 16, 16}, {32, 32, 32}};
+
+    for (int s = 0; s < 4; s++) {
+        struct links b = links_cube(sizes[s][0], sizes[s][1], sizes[s][2]);
+        double *const k = jumping_coefficients(&b);
+        const int n = iterations(b, unit, k, WALL);
+
+        free(k);
+        ck_assert_msg(n <= 30, "%d: %d iterations", s, n);
+    }
+}
+END_TEST
+
+/* Without flux out the matrix is singular until one cell is held. */
+START_TEST(a_closed_box_with_one_cell_held_converges_as_fast)
+{
+    const int sizes[][3] = {{64, 64, 1}, {20, 20, 20}, {18, 50, 4}};
+
+    for (int s = 0; s < 3; s++)
+        for (int periodic = 0; periodic < 2; periodic++) {
+            const struct links b =
+                links_box(sizes[s][0], sizes[s][1], sizes[s][2], unit,
+                          periodic ? round_about : closed);
+            const int n = iterations(b, unit, NULL, PINNED);
+
+            ck_assert_msg(n <= 12, "%d, periodic %d: %d", s, periodic, n);
+        }
+}
+END_TEST
+
+/* The right-hand side must add up to zero; then nothing needs to be held. */
+START_TEST(even_the_singular_system_converges)
+{
+    struct links b = links_box(30, 20, 10, unit, (int[3]){0, 1, 1});
+    struct csr *const A = diffusion(&b, NULL);
+    struct multigrid *const mg = create(&b, A);
+    struct cg_work *const w = cg_work_create(b.n);
+    double *const x = alloc_doubles(b.n), *const rhs = noise_vector(b.n, 8);
+    double mean = 0.0;
+
+    for (int i = 0; i < b.n; i++)
+        mean += rhs[i] / b.n;
+    for (int i = 0; i < b.n; i++)
+        rhs[i] -= mean;
+
+    const struct solve_report r = cg_solve(A, mg, rhs, x, 1e-8, 0.0, 50, w);
+
+    ck_assert(r.converged);
+    ck_assert_int_le(r.iterations, 15);
+    ck_assert_double_le(true_residual(A, rhs, x), 1.001e-8);
+    free(x);
+    free(rhs);
+    cg_work_free(w);
+    multigrid_free(mg);
+    csr_free(A);
+    links_free(&b);
+}
+END_TEST
+
+/* Measured: 13 to 15, on aggregates that are no longer boxes. */
+START_TEST(cells_in_random_order_converge)
+{
+    const int sizes[][3] = {{64, 64, 1}, {20, 20, 20}, {300, 1, 1}};
+
+    for (int s = 0; s < 3; s++) {
+        struct links b = links_cube(sizes[s][0], sizes[s][1], sizes[s][2]);
+
+        links_shuffle(&b, 21);
+
+        const int n = iterations(b, unit, NULL, WALL);
+
+        ck_assert_msg(n <= 20, "%d: %d iterations", s, n);
+    }
+}
+END_TEST
+
+/* Unknowns without any link: nothing to coarsen, the diagonal does it all. */
+START_TEST(unknowns_without_links_are_solved)
+{
+    struct links b = links_cube(100, 1, 1);
+
+    b.n_links = 0;
+    ck_assert_int_le(iterations(b, unit, NULL, PINNED), 1000);
+}
+END_TEST
+
+/* x.My and y.Mx differ by the single precision inside: 1e-7 of a sum of terms
+ * without order; a smoother that is not symmetric is off by 1e-2. */
+START_TEST(the_cycle_is_symmetric_and_positive)
+{
+    for (int shuffled = 0; shuffled < 2; shuffled++) {
+        struct links b = links_box(17, 12, 9, unit, (int[3]){0, 0, 1});
+
+        if (shuffled) links_shuffle(&b, 2);
+
+        double *const k = smooth_coefficients(&b);
+        struct csr *const A = diffusion(&b, k);
+
+        add_wall(A, &b, k, unit);
+
+        struct multigrid *const mg = create(&b, A);
+        double *const x = noise_vector(b.n, 1), *const y = noise_vector(b.n, 2);
+        double *const Mx = alloc_doubles(b.n), *const My = alloc_doubles(b.n);
+        const double xMx = multigrid_apply(mg, x, Mx);
+        const double yMy = multigrid_apply(mg, y, My);
+
+        ck_assert_double_gt(xMx, 0.0);
+        ck_assert_double_eq_tol(xMx / dot_plain(b.n, x, Mx), 1.0, 1e-13);
+        ck_assert_double_eq_tol(dot_plain(b.n, x, My), dot_plain(b.n, y, Mx),
+                                1e-6 * sqrt(xMx * yMy));
+        free(x);
+        free(y);
+        free(Mx);
+        free(My);
+        free(k);
+        multigrid_free(mg);
+        csr_free(A);
+        links_free(&b);
+    }
+}
+END_TEST
+
+/* The update takes everything over: a second matrix leaves no trace. */
+START_TEST(an_update_forgets_the_matrix_before)
+{
+    struct links b = links_cube(20, 10, 10);
+    double *const k = smooth_coefficients(&b), *const r = noise_vector(b.n, 1);
+    struct csr *const A = diffusion(&b, k), *const B = diffusion(&b, NULL);
+
+    A->diag[0] *= 2.0;
+    B->diag[0] *= 2.0;
+
+    struct multigrid *const used = create(&b, A), *const fresh = create(&b, B);
+    double *const z = alloc_doubles(b.n), *const fresh_z = alloc_doubles(b.n);
+
+    multigrid_apply(used, r, z);
+    multigrid_update(used, B);
+    multigrid_apply(used, r, z);
+    multigrid_apply(fresh, r, fresh_z);
+    ck_assert_mem_eq(z, fresh_z, (size_t)b.n * sizeof *z);
+    free(k);
+    free(r);
+    free(z);
+    free(fresh_z);
+    multigrid_free(used);
+    multigrid_free(fresh);
+    csr_free(A);
+    csr_free(B);
+    links_free(&b);
+}
+END_TEST
+
+/* In SI units a pressure matrix may be of order 1e-12 and its residual of
+ * order 1e-30: squares of that would be lost in single precision. */
+START_TEST(units_do_not_matter)
+{
+    struct links b = links_cube(16, 16, 16);
+    double *const k = smooth_coefficients(&b), *const r = noise_vector(b.n, 1);
+    struct csr *const A = diffusion(&b, k);
+
+    add_wall(A, &b, k, unit);
+
+    struct multigrid *const mg = create(&b, A);
+    double *const z = alloc_doubles(b.n), *const small_z = alloc_doubles(b.n);
+
+    multigrid_apply(mg, r, z);
+    for (int e = 0; e < 2 * b.n_links; e++)
+        A->a[e] *= 0x1p-140;
+    for (int i = 0; i < b.n; i++)
+        A->diag[i] *= 0x1p-140;
+    for (int i = 0; i < b.n; i++)
+        r[i] *= 0x1p-200;
+    multigrid_update(mg, A);
+    multigrid_apply(mg, r, small_z);
+    for (int i = 0; i < b.n; i++) /* powers of two: exactly the same digits */
+        ck_assert_double_eq(z[i] * 0x1p-60, small_z[i]);
+    free(k);
+    free(r);
+    free(z);
+    free(small_z);
+    multigrid_free(mg);
+    csr_free(A);
+    links_free(&b);
+}
+END_TEST
+
+START_TEST(threads_do_not_change_a_bit)
+{
+    struct links b = links_cube(50, 40, 30);
+    double *const k = smooth_coefficients(&b), *const r = noise_vector(b.n, 1);
+    struct csr *const A = diffusion(&b, k);
+
+    add_wall(A, &b, k, unit);
+
+    double *const one = alloc_doubles(b.n), *const two = alloc_doubles(b.n);
+    struct multigrid *const mg = create(&b, A);
+
+    omp_set_num_threads(1);
+    multigrid_update(mg, A);
+    multigrid_apply(mg, r, one);
+    omp_set_num_threads(2);
+    multigrid_update(mg, A);
+    multigrid_apply(mg, r, two);
+    ck_assert_mem_eq(one, two, (size_t)b.n * sizeof *one);
+    free(k);
+    free(r);
+    free(one);
+    free(two);
+    multigrid_free(mg);
+    csr_free(A);
+    links_free(&b);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("multigrid");
+    TCase *t = tcase_create("core");
+    SRunner *r = srunner_create(s);
+
+    omp_set_num_threads(1); /* two wait for each other on a busy machine */
+    suite_add_tcase(s, t);
+    tcase_add_test(t, iterations_do_not_grow_with_the_mesh);
+    tcase_add_test(t, one_cell_and_two_cells_are_solved);
+    tcase_add_test(t, flat_cells_cost_no_more);
+    tcase_add_test(t, jumps_of_1000_converge_within_30_iterations);
+    tcase_add_test(t, a_closed_box_with_one_cell_held_converges_as_fast);
+    tcase_add_test(t, even_the_singular_system_converges);
+    tcase_add_test(t, cells_in_random_order_converge);
+    tcase_add_test(t, unknowns_without_links_are_solved);
+    tcase_add_test(t, the_cycle_is_symmetric_and_positive);
+    tcase_add_test(t, an_update_forgets_the_matrix_before);
+    tcase_add_test(t, units_do_not_matter);
+    tcase_add_test(t, threads_do_not_change_a_bit);
+    srunner_run_all(r, CK_NORMAL);
+
+    const int failed = srunner_ntests_failed(r);
+
+    srunner_free(r);
+    return failed != 0;
+}
