@@ -7,6 +7,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "particles/contact_hertz.h"
+#include "particles/contact_linear.h"
 #include "particles/dem.h"
 
 /* A box from -half to half; a material that forgets neither energy nor lets
@@ -15,15 +17,14 @@ static inline struct dem_options spheres_options(const struct contact_law *law,
                                                  double step, double half)
 {
     const struct dem_options o = {.law = law,
-                                  .material = {.density = 2000.0,
-                                               .young = 1e7,
+                                  .material = {.young = 1e7,
                                                .poisson = 0.25,
                                                .stiffness = 1e4,
                                                .restitution = 1.0,
                                                .friction = 0.0},
                                   .step = step,
-                                  .low = {-half, -half, -half},
-                                  .high = {half, half, half}};
+                                  .lo = {-half, -half, -half},
+                                  .hi = {half, half, half}};
     return o;
 }
 
