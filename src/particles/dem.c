@@ -214,7 +214,6 @@ static void move(struct dem *dem, int steps)
     {
         nb->margin = margin;
         nb->spent = spent;
-        nb->stale = 0;
         dem->done = k;
     }
 }

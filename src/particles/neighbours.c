@@ -206,7 +206,8 @@ static void rebuild(struct neighbours *nb)
     for (int s = mine.first; s < mine.last; s++)
         for (int q = 0; q < nb->strips[s].n_kept; q++)
             restore(nb, &nb->strips[s].kept[q]);
-#pragma omp barrier
+#pragma omp single
+    nb->stale = 0;
 }
 
 double neighbours_refresh(struct neighbours *nb, double wanted)
