@@ -59,57 +59,6 @@ static int iterations(struct links b, const double *h, const double *k,
     return most;
 }
 
-static double *smooth_coefficients(const struct links *b)
-{
-    double *const k = alloc_doubles(b->n);
-
-    for (int i = 0; i < b->n; i++) {
-        const double x = b->at[3 * i] / b->cells[0];
-        const double y = b->at[3 * i + 1] / b->cells[1];
-        const double z = b->at[3 * i + 2] / b->cells[2];
-
-        k[i] = exp(sin(6.28 * x) * cos(6.28 * y) +
-                   (b->cells[2] > 1 ? cos(6.28 * z) : 0.0));
-    }
-    return k;
-}
-
-/* Blocks of 8 cells a side, each 1 or 1000 at random. */
-static double *jumping_coefficients(const struct links *b)
-{
-    double *const k = alloc_doubles(b->n);
-
-    for (int i = 0; i < b->n; i++) {
-        unsigned seed = 0;
-
-        for (int d = 0; d < 3; d++) {
-            seed =
-                (seed + (unsigned)(b->at[3 * i + d] / 8.0) + 1) * 2654435761u;
-            seed ^= seed >> 15;
-        }
-        k[i] = noise(&seed) > 0.0 ? 1000.0 : 1.0;
-    }
-    return k;
-}
-
-/* Widths that grow by a ratio from one end of the box to the other. */
-static void stretch(struct links *b, int k, double ratio)
-{
-    const int last = b->cells[k] - 1;
-
-    for (int l = 0; l < b->n_links; l++) {
-        const double at = b->at[3 * b->owner[l] + k] - 0.5;
-        const double here = pow(ratio, at / last);
-        const double next = pow(ratio, (at + 1.0) / last);
-        double *const d = &b->link[3 * l + k];
-
-        b->strength[l] *= *d > 0.0 ? 2.0 / (here + next) : here;
-        if (*d > 0.0) *d = 0.5 * (here + next);
-    }
-    for (int i = 0; i < b->n; i++)
-        b->V[i] *= pow(ratio, (b->at[3 * i + k] - 0.5) / last);
-}
-
 static int smooth_iterations(int nx, int ny, int nz)
 {
     struct links b = links_cube(nx, ny, nz);
@@ -182,7 +131,7 @@ START_TEST(a_graded_box_costs_little_more)
         for (int k = 0; k < 2; k++) {
             struct links b = links_cube(cells[s][0], cells[s][1], cells[s][2]);
 
-            stretch(&b, k, 10.0);
+            links_stretch(&b, k, 10.0);
 
             const int n = iterations(b, unit, NULL, PINNED);
 

@@ -80,7 +80,7 @@ FIELDS_KERNEL turn_rows(int width, int k, int first, int last,
 static void turn(int first, int last, const struct cg_many_work *w,
                  const struct fields *beta)
 {
-    FIELDS_RUN(w->m, turn_rows, first, last, w, beta)
+    FIELDS_RUN(w->m, turn_rows, first, last, w, beta);
 }
 
 /* Sums of each field. */
@@ -127,7 +127,7 @@ static void advance(int first, int last, const struct cg_many_work *w,
 {
     struct sums *const sums = strip + strips_of(w->n, first);
 
-    FIELDS_RUN(w->m, advance_rows, first, last, w, alpha, x, sums)
+    FIELDS_RUN(w->m, advance_rows, first, last, w, alpha, x, sums);
 }
 
 static struct sums advance_all(const struct cg_many_work *w,

@@ -167,13 +167,13 @@ FIELDS_KERNEL term_rows(int width, int g, int first, int last, int m,
 static void begin(int first, int last, int m, const struct chebyshev *s,
                   const double *u, double *next)
 {
-    FIELDS_RUN(m, begin_rows, first, last, m, s, u, next)
+    FIELDS_RUN(m, begin_rows, first, last, m, s, u, next);
 }
 
 static void term(int first, int last, int m, const struct chebyshev *s,
                  double c, const double *y, double *next)
 {
-    FIELDS_RUN(m, term_rows, first, last, m, s, c, y, next)
+    FIELDS_RUN(m, term_rows, first, last, m, s, c, y, next);
 }
 
 /* Copies m fields of each row from rows of one length to rows of another. */

@@ -139,7 +139,7 @@ FIELDS_KERNEL rows_of(int width, int k, int first, int last,
 static void rows_many(int first, int last, const struct csr *A, int m,
                       const double *x, double *y)
 {
-    FIELDS_RUN(m, rows_of, first, last, A, m, A->diag, 0, x, y)
+    FIELDS_RUN(m, rows_of, first, last, A, m, A->diag, 0, x, y);
 }
 
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
@@ -150,7 +150,7 @@ void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
 static void rows_each(int first, int last, const struct csr *A, int m,
                       const double *diag, const double *x, double *y)
 {
-    FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y)
+    FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
 
 void csr_multiply_each(const struct csr *A, int m, const double *diag,

@@ -17,23 +17,15 @@ enum { FIELDS_WIDTH = 8 }; /* of the widest group */
 /* kernel(width, k, ...) for the groups of m fields: eights, a four, the rest.
  */
 #define FIELDS_RUN(m, kernel, ...)                                             \
-    for (int k_ = 0, left_ = (m); left_ > 0; left_ = (m)-k_) {                 \
-        if (left_ >= 8) {                                                      \
+    do {                                                                       \
+        int k_ = 0;                                                            \
+        for (; (m)-k_ >= 8; k_ += 8)                                           \
             kernel(8, k_, __VA_ARGS__);                                        \
-            k_ += 8;                                                           \
-        } else if (left_ >= 4) {                                               \
+        for (; (m)-k_ >= 4; k_ += 4)                                           \
             kernel(4, k_, __VA_ARGS__);                                        \
-            k_ += 4;                                                           \
-        } else if (left_ == 3) {                                               \
-            kernel(3, k_, __VA_ARGS__);                                        \
-            k_ += 3;                                                           \
-        } else if (left_ == 2) {                                               \
-            kernel(2, k_, __VA_ARGS__);                                        \
-            k_ += 2;                                                           \
-        } else {                                                               \
-            kernel(1, k_, __VA_ARGS__);                                        \
-            k_ += 1;                                                           \
-        }                                                                      \
-    }
+        if ((m)-k_ == 3) kernel(3, k_, __VA_ARGS__);                           \
+        if ((m)-k_ == 2) kernel(2, k_, __VA_ARGS__);                           \
+        if ((m)-k_ == 1) kernel(1, k_, __VA_ARGS__);                           \
+    } while (0)
 
 #endif
