@@ -112,18 +112,18 @@ void csr_multiply(const struct csr *A, const double *x, double *y)
 }
 
 /* Rows for width fields from the k-th of m on. The diagonal is one number a row
- * (step = 0) or one a field (step = 1). */
+ * (step = 0) or one a field (step = 1), or none (NULL). */
 FIELDS_KERNEL rows_of(int width, int k, int first, int last,
                       const struct csr *A, int m, const double *diag, int step,
                       const double *x, double *y)
 {
     for (int i = first; i < last; i++) {
         const double *const xi = x + (long)m * i + k;
-        const double *const d = diag + (step ? (long)m * i + k : i);
-        double sum[FIELDS_WIDTH];
+        const long at = step ? (long)m * i + k : i;
+        double sum[FIELDS_WIDTH] = {0.0};
 
-        for (int f = 0; f < width; f++)
-            sum[f] = d[f * step] * xi[f];
+        for (int f = 0; f < width && diag != NULL; f++)
+            sum[f] = diag[at + f * step] * xi[f];
         for (int e = A->start[i]; e < A->start[i + 1]; e++) {
             const double a = A->a[e];
             const double *const xj = x + (long)m * A->col[e] + k;

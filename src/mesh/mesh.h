@@ -29,19 +29,19 @@ struct box {
 
 struct mesh {
     int n_cells, n_faces, n_internal;
-    double *V;         /* [m^3] cell volume */
-    double *centre;    /* [m] cell centre, 3 a cell */
-    int *owner;        /* [-] n_faces */
-    int *neighbour;    /* [-] n_internal */
-    double *S;         /* [m^2] area vector, 3 a face */
-    double *d;         /* [m] owner to neighbour centre (boundary: to the face
-                          centre), 3 a face */
-    double *w;         /* [-] share of the owner in a linear face value
-                          (boundary: 0, the face has a value of its own) */
+    double *V;      /* [m^3] cell volume */
+    double *centre; /* [m] cell centre, 3 a cell */
+    int *owner;     /* [-] n_faces */
+    int *neighbour; /* [-] n_internal */
+    double *S;      /* [m^2] area vector, 3 a face */
+    double *d;      /* [m] owner to neighbour centre (boundary: to the face
+                       centre), 3 a face */
+    double *w;      /* [-] share of the owner in a linear face value
+                       (boundary: 0, the face has a value of its own) */
     int n_patches;
     struct patch *patches;
-    int *cell_start;   /* [-] n_cells + 1; faces of cell c are */
-    int *cell_face;    /* [-] cell_face[cell_start[c]] ..., ascending */
+    int *cell_start; /* [-] n_cells + 1; faces of cell c are */
+    int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
     struct box box;
 };
 

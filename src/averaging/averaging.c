@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/averaging.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "averaging/diffusion.h"
+#include "averaging/hosts.h"
+#include "averaging/kernel.h"
+#include "averaging/pcm.h"
+#include "base/alloc.h"
+
+struct averaging {
+    const struct averaging_method *method;
+    struct hosts *hosts;
+    void *state; /* the method's */
+    int fields;  /* [-] most in one call */
+    struct averaging_report report;
+};
+
+const struct averaging_method *const averaging_methods[] = {
+    &pcm_method, &kernel_method, &diffusion_method, NULL};
+
+const struct averaging_method *averaging_method_named(const char *name)
+{
+    for (int i = 0; averaging_methods[i] != NULL; i++)
+        if (strcmp(averaging_methods[i]->name, name) == 0)
+            return averaging_methods[i];
+    return NULL;
+}
+
+/* The options with their defaults filled in. */
+static struct averaging_options completed(const struct averaging_options *o)
+{
+    struct averaging_options full = *o;
+
+    if (full.scheme == NULL) full.scheme = diffusion_schemes[0];
+    if (full.steps == 0) full.steps = 3;
+    if (full.tolerance == 0.0) full.tolerance = 1e-6;
+    if (full.fields == 0) full.fields = 8;
+    return full;
+}
+
+struct averaging *averaging_create(const struct averaging_method *method,
+                                   const struct mesh *mesh,
+                                   const struct particles *ps,
+                                   const struct averaging_options *o)
+{
+    const struct averaging_options full = completed(o);
+    struct averaging *const a = alloc_zeroed(1, sizeof *a);
+
+    a->method = method;
+    a->fields = full.fields;
+    a->hosts = hosts_create(mesh, ps);
+    a->state = method->create(a->hosts, &full);
+    if (a->state != NULL) return a;
+    averaging_free(a);
+    return NULL;
+}
+
+void averaging_free(struct averaging *a)
+{
+    if (a == NULL) return;
+    if (a->state != NULL) a->method->free(a->state);
+    hosts_free(a->hosts);
+    free(a);
+}
+
+int averaging_bind(struct averaging *a)
+{
+    struct averaging_report *const r = &a->report;
+    const struct particles *const ps = a->hosts->ps;
+
+    *r = (struct averaging_report){.worst = {.converged = 1}};
+    r->lost = hosts_find(a->hosts);
+    if (r->lost > 0) {
+        int i = 0;
+        while (a->hosts->host[i] >= 0)
+            i++;
+        r->lost_id = ps->id[i];
+        return 1;
+    }
+    if (a->method->bind != NULL) a->method->bind(a->state, r);
+    return 0;
+}
+
+/* Extremes of the first of m fields, and the share of it that is below 0. */
+static void look_at_first(struct averaging_report *r, const struct mesh *mesh,
+                          int m, const double *field)
+{
+    double below = 0.0, all = 0.0;
+
+    r->lowest = r->highest = field[0];
+    for (int c = 0; c < mesh->n_cells; c++) {
+        const double f = field[m * c];
+        r->lowest = fmin(r->lowest, f);
+        r->highest = fmax(r->highest, f);
+        all += mesh->V[c] * fabs(f);
+        below += mesh->V[c] * fmax(0.0, -f);
+    }
+    r->negative = all > 0.0 ? below / all : 0.0;
+}
+
+void averaging_spread(struct averaging *a, int m, const double *q,
+                      double *field)
+{
+    assert(m >= 1 && m <= a->fields);
+    assert(a->report.lost == 0 && a->hosts->n == a->hosts->ps->n);
+    a->method->spread(a->state, m, q, field, &a->report);
+    look_at_first(&a->report, a->hosts->mesh, m, field);
+}
+
+void averaging_gather(struct averaging *a, int m, const double *field,
+                      double *q)
+{
+    assert(m >= 1 && m <= a->fields);
+    assert(a->report.lost == 0 && a->hosts->n == a->hosts->ps->n);
+    a->method->gather(a->state, m, field, q, &a->report);
+}
+
+double averaging_share(const struct averaging *a, int i)
+{
+    return a->method->share == NULL ? 1.0 : a->method->share(a->state, i);
+}
+
+const int *averaging_host(const struct averaging *a)
+{
+    return a->hosts->host;
+}
+
+const struct hosts *averaging_hosts(const struct averaging *a)
+{
+    return a->hosts;
+}
+
+const struct averaging_report *averaging_report(const struct averaging *a)
+{
+    return &a->report;
+}
+
+int averaging_check(const struct averaging_method *method,
+                    const struct mesh *mesh, const struct averaging_options *o)
+{
+    const struct averaging_options full = completed(o);
+
+    if (method != &diffusion_method) return 0;
+    if (strcmp(full.scheme, "crank-nicolson") != 0) return 0;
+    const double steps = diffusion_safe_steps(mesh, full.bandwidth);
+    const double safe = ceil(steps * (1.0 - 1e-9)); /* 12.000000001 is 12 */
+    return full.steps < safe ? (int)safe : 0;
+}

@@ -1,0 +1,83 @@
+/* averaging.h -- from particles to fields and back.  Chapter 7.
+ *
+ * Spreading turns amounts that particles carry (volume, momentum, force) into
+ * densities that cells have, and loses nothing [SX15 A.1]. Gathering is its
+ * exact adjoint: the work of a force on the gathered velocities is the work of
+ * the spread force on the field.
+ *
+ *     sum_c V_c spread(q)_c = sum_i q_i
+ *     sum_i q_i gather(f)_i = sum_c V_c f_c spread(q)_c
+ *
+ * The m numbers of a cell or particle lie side by side, field[m * c + k] and
+ * q[m * i + k], and are spread together, which is much cheaper than one by
+ * one. The bits are the same for any number of threads.
+ */
+#ifndef AVERAGING_H
+#define AVERAGING_H
+
+#include "averaging/averaging_method.h"
+#include "linear/report.h"
+#include "mesh/mesh.h"
+#include "particles/particles.h"
+
+/* What a case may choose. 0 or NULL takes the default in brackets. */
+struct averaging_options {
+    double bandwidth;   /* [m] b of kernel and diffusion; required there */
+    const char *scheme; /* of the diffusion ["exponential"] */
+    int steps;          /* [-] in pseudo-time, where the scheme has any [3] */
+    double tolerance;   /* [-] tail of the series, or of the solver [1e-6] */
+    double cap;         /* [-] on eps_s, pcm only [none] */
+    int fields;         /* [-] most numbers side by side in one call [8] */
+};
+
+/* lost to lost_volume: of the last bind. alone to negative: of the last spread.
+ * products and worst: of the last spread or gather. */
+struct averaging_report {
+    int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
+    int capped;             /* [-] pcm: cells with more solids than the cap */
+    double lost_volume;     /* [m^3] pcm: solids the cap took away */
+    int alone;              /* [-] kernel: particles with no centre within b */
+    double lowest, highest; /* of the first field: eps_s, by convention */
+    double negative;        /* [-] of the first field: share of it below 0 */
+    int products; /* [-] diffusion: with the matrix, all fields as 1 */
+    struct solve_report worst; /* diffusion: of its steps */
+};
+
+/* All methods, ended by NULL, and one by its name or NULL. The names for
+ * options.scheme are in diffusion.h. */
+extern const struct averaging_method *const averaging_methods[];
+const struct averaging_method *averaging_method_named(const char *name);
+
+struct averaging;
+
+/* Room for ps->capacity particles; nothing is allocated afterwards. Mesh and
+ * particles are borrowed. NULL after a message if the options are wrong. */
+struct averaging *averaging_create(const struct averaging_method *method,
+                                   const struct mesh *mesh,
+                                   const struct particles *ps,
+                                   const struct averaging_options *o);
+void averaging_free(struct averaging *a);
+
+/* Finds where the particles are now; to be called whenever they have moved or
+ * changed their order. Non-zero, after a message with its id, if a particle is
+ * outside the mesh; then only a bind that succeeds may follow. */
+int averaging_bind(struct averaging *a);
+
+void averaging_spread(struct averaging *, int m, const double *q,
+                      double *field);
+void averaging_gather(struct averaging *, int m, const double *field,
+                      double *q);
+
+/* The share of particle i that is spread [-]: 1 but for the cap of pcm. */
+double averaging_share(const struct averaging *a, int i);
+
+/* Borrowed: the host cell of each particle, all about hosts, the report. */
+const int *averaging_host(const struct averaging *a);
+const struct hosts *averaging_hosts(const struct averaging *a);
+const struct averaging_report *averaging_report(const struct averaging *a);
+
+/* 0, or the steps that these options need so as not to undershoot. */
+int averaging_check(const struct averaging_method *, const struct mesh *,
+                    const struct averaging_options *);
+
+#endif

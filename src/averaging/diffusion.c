@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/diffusion.h"
+
+#include <assert.h>
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "averaging/averaging.h"
+#include "averaging/hosts.h"
+#include "base/alloc.h"
+#include "linear/cg_many.h"
+#include "linear/chebyshev.h"
+#include "linear/csr.h"
+
+enum { MAX_ITERATIONS = 1000 };
+
+struct diffusion {
+    const struct hosts *h; /* borrowed */
+    const struct scheme *scheme;
+    int steps;        /* [-] */
+    int fields;       /* [-] room in the arrays below */
+    double tolerance; /* [-] */
+    double dtau;      /* [m^2] T / steps */
+    struct csr *K;    /* [m] -V times the Laplacian */
+    struct chebyshev *series;
+    struct csr *A; /* [m^3] V + (all or half of) dtau K */
+    struct cg_many_work *work;
+    double *rhs;    /* [m^3 times the field] */
+    double *wide;   /* a field padded to `fields` */
+    double *smooth; /* a copy of the field to be gathered */
+};
+
+/* How one scheme gets from tau = 0 to T, on m fields side by side. */
+struct scheme {
+    const char *name;
+    double implicit; /* [-] share of K in A; 0: there is no A */
+    void (*apply)(struct diffusion *, int m, double *u,
+                  struct averaging_report *r);
+};
+
+double diffusion_kernel(double r, double b)
+{
+    const double s = b * b * M_PI;
+    return exp(-r * r / (b * b)) / (s * sqrt(s)); /* [SX15 6] */
+}
+
+double diffusion_time(double b)
+{
+    return b * b / 4.0;
+}
+
+double diffusion_bandwidth(double T)
+{
+    return sqrt(4.0 * T);
+}
+
+/* Coefficient of the flux through internal face f: g (phi_N - phi_P) [m]. */
+static double link_strength(const struct mesh *m, int f)
+{
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double Sd = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+    return SS / Sd;
+}
+
+double diffusion_safe_steps(const struct mesh *m, double b)
+{
+    double fastest = 0.0; /* [1/m^2] largest K_cc / V_c */
+
+    for (int c = 0; c < m->n_cells; c++) {
+        double K_cc = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+            if (m->cell_face[a] < m->n_internal)
+                K_cc += link_strength(m, m->cell_face[a]);
+        fastest = fmax(fastest, K_cc / m->V[c]);
+    }
+    return 0.5 * diffusion_time(b) * fastest;
+}
+
+/* diag + factor times the Laplacian of [SX15 5a], as a matrix; only internal
+ * faces have a flux [SX15 5c]. */
+static struct csr *matrix_create(const struct mesh *m, const double *diag,
+                                 double factor)
+{
+    struct csr *const A =
+        csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
+
+    for (int c = 0; c < m->n_cells && diag != NULL; c++)
+        A->diag[c] = diag[c];
+    for (int f = 0; f < m->n_internal; f++) {
+        const double g = factor * link_strength(m, f);
+        A->a[A->upper[f]] = A->a[A->lower[f]] = -g;
+        A->diag[m->owner[f]] += g;
+        A->diag[m->neighbour[f]] += g;
+    }
+    return A;
+}
+
+static void apply_series(struct diffusion *d, int m, double *u,
+                         struct averaging_report *r)
+{
+    chebyshev_apply(d->series, m, u);
+    r->products = chebyshev_products(d->series);
+    r->worst = (struct solve_report){.converged = 1};
+}
+
+/* rhs = V u - explicit_share dtau K u, for m fields side by side. */
+static void right_side(struct diffusion *d, int m, double explicit_share,
+                       const double *u)
+{
+    const double *const V = d->h->mesh->V;
+    const double factor = explicit_share * d->dtau;
+    const int n = d->h->mesh->n_cells;
+
+    if (factor > 0.0) csr_multiply_many(d->K, m, u, d->rhs);
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < n; c++)
+        for (int k = m * c; k < m * c + m; k++)
+            d->rhs[k] = V[c] * u[k] - (factor > 0.0 ? factor * d->rhs[k] : 0.0);
+}
+
+static void worse_of(struct solve_report *worst, const struct solve_report *one)
+{
+    const int failed = worst->converged && !one->converged;
+
+    worst->iterations = GSL_MAX_INT(worst->iterations, one->iterations);
+    worst->converged = worst->converged && one->converged;
+    if (failed || one->after > worst->after) {
+        worst->before = one->before;
+        worst->after = one->after;
+    }
+}
+
+/* A u_new = rhs(u), step by step. Each solve starts from the old field and is
+ * preconditioned by V: then it keeps the sum of V u to rounding, however early
+ * it stops. */
+static void apply_steps(struct diffusion *d, int m, double *u,
+                        struct averaging_report *r)
+{
+    const double explicit_share = 1.0 - d->scheme->implicit;
+
+    r->products = 0;
+    r->worst = (struct solve_report){.converged = 1};
+    for (int step = 0; step < d->steps; step++) {
+        right_side(d, m, explicit_share, u);
+        const struct solve_report one =
+            cg_many_solve(d->A, d->h->mesh->V, d->rhs, u, d->tolerance, 0.0,
+                          MAX_ITERATIONS, d->work);
+        worse_of(&r->worst, &one);
+        r->products += one.iterations + 1 + (explicit_share > 0.0);
+    }
+}
+
+/* The solver's work space has a fixed number of fields: the missing ones are
+ * zero, for which it has nothing to do. */
+static void apply_padded(struct diffusion *d, int m, double *u,
+                         struct averaging_report *r)
+{
+    const int n = d->h->mesh->n_cells, all = d->fields;
+    double *const wide = d->wide;
+
+    if (m == all) {
+        apply_steps(d, m, u, r);
+        return;
+    }
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < n; c++)
+        for (int k = 0; k < all; k++)
+            wide[all * c + k] = k < m ? u[m * c + k] : 0.0;
+    apply_steps(d, all, wide, r);
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < n; c++)
+        for (int k = 0; k < m; k++)
+            u[m * c + k] = wide[all * c + k];
+}
+
+static const struct scheme schemes[] = {
+    {"exponential", 0.0, apply_series},
+    {"crank-nicolson", 0.5, apply_padded},
+    {"implicit-euler", 1.0, apply_padded},
+};
+
+const char *const diffusion_schemes[] = {"exponential", "crank-nicolson",
+                                         "implicit-euler", NULL};
+
+static const struct scheme *scheme_named(const char *name)
+{
+    for (size_t i = 0; i < sizeof schemes / sizeof *schemes; i++)
+        if (name == NULL || strcmp(schemes[i].name, name) == 0)
+            return &schemes[i];
+    return NULL;
+}
+
+/* 0, or non-zero after a message that says what is wrong. */
+static int wrong_options(const struct averaging_options *o)
+{
+    if (!(o->bandwidth > 0.0))
+        return fprintf(stderr,
+                       "winnow: the bandwidth of the diffusion is %g; "
+                       "expected a length above 0 [m]\n",
+                       o->bandwidth);
+    if (scheme_named(o->scheme) == NULL)
+        return fprintf(stderr,
+                       "winnow: the diffusion has no scheme \"%s\"; expected "
+                       "exponential, crank-nicolson or implicit-euler\n",
+                       o->scheme);
+    if (o->steps < 1)
+        return fprintf(stderr,
+                       "winnow: the diffusion has %d steps; "
+                       "expected 1 or more [-]\n",
+                       o->steps);
+    return 0;
+}
+
+static void *diffusion_create(const struct hosts *h,
+                              const struct averaging_options *o)
+{
+    if (wrong_options(o)) return NULL;
+    struct diffusion *const d = alloc_zeroed(1, sizeof *d);
+    const double T = diffusion_time(o->bandwidth);
+    const int n = h->mesh->n_cells;
+
+    d->h = h;
+    d->scheme = scheme_named(o->scheme);
+    d->steps = o->steps;
+    d->fields = o->fields;
+    d->tolerance = o->tolerance;
+    d->dtau = T / d->steps;
+    d->K = matrix_create(h->mesh, NULL, 1.0);
+    d->smooth = alloc_doubles(n * d->fields);
+    if (d->scheme->implicit > 0.0) {
+        d->A =
+            matrix_create(h->mesh, h->mesh->V, d->scheme->implicit * d->dtau);
+        d->work = cg_many_work_create(n, d->fields);
+        d->rhs = alloc_doubles(n * d->fields);
+        d->wide = alloc_doubles(n * d->fields);
+    } else {
+        d->series =
+            chebyshev_create(d->K, h->mesh->V, T, d->tolerance, d->fields);
+    }
+    return d;
+}
+
+static void diffusion_free(void *state)
+{
+    struct diffusion *const d = state;
+
+    csr_free(d->K);
+    csr_free(d->A);
+    chebyshev_free(d->series);
+    cg_many_work_free(d->work);
+    free(d->rhs);
+    free(d->wide);
+    free(d->smooth);
+    free(d);
+}
+
+static void diffusion_spread(void *state, int m, const double *q, double *field,
+                             struct averaging_report *r)
+{
+    struct diffusion *const d = state;
+
+    hosts_sum(d->h, m, q, field); /* [SX15 5b] */
+    d->scheme->apply(d, m, field, r);
+}
+
+/* exp(-T V^-1 K) is its own adjoint in the inner product weighted by V, so to
+ * gather is to smooth the field and to take the host's value. */
+static void diffusion_gather(void *state, int m, const double *field, double *q,
+                             struct averaging_report *r)
+{
+    struct diffusion *const d = state;
+    const int n = m * d->h->mesh->n_cells;
+
+    memcpy(d->smooth, field, (size_t)n * sizeof *field);
+    d->scheme->apply(d, m, d->smooth, r);
+    hosts_value(d->h, m, d->smooth, q);
+}
+
+const struct averaging_method diffusion_method = {
+    .name = "diffusion",
+    .cite = "SX15 5, 6, 9",
+    .what = "the pcm field, smoothed by diffusion",
+    .create = diffusion_create,
+    .free = diffusion_free,
+    .spread = diffusion_spread,
+    .gather = diffusion_gather,
+};

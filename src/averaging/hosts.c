@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/hosts.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+/* Numbers; a loop over fewer is done before a second thread has woken up. */
+enum { WORTH_A_THREAD = 8192 };
+
+struct hosts *hosts_create(const struct mesh *mesh, const struct particles *ps)
+{
+    struct hosts *const h = alloc_zeroed(1, sizeof *h);
+
+    h->mesh = mesh;
+    h->ps = ps;
+    h->host = alloc_ints(ps->capacity);
+    h->offset = alloc_doubles(3 * ps->capacity);
+    h->start = alloc_ints(mesh->n_cells + 1);
+    h->member = alloc_ints(ps->capacity);
+    return h;
+}
+
+void hosts_free(struct hosts *h)
+{
+    if (h == NULL) return;
+    free(h->host);
+    free(h->offset);
+    free(h->start);
+    free(h->member);
+    free(h);
+}
+
+/* Host and offset of particle i. In a periodic direction the nearest image of
+ * the host counts. */
+static void find_one(struct hosts *h, int i)
+{
+    const struct box *const b = &h->mesh->box;
+    const double x[3] = {h->ps->x[i], h->ps->y[i], h->ps->z[i]};
+    const int c = mesh_cell_at(h->mesh, x[0], x[1], x[2]);
+
+    h->host[i] = c;
+    if (c < 0) return;
+    for (int k = 0; k < 3; k++) {
+        double *const o = &h->offset[3 * i + k];
+        *o = x[k] - h->mesh->centre[3 * c + k];
+        if (!b->periodic[k]) continue;
+        const double period = b->edge[k][b->n[k]] - b->edge[k][0];
+        *o -= period * rint(*o / period);
+    }
+}
+
+static int count_lost(const struct hosts *h)
+{
+    const struct particles *const ps = h->ps;
+    int lost = 0;
+
+    for (int i = 0; i < ps->n; i++)
+        if (h->host[i] < 0 && lost++ == 0)
+            fprintf(stderr,
+                    "winnow: particle %d is outside the mesh, "
+                    "at (%g, %g, %g) m\n",
+                    ps->id[i], ps->x[i], ps->y[i], ps->z[i]);
+    return lost;
+}
+
+/* Counting sort: count, add up, place. While particles are placed start[c] is
+ * the next free place of c; at the end it has become the start of c + 1. */
+static void sort_members(struct hosts *h)
+{
+    int *const start = h->start;
+    const int n_cells = h->mesh->n_cells;
+
+    for (int c = 0; c <= n_cells; c++)
+        start[c] = 0;
+    for (int i = 0; i < h->n; i++)
+        start[h->host[i]]++;
+    for (int c = 0, sum = 0; c <= n_cells; c++) {
+        const int count = start[c];
+        start[c] = sum;
+        sum += count;
+    }
+    for (int i = 0; i < h->n; i++)
+        h->member[start[h->host[i]]++] = i;
+    for (int c = n_cells; c > 0; c--)
+        start[c] = start[c - 1];
+    start[0] = 0;
+}
+
+int hosts_find(struct hosts *h)
+{
+    const int n = h->ps->n;
+    assert(n <= h->ps->capacity);
+
+#pragma omp parallel for schedule(static) if (n > WORTH_A_THREAD / 8)
+    for (int i = 0; i < n; i++)
+        find_one(h, i);
+    const int lost = count_lost(h);
+    if (lost > 0) return lost;
+    h->n = n;
+    sort_members(h);
+    return 0;
+}
+
+void hosts_sum(const struct hosts *h, int m, const double *q, double *field)
+{
+    const int n_cells = h->mesh->n_cells;
+
+#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
+    for (int c = 0; c < n_cells; c++) {
+        double *const f = &field[m * c];
+        for (int k = 0; k < m; k++)
+            f[k] = 0.0;
+        for (int a = h->start[c]; a < h->start[c + 1]; a++)
+            for (int k = 0; k < m; k++)
+                f[k] += q[m * h->member[a] + k];
+        for (int k = 0; k < m; k++)
+            f[k] /= h->mesh->V[c];
+    }
+}
+
+void hosts_value(const struct hosts *h, int m, const double *field, double *q)
+{
+#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
+    for (int i = 0; i < h->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] = field[m * h->host[i] + k];
+}

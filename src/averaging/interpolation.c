@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/interpolation.h"
+
+#include <string.h>
+
+#include "averaging/hosts.h"
+
+static void nearest(struct averaging *a, int m, const double *field,
+                    const double *boundary, double *q)
+{
+    (void)boundary;
+    hosts_value(averaging_hosts(a), m, field, q);
+}
+
+/* Value on face f, a face of cell c, of number k of the m. */
+static double face_value(const struct mesh *mesh, int f, int c, int k, int m,
+                         const double *field, const double *boundary)
+{
+    if (f < mesh->n_internal) {
+        const double w = mesh->w[f];
+        return w * field[m * mesh->owner[f] + k] +
+               (1.0 - w) * field[m * mesh->neighbour[f] + k];
+    }
+    return boundary == NULL ? field[m * c + k]
+                            : boundary[m * (f - mesh->n_internal) + k];
+}
+
+/* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell
+ * sum to zero; f_c is there for a constant to have exactly no gradient. */
+static void gradient(const struct mesh *mesh, int c, int k, int m,
+                     const double *field, const double *boundary, double g[3])
+{
+    g[0] = g[1] = g[2] = 0.0;
+    for (int a = mesh->cell_start[c]; a < mesh->cell_start[c + 1]; a++) {
+        const int f = mesh->cell_face[a];
+        const double out = mesh->owner[f] == c ? 1.0 : -1.0;
+        const double above =
+            face_value(mesh, f, c, k, m, field, boundary) - field[m * c + k];
+        for (int j = 0; j < 3; j++)
+            g[j] += out * above * mesh->S[3 * f + j];
+    }
+    for (int j = 0; j < 3; j++)
+        g[j] /= mesh->V[c];
+}
+
+static void linear(struct averaging *a, int m, const double *field,
+                   const double *boundary, double *q)
+{
+    const struct hosts *const h = averaging_hosts(a);
+
+#pragma omp parallel for schedule(static) if (h->n > 512)
+    for (int c = 0; c < h->mesh->n_cells; c++) {
+        if (h->start[c] == h->start[c + 1]) continue;
+        for (int k = 0; k < m; k++) {
+            double g[3];
+            gradient(h->mesh, c, k, m, field, boundary, g);
+            for (int e = h->start[c]; e < h->start[c + 1]; e++) {
+                const int i = h->member[e];
+                const double *const o = &h->offset[3 * i];
+                q[m * i + k] =
+                    field[m * c + k] + g[0] * o[0] + g[1] * o[1] + g[2] * o[2];
+            }
+        }
+    }
+}
+
+static void same(struct averaging *a, int m, const double *field,
+                 const double *boundary, double *q)
+{
+    (void)boundary;
+    averaging_gather(a, m, field, q);
+    if (averaging_report(a)->capped == 0) return;
+    for (int i = 0; i < averaging_hosts(a)->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] /= averaging_share(a, i);
+}
+
+static const struct interpolation interpolation_nearest = {
+    "nearest", "XS11 3.1", "the value of the host cell", nearest};
+static const struct interpolation interpolation_linear = {
+    "linear", "Gauss", "value and Gauss gradient of the host cell", linear};
+static const struct interpolation interpolation_same = {
+    "same", "XS11 3.9", "weighed as the averaging does", same};
+
+const struct interpolation *const interpolations[] = {
+    &interpolation_nearest, &interpolation_linear, &interpolation_same, NULL};
+
+const struct interpolation *interpolation_named(const char *name)
+{
+    for (int i = 0; interpolations[i] != NULL; i++)
+        if (strcmp(interpolations[i]->name, name) == 0)
+            return interpolations[i];
+    return NULL;
+}

@@ -1,0 +1,37 @@
+/* interpolation.h -- what a particle sees of a field.  Chapter 7.
+ *
+ * nearest  the value of its host cell. Exact for constants; jumps from cell to
+ *          cell.
+ * linear   the host's value and its Gauss gradient,
+ *              q_i = f_c + (1 / V_c) sum_f S_f (f_f - f_c) . (x_i - x_c).
+ *          Exact for linear fields in cells without a boundary face, on graded
+ *          meshes and across a period too; second order for smooth ones; jumps
+ *          at faces by what the gradients of the two cells differ. At a
+ *          boundary f_f is the given value; then it is exact there as well. If
+ *          none is given, f_f = f_c: next to a wall half the slope across it
+ *          is seen, and none in a direction of one cell.
+ *          It can leave the range of the neighbours' values: nothing limits it.
+ * same     what the averaging gathers: what is summed to the fluid is weighed
+ *          as what is seen of it [XS11 3.9]. A particle in a cell capped by
+ *          pcm is spread in part; what it sees is not cut down.
+ */
+#ifndef INTERPOLATION_H
+#define INTERPOLATION_H
+
+#include "averaging/averaging.h"
+
+/* One way. apply takes m fields side by side to the particles of the last
+ * bind, and the values on the boundary faces, boundary[m * (f - n_internal) +
+ * k], or NULL; only "linear" uses them. */
+struct interpolation {
+    const char *name, *cite, *what;
+    void (*apply)(struct averaging *a, int m, const double *field,
+                  const double *boundary, double *q);
+};
+
+/* All of them, ended by NULL; interpolation_named gives NULL for an unknown
+ * name. */
+extern const struct interpolation *const interpolations[];
+const struct interpolation *interpolation_named(const char *name);
+
+#endif

@@ -1,0 +1,22 @@
+/* kernel.h -- a particle spread over the cells around it.  Chapter 7.
+ *
+ *     w_ic = K(|x_i - x_c| / b) / sum_m K(|x_i - x_m| / b)        [XS11 3.5b]
+ *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]
+ *     q_i = sum_c w_ic field_c                                     [XS11 3.9]
+ *
+ * The weights of a particle sum to one over the cells, so nothing is lost at a
+ * wall or anywhere else, whatever K is [XS11 3.4]. A particle with no cell
+ * centre within b goes to its host cell. [XS11] advises b of 1.5 to 2.5 mean
+ * cell sizes.
+ */
+#ifndef KERNEL_H
+#define KERNEL_H
+
+#include "averaging/averaging_method.h"
+
+extern const struct averaging_method kernel_method;
+
+/* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
+double kernel_bell(double zeta);
+
+#endif

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/pcm.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "averaging/averaging.h"
+#include "averaging/hosts.h"
+#include "base/alloc.h"
+
+struct pcm {
+    const struct hosts *h; /* borrowed */
+    double cap;            /* [-] on eps_s, 0: none */
+    double *share;         /* [-] of what is in a cell; NULL without a cap */
+};
+
+static void *pcm_create(const struct hosts *h,
+                        const struct averaging_options *o)
+{
+    if (!(o->cap >= 0.0 && o->cap <= 1.0)) {
+        fprintf(stderr,
+                "winnow: the cap on eps_s is %g; expected 0 (none) to 1 [-]\n",
+                o->cap);
+        return NULL;
+    }
+    struct pcm *const p = alloc_zeroed(1, sizeof *p);
+
+    p->h = h;
+    p->cap = o->cap;
+    if (p->cap > 0.0) p->share = alloc_doubles(h->mesh->n_cells);
+    return p;
+}
+
+static void pcm_free(void *state)
+{
+    struct pcm *const p = state;
+
+    free(p->share);
+    free(p);
+}
+
+/* [m^3] of solids in cell c. */
+static double solids(const struct hosts *h, int c)
+{
+    double sum = 0.0;
+
+    for (int a = h->start[c]; a < h->start[c + 1]; a++)
+        sum += particles_volume(h->ps, h->member[a]);
+    return sum;
+}
+
+static void pcm_bind(void *state, struct averaging_report *r)
+{
+    struct pcm *const p = state;
+
+    if (p->share == NULL) return;
+    for (int c = 0; c < p->h->mesh->n_cells; c++) {
+        const double have = solids(p->h, c);
+        const double room = p->cap * p->h->mesh->V[c];
+        p->share[c] = have > room ? room / have : 1.0;
+        if (!(have > room)) continue;
+        r->capped++;
+        r->lost_volume += have - room;
+    }
+}
+
+static void pcm_spread(void *state, int m, const double *q, double *field,
+                       struct averaging_report *r)
+{
+    const struct pcm *const p = state;
+
+    (void)r;
+    hosts_sum(p->h, m, q, field);
+    if (p->share == NULL) return;
+    for (int c = 0; c < p->h->mesh->n_cells; c++)
+        for (int k = 0; k < m; k++)
+            field[m * c + k] *= p->share[c];
+}
+
+static void pcm_gather(void *state, int m, const double *field, double *q,
+                       struct averaging_report *r)
+{
+    const struct pcm *const p = state;
+
+    (void)r;
+    hosts_value(p->h, m, field, q);
+    if (p->share == NULL) return;
+    for (int i = 0; i < p->h->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] *= p->share[p->h->host[i]];
+}
+
+static double pcm_share(const void *state, int i)
+{
+    const struct pcm *const p = state;
+    return p->share == NULL ? 1.0 : p->share[p->h->host[i]];
+}
+
+const struct averaging_method pcm_method = {
+    .name = "pcm",
+    .cite = "XS11 3.1, SX15 4, 7, 8",
+    .what = "a cell takes the particles in it",
+    .create = pcm_create,
+    .free = pcm_free,
+    .bind = pcm_bind,
+    .spread = pcm_spread,
+    .gather = pcm_gather,
+    .share = pcm_share,
+};

@@ -1,0 +1,32 @@
+/* stencil.h -- for each cell, the cells near it.  Chapter 7.
+ *
+ * Near means: some point of the host cell is closer than b to the other's
+ * centre. Found once, by walking from face to face and adding up the links, so
+ * graded meshes and periodic directions need nothing special: behind a period
+ * one meets the same cells again, at another distance. A cell can therefore
+ * occur more than once in a stencil, as several images of itself.
+ *
+ * A stencil is kept as differences of cell numbers and of centres. Hosts that
+ * look alike (on an equal mesh: all but those near the walls) share one, which
+ * saves a hundredfold in memory and is what makes the kernel method fast.
+ */
+#ifndef STENCIL_H
+#define STENCIL_H
+
+#include "mesh/mesh.h"
+
+struct stencil {
+    int n_shapes;
+    int *shape; /* [-] n_cells; which one a host has */
+    int *start; /* [-] n_shapes + 1; the entries of shape s are start[s] ... */
+    int *step;  /* [-] cell number of the entry less that of the host */
+    double *dx, *dy, *dz; /* [m] from the host's centre to the entry's */
+    int largest;          /* [-] entries of the largest shape */
+};
+
+/* The first entry of each is the host itself. The extent of a cell is taken
+ * from its face centres: exact for boxes. */
+struct stencil *stencil_create(const struct mesh *m, double b /* [m] */);
+void stencil_free(struct stencil *s);
+
+#endif

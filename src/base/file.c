@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/file.h"
+
+#include "base/alloc.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct file {
+    FILE *stream;
+    char *path;    /* the name it will have */
+    char *partial; /* the name it has until then */
+};
+
+static char *joined(const char *a, const char *b, const char *c)
+{
+    const size_t la = strlen(a), lb = strlen(b), lc = strlen(c);
+    char *const s = alloc_zeroed(la + lb + lc + 1, 1);
+
+    memcpy(s, a, la);
+    memcpy(s + la, b, lb);
+    memcpy(s + la + lb, c, lc);
+    return s;
+}
+
+static int complaint(const char *what, const char *path, int reason)
+{
+    fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path,
+            reason ? strerror(reason) : "a write failed");
+    return 1;
+}
+
+static void forget(struct file *f)
+{
+    free(f->path);
+    free(f->partial);
+    free(f);
+}
+
+/* The reason why the stream failed, or 0 if it did not. A stream remembers
+ * that a write failed but not why, so a failed one is asked to write once
+ * more: a full disk is still full. Only an unknown reason becomes EIO. */
+static int failure(FILE *stream)
+{
+    const int failed_before = ferror(stream);
+
+    errno = 0;
+    if (failed_before) {
+        clearerr(stream);
+        fputc('\n', stream);
+    }
+    if (fflush(stream) != 0 || fsync(fileno(stream)) != 0 || failed_before)
+        return errno ? errno : EIO;
+    return 0;
+}
+
+struct file *file_create(const char *path)
+{
+    struct file *const f = alloc_zeroed(1, sizeof *f);
+
+    f->path = joined(path, "", "");
+    f->partial = joined(path, ".partial", "");
+    f->stream = fopen(f->partial, "wb");
+    if (f->stream == NULL) {
+        complaint("write", f->partial, errno);
+        forget(f);
+        return NULL;
+    }
+    return f;
+}
+
+FILE *file_stream(struct file *f)
+{
+    return f->stream;
+}
+
+/* The folder itself is not synced: after a power cut it may still name the old
+ * file, which is whole too. */
+int file_commit(struct file *f)
+{
+    int reason = failure(f->stream);
+
+    if (fclose(f->stream) != 0 && reason == 0) reason = errno;
+    if (reason == 0 && rename(f->partial, f->path) != 0) reason = errno;
+    if (reason != 0) {
+        complaint("write", f->path, reason);
+        remove(f->partial);
+    }
+    forget(f);
+    return reason != 0;
+}
+
+void file_discard(struct file *f)
+{
+    if (f == NULL) return;
+    fclose(f->stream);
+    remove(f->partial);
+    forget(f);
+}
+
+static int is_folder(const char *path)
+{
+    struct stat s;
+    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+}
+
+int file_make_dirs(const char *path)
+{
+    char *const part = joined(path, "", "");
+    int reason = 0;
+
+    for (char *p = part; *p && reason == 0; p++) {
+        char *const end = p + 1;
+        const char kept = *end;
+
+        if (kept != '/' && kept != '\0') continue;
+        *end = '\0';
+        if (mkdir(part, 0777) != 0 && !is_folder(part)) reason = errno;
+        *end = kept;
+    }
+    if (reason != 0) complaint("make the folder", path, reason);
+    free(part);
+    return reason != 0;
+}
+
+char *file_join(const char *folder, const char *name)
+{
+    return joined(folder, "/", name);
+}

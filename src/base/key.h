@@ -1,0 +1,45 @@
+/* key.h -- one row of documentation for one key of a case file.
+ *
+ * The rows are the only place where a key is described: the strict check and
+ * its messages, `winnow list` and the reference chapter are all made from
+ * them. The rooms that read a key own no second description; an effect brings
+ * its own rows in its descriptor.
+ */
+#ifndef KEY_H
+#define KEY_H
+
+enum key_type {
+    KEY_GROUP,  /* { name = value; ... } */
+    KEY_LIST,   /* ( { ... }, { ... } ), any number of groups */
+    KEY_REAL,   /* a number */
+    KEY_INT,    /* a whole number */
+    KEY_BOOL,   /* true or false */
+    KEY_NAME,   /* one of the words in allowed */
+    KEY_TEXT,   /* any text */
+    KEY_VECTOR, /* three numbers [x, y, z] */
+    KEY_COUNTS, /* three whole numbers */
+    KEY_FLAGS,  /* three of true or false */
+    KEY_SERIES, /* a number, or ((time, number), ...) with time rising */
+    KEY_PATCH   /* one of the words in allowed, or a group with one key */
+};
+
+/* fallback of a key that may be left out and then has no value. */
+#define KEY_OPTIONAL ""
+
+/* A table of keys is an array of rows, ended by one whose path is NULL. */
+struct key {
+    const char *path; /* "fluid.density"; <patch> stands for any side of
+                         the box; keys of a list's groups follow its name */
+    enum key_type type;
+    const char *unit;     /* "kg/m^3"; "-" for a pure number, "" for words */
+    const char *allowed;  /* conditions and words, "> 0, <= 1" or "a | b" or
+                             "auto | >= 1"; "" for no condition */
+    const char *fallback; /* default as a case would write it;
+                             KEY_OPTIONAL; NULL where the key is required */
+    const char *what;     /* what it means, in one phrase */
+    const char *source;   /* equation or table it stands in, "" if none */
+    const char *needs;    /* groups that must be there too, "fluid particles";
+                             "" if none */
+};
+
+#endif

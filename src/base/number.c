@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Whatever is no part of a number in C stands for its decimal point; a point
+ * of several bytes becomes one. */
+static void use_decimal_point(char *text)
+{
+    char *out = text;
+    int seen = 0;
+
+    for (const char *in = text; *in; in++) {
+        if (strchr("+-0123456789e", *in))
+            *out++ = *in;
+        else if (!seen++)
+            *out++ = '.';
+    }
+    *out = '\0';
+}
+
+/* nan and inf without a sign that would only tell how they came about. */
+static const char *word_for(double x)
+{
+    if (isnan(x)) return "nan";
+    return x > 0.0 ? "inf" : "-inf";
+}
+
+const char *number_text(double x, char text[NUMBER_LENGTH])
+{
+    if (!isfinite(x)) return strcpy(text, word_for(x));
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
+        if (strtod(text, NULL) == x) break; /* both in the same language */
+    }
+    use_decimal_point(text);
+    return text;
+}
+
+const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH])
+{
+    if (!isfinite(x)) return strcpy(text, word_for(x));
+    snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
+    use_decimal_point(text);
+    return text;
+}

@@ -1,0 +1,7 @@
+/* version.h -- the version of the program, for --version and summaries. */
+#ifndef VERSION_H
+#define VERSION_H
+
+#define VERSION_TEXT "0.1.0"
+
+#endif

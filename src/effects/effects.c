@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "effects/effects.h"
+
+#include <string.h>
+
+const struct effect *const effects_all[] = {
+    &gravity_effect, &pressure_gradient_effect, &time_average_effect, NULL};
+
+const struct effect *effects_named(const char *name)
+{
+    for (const struct effect *const *e = effects_all; *e != NULL; e++)
+        if (strcmp((*e)->name, name) == 0) return *e;
+    return NULL;
+}

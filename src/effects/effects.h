@@ -1,0 +1,15 @@
+/* effects.h -- the list of all effects.  Chapter 6. */
+#ifndef EFFECTS_H
+#define EFFECTS_H
+
+#include "exchange/effect.h"
+
+extern const struct effect gravity_effect;
+extern const struct effect pressure_gradient_effect;
+extern const struct effect time_average_effect;
+
+/* All of them, ended by NULL, and the one of that name or NULL. */
+extern const struct effect *const effects_all[];
+const struct effect *effects_named(const char *name);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* gravity.c -- the weight of the particles, m g [XS11 2.1].
+ *
+ * The weight of the fluid balances the hydrostatic part of the pressure, which
+ * fluid.h leaves out; where the particles do not take their share of that part
+ * (no pressure_gradient), the exchange sees to it.
+ */
+#include "effects/effects.h"
+
+#include <stddef.h>
+
+#include "exchange/simulation.h"
+
+static void *gravity_create(struct simulation *sim, const double *parameters)
+{
+    for (int k = 0; k < 3; k++)
+        sim->gravity[k] = parameters[k];
+    return NULL;
+}
+
+static void gravity_before_particles(void *memory, struct simulation *sim)
+{
+    (void)memory;
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++)
+            sim->held[3 * i + k] += sim->particles->m[i] * sim->gravity[k];
+}
+
+static const struct key keys[] = {
+    {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
+     "acceleration by gravity: the weight of the particles", "XS11 2.1",
+     "particles"},
+    {0}};
+
+const struct effect gravity_effect = {"gravity",
+                                      "weight of the particles",
+                                      "XS11 2.1",
+                                      "gravity_before_particles",
+                                      keys,
+                                      gravity_create,
+                                      gravity_before_particles,
+                                      NULL,
+                                      NULL};

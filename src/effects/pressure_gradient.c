@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* pressure_gradient.c -- the pressure on the surface of a particle,
+ *
+ *   f_i = -V_p (grad p + rho_f g)       [LS 5.1, XS11 2.6, first term]
+ *
+ * p without its hydrostatic part, whose share is buoyancy. The gradient that a
+ * particle feels is seen through the adjoint of averaging: then the sum of all
+ * f_i is, to rounding, the share eps_s grad p that the fluid's equation leaves
+ * out (gamma = eps in fluid.h), and momentum is exchanged exactly and at once.
+ */
+#include "effects/effects.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "exchange/simulation.h"
+
+struct pressure_gradient {
+    double *gradient; /* [Pa/m] at the particles, 3 each */
+};
+
+static void *pressure_gradient_create(struct simulation *sim,
+                                      const double *parameters)
+{
+    struct pressure_gradient *const self = alloc_zeroed(1, sizeof *self);
+    (void)parameters;
+    self->gradient = alloc_doubles(3 * sim->particles->capacity);
+    return self;
+}
+
+static void pressure_gradient_free(void *memory)
+{
+    struct pressure_gradient *const self = memory;
+    free(self->gradient);
+    free(self);
+}
+
+static void pressure_gradient_before_particles(void *memory,
+                                               struct simulation *sim)
+{
+    const struct pressure_gradient *const self = memory;
+    const struct particles *const ps = sim->particles;
+    const double rho = sim->fluid->options.rho;
+
+    averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
+    for (int i = 0; i < ps->n; i++) {
+        const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+        for (int k = 0; k < 3; k++)
+            sim->held[3 * i + k] -=
+                V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
+    }
+}
+
+static const struct key keys[] = {
+    {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force of the pressure gradient, with buoyancy, on the particles",
+     "LS 5.1, XS11 2.6", "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect pressure_gradient_effect = {
+    "pressure_gradient",
+    "force of the pressure gradient and buoyancy",
+    "LS 5.1, XS11 2.6, XS11 2.8",
+    "pressure_gradient_before_particles",
+    keys,
+    pressure_gradient_create,
+    pressure_gradient_before_particles,
+    NULL,
+    pressure_gradient_free};

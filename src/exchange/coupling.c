@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "exchange/coupling.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "exchange/transfer.h"
+
+struct coupling *coupling_create(struct simulation *sim,
+                                 const struct coupling_options *options)
+{
+    struct particles *const ps = sim->particles;
+    const int n = ps->capacity, cells = sim->mesh->n_cells;
+    struct coupling *const cp = alloc_zeroed(1, sizeof *cp);
+
+    cp->options = *options;
+    cp->u_f = alloc_doubles(3 * n);
+    cp->eps = alloc_doubles(n);
+    cp->k = alloc_doubles(n);
+    cp->u_mean = alloc_doubles(3 * n);
+    cp->owed = alloc_doubles(3 * n);
+    cp->smooth = alloc_doubles(3 * n);
+    cp->amount = alloc_doubles(4 * n);
+    cp->field = alloc_doubles(4 * cells);
+    particles_attach(ps, cp->u_f, 3);
+    particles_attach(ps, cp->eps, 1);
+    particles_attach(ps, cp->k, 1);
+    particles_attach(ps, cp->u_mean, 3);
+    particles_attach(ps, cp->owed, 3);
+    return cp;
+}
+
+void coupling_free(struct coupling *cp)
+{
+    if (cp == NULL) return;
+    free(cp->u_f);
+    free(cp->eps);
+    free(cp->k);
+    free(cp->u_mean);
+    free(cp->owed);
+    free(cp->smooth);
+    free(cp->amount);
+    free(cp->field);
+    free(cp);
+}
+
+int coupling_start(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (cp == NULL) return 0;
+    for (int i = 0; i < ps->n; i++) {
+        cp->u_mean[3 * i] = ps->vx[i];
+        cp->u_mean[3 * i + 1] = ps->vy[i];
+        cp->u_mean[3 * i + 2] = ps->vz[i];
+    }
+    if (transfer_average(sim) != 0) return 1;
+    fluid_settle_eps(sim->fluid);
+    transfer_fluid(sim); /* u_f, for the slip in the first k */
+    transfer_drag_terms(sim);
+    return 0;
+}
+
+/* Forces that effects hold on the particles during this step. */
+static void hold_forces(struct simulation *sim)
+{
+    memset(sim->held, 0, 3 * (size_t)sim->particles->n * sizeof *sim->held);
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->before_particles != NULL)
+            e->effect->before_particles(e->memory, sim);
+    }
+}
+
+static void apply_held_forces(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        ps->ex[i] = sim->held[3 * i];
+        ps->ey[i] = sim->held[3 * i + 1];
+        ps->ez[i] = sim->held[3 * i + 2];
+    }
+}
+
+/* How many drag updates this step needs: dt / tau_min [XS11 section 3.3], and
+ * no more than there are particle steps. */
+static int count_substeps(const struct simulation *sim)
+{
+    const struct coupling *const cp = sim->coupling;
+    double n = cp->options.substeps;
+
+    if (cp->options.substeps == 0) n = ceil(sim->dt / cp->report.shortest_time);
+    return n < 1.0 ? 1 : n > sim->dem_steps ? sim->dem_steps : (int)n;
+}
+
+/* Steps 3 and 4: the particles move through the sub-steps, each with the drag
+ * that belongs to its start. */
+static int move_with_drag(struct simulation *sim, double *clock)
+{
+    struct coupling_report *const report = &sim->coupling->report;
+    const int n = report->substeps = count_substeps(sim);
+    int failed = 0;
+
+    transfer_open_account(sim);
+    for (int k = 0; k < n && !failed; k++) {
+        const int steps = sim->dem_steps * (k + 1) / n - sim->dem_steps * k / n;
+        apply_held_forces(sim);
+        transfer_apply_drag(sim, steps);
+        clock_add(&sim->seconds.exchange, clock);
+        failed = dem_run(sim->dem, steps, &sim->dem_report);
+        clock_add(&sim->seconds.dem, clock);
+    }
+    return failed;
+}
+
+static int move_freely(struct simulation *sim, double *clock)
+{
+    apply_held_forces(sim);
+    clock_add(&sim->seconds.exchange, clock);
+    const int failed = dem_run(sim->dem, sim->dem_steps, &sim->dem_report);
+    clock_add(&sim->seconds.dem, clock);
+    return failed;
+}
+
+static void finish_step(struct simulation *sim)
+{
+    sim->steps++;
+    sim->t = (double)sim->steps * sim->dt;
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->after_step != NULL)
+            e->effect->after_step(e->memory, sim);
+    }
+}
+
+int coupling_step(struct simulation *sim)
+{
+    double clock = clock_now();
+    int failed = 0;
+
+    /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
+    if (sim->fluid != NULL) failed = fluid_step(sim->fluid);
+    clock_add(&sim->seconds.cfd, &clock);
+
+    if (sim->particles != NULL && !failed) {
+        /* 2. The particles meet the new fluid; what it paid is settled. */
+        if (sim->coupling != NULL) transfer_fluid(sim);
+        hold_forces(sim);
+        clock_add(&sim->seconds.exchange, &clock);
+
+        /* 3, 4. Drag and collisions, sub-step by sub-step. */
+        failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
+                                       : move_freely(sim, &clock);
+
+        /* 5. New eps_s and u_s; from them Omega and A for the next step. */
+        if (sim->coupling != NULL && !failed) {
+            failed = transfer_average(sim);
+            clock_add(&sim->seconds.averaging, &clock);
+            transfer_drag_terms(sim);
+        }
+    }
+    if (!failed) finish_step(sim);
+    clock_add(&sim->seconds.exchange, &clock);
+    return failed;
+}
+
+void coupling_owed(const struct simulation *sim, double owed[3])
+{
+    owed[0] = owed[1] = owed[2] = 0.0;
+    if (sim->coupling == NULL) return;
+    for (int i = 0; i < 3 * sim->particles->n; i++)
+        owed[i % 3] += sim->coupling->owed[i];
+}
+
+void coupling_total_momentum(const struct simulation *sim, double total[3])
+{
+    const struct particles *const ps = sim->particles;
+    double owed[3];
+
+    total[0] = total[1] = total[2] = 0.0;
+    if (sim->fluid != NULL) fluid_momentum(sim->fluid, total);
+    for (int i = 0; ps != NULL && i < ps->n; i++) {
+        total[0] += ps->m[i] * ps->vx[i];
+        total[1] += ps->m[i] * ps->vy[i];
+        total[2] += ps->m[i] * ps->vz[i];
+    }
+    coupling_owed(sim, owed);
+    for (int k = 0; k < 3; k++)
+        total[k] -= owed[k];
+}

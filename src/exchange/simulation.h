@@ -1,0 +1,46 @@
+/* simulation.h -- everything that one scene has at work.  Chapter 6.
+ *
+ * A pointer is NULL where the scene does without: no fluid, no particles, no
+ * coupling between them. An effect that is not named is not in the list.
+ */
+#ifndef SIMULATION_H
+#define SIMULATION_H
+
+#include "averaging/averaging.h"
+#include "exchange/effect.h"
+#include "fluid/fluid.h"
+#include "mesh/mesh.h"
+#include "particles/dem.h"
+#include "particles/particles.h"
+
+struct coupling;
+
+/* Wall-clock seconds spent so far, by part. */
+struct seconds {
+    double cfd, dem, averaging, exchange, output;
+};
+
+struct simulation {
+    struct mesh *mesh;
+    struct fluid *fluid;
+    struct particles *particles;
+    struct dem *dem;
+    struct averaging *averaging;
+    struct coupling *coupling;
+    double dt;         /* [s] of the loop: the fluid's step where there is
+                          one */
+    int dem_steps;     /* [-] particle steps in one step of the loop */
+    double t;          /* [s] */
+    long steps;        /* [-] done */
+    double gravity[3]; /* [m/s^2] 0 unless the scene names it */
+    double *held;      /* [N] forces that effects put on the particles for
+                          this step, 3 a particle */
+    struct dem_report dem_report; /* of the last step */
+    struct boundary *boundaries;  /* one a patch, of the fluid */
+    double *courses; /* [s], [m/s] times and velocities of the inlets */
+    int n_effects;
+    struct effect_state *effects;
+    struct seconds seconds;
+};
+
+#endif

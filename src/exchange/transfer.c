@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "exchange/transfer.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "exchange/coupling.h"
+
+enum { MANY = 1000 }; /* particles from which on a second thread pays */
+
+static double volume(const struct particles *ps, int i)
+{
+    return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+}
+
+static double slip_speed(const struct simulation *sim, int i)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const u = &sim->coupling->u_f[3 * i];
+    const double x = u[0] - ps->vx[i], y = u[1] - ps->vy[i],
+                 z = u[2] - ps->vz[i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. */
+static double drag_rate(const struct simulation *sim, int i)
+{
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+    return volume(ps, i) * sim->coupling->options.law->resistance(
+                               sim->coupling->eps[i], o->rho, o->mu, ps->d[i],
+                               slip_speed(sim, i));
+}
+
+static void take_solids(struct simulation *sim)
+{
+    struct fluid *const fl = sim->fluid;
+    struct coupling_report *const report = &sim->coupling->report;
+    const double *const field = sim->coupling->field;
+
+    report->eps_lowest = 1.0;
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->eps[c] = 1.0 - field[4 * c];
+        report->eps_lowest = fmin(report->eps_lowest, fl->eps[c]);
+        for (int k = 0; k < 3; k++)
+            fl->eps_us[3 * c + k] = field[4 * c + 1 + k];
+    }
+}
+
+int transfer_average(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (averaging_bind(sim->averaging) != 0) return 1;
+    if (!cp->options.two_way) { /* one particle alone in undisturbed fluid */
+        for (int i = 0; i < ps->n; i++)
+            cp->eps[i] = 1.0;
+        return 0;
+    }
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double V = volume(ps, i);
+        cp->amount[4 * i] = V;
+        cp->amount[4 * i + 1] = V * ps->vx[i];
+        cp->amount[4 * i + 2] = V * ps->vy[i];
+        cp->amount[4 * i + 3] = V * ps->vz[i];
+    }
+    averaging_spread(sim->averaging, 4, cp->amount, cp->field);
+    take_solids(sim);
+    cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
+                                     cp->eps);
+    return cp->report.eps_lowest <= 0.0;
+}
+
+/* What the fluid is charged with in its next step, for each particle: a rate
+ * per velocity and a force. */
+static void charge_particles(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+    const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
+    double shortest = INFINITY;
+
+#pragma omp parallel for schedule(static)                                      \
+    reduction(min                                                              \
+              : shortest) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double k = drag_rate(sim, i);
+        shortest = fmin(shortest, ps->m[i] / k); /* tau_p [XS11 3.16] */
+        cp->k[i] = implicit ? k : 0.0;
+        cp->amount[4 * i] = cp->k[i];
+        for (int a = 0; a < 3; a++)
+            cp->amount[4 * i + 1 + a] = cp->k[i] * cp->u_mean[3 * i + a] -
+                                        cp->owed[3 * i + a] / sim->dt;
+    }
+    cp->report.shortest_time = shortest;
+}
+
+/* [XS11 3.15]: K = eps rho Omega, F = eps rho A, both with what is owed. */
+static void take_drag_terms(struct simulation *sim)
+{
+    struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    const double *const g = sim->gravity;
+    const double rho = fl->options.pressure_shared ? 0.0 : fl->options.rho;
+
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->K[c] = field[4 * c];
+        for (int k = 0; k < 3; k++) /* all of the weight of p_h, eps rho g */
+            fl->F[3 * c + k] =
+                field[4 * c + 1 + k] - (1.0 - fl->eps[c]) * rho * g[k];
+    }
+}
+
+void transfer_drag_terms(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    charge_particles(sim);
+    if (!cp->options.two_way) return;
+    averaging_spread(sim->averaging, 4, cp->amount, cp->field);
+    take_drag_terms(sim);
+}
+
+/* Compares the impulse that the fluid lost to K and F with the sum of what
+ * the particles were charged. Equal to rounding if gathering is the adjoint of
+ * spreading. */
+static void check_payment(struct simulation *sim, const double charged[3],
+                          double scale)
+{
+    const struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    double off = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        double paid = 0.0;
+        for (int c = 0; c < sim->mesh->n_cells; c++)
+            paid += sim->mesh->V[c] * sim->dt *
+                    (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
+        off = fmax(off, fabs(paid - charged[k]));
+    }
+    sim->coupling->report.exchange_residual = scale > 0.0 ? off / scale : 0.0;
+}
+
+/* The fluid paid dt (k (u^new - u_mean) + owed / dt) for a particle, u^new
+ * seen through the adjoint of averaging. */
+static void settle_payment(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+    double charged[3] = {0.0, 0.0, 0.0}, scale = 0.0;
+
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++) {
+            const int j = 3 * i + k;
+            const double estimate =
+                sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
+            charged[k] += estimate + cp->owed[j];
+            scale += fabs(estimate) + fabs(cp->owed[j]);
+            cp->owed[j] = -estimate;
+        }
+    check_payment(sim, charged, scale);
+}
+
+/* 1: what a particle sees of the fluid is the adjoint already. (Where a cap
+ * is at work it is not: see averaging_share.) */
+static int seen_alike(const struct simulation *sim)
+{
+    const struct coupling *const cp = sim->coupling;
+
+    return cp->options.interpolation == interpolation_named("same") &&
+           averaging_report(sim->averaging)->capped == 0;
+}
+
+void transfer_fluid(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->options.two_way) {
+        averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
+        if (sim->fluid->t > 0.0) settle_payment(sim);
+    }
+    if (cp->options.two_way && seen_alike(sim))
+        memcpy(cp->u_f, cp->smooth,
+               3 * (size_t)sim->particles->n * sizeof *cp->u_f);
+    else
+        cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
+                                         cp->u_f);
+}
+
+void transfer_open_account(struct simulation *sim)
+{
+    memset(sim->coupling->u_mean, 0,
+           3 * (size_t)sim->particles->n * sizeof(double));
+}
+
+void transfer_apply_drag(struct simulation *sim, int steps)
+{
+    struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+    const double share = (double)steps / sim->dem_steps;
+    const double time = cp->options.two_way ? share * sim->dt : 0.0;
+
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double k = drag_rate(sim, i);
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        double f[3];
+        for (int a = 0; a < 3; a++) {
+            f[a] = k * (cp->u_f[3 * i + a] - v[a]);
+            cp->owed[3 * i + a] += f[a] * time;
+            cp->u_mean[3 * i + a] += v[a] * share;
+        }
+        ps->ex[i] += f[0];
+        ps->ey[i] += f[1];
+        ps->ez[i] += f[2];
+    }
+}

@@ -1,0 +1,29 @@
+/* transfer.h -- the moves of the coupled step.  Chapter 6.
+ *
+ * For coupling.c, which puts them in order. All work on sim->coupling.
+ */
+#ifndef TRANSFER_H
+#define TRANSFER_H
+
+#include "exchange/simulation.h"
+
+/* eps_s and eps_s u_s from the particles where they are now [XS11 3.12, SX15
+ * 9]; then eps_f at each particle. Non-zero if a particle is outside. */
+int transfer_average(struct simulation *sim);
+
+/* k of each particle for the present slip, and from it what the next fluid
+ * step needs: K and F [XS11 3.15]. */
+void transfer_drag_terms(struct simulation *sim);
+
+/* The fluid's velocity at each particle [XS11 3.9]; and what the fluid paid in
+ * its step, for each particle, is taken off what it owed. */
+void transfer_fluid(struct simulation *sim);
+
+/* Starts the sums over the sub-steps. */
+void transfer_open_account(struct simulation *sim);
+
+/* Adds the drag of now to the outside force of each particle, to act for
+ * `steps` particle steps, and its impulse to what is owed [XS11 3.18]. */
+void transfer_apply_drag(struct simulation *sim, int steps);
+
+#endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* continuity.c -- the two forms of the mass balance, and what is left of it. */
+#include "fluid/piso.h"
+
+#include <math.h>
+
+/* Flux of solid volume through a face, linear in between; none through the
+ * boundary, which particles do not cross [m^3/s]. */
+static double solid_flux(const struct fluid *fl, int f)
+{
+    const struct mesh *const m = fl->mesh;
+    double flux = 0.0;
+
+    if (f >= m->n_internal) return 0.0;
+    for (int k = 0; k < 3; k++)
+        flux += (m->w[f] * fl->eps_us[3 * m->owner[f] + k] +
+                 (1.0 - m->w[f]) * fl->eps_us[3 * m->neighbour[f] + k]) *
+                m->S[3 * f + k];
+    return flux;
+}
+
+void continuity_source(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int c = 0; c < m->n_cells && fl->options.coupled; c++) {
+        double source = 0.0;
+        if (fl->options.continuity == CONTINUITY_VOID_RATE) /* [XS11 2.3] */
+            source = (fl->eps[c] - fl->eps_phi[c]) * m->V[c] / fl->options.dt;
+        else /* [XS11 2.7] */
+            for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+                const int f = m->cell_face[a];
+                const double flux = solid_flux(fl, f);
+                source += m->owner[f] == c ? flux : -flux;
+            }
+        fl->piso->source[c] = source;
+    }
+}
+
+double continuity_residual(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double worst = 0.0, largest = 0.0, cfl = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        double rest = fl->piso->source[c], through = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            rest += m->owner[f] == c ? fl->phi[f] : -fl->phi[f];
+            through += 0.5 * fabs(fl->phi[f]);
+        }
+        worst = fmax(worst, fabs(rest));
+        largest = fmax(largest, through + 0.5 * fabs(fl->piso->source[c]));
+        cfl = fmax(cfl, through * fl->options.dt / (fl->eps[c] * m->V[c]));
+    }
+    fl->report.cfl = cfl; /* [LS 5.9, 5.10], summed over the directions */
+    return largest > 0.0 ? worst / largest : 0.0;
+}

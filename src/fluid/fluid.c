@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/fluid.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "fluid/piso.h"
+
+static double *filled(int n, double value)
+{
+    double *const x = alloc_doubles(n);
+    for (int i = 0; i < n; i++)
+        x[i] = value;
+    return x;
+}
+
+struct fluid *fluid_create(const struct mesh *mesh,
+                           const struct fluid_options *options)
+{
+    const int n = mesh->n_cells;
+    struct fluid *const fl = alloc_zeroed(1, sizeof *fl);
+
+    fl->mesh = mesh;
+    fl->options = *options;
+    fl->u = alloc_doubles(3 * n);
+    fl->p = alloc_doubles(n);
+    fl->p_face = alloc_doubles(mesh->n_faces);
+    fl->grad_p = alloc_doubles(3 * n);
+    fl->phi = alloc_doubles(mesh->n_faces);
+    fl->eps = filled(n, 1.0);
+    fl->eps_phi = filled(n, 1.0);
+    fl->eps_start = filled(n, 1.0);
+    if (options->coupled) {
+        fl->F = alloc_doubles(3 * n);
+        fl->K = alloc_doubles(n);
+        fl->eps_us = alloc_doubles(3 * n);
+    }
+    fl->piso = piso_create(fl);
+    return fl;
+}
+
+void fluid_free(struct fluid *fl)
+{
+    if (fl == NULL) return;
+    piso_free(fl->piso);
+    free(fl->u);
+    free(fl->p);
+    free(fl->p_face);
+    free(fl->grad_p);
+    free(fl->phi);
+    free(fl->eps);
+    free(fl->eps_phi);
+    free(fl->eps_start);
+    free(fl->F);
+    free(fl->K);
+    free(fl->eps_us);
+    free(fl);
+}
+
+void fluid_settle_eps(struct fluid *fl)
+{
+    const size_t size = (size_t)fl->mesh->n_cells * sizeof *fl->eps;
+    memcpy(fl->eps_phi, fl->eps, size);
+    memcpy(fl->eps_start, fl->eps, size);
+}
+
+void fluid_momentum(const struct fluid *fl, double momentum[3])
+{
+    const struct fluid_options *const o = &fl->options;
+
+    for (int k = 0; k < 3; k++) {
+        momentum[k] = 0.0;
+        for (int c = 0; c < fl->mesh->n_cells; c++)
+            momentum[k] +=
+                o->rho * fl->eps_start[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
+                o->dt * fl->piso->owed[3 * c + k];
+    }
+}
+
+double fluid_kinetic_energy(const struct fluid *fl)
+{
+    double sum = 0.0;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double *const u = &fl->u[3 * c];
+        sum += fl->eps[c] * fl->mesh->V[c] *
+               (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    }
+    return 0.5 * fl->options.rho * sum;
+}
+
+double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch)
+{
+    double force = 0.0, surface = 0.0;
+
+    for (int f = patch->first; f < patch->first + patch->n; f++) {
+        const double *const S = &fl->mesh->S[3 * f];
+        const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+        force += area * fl->p_face[f];
+        surface += area;
+    }
+    return surface > 0.0 ? force / surface : 0.0;
+}

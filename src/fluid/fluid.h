@@ -1,0 +1,103 @@
+/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 4.
+ *
+ *   d(eps rho u)/dt + div(eps rho u u) = -gamma grad p + mu lap u + F - K u
+ *
+ * with eps the fluid fraction and one of the two forms of continuity
+ *
+ *   d eps/dt + div(eps u) = 0             void-rate  [XS11 2.3]
+ *   div(eps u + eps_s u_s) = 0            mixture    [XS11 2.7, SX15 2a]
+ *
+ * p is the pressure without its hydrostatic part: gravity then cancels from
+ * the momentum equation. F [N/m^3] and K [kg/(m^3 s)] are what the particles
+ * do to the fluid; in [XS11 3.14] F = eps rho A and K = eps rho Omega. gamma
+ * is eps where the particles take their share -V_p grad p of the pressure
+ * gradient (model A, [XS11 2.8]), else 1 (all of it stays with the fluid,
+ * [XS11 2.4] with [2.5] left to F). The viscous stress stays with the fluid.
+ *
+ * The unknowns live in the cells; phi, the volume of fluid through each face
+ * per second, is a state of its own and meets continuity to solver tolerance.
+ */
+#ifndef FLUID_H
+#define FLUID_H
+
+#include "fluid/boundary.h"
+#include "fluid/convection.h"
+#include "linear/report.h"
+#include "mesh/mesh.h"
+
+enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
+
+struct fluid_options {
+    double rho; /* [kg/m^3] */
+    double mu;  /* [Pa s] */
+    double dt;  /* [s] */
+    const struct convection_scheme *convection;
+    enum continuity continuity;
+    int correctors;      /* [-] pressure corrections a step */
+    double tolerance;    /* [-] residuals, relative */
+    int coupled;         /* 1: there are particles, F and K exist */
+    int pressure_shared; /* 1: gamma = eps */
+    const struct boundary *boundaries; /* one a patch of the mesh, borrowed */
+};
+
+/* How well the last step was solved. */
+struct fluid_report {
+    struct solve_report momentum, pressure; /* the worst of the step */
+    double mass_residual;     /* [-] largest defect of continuity in a cell,
+                                 from the face fluxes, over the largest flux
+                                 through a cell */
+    double momentum_residual; /* [-] change of the fluid's momentum that no
+                                 force accounts for, over the sum of their
+                                 sizes: from faces and particles */
+    double splitting;         /* [-] what the last corrector left of the
+                                 momentum equation, over its largest term;
+                                 carried into the next step, not lost */
+    double cfl;               /* [-] largest dt (sum |phi|) / (2 eps V) */
+    int backflow_faces;       /* [-] outlet faces with flow inward */
+};
+
+struct fluid {
+    const struct mesh *mesh;
+    struct fluid_options options;
+    double t;          /* [s] */
+    double *u;         /* [m/s] interstitial velocity, 3 a cell */
+    double *p;         /* [Pa] without the hydrostatic part */
+    double *p_face;    /* [Pa] at the faces */
+    double *grad_p;    /* [Pa/m] 3 a cell */
+    double *phi;       /* [m^3/s] superficial flux, owner to neighbour */
+    double *eps;       /* [-] fluid fraction now; the coupling writes it */
+    double *eps_phi;   /* [-] fluid fraction at the end of phi's step */
+    double *eps_start; /* [-] ... and at its start: the mass that u carries */
+    double *F;         /* [N/m^3] explicit force on the fluid, 3 a cell */
+    double *K;         /* [kg/(m^3 s)] implicit friction */
+    double *eps_us;    /* [m/s] eps_s u_s, 3 a cell */
+    double relabelled[3]; /* [N s] momentum that averaging moved between cells
+                             by itself: see fluid_momentum */
+    struct fluid_report report;
+    struct piso *piso; /* matrices and work space */
+};
+
+/* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */
+struct fluid *fluid_create(const struct mesh *mesh,
+                           const struct fluid_options *options);
+void fluid_free(struct fluid *fl);
+
+/* Takes the present eps for the past as well: after the first averaging. */
+void fluid_settle_eps(struct fluid *fl);
+
+/* One step of dt by PISO. Non-zero if a solver failed or a value is no longer
+ * finite; the report says which. */
+int fluid_step(struct fluid *fl);
+
+/* Momentum of the fluid [N s], with what the last step left unsolved and so
+ * still owes. With the void-rate form it changes only by forces and boundary
+ * fluxes; with the mixture form also by `relabelled`. */
+void fluid_momentum(const struct fluid *fl, double momentum[3]);
+
+/* Kinetic energy of the fluid [J]. */
+double fluid_kinetic_energy(const struct fluid *fl);
+
+/* Mean pressure over a patch [Pa]. */
+double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch);
+
+#endif

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/piso.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+static struct multigrid *pressure_hierarchy(const struct mesh *m)
+{
+    double *const strength = alloc_doubles(m->n_internal);
+
+    for (int f = 0; f < m->n_internal; f++) {
+        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        strength[f] = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
+                      (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+    }
+    struct multigrid *const mg =
+        multigrid_create(m->n_cells, m->n_internal, m->owner, m->neighbour,
+                         strength, m->d, m->V);
+    free(strength);
+    return mg;
+}
+
+static int has_outlet(const struct fluid *fl)
+{
+    for (int i = 0; i < fl->mesh->n_patches; i++)
+        if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) return 1;
+    return 0;
+}
+
+struct piso *piso_create(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const int n = m->n_cells;
+    struct piso *const ps = alloc_zeroed(1, sizeof *ps);
+
+    ps->momentum = csr_create(n, m->n_internal, m->owner, m->neighbour);
+    ps->pressure = csr_create(n, m->n_internal, m->owner, m->neighbour);
+    ps->diag3 = alloc_doubles(3 * n);
+    ps->b = alloc_doubles(3 * n);
+    ps->storage = alloc_doubles(n);
+    ps->u_old = alloc_doubles(3 * n);
+    ps->rhs = alloc_doubles(3 * n);
+    ps->H = alloc_doubles(3 * n);
+    ps->owed = alloc_doubles(3 * n);
+    ps->defect = alloc_doubles(n);
+    ps->jump = alloc_doubles(m->n_internal);
+    ps->share = alloc_doubles(m->n_internal);
+    ps->inertia = alloc_doubles(3 * n);
+    ps->mobility = alloc_doubles(n);
+    ps->drive = alloc_doubles(3 * n);
+    ps->m_face = alloc_doubles(m->n_faces);
+    ps->conductance = alloc_doubles(m->n_faces);
+    ps->phi_old = alloc_doubles(m->n_faces);
+    ps->source = alloc_doubles(n);
+    ps->divergence = alloc_doubles(n);
+    ps->pinned = has_outlet(fl) ? -1 : 0;
+    ps->mg = pressure_hierarchy(m);
+    ps->cg = cg_work_create(n);
+    ps->bicgstab = bicgstab_work_create(n);
+    return ps;
+}
+
+void piso_free(struct piso *ps)
+{
+    if (ps == NULL) return;
+    csr_free(ps->momentum);
+    csr_free(ps->pressure);
+    free(ps->diag3);
+    free(ps->b);
+    free(ps->storage);
+    free(ps->u_old);
+    free(ps->rhs);
+    free(ps->H);
+    free(ps->owed);
+    free(ps->defect);
+    free(ps->jump);
+    free(ps->share);
+    free(ps->inertia);
+    free(ps->mobility);
+    free(ps->drive);
+    free(ps->m_face);
+    free(ps->conductance);
+    free(ps->phi_old);
+    free(ps->source);
+    free(ps->divergence);
+    multigrid_free(ps->mg);
+    cg_work_free(ps->cg);
+    bicgstab_work_free(ps->bicgstab);
+    free(ps);
+}
+
+/* Inlets at the present time. */
+static void set_inlet_fluxes(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct boundary *const b = &fl->options.boundaries[i];
+        const struct patch *const p = &m->patches[i];
+        if (b->kind != BOUNDARY_INLET) continue;
+        const double U = boundary_inlet_velocity(b, fl->t);
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const S = &m->S[3 * f];
+            fl->phi[f] = -U * sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+        }
+    }
+}
+
+/* What subtracting u times the defect of continuity did to the sum of the
+ * momentum: rho dt sum u_P defect_P. */
+static void count_relabelled(struct fluid *fl)
+{
+    const double scale = fl->options.rho * fl->options.dt;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        for (int k = 0; k < 3; k++)
+            fl->relabelled[k] += scale * fl->u[3 * c + k] * fl->piso->defect[c];
+}
+
+/* The new flux becomes the one that carries momentum in the next step. */
+static void shift_time(struct fluid *fl)
+{
+    double *const oldest = fl->eps_start;
+
+    fl->eps_start = fl->eps_phi;
+    fl->eps_phi = oldest;
+    memcpy(fl->eps_phi, fl->eps, (size_t)fl->mesh->n_cells * sizeof *fl->eps);
+}
+
+static int all_finite(const struct fluid *fl)
+{
+    double sum = 0.0; /* of zeros, or it is not finite */
+
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        sum += 0.0 *
+               (fl->p[c] + fl->u[3 * c] + fl->u[3 * c + 1] + fl->u[3 * c + 2]);
+    return sum == 0.0;
+}
+
+static void note_worst(struct solve_report *worst, struct solve_report now)
+{
+    if (now.iterations > worst->iterations || !now.converged) *worst = now;
+}
+
+/* PISO as [XS11 3.2] lists it: predict the velocity with the old pressure,
+ * then correct pressure, fluxes and velocity in turn. */
+int fluid_step(struct fluid *fl)
+{
+    struct fluid_report *const report = &fl->report;
+    const double *const r = fl->relabelled;
+    const double relabelled[3] = {r[0], r[1], r[2]};
+    double before[3];
+
+    fluid_momentum(fl, before);
+    fl->t += fl->options.dt;
+    momentum_assemble(fl);
+    gradient_update(fl); /* with the drag of now */
+    report->momentum = momentum_predict(fl);
+
+    pressure_assemble(fl);
+    continuity_source(fl);
+    memcpy(fl->piso->phi_old, fl->phi,
+           (size_t)fl->mesh->n_faces * sizeof *fl->phi);
+    set_inlet_fluxes(fl);
+    report->pressure = (struct solve_report){0, 0.0, 0.0, 1};
+    for (int i = 0; i < fl->options.correctors; i++) {
+        momentum_neighbours(fl);
+        note_worst(&report->pressure, pressure_correct(fl));
+        gradient_update(fl);
+        momentum_correct(fl);
+    }
+    report->splitting = momentum_rest(fl);
+    report->mass_residual = continuity_residual(fl);
+    count_relabelled(fl);
+    shift_time(fl);
+    report->momentum_residual = balance_residual(fl, before, relabelled);
+    return !(all_finite(fl) && report->pressure.converged &&
+             report->momentum.converged);
+}

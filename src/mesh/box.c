@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* box.c -- makes the face list of a box.
+ *
+ * Every cell offers the faces on its upper sides, in the order x, y, z; so
+ * faces are numbered in the order in which a sweep over the cells meets them.
+ */
+#include "mesh/mesh.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+static const char *const patch_names[3][2] = {
+    {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
+
+/* Cell edges from 0 to size; each cell is the same factor wider than the one
+ * before it, the last `grading` times the first. */
+static double *edges_create(double size, int n, double grading)
+{
+    double *const edge = alloc_doubles(n + 1);
+    const double factor = n > 1 ? pow(grading, 1.0 / (n - 1)) : 1.0;
+    double width = 1.0;
+
+    for (int i = 0; i < n; i++) {
+        edge[i + 1] = grading == 1.0 ? i + 1 : edge[i] + width;
+        width *= factor;
+    }
+    const double sum = edge[n];
+    for (int i = 0; i <= n; i++)
+        edge[i] *= size / sum;
+    edge[n] = size;
+    return edge;
+}
+
+static double width(const struct box *b, int k, int i)
+{
+    return b->edge[k][i + 1] - b->edge[k][i];
+}
+
+static void place_cells(struct mesh *m)
+{
+    const struct box *const b = &m->box;
+    int c = 0;
+
+    for (int k = 0; k < b->n[2]; k++)
+        for (int j = 0; j < b->n[1]; j++)
+            for (int i = 0; i < b->n[0]; i++, c++) {
+                const int at[3] = {i, j, k};
+                m->V[c] = 1.0;
+                for (int a = 0; a < 3; a++) {
+                    m->V[c] *= width(b, a, at[a]);
+                    m->centre[3 * c + a] =
+                        0.5 * (b->edge[a][at[a]] + b->edge[a][at[a] + 1]);
+                }
+            }
+}
+
+/* Area of a face across direction k of the cell `at`. */
+static double face_area(const struct box *b, int k, const int at[3])
+{
+    const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+    return width(b, k1, at[k1]) * width(b, k2, at[k2]);
+}
+
+static int cell_index(const struct box *b, const int at[3])
+{
+    return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
+}
+
+/* The face between `at` and the next cell in direction k. */
+static void inner_face(struct mesh *m, int f, int k, const int at[3])
+{
+    const struct box *const b = &m->box;
+    int next[3] = {at[0], at[1], at[2]};
+    next[k] = (at[k] + 1) % b->n[k]; /* round the corner where periodic */
+    const double h0 = width(b, k, at[k]), h1 = width(b, k, next[k]);
+
+    m->owner[f] = cell_index(b, at);
+    m->neighbour[f] = cell_index(b, next);
+    m->S[3 * f + k] = face_area(b, k, at);
+    m->d[3 * f + k] = 0.5 * (h0 + h1);
+    m->w[f] = h1 / (h0 + h1);
+}
+
+/* Calls inner_face for all; with m->owner NULL it only counts. */
+static int inner_faces(struct mesh *m)
+{
+    const struct box *const b = &m->box;
+    int f = 0, at[3];
+
+    for (at[2] = 0; at[2] < b->n[2]; at[2]++)
+        for (at[1] = 0; at[1] < b->n[1]; at[1]++)
+            for (at[0] = 0; at[0] < b->n[0]; at[0]++)
+                for (int k = 0; k < 3; k++) {
+                    const int last = at[k] == b->n[k] - 1;
+                    if (last && !(b->periodic[k] && b->n[k] > 1)) continue;
+                    if (m->owner != NULL) inner_face(m, f, k, at);
+                    f++;
+                }
+    return f;
+}
+
+/* The faces of the lower (side 0) or upper (1) end of direction k. */
+static int end_faces(struct mesh *m, int first, int k, int side)
+{
+    const struct box *const b = &m->box;
+    const int k1 = k == 0 ? 1 : 0, k2 = k == 2 ? 1 : 2;
+    int f = first, at[3];
+
+    at[k] = side == 0 ? 0 : b->n[k] - 1;
+    for (at[k2] = 0; at[k2] < b->n[k2]; at[k2]++)
+        for (at[k1] = 0; at[k1] < b->n[k1]; at[k1]++, f++) {
+            const double out = side == 0 ? -1.0 : 1.0;
+            m->owner[f] = cell_index(b, at);
+            m->S[3 * f + k] = out * face_area(b, k, at);
+            m->d[3 * f + k] = out * 0.5 * width(b, k, at[k]);
+        }
+    return f;
+}
+
+static void boundary_faces(struct mesh *m)
+{
+    int f = m->n_internal, p = 0;
+
+    for (int k = 0; k < 3; k++)
+        for (int side = 0; side < 2 && !m->box.periodic[k]; side++, p++) {
+            struct patch *const patch = &m->patches[p];
+            snprintf(patch->name, sizeof patch->name, "%s",
+                     patch_names[k][side]);
+            patch->first = f;
+            f = end_faces(m, f, k, side);
+            patch->n = f - patch->first;
+        }
+    assert(f == m->n_faces);
+}
+
+/* For each cell its faces in ascending order. */
+static void collect_faces(struct mesh *m)
+{
+    int *const fill = alloc_ints(m->n_cells + 1);
+
+    for (int f = 0; f < m->n_faces; f++) {
+        m->cell_start[m->owner[f] + 1]++;
+        if (f < m->n_internal) m->cell_start[m->neighbour[f] + 1]++;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        m->cell_start[c + 1] += m->cell_start[c];
+    m->cell_face = alloc_ints(m->cell_start[m->n_cells]);
+    for (int f = 0; f < m->n_faces; f++) {
+        const int o = m->owner[f];
+        m->cell_face[m->cell_start[o] + fill[o]++] = f;
+        if (f >= m->n_internal) continue;
+        const int n = m->neighbour[f];
+        m->cell_face[m->cell_start[n] + fill[n]++] = f;
+    }
+    free(fill);
+}
+
+static void count_faces(struct mesh *m)
+{
+    const struct box *const b = &m->box;
+
+    m->n_internal = inner_faces(m);
+    m->n_faces = m->n_internal;
+    for (int k = 0; k < 3; k++)
+        if (!b->periodic[k]) {
+            m->n_faces += 2 * (m->n_cells / b->n[k]);
+            m->n_patches += 2;
+        }
+}
+
+struct mesh *mesh_create_box(const struct box_spec *spec)
+{
+    struct mesh *const m = alloc_zeroed(1, sizeof *m);
+
+    for (int k = 0; k < 3; k++) {
+        m->box.n[k] = spec->cells[k];
+        m->box.periodic[k] = spec->periodic[k];
+        m->box.edge[k] =
+            edges_create(spec->size[k], spec->cells[k], spec->grading[k]);
+    }
+    m->n_cells = spec->cells[0] * spec->cells[1] * spec->cells[2];
+    count_faces(m);
+    m->V = alloc_doubles(m->n_cells);
+    m->centre = alloc_doubles(3 * m->n_cells);
+    m->owner = alloc_ints(m->n_faces);
+    m->neighbour = alloc_ints(m->n_internal);
+    m->S = alloc_doubles(3 * m->n_faces);
+    m->d = alloc_doubles(3 * m->n_faces);
+    m->w = alloc_doubles(m->n_faces);
+    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
+    m->cell_start = alloc_ints(m->n_cells + 1);
+    place_cells(m);
+    inner_faces(m);
+    boundary_faces(m);
+    collect_faces(m);
+    return m;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+void mesh_free(struct mesh *m)
+{
+    if (m == NULL) return;
+    free(m->V);
+    free(m->centre);
+    free(m->owner);
+    free(m->neighbour);
+    free(m->S);
+    free(m->d);
+    free(m->w);
+    free(m->patches);
+    free(m->cell_start);
+    free(m->cell_face);
+    for (int k = 0; k < 3; k++)
+        free(m->box.edge[k]);
+    free(m);
+}
+
+/* The interval of the edges that holds x: half open, the last one closed.
+ * Starts from where x would lie among equal cells and walks. -1 outside. */
+static int interval_at(const double *edge, int n, double x)
+{
+    if (!(x >= edge[0] && x <= edge[n])) return -1;
+    const double share = (x - edge[0]) / (edge[n] - edge[0]);
+    int i = (int)(share * n);
+
+    if (i > n - 1) i = n - 1;
+    while (i > 0 && x < edge[i])
+        i--;
+    while (i < n - 1 && x >= edge[i + 1])
+        i++;
+    return i;
+}
+
+/* x moved by whole periods into [lo, hi). */
+static double wrapped(double x, double lo, double hi)
+{
+    const double y = x - (hi - lo) * floor((x - lo) / (hi - lo));
+    return y >= hi || y < lo ? lo : y; /* rounding can land on the end */
+}
+
+int mesh_cell_at(const struct mesh *m, double x, double y, double z)
+{
+    const struct box *const b = &m->box;
+    const double point[3] = {x, y, z};
+    int at[3];
+
+    for (int k = 0; k < 3; k++) {
+        const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
+        const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];
+        at[k] = interval_at(b->edge[k], b->n[k], q);
+        if (at[k] < 0) return -1;
+    }
+    return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
+}
+
+const struct patch *mesh_patch(const struct mesh *m, const char *name)
+{
+    for (int i = 0; i < m->n_patches; i++)
+        if (strcmp(m->patches[i].name, name) == 0) return &m->patches[i];
+    return NULL;
+}
+
+int mesh_dimensions(const struct mesh *m)
+{
+    return (m->box.n[0] > 1) + (m->box.n[1] > 1) + (m->box.n[2] > 1);
+}
+
+double mesh_openness(const struct mesh *m)
+{
+    double worst = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const double *const S = &m->S[3 * m->cell_face[a]];
+            const double out = m->owner[m->cell_face[a]] == c ? 1.0 : -1.0;
+            for (int k = 0; k < 3; k++)
+                sum[k] += out * S[k];
+            surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+        }
+        const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
+        if (surface > 0.0) worst = fmax(worst, open / surface);
+    }
+    return worst;
+}

@@ -1,0 +1,34 @@
+/* mean.h -- running means over time of many numbers at once.
+ *
+ * With a weight w_k for each sample x_k (its stretch of time, and for phase
+ * averages the amount of the phase that was there):
+ *
+ *     mean = sum w x / sum w,   spread = sqrt(sum w (x - mean)^2 / sum w)
+ *
+ * updated sample by sample [Welford 1962, West 1979], which keeps the spread
+ * exact where the difference of the two sums would cancel.
+ */
+#ifndef MEAN_H
+#define MEAN_H
+
+struct mean {
+    int n;
+    double *weight; /* [unit of w] sum of w, one a number */
+    double *value;  /* [unit of x] mean so far; nan where weight is 0 */
+    double *square; /* [unit of w x^2] sum of w (x - mean)^2 */
+};
+
+struct mean *mean_create(int n);
+void mean_free(struct mean *m);
+
+/* Adds x[0 .. n-1] for a stretch of dt [s], each further weighted by w[i] >= 0;
+ * w NULL weights all alike. A weight of 0 leaves its mean as it is. */
+void mean_add(struct mean *m, double dt, const double *x, const double *w);
+
+/* Spread over time of number i; nan where weight is 0. */
+double mean_spread(const struct mean *m, int i);
+
+/* All that is remembered, 3 n doubles in one piece, for a checkpoint. */
+double *mean_state(struct mean *m);
+
+#endif

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/profile.h"
+
+#include "base/alloc.h"
+#include "output/mean.h"
+#include "output/table.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers are kept field by field, and within a field along the line. */
+struct profile {
+    struct profile_line line;
+    int n_fields, n; /* n points on the line */
+    struct profile_field *fields;
+    double *x;       /* [m] of each point */
+    int row[2];      /* [-] rows of cells below and above the line */
+    double share[2]; /* [-] what each counts */
+    int n_deep;      /* [-] cells in the depth */
+    double *dz;      /* [-] width of each over the whole depth */
+    int step[3];     /* [-] from a cell to the next along, up, deep */
+    double *sample, *weight;
+    struct mean *mean;
+};
+
+static double middle(const struct box *b, int k, int i)
+{
+    return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
+}
+
+/* The two rows of centres around the height, and their linear shares. */
+static void find_rows(struct profile *p, const struct box *b)
+{
+    const int k = p->line.up;
+    int j = 0;
+
+    while (j < b->n[k] - 1 && middle(b, k, j + 1) <= p->line.height)
+        j++;
+    const double low = middle(b, k, j);
+    p->row[0] = p->row[1] = j;
+    p->share[0] = 1.0;
+    if (j == b->n[k] - 1 || p->line.height < low)
+        return; /* beyond the last centre */
+    p->row[1] = j + 1;
+    p->share[1] = (p->line.height - low) / (middle(b, k, j + 1) - low);
+    p->share[0] = 1.0 - p->share[1];
+}
+
+static void lay_out(struct profile *p, const struct box *b)
+{
+    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const int stride[3] = {1, b->n[0], b->n[0] * b->n[1]};
+    const double *const z = b->edge[deep];
+
+    p->step[0] = stride[a];
+    p->step[1] = stride[p->line.up];
+    p->step[2] = stride[deep];
+    p->n = b->n[a];
+    p->x = alloc_doubles(p->n);
+    for (int i = 0; i < p->n; i++)
+        p->x[i] = middle(b, a, i);
+    p->n_deep = b->n[deep];
+    p->dz = alloc_doubles(p->n_deep);
+    for (int i = 0; i < p->n_deep; i++)
+        p->dz[i] = (z[i + 1] - z[i]) / (z[p->n_deep] - z[0]);
+    find_rows(p, b);
+}
+
+struct profile *profile_create(const struct mesh *m,
+                               const struct profile_line *line, int n_fields,
+                               const struct profile_field *fields)
+{
+    const double *const y = m->box.edge[line->up];
+    const double top = y[m->box.n[line->up]];
+
+    assert(line->along != line->up);
+    if (!(line->height >= y[0] && line->height <= top)) {
+        fprintf(stderr,
+                "winnow: a profile at height %g m is outside the box, which "
+                "goes from %g to %g m\n",
+                line->height, y[0], top);
+        return NULL;
+    }
+    struct profile *const p = alloc_zeroed(1, sizeof *p);
+    p->line = *line;
+    lay_out(p, &m->box);
+    p->n_fields = n_fields;
+    p->fields = alloc_zeroed((size_t)n_fields, sizeof p->fields[0]);
+    memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);
+    p->sample = alloc_doubles(n_fields * p->n);
+    p->weight = alloc_doubles(n_fields * p->n);
+    p->mean = mean_create(n_fields * p->n);
+    return p;
+}
+
+void profile_free(struct profile *p)
+{
+    if (p == NULL) return;
+    free(p->fields);
+    free(p->x);
+    free(p->dz);
+    free(p->sample);
+    free(p->weight);
+    mean_free(p->mean);
+    free(p);
+}
+
+/* One field at point i of the line: its sample, and how much it weighs. */
+static double sampled(const struct profile *p, const struct profile_field *f,
+                      int i, double *weight)
+{
+    double amount = 0.0;
+
+    *weight = 0.0;
+    for (int r = 0; r < 2; r++)
+        for (int k = 0; k < p->n_deep; k++) {
+            const int c =
+                i * p->step[0] + p->row[r] * p->step[1] + k * p->step[2];
+            const double w =
+                p->share[r] * p->dz[k] * (f->weight ? f->weight[c] : 1.0);
+
+            amount += w * f->values[f->components * c + f->component];
+            *weight += w;
+        }
+    return *weight > 0.0 ? amount / *weight : 0.0;
+}
+
+void profile_add(struct profile *p, double time, double dt)
+{
+    if (time + 1e-9 * fabs(time) < p->line.from) /* a rounded sum of steps */
+        return;
+    for (int f = 0; f < p->n_fields; f++)
+        for (int i = 0; i < p->n; i++) {
+            const int at = f * p->n + i;
+            p->sample[at] = sampled(p, &p->fields[f], i, &p->weight[at]);
+        }
+    mean_add(p->mean, dt, p->sample, p->weight);
+}
+
+/* "x [m]", then "NAME_mean [UNIT]", "NAME_std [UNIT]" of each field. */
+static char **column_names(const struct profile *p)
+{
+    char **const names =
+        alloc_zeroed((size_t)(1 + 2 * p->n_fields), sizeof names[0]);
+
+    names[0] = alloc_zeroed(8, 1);
+    snprintf(names[0], 8, "%c [m]", "xyz"[p->line.along]);
+    for (int i = 0; i < 2 * p->n_fields; i++) {
+        const struct profile_field *const f = &p->fields[i / 2];
+        const size_t room = strlen(f->name) + strlen(f->unit) + 16;
+
+        names[1 + i] = alloc_zeroed(room, 1);
+        snprintf(names[1 + i], room, "%s_%s [%s]", f->name,
+                 i % 2 ? "std" : "mean", f->unit);
+    }
+    return names;
+}
+
+int profile_write(const struct profile *p, const char *path)
+{
+    const int n_columns = 1 + 2 * p->n_fields;
+    char **const names = column_names(p);
+    double *const table = alloc_doubles(n_columns * p->n);
+
+    for (int i = 0; i < p->n; i++) {
+        double *const row = table + n_columns * i;
+        row[0] = p->x[i];
+        for (int f = 0; f < p->n_fields; f++) {
+            row[1 + 2 * f] = p->mean->value[f * p->n + i];
+            row[2 + 2 * f] = mean_spread(p->mean, f * p->n + i);
+        }
+    }
+    const int failed =
+        table_write(path, n_columns, (const char *const *)names, p->n, table);
+    for (int i = 0; i < n_columns; i++)
+        free(names[i]);
+    free(names);
+    free(table);
+    return failed;
+}
+
+double *profile_state(struct profile *p, int *n)
+{
+    *n = 3 * p->mean->n;
+    return mean_state(p->mean);
+}

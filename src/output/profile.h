@@ -1,0 +1,55 @@
+/* profile.h -- averages in time on a line through the box.
+ *
+ * The line runs along one direction (x) at a given height in a second (y); the
+ * third (z), the depth, is averaged over. Between the rows of cell centres the
+ * values are linear in the height; below the first and above the last row they
+ * are those of that row. One point for each column of cells.
+ *
+ * A field may be weighted by another: a particle velocity by the solids
+ * fraction, so that cells without particles do not count:
+ *
+ *     sample at x  = sum_z w u dz / sum_z w dz
+ *     mean over t  = sum_t W sample dt / sum_t W dt,   W = sum_z w dz / depth
+ */
+#ifndef PROFILE_H
+#define PROFILE_H
+
+#include "mesh/mesh.h"
+
+/* Directions: 0, 1, 2 for x, y, z; along and up must differ. */
+struct profile_line {
+    int along;
+    int up;
+    double height; /* [m] */
+    double from;   /* [s] samples from this time on count */
+};
+
+/* What is averaged. The arrays are borrowed and must stay where they are. */
+struct profile_field {
+    const char *name;     /* "void_fraction", "particle_velocity_y" */
+    const char *unit;     /* "-", "m/s" */
+    const double *values; /* [components * cell + component] */
+    int components, component;
+    const double *weight; /* [-] a number a cell, >= 0; NULL: all alike */
+};
+
+struct profile;
+
+/* NULL after a message if the height is outside the box. */
+struct profile *profile_create(const struct mesh *m,
+                               const struct profile_line *line, int n_fields,
+                               const struct profile_field *fields);
+void profile_free(struct profile *p);
+
+/* Takes a sample of the fields as they are now, at `time`, standing for a
+ * stretch of dt [s]. */
+void profile_add(struct profile *p, double time, double dt);
+
+/* Columns: x [m], then NAME_mean and NAME_std (over time) of each field, nan
+ * where nothing was met. Non-zero after a message. */
+int profile_write(const struct profile *p, const char *path);
+
+/* All that is remembered, *n doubles in one piece, for a checkpoint. */
+double *profile_state(struct profile *p, int *n);
+
+#endif

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/series.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/number.h"
+#include "output/xml.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct series {
+    char *name, *suffix;
+    char *pvd;    /* DIR/NAME.pvd */
+    char *file;   /* NAME/NAME_000000.SUFFIX, as the collection names it */
+    char *path;   /* DIR/NAME/NAME_000000.SUFFIX */
+    int n, room;  /* files listed; room in time */
+    double *time; /* [s] of each file, ascending */
+};
+
+/* A copy of text with `extra` bytes of room behind it. */
+static char *copied(const char *text, size_t extra)
+{
+    const size_t length = strlen(text);
+
+    return memcpy(alloc_zeroed(length + extra + 1, 1), text, length);
+}
+
+/* Room for NAME/NAME_<number>.SUFFIX behind DIR/. */
+static size_t file_room(const struct series *s)
+{
+    return 2 * strlen(s->name) + strlen(s->suffix) + 16;
+}
+
+/* Writes the name of file i to `file`. */
+static void name_file(const struct series *s, int i, char *file)
+{
+    snprintf(file, file_room(s), "%s/%s_%06d.%s", s->name, s->name, i,
+             s->suffix);
+}
+
+struct series *series_create(const char *dir, const char *name,
+                             const char *suffix)
+{
+    struct series *const s = alloc_zeroed(1, sizeof *s);
+    char *const folder = file_join(dir, name);
+    const int failed = file_make_dirs(folder);
+
+    s->name = copied(name, 0);
+    s->suffix = copied(suffix, 0);
+    s->pvd = copied(folder, 4);
+    strcat(s->pvd, ".pvd");
+    s->file = alloc_zeroed(file_room(s), 1);
+    s->path = copied(dir, 1 + file_room(s));
+    strcat(s->path, "/");
+    s->room = 64;
+    s->time = alloc_doubles(s->room);
+    free(folder);
+    if (!failed) return s;
+    series_free(s);
+    return NULL;
+}
+
+void series_free(struct series *s)
+{
+    if (s == NULL) return;
+    free(s->name);
+    free(s->suffix);
+    free(s->pvd);
+    free(s->file);
+    free(s->path);
+    free(s->time);
+    free(s);
+}
+
+static void append(struct series *s, double time)
+{
+    if (s->n == s->room) {
+        double *const longer = alloc_doubles(2 * s->room);
+        memcpy(longer, s->time, (size_t)s->n * sizeof s->time[0]);
+        free(s->time);
+        s->time = longer;
+        s->room *= 2;
+    }
+    s->time[s->n++] = time;
+}
+
+int series_count(const struct series *s)
+{
+    return s->n;
+}
+
+const char *series_next(struct series *s)
+{
+    /* DIR/NAME.pvd and DIR/NAME/... share DIR/ */
+    name_file(s, s->n, s->path + strlen(s->pvd) - strlen(s->name) - 4);
+    return s->path;
+}
+
+static void put_entry(FILE *out, struct series *s, int i)
+{
+    char text[NUMBER_LENGTH];
+
+    name_file(s, i, s->file);
+    fprintf(out, "<DataSet timestep=\"%s\" part=\"0\" file=\"",
+            number_text(s->time[i], text));
+    xml_put(out, s->file);
+    fprintf(out, "\"/>\n");
+}
+
+int series_add(struct series *s, double time)
+{
+    assert(s->n == 0 || time > s->time[s->n - 1]);
+    append(s, time);
+
+    struct file *const f = file_create(s->pvd);
+    if (f == NULL) return 1;
+    FILE *const out = file_stream(f);
+    fprintf(out, "<?xml version=\"1.0\"?>\n"
+                 "<VTKFile type=\"Collection\" version=\"1.0\">\n"
+                 "<Collection>\n");
+    for (int i = 0; i < s->n; i++)
+        put_entry(out, s, i);
+    fprintf(out, "</Collection>\n</VTKFile>\n");
+    return file_commit(f);
+}
+
+/* One line of a collection; non-zero if it lists what we would not have
+ * written. `found` has file_room bytes. */
+static int read_entry(struct series *s, const char *line, double before,
+                      char *found)
+{
+    char text[NUMBER_LENGTH];
+
+    if (strstr(line, "<DataSet ") == NULL) return 0;
+    if (xml_attribute(line, "timestep", text, sizeof text) != 0 ||
+        xml_attribute(line, "file", found, file_room(s)) != 0)
+        return 1;
+    const double time = strtod(text, NULL);
+    if (time >= before) return 0;
+    name_file(s, s->n, s->file);
+    if (strcmp(found, s->file) != 0) return 1;
+    append(s, time);
+    return 0;
+}
+
+int series_resume(struct series *s, double time)
+{
+    FILE *const in = fopen(s->pvd, "r");
+    char *line = NULL, *const found = alloc_zeroed(file_room(s), 1);
+    size_t room = 0;
+    int number = 0, foreign = 0;
+
+    s->n = 0;
+    if (in == NULL)
+        fprintf(stderr, "winnow: cannot read %s: %s\n", s->pvd,
+                strerror(errno));
+    while (in && !foreign && getline(&line, &room, in) > 0) {
+        number++;
+        foreign = read_entry(s, line, time, found);
+    }
+    if (foreign)
+        fprintf(stderr,
+                "winnow: %s:%d: not a line of this program's own; to go on, "
+                "move the file away or start a new output folder\n",
+                s->pvd, number);
+    if (in) fclose(in);
+    free(line);
+    free(found);
+    return in == NULL || foreign;
+}

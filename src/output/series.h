@@ -1,0 +1,33 @@
+/* series.h -- the .pvd collection: which file shows which time.
+ *
+ * DIR/fluid.pvd lists fluid/fluid_000000.vtr, fluid/fluid_000001.vtr, ... each
+ * with its time. It is written anew, whole, for each added file, so that it can
+ * be opened while the run goes on and never names a file that is not there.
+ */
+#ifndef SERIES_H
+#define SERIES_H
+
+struct series;
+
+/* Makes the folder DIR/NAME for files ending in .SUFFIX; NULL after a message.
+ * Nothing else is written before the first series_add. */
+struct series *series_create(const char *dir, const char *name,
+                             const char *suffix);
+void series_free(struct series *s);
+
+/* For a run that goes on from `time` [s]: takes over what DIR/NAME.pvd lists
+ * from before that time. Non-zero after a message if there is no such
+ * collection, or one that this program did not write. */
+int series_resume(struct series *s, double time);
+
+/* How many files it lists. */
+int series_count(const struct series *s);
+
+/* The path of the file to write next; valid until series_add. */
+const char *series_next(struct series *s);
+
+/* Lists that file, now written, under its time [s], which must come after all
+ * others. Non-zero after a message if the collection could not be written. */
+int series_add(struct series *s, double time);
+
+#endif

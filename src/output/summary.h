@@ -1,0 +1,36 @@
+/* summary.h -- what there is to say about a run, as JSON.
+ *
+ * Entries appear in the order in which they are added, groups in braces:
+ *
+ *     struct summary *s = summary_create("out/summary.json");
+ *     summary_text(s, "exit_reason", "done");
+ *     summary_begin(s, "seconds");
+ *     summary_number(s, "cfd", 12.5);
+ *     summary_end(s);
+ *     if (summary_commit(s) != 0) ...
+ *
+ * Numbers read back to the same bits; what is no number (nan, inf) is null,
+ * for JSON has no word for it.
+ */
+#ifndef SUMMARY_H
+#define SUMMARY_H
+
+struct summary;
+
+/* NULL after a message; all the others accept NULL and do nothing. */
+struct summary *summary_create(const char *path);
+
+void summary_number(struct summary *s, const char *key, double value);
+void summary_count(struct summary *s, const char *key, long long value);
+void summary_truth(struct summary *s, const char *key, int value);
+void summary_text(struct summary *s, const char *key, const char *value);
+
+/* Opens a group of entries, which may hold groups; closes the last one. */
+void summary_begin(struct summary *s, const char *key);
+void summary_end(struct summary *s);
+
+/* Ends the file, which then appears whole; s is gone. Non-zero after a message,
+ * also for NULL. */
+int summary_commit(struct summary *s);
+
+#endif

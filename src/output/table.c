@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/table.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/number.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct table {
+    char *path;
+    int file; /* descriptor: each row is one write */
+    int n_columns;
+    off_t length; /* [bytes] of head and whole rows */
+    char *row;    /* room for the text of one row */
+};
+
+static int complaint(const char *what, const char *path)
+{
+    fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
+    return 1;
+}
+
+/* A name as CSV wants it: in quotes if it holds a comma or a quote. */
+static void put_name(FILE *out, const char *name)
+{
+    if (strpbrk(name, ",\"\n") == NULL) {
+        fputs(name, out);
+        return;
+    }
+    fputc('"', out);
+    for (const char *p = name; *p; p++)
+        fputs(*p == '"' ? "\"\"" : (const char[2]){*p, '\0'}, out);
+    fputc('"', out);
+}
+
+static void put_head(FILE *out, int n, const char *const *names)
+{
+    for (int i = 0; i < n; i++) {
+        put_name(out, names[i]);
+        fputc(i < n - 1 ? ',' : '\n', out);
+    }
+}
+
+static size_t row_room(int n)
+{
+    return (size_t)n * NUMBER_LENGTH + 1;
+}
+
+/* Writes the text of one row, with its newline; returns its length. */
+static size_t row_text(int n, const double *row, char *text)
+{
+    char number[NUMBER_LENGTH];
+    size_t length = 0;
+
+    for (int i = 0; i < n; i++) {
+        const size_t digits = strlen(number_text(row[i], number));
+        memcpy(text + length, number, digits);
+        length += digits;
+        text[length++] = i < n - 1 ? ',' : '\n';
+    }
+    return length;
+}
+
+int table_write(const char *path, int n_columns, const char *const *names,
+                int n_rows, const double *values)
+{
+    struct file *const f = file_create(path);
+
+    if (f == NULL) return 1;
+    char *const text = alloc_zeroed(row_room(n_columns), 1);
+    put_head(file_stream(f), n_columns, names);
+    for (int i = 0; i < n_rows; i++) {
+        const double *const row = values + (size_t)i * (size_t)n_columns;
+        fwrite(text, 1, row_text(n_columns, row, text), file_stream(f));
+    }
+    free(text);
+    return file_commit(f);
+}
+
+/* The table that stands in the file, ready for its next row. */
+static struct table *opened(const char *path, int n_columns)
+{
+    const int file = open(path, O_WRONLY | O_APPEND);
+
+    if (file < 0) {
+        complaint("write", path);
+        return NULL;
+    }
+    struct table *const t = alloc_zeroed(1, sizeof *t);
+    t->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
+    t->file = file;
+    t->n_columns = n_columns;
+    t->length = lseek(file, 0, SEEK_END);
+    t->row = alloc_zeroed(row_room(n_columns), 1);
+    return t;
+}
+
+struct table *table_create(const char *path, int n_columns,
+                           const char *const *names)
+{
+    if (table_write(path, n_columns, names, 0, NULL) != 0) return NULL;
+    return opened(path, n_columns);
+}
+
+/* The head as it should stand in the file, as a new string. */
+static char *head_text(int n, const char *const *names)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *const out = open_memstream(&text, &length);
+
+    if (out == NULL) return strcpy(alloc_zeroed(1, 1), "");
+    put_head(out, n, names);
+    fclose(out);
+    return text;
+}
+
+/* Copies the head and the whole rows before `time`; non-zero if the head is
+ * another. */
+static int copy_rows(FILE *in, FILE *out, const char *head, double time)
+{
+    char *line = NULL;
+    size_t room = 0;
+    ssize_t length = getline(&line, &room, in);
+    const int foreign = length < 0 || strcmp(line, head) != 0;
+
+    if (!foreign) fputs(head, out);
+    while (!foreign && (length = getline(&line, &room, in)) > 0)
+        if (line[length - 1] == '\n' && strtod(line, NULL) < time)
+            fwrite(line, 1, (size_t)length, out);
+    free(line);
+    return foreign;
+}
+
+struct table *table_resume(const char *path, int n_columns,
+                           const char *const *names, double time)
+{
+    FILE *const in = fopen(path, "r");
+    if (in == NULL) {
+        complaint("read", path);
+        return NULL;
+    }
+    struct file *const f = file_create(path);
+    char *const head = head_text(n_columns, names);
+    const int foreign = f && copy_rows(in, file_stream(f), head, time);
+
+    free(head);
+    fclose(in);
+    if (foreign) {
+        fprintf(stderr, "winnow: %s has other columns than this run\n", path);
+        file_discard(f);
+    }
+    if (f == NULL || foreign || file_commit(f) != 0) return NULL;
+    return opened(path, n_columns);
+}
+
+void table_free(struct table *t)
+{
+    if (t == NULL) return;
+    close(t->file);
+    free(t->path);
+    free(t->row);
+    free(t);
+}
+
+int table_add(struct table *t, const double *row)
+{
+    const size_t length = row_text(t->n_columns, row, t->row);
+
+    errno = 0;
+    const ssize_t written = write(t->file, t->row, length);
+    if (written == (ssize_t)length) {
+        t->length += written;
+        return 0;
+    }
+    if (errno == 0)
+        errno = ENOSPC; /* a part was written and then there was no room */
+    complaint("write", t->path);
+    if (written > 0 && ftruncate(t->file, t->length) != 0)
+        complaint("take half a row off", t->path);
+    return 1;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/vtk.h"
+
+#include "base/alloc.h"
+#include "output/vtk_file.h"
+
+#include <stdlib.h>
+
+struct vtk_writer {
+    struct vtk_file *file;
+};
+
+struct vtk_writer *vtk_writer_create(void)
+{
+    struct vtk_writer *const w = alloc_zeroed(1, sizeof *w);
+
+    w->file = vtk_file_create();
+    return w;
+}
+
+void vtk_writer_free(struct vtk_writer *w)
+{
+    if (w == NULL) return;
+    vtk_file_free(w->file);
+    free(w);
+}
+
+/* The edges of the cells along x, y and z: n + 1 numbers each. */
+static void put_edges(struct vtk_file *f, const struct box *b)
+{
+    static const char *const name[3] = {"x", "y", "z"};
+
+    fprintf(vtk_file_stream(f), "<Coordinates>\n");
+    for (int k = 0; k < 3; k++)
+        vtk_file_array(f,
+                       &(struct vtk_array){.name = name[k],
+                                           .components = 1,
+                                           .values = b->edge[k]},
+                       b->n[k] + 1);
+    fprintf(vtk_file_stream(f), "</Coordinates>\n");
+}
+
+int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
+                  double time, int n_arrays, const struct vtk_array *arrays)
+{
+    struct vtk_file *const f = w->file;
+    const int *const n = m->box.n;
+    char whole[96];
+
+    snprintf(whole, sizeof whole, " WholeExtent=\"0 %d 0 %d 0 %d\"", n[0], n[1],
+             n[2]);
+    if (vtk_file_begin(f, path, "RectilinearGrid", whole, time) != 0) return 1;
+    fprintf(vtk_file_stream(f), "<Piece Extent=\"0 %d 0 %d 0 %d\">\n", n[0],
+            n[1], n[2]);
+    put_edges(f, &m->box);
+    vtk_file_section(f, "CellData", m->n_cells, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
+}
+
+/* A point that no cell names is not drawn, so each is a cell of its own. */
+static void put_verts(struct vtk_file *f, int n)
+{
+    const struct vtk_array verts[2] = {
+        {.name = "connectivity", .components = 1, .from = 0},
+        {.name = "offsets", .components = 1, .from = 1}};
+
+    vtk_file_section(f, "Verts", n, 2, verts);
+}
+
+int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
+                        const double *const x[3], double time, int n_arrays,
+                        const struct vtk_array *arrays)
+{
+    struct vtk_file *const f = w->file;
+    /* n = 0 may come without arrays; the numbers are real all the same. */
+    static const double none;
+    const struct vtk_array centres = {
+        .name = "position",
+        .components = 3,
+        .split = {n ? x[0] : &none, n ? x[1] : &none, n ? x[2] : &none}};
+
+    if (vtk_file_begin(f, path, "PolyData", "", time) != 0) return 1;
+    fprintf(vtk_file_stream(f),
+            "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"%d\" "
+            "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+            n, n);
+    vtk_file_section(f, "Points", n, 1, &centres);
+    put_verts(f, n);
+    vtk_file_section(f, "PointData", n, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
+}

@@ -1,0 +1,32 @@
+/* vtk.h -- the two files that ParaView opens: a box of cells, and particles.
+ *
+ * .vtr: the cells of a box, with values a cell. .vtp: a point a particle, with
+ * values a particle. XML with the numbers behind it, compressed by zlib; the
+ * time of the state is in the file. Which values, says the caller.
+ *
+ * Nothing is allocated by a write, but for the file's own stream and once more
+ * when an array is larger than any before.
+ */
+#ifndef VTK_H
+#define VTK_H
+
+#include "mesh/mesh.h"
+#include "output/vtk_array.h"
+
+/* What all writes share: one for a whole run. */
+struct vtk_writer;
+
+struct vtk_writer *vtk_writer_create(void);
+void vtk_writer_free(struct vtk_writer *w);
+
+/* Both return non-zero after a message if the file could not be written whole;
+ * then it is not there at all. Time in s; names must differ. */
+int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
+                  double time, int n_arrays, const struct vtk_array *arrays);
+
+/* n particles, 0 allowed, with centres x[0][i], x[1][i], x[2][i] [m]. */
+int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
+                        const double *const x[3], double time, int n_arrays,
+                        const struct vtk_array *arrays);
+
+#endif

@@ -1,0 +1,36 @@
+/* vtk_array.h -- one named array of numbers, as VTK is to see it.
+ *
+ * The numbers stay where the solver keeps them: side by side, one array a
+ * component, or whole numbers. They are Float64 in the file, bit for bit what
+ * was computed, unless `single` asks for Float32: seven digits at half the
+ * size, enough for what is only looked at (velocities), not for positions,
+ * whose differences are overlaps of 1e-4 d, nor for what somebody will sum.
+ *
+ * Fill it by name: {.name = "velocity", .components = 3, .split = {vx, vy, vz}}
+ */
+#ifndef VTK_ARRAY_H
+#define VTK_ARRAY_H
+
+#include <stddef.h>
+
+struct vtk_array {
+    const char *name;
+    int components;         /* [-] numbers a point or cell, 1 to 9 */
+    const double *values;   /* side by side, [components * i + k]; or */
+    const double *split[3]; /* one array a component; or */
+    const int *ints;        /* whole numbers, side by side, Int32; or */
+    int from;               /* none of these: from, from + 1, ... as Int32 */
+    int single;             /* [-] 1: Float32 */
+};
+
+/* VTK's name of its type: "Float64", "Float32", "Int32". */
+const char *vtk_array_type(const struct vtk_array *a);
+
+/* Bytes of one number in the file. */
+size_t vtk_array_width(const struct vtk_array *a);
+
+/* Copies n numbers from number `first` on, as the file wants them. */
+void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
+                    void *bytes);
+
+#endif

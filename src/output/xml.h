@@ -1,0 +1,16 @@
+/* xml.h -- text inside XML: & < > " are written as entities and read back. */
+#ifndef XML_H
+#define XML_H
+
+#include <stdio.h>
+
+/* Writes text so that it may stand in an attribute. */
+void xml_put(FILE *out, const char *text);
+
+/* Finds attribute="..." in a line and copies its value, entities resolved, to
+ * value, of the given size with the closing zero. Non-zero if it is not there
+ * or too long. */
+int xml_attribute(const char *line, const char *attribute, char *value,
+                  size_t size);
+
+#endif

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/breakdown.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "exchange/coupling.h"
+
+static int fluid_broke(const struct simulation *sim)
+{
+    const struct fluid_report *const r = &sim->fluid->report;
+    return !r->momentum.converged || !r->pressure.converged ||
+           !isfinite(r->mass_residual) || !isfinite(r->cfl);
+}
+
+static void describe_fluid(const struct simulation *sim, const char *when,
+                           char text[BREAKDOWN_TEXT])
+{
+    const struct fluid_report *const r = &sim->fluid->report;
+
+    snprintf(text, BREAKDOWN_TEXT,
+             "the flow solver broke down %s: momentum %s after %d iterations "
+             "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
+             "number %.3g.\nTry a smaller fluid.step (CFL below 1) or "
+             "fluid.convection = \"upwind\"",
+             when, r->momentum.converged ? "solved" : "not solved",
+             r->momentum.iterations, r->momentum.after,
+             r->pressure.converged ? "solved" : "not solved",
+             r->pressure.iterations, r->pressure.after, r->cfl);
+}
+
+static void describe_lost(const struct simulation *sim, const char *when,
+                          char text[BREAKDOWN_TEXT])
+{
+    const struct dem_report *const r = &sim->dem_report;
+
+    snprintf(text, BREAKDOWN_TEXT,
+             "%d particle%s left the box or %s no longer anywhere %s, the "
+             "first with id %d, at [%g, %g, %g] m; the largest overlap was "
+             "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
+             "particles.step (winnow check suggests one) or a stiffer material",
+             r->lost, r->lost == 1 ? "" : "s", r->lost == 1 ? "is" : "are",
+             when, r->lost_id, r->lost_at[0], r->lost_at[1], r->lost_at[2],
+             r->max_overlap, r->max_speed);
+}
+
+static void describe_solids(const struct simulation *sim, const char *when,
+                            char text[BREAKDOWN_TEXT])
+{
+    snprintf(text, BREAKDOWN_TEXT,
+             "a cell holds more solids than it has room for %s: the lowest "
+             "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\" "
+             "or \"kernel\", larger cells, or averaging.cap with \"pcm\"",
+             when, sim->coupling->report.eps_lowest);
+}
+
+void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
+{
+    char when[64];
+
+    snprintf(when, sizeof when, "at t = %g s (step %ld)", sim->t,
+             sim->steps + 1);
+    if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
+        describe_fluid(sim, when, text);
+    else if (sim->particles != NULL && sim->dem_report.lost > 0)
+        describe_lost(sim, when, text);
+    else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
+        describe_solids(sim, when, text);
+    else
+        snprintf(text, BREAKDOWN_TEXT,
+                 "a value is no longer finite %s.\nTry "
+                 "smaller steps",
+                 when);
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/build.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "effects/effects.h"
+#include "exchange/coupling.h"
+#include "scene/build_particles.h"
+#include "scene/scene.h"
+
+struct mesh *build_mesh(const struct settings *s)
+{
+    struct box_spec spec;
+
+    settings_vector(s, "mesh.size", spec.size);
+    settings_counts(s, "mesh.cells", spec.cells);
+    settings_vector(s, "mesh.grading", spec.grading);
+    settings_flags(s, "mesh.periodic", spec.periodic);
+    return mesh_create_box(&spec);
+}
+
+int build_gravity(const struct settings *s, double g[3])
+{
+    g[0] = g[1] = g[2] = 0.0;
+    if (!settings_has(s, "effects.gravity")) return 0;
+    settings_vector(s, "effects.gravity", g);
+    return 1;
+}
+
+int build_steps(const struct settings *s, double *dt)
+{
+    if (settings_has(s, "fluid"))
+        *dt = settings_real(s, "fluid.step");
+    else
+        *dt = settings_has(s, "output.history")
+                  ? settings_real(s, "output.history")
+                  : settings_real(s, "output.every");
+    if (!settings_has(s, "particles")) return 0;
+    const double n = *dt / settings_real(s, "particles.step");
+    return n < 1.0 ? 1 : (int)ceil(n * (1.0 - 1e-12)); /* 5.000000000001 is 5 */
+}
+
+static int two_way(const struct settings *s)
+{
+    return settings_has(s, "exchange") &&
+           strcmp(settings_text(s, "exchange.coupling"), "two-way") == 0;
+}
+
+/* --- fluid -------------------------------------------------------------- */
+
+static int count_points(const struct settings *s, const struct mesh *m)
+{
+    int n = 0;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "%s.inlet",
+                 settings_side(s, m->patches[i].name));
+        if (settings_has(s, path)) n += settings_points(s, path);
+    }
+    return n;
+}
+
+/* One patch; an inlet puts its course at the end of what is used so far. */
+static struct boundary one_boundary(const struct settings *s, const char *side,
+                                    double *time, double *velocity, int *used)
+{
+    struct boundary b = {.kind = BOUNDARY_SLIP};
+    char path[64];
+
+    snprintf(path, sizeof path, "%s.inlet", side);
+    if (settings_has(s, path)) {
+        b.kind = BOUNDARY_INLET;
+        b.n_points = settings_points(s, path);
+        b.time = &time[*used];
+        b.velocity = &velocity[*used];
+        for (int i = 0; i < b.n_points; i++, (*used)++)
+            settings_point(s, path, i, &time[*used], &velocity[*used]);
+        return b;
+    }
+    snprintf(path, sizeof path, "%s.outlet", side);
+    if (settings_has(s, path)) {
+        b.kind = BOUNDARY_OUTLET;
+        b.pressure = settings_real(s, path);
+        return b;
+    }
+    if (strcmp(settings_text(s, side), "no-slip") == 0)
+        b.kind = BOUNDARY_NO_SLIP;
+    return b;
+}
+
+static void create_boundaries(const struct settings *s, struct simulation *sim)
+{
+    const struct mesh *const m = sim->mesh;
+    const int points = count_points(s, m);
+    int used = 0;
+
+    sim->courses = alloc_doubles(2 * points);
+    sim->boundaries =
+        alloc_zeroed((size_t)m->n_patches, sizeof *sim->boundaries);
+    for (int i = 0; i < m->n_patches; i++)
+        sim->boundaries[i] =
+            one_boundary(s, settings_side(s, m->patches[i].name), sim->courses,
+                         sim->courses + points, &used);
+}
+
+static void create_fluid(const struct settings *s, struct simulation *sim)
+{
+    create_boundaries(s, sim);
+    const struct fluid_options o = {
+        .rho = settings_real(s, "fluid.density"),
+        .mu = settings_real(s, "fluid.viscosity"),
+        .dt = sim->dt,
+        .convection =
+            convection_scheme_named(settings_text(s, "fluid.convection")),
+        .continuity =
+            strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
+                ? CONTINUITY_MIXTURE
+                : CONTINUITY_VOID_RATE,
+        .correctors = settings_int(s, "fluid.correctors"),
+        .tolerance = settings_real(s, "fluid.tolerance"),
+        .coupled = two_way(s),
+        .pressure_shared =
+            two_way(s) && settings_has(s, "effects.pressure_gradient"),
+        .boundaries = sim->boundaries};
+    sim->fluid = fluid_create(sim->mesh, &o);
+}
+
+/* --- coupling ----------------------------------------------------------- */
+
+struct averaging_options build_averaging_options(const struct settings *s)
+{
+    const struct averaging_options o = {
+        .bandwidth = settings_has(s, "averaging.bandwidth")
+                         ? settings_real(s, "averaging.bandwidth")
+                         : 0.0,
+        .scheme = settings_text(s, "averaging.scheme"),
+        .steps = settings_int(s, "averaging.steps"),
+        .tolerance = settings_real(s, "averaging.tolerance"),
+        .cap = settings_has(s, "averaging.cap")
+                   ? settings_real(s, "averaging.cap")
+                   : 0.0,
+        .fields = 4};
+    return o;
+}
+
+static int create_averaging(const struct settings *s, struct simulation *sim)
+{
+    const struct averaging_options o = build_averaging_options(s);
+    sim->averaging = averaging_create(
+        averaging_method_named(settings_text(s, "averaging.method")), sim->mesh,
+        sim->particles, &o);
+    return sim->averaging == NULL ? 2 : 0;
+}
+
+static void create_coupling(const struct settings *s, struct simulation *sim)
+{
+    const char *const treatment = settings_text(s, "exchange.treatment");
+    const struct coupling_options o = {
+        .law = drag_law_named(settings_text(s, "exchange.drag")),
+        .treatment = strcmp(treatment, "explicit") == 0
+                         ? TREATMENT_EXPLICIT
+                         : TREATMENT_SEMI_IMPLICIT,
+        .interpolation =
+            interpolation_named(settings_text(s, "averaging.interpolation")),
+        .substeps = settings_int(s, "exchange.substeps"),
+        .two_way = two_way(s)};
+    sim->coupling = coupling_create(sim, &o);
+}
+
+/* --- effects ------------------------------------------------------------ */
+
+static void create_effects(const struct settings *s, struct simulation *sim)
+{
+    double numbers[16];
+
+    for (int i = 0; effects_all[i] != NULL; i++) {
+        const struct effect *const e = effects_all[i];
+        if (!settings_has(s, e->keys[0].path)) continue;
+        scene_parameters(s, e->keys, numbers, 16);
+        sim->effects[sim->n_effects].effect = e;
+        sim->effects[sim->n_effects].memory = e->create(sim, numbers);
+        sim->n_effects++;
+    }
+}
+
+static void count_and_create_effects(const struct settings *s,
+                                     struct simulation *sim)
+{
+    int n = 0;
+
+    for (int i = 0; effects_all[i] != NULL; i++)
+        n += settings_has(s, effects_all[i]->keys[0].path);
+    if (n == 0) return;
+    sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
+    create_effects(s, sim);
+}
+
+struct simulation *build_simulation(const struct settings *s, int *code)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+
+    *code = 0;
+    sim->mesh = build_mesh(s);
+    sim->dem_steps = build_steps(s, &sim->dt);
+    if (settings_has(s, "particles")) *code = build_particles(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) create_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "exchange")) {
+        *code = create_averaging(s, sim);
+        if (*code == 0) create_coupling(s, sim);
+    }
+    if (*code == 0) {
+        count_and_create_effects(s, sim);
+        return sim;
+    }
+    build_free(sim);
+    return NULL;
+}
+
+void build_free(struct simulation *sim)
+{
+    if (sim == NULL) return;
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->free != NULL)
+            sim->effects[i].effect->free(sim->effects[i].memory);
+    free(sim->effects);
+    coupling_free(sim->coupling);
+    averaging_free(sim->averaging);
+    dem_free(sim->dem);
+    particles_free(sim->particles);
+    fluid_free(sim->fluid);
+    free(sim->boundaries);
+    free(sim->courses);
+    free(sim->held);
+    mesh_free(sim->mesh);
+    free(sim);
+}

@@ -1,0 +1,23 @@
+/* build.h -- from a checked case to a simulation at time 0. */
+#ifndef BUILD_H
+#define BUILD_H
+
+#include "exchange/simulation.h"
+#include "scene/settings.h"
+
+/* The simulation that the case describes, its bed settled. NULL after a
+ * message; *code is then 2, 3 (the bed did not settle) or 4. */
+struct simulation *build_simulation(const struct settings *s, int *code);
+void build_free(struct simulation *sim);
+
+/* The particle steps in one step of the loop: as many as make them no longer
+ * than the case asks. *dt is the loop's step [s]: the fluid's, or without
+ * fluid the time between two rows of the history. */
+int build_steps(const struct settings *s, double *dt);
+
+/* What the case says about parts, for `check` too. */
+struct mesh *build_mesh(const struct settings *s);
+struct averaging_options build_averaging_options(const struct settings *s);
+int build_gravity(const struct settings *s, double g[3]);
+
+#endif

@@ -1,0 +1,11 @@
+/* check.h -- `winnow check`: a case in derived numbers, before it is run. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include "scene/settings.h"
+
+/* Prints on stdout what follows from the case: resolution, time scales, chosen
+ * steps, cost. Returns the exit code, 0 or 2. */
+int check_case(const struct settings *s);
+
+#endif

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/checks.h"
+
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The two sides of each direction, and the key that names both at once. */
+static const char *const sides[3][3] = {{"left", "right", "sides"},
+                                        {"bottom", "top", "bottom_top"},
+                                        {"back", "front", "front_back"}};
+
+static int has_side(const struct settings *s, const char *patch)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "fluid.%s", patch);
+    return settings_has(s, path);
+}
+
+/* A periodic direction has no sides; any other has each of its two once. */
+static int check_direction(const struct settings *s, int k)
+{
+    static const char *const axes[3] = {"x", "y", "z"};
+    const int both = has_side(s, sides[k][2]);
+    int periodic[3];
+
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < 2; i++) {
+        const int given = has_side(s, sides[k][i]) + both;
+
+        if (periodic[k] && given > 0)
+            return settings_wrong(s, "mesh.periodic",
+                                  "%s is periodic, so the fluid has no %s "
+                                  "there; leave one of them out",
+                                  axes[k], both ? sides[k][2] : sides[k][i]);
+        if (!periodic[k] && given == 0)
+            return settings_wrong(s, "fluid",
+                                  "nothing is said about the side %s: give "
+                                  "fluid.%s or fluid.%s, or make %s periodic",
+                                  sides[k][i], sides[k][i], sides[k][2],
+                                  axes[k]);
+        if (given == 2)
+            return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
+                                  sides[k][i], sides[k][i], sides[k][2]);
+    }
+    return 0;
+}
+
+/* How many of the sides are a group with that key. */
+static int count_sides(const struct settings *s, const char *key)
+{
+    int n = 0;
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            char path[64];
+            snprintf(path, sizeof path, "fluid.%s.%s", sides[k][i], key);
+            n += settings_has(s, path);
+        }
+    return n;
+}
+
+static int check_fluid(const struct settings *s)
+{
+    int code = 0;
+
+    for (int k = 0; k < 3 && code == 0; k++)
+        code = check_direction(s, k);
+    if (code == 0 && count_sides(s, "inlet") > 0 &&
+        count_sides(s, "outlet") == 0)
+        return settings_wrong(s, "fluid",
+                              "there is an inlet and no outlet: what flows in "
+                              "cannot leave");
+    return code;
+}
+
+static int check_contact(const struct settings *s)
+{
+    static const char *const asked[][2] = {
+        {"hertz", "young"}, {"hertz", "poisson"}, {"linear", "stiffness"}};
+    const char *const law = settings_text(s, "particles.contact");
+
+    for (int i = 0; i < 3; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "particles.grains.%s", asked[i][1]);
+        if (strcmp(asked[i][0], law) == 0 && !settings_has(s, path))
+            return settings_wrong(s, "particles.contact", "%s asks for %s", law,
+                                  path);
+    }
+    return 0;
+}
+
+/* Spheres in a box reach about 0.64 of its volume at the densest when poured;
+ * beyond 0.6 none is free to settle. */
+static int check_bed(const struct settings *s)
+{
+    const double d = settings_real(s, "particles.bed.diameter");
+    const int n = settings_int(s, "particles.bed.count");
+    double size[3], share;
+
+    settings_vector(s, "mesh.size", size);
+    for (int k = 0; k < 3; k++)
+        if (d > size[k] && n > 0)
+            return settings_wrong(s, "particles.bed.diameter",
+                                  "%g m is more than the box has room for, "
+                                  "%g m",
+                                  d, size[k]);
+    share = n * M_PI / 6.0 * d * d * d / (size[0] * size[1] * size[2]);
+    if (share > 0.6)
+        return settings_wrong(s, "particles.bed.count",
+                              "%d spheres of %g m would fill %.0f %% of the "
+                              "box; at most 60 %% can settle",
+                              n, d, 100.0 * share);
+    return 0;
+}
+
+static int check_place(const struct settings *s)
+{
+    double size[3], x[3];
+    int periodic[3];
+
+    settings_vector(s, "mesh.size", size);
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
+        const double d =
+            settings_item_real(s, "particles.place", i, "diameter");
+        settings_item_vector(s, "particles.place", i, "position", x);
+        for (int k = 0; k < 3; k++) {
+            const double margin = periodic[k] ? 0.0 : 0.5 * d;
+            if (x[k] < margin || x[k] > size[k] - margin)
+                return settings_wrong(s, "particles.place",
+                                      "sphere %d at [%g, %g, %g] m with "
+                                      "diameter %g m is not inside the box",
+                                      i, x[0], x[1], x[2], d);
+        }
+    }
+    return 0;
+}
+
+static int check_particles(const struct settings *s)
+{
+    const int bed = settings_has(s, "particles.bed");
+    const int place = settings_has(s, "particles.place");
+    const int code = check_contact(s);
+
+    if (code != 0) return code;
+    if (bed == place)
+        return settings_wrong(s, "particles", "give either bed or place%s",
+                              bed ? ", not both" : "");
+    return bed ? check_bed(s) : check_place(s);
+}
+
+static int check_averaging(const struct settings *s)
+{
+    const char *const method = settings_text(s, "averaging.method");
+
+    if (strcmp(method, "pcm") != 0 && !settings_has(s, "averaging.bandwidth"))
+        return settings_wrong(s, "averaging.method",
+                              "%s asks for averaging.bandwidth", method);
+    return 0;
+}
+
+static int check_output(const struct settings *s)
+{
+    double size[3];
+
+    settings_vector(s, "mesh.size", size);
+    for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
+        const double y = settings_item_real(s, "output.profiles", i, "height");
+        if (y > size[1])
+            return settings_wrong(s, "output.profiles",
+                                  "height %g m is above the box, %g m", y,
+                                  size[1]);
+    }
+    return 0;
+}
+
+int checks_whole(const struct settings *s)
+{
+    int code = 0;
+
+    if (!settings_has(s, "fluid") && !settings_has(s, "particles"))
+        return settings_wrong(s, "mesh",
+                              "there is neither fluid nor particles: nothing "
+                              "to compute");
+    if (settings_has(s, "fluid")) code = check_fluid(s);
+    if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
+    if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
+    return code != 0 ? code : check_output(s);
+}

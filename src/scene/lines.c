@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/lines.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "output/profile.h"
+
+struct line {
+    struct profile *profile;
+    char name[64]; /* of its file */
+};
+
+struct lines {
+    const struct snapshot *look;
+    int n;
+    struct line *line;
+};
+
+/* The field that a case calls `name`; values NULL if the scene has none. Mean
+ * velocities of the particles are weighted by how much of them there is. */
+static struct profile_field field_named(const struct snapshot *s,
+                                        const char *name)
+{
+    const struct profile_field fields[] = {
+        {"eps_f", "-", s->eps, 1, 0, NULL},
+        {"eps_s", "-", s->eps_s, 1, 0, NULL},
+        {"p", "Pa", s->p, 1, 0, NULL},
+        {"u_x", "m/s", s->u, 3, 0, NULL},
+        {"u_y", "m/s", s->u, 3, 1, NULL},
+        {"u_z", "m/s", s->u, 3, 2, NULL},
+        {"us_x", "m/s", s->u_s, 3, 0, s->eps_s},
+        {"us_y", "m/s", s->u_s, 3, 1, s->eps_s},
+        {"us_z", "m/s", s->u_s, 3, 2, s->eps_s}};
+    const int n = sizeof fields / sizeof *fields;
+
+    for (int i = 0; i < n; i++)
+        if (strcmp(fields[i].name, name) == 0) return fields[i];
+    return (struct profile_field){.name = name};
+}
+
+static int create_line(const struct settings *s, const struct simulation *sim,
+                       const struct snapshot *look, int i, struct line *line)
+{
+    static const char *const list = "output.profiles";
+    const struct profile_line where = {
+        .along = 0,
+        .up = 1,
+        .height = settings_item_real(s, list, i, "height"),
+        .from = settings_item_real(s, list, i, "from")};
+    const struct profile_field field =
+        field_named(look, settings_item_text(s, list, i, "field"));
+
+    if (field.values == NULL)
+        return settings_wrong(s, list, "the scene has no field %s", field.name);
+    line->profile = profile_create(sim->mesh, &where, 1, &field);
+    snprintf(line->name, sizeof line->name, "%s_y%gmm.csv", field.name,
+             1e3 * where.height);
+    return line->profile == NULL;
+}
+
+struct lines *lines_create(const struct settings *s,
+                           const struct simulation *sim,
+                           const struct snapshot *look)
+{
+    struct lines *const l = alloc_zeroed(1, sizeof *l);
+
+    l->look = look;
+    l->n = settings_length(s, "output.profiles");
+    l->line = alloc_zeroed((size_t)l->n, sizeof *l->line);
+    for (int i = 0; i < l->n; i++)
+        if (create_line(s, sim, look, i, &l->line[i]) != 0) {
+            lines_free(l);
+            return NULL;
+        }
+    return l;
+}
+
+void lines_free(struct lines *l)
+{
+    if (l == NULL) return;
+    for (int i = 0; i < l->n; i++)
+        profile_free(l->line[i].profile);
+    free(l->line);
+    free(l);
+}
+
+void lines_add(struct lines *l, double dt)
+{
+    for (int i = 0; i < l->n; i++)
+        profile_add(l->line[i].profile, l->look->t, dt);
+}
+
+int lines_write(const struct lines *l, const char *dir)
+{
+    char path[4096];
+
+    if (l->n == 0) return 0;
+    snprintf(path, sizeof path, "%s/profiles", dir);
+    if (file_make_dirs(path) != 0) return 1;
+    for (int i = 0; i < l->n; i++) {
+        snprintf(path, sizeof path, "%s/profiles/%s", dir, l->line[i].name);
+        if (profile_write(l->line[i].profile, path) != 0) return 1;
+    }
+    return 0;
+}

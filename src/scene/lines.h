@@ -1,0 +1,23 @@
+/* lines.h -- the profiles that a case asks for. */
+#ifndef LINES_H
+#define LINES_H
+
+#include "scene/settings.h"
+#include "scene/snapshot.h"
+
+struct lines;
+
+/* One profile for each group of output.profiles; NULL after a message. The
+ * snapshot is what they look at. */
+struct lines *lines_create(const struct settings *s,
+                           const struct simulation *sim,
+                           const struct snapshot *look);
+void lines_free(struct lines *l);
+
+/* Takes a sample of the snapshot, which stands for dt [s]. */
+void lines_add(struct lines *l, double dt);
+
+/* Writes DIR/profiles/...; non-zero after a message. */
+int lines_write(const struct lines *l, const char *dir);
+
+#endif

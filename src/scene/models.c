@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/models.h"
+
+#include "averaging/averaging.h"
+#include "averaging/interpolation.h"
+#include "effects/effects.h"
+#include "exchange/drag.h"
+#include "particles/contact_hertz.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* The i-th row of a table that ends with a row without a name. */
+static int row(const struct model *table, int i, struct model *m)
+{
+    for (int k = 0; k <= i; k++)
+        if (table[k].name == NULL) return 0;
+    *m = table[i];
+    return 1;
+}
+
+static int contact(int i, struct model *m)
+{
+    const struct contact_law *const *const all = contact_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
+    m->function = all[i] == &contact_hertz ? "contact_hertz_force"
+                                           : "contact_linear_force";
+    m->keys = all[i] == &contact_hertz
+                  ? "particles.grains.young particles.grains.poisson"
+                  : "particles.grains.stiffness";
+    return 1;
+}
+
+/* Which keys a method of averaging reads. */
+static const char *averaging_keys(const char *method)
+{
+    if (strcmp(method, "pcm") == 0) return "averaging.cap";
+    if (strcmp(method, "diffusion") == 0)
+        return "averaging.bandwidth averaging.scheme averaging.steps "
+               "averaging.tolerance";
+    return "averaging.bandwidth";
+}
+
+static const char *averaging_function(const char *method)
+{
+    if (strcmp(method, "pcm") == 0) return "pcm_spread";
+    return strcmp(method, "kernel") == 0 ? "kernel_spread" : "diffusion_spread";
+}
+
+static int averaging(int i, struct model *m)
+{
+    const struct averaging_method *const *const all = averaging_methods;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
+                        averaging_function(all[i]->name),
+                        averaging_keys(all[i]->name)};
+    return 1;
+}
+
+static int scheme(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"exponential", "series for the matrix exponential; no steps", "",
+         "apply_series", ""},
+        {"crank-nicolson", "second order; undershoots if the steps are few",
+         "SX15 5", "apply_steps", "averaging.steps"},
+        {"implicit-euler", "first order; never undershoots", "", "apply_steps",
+         "averaging.steps"},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int interpolation(int i, struct model *m)
+{
+    const struct interpolation *const *const all = interpolations;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, all[i]->name,
+                        ""};
+    return 1;
+}
+
+/* The function of a law; they are static in drag.c, one for each name. */
+static const char *drag_function(const char *law)
+{
+    if (strcmp(law, "syamlal-obrien") == 0) return "syamlal_obrien";
+    return strcmp(law, "gidaspow") == 0 ? "gidaspow" : "schiller_naumann";
+}
+
+static int drag(int i, struct model *m)
+{
+    const struct drag_law *const law = &drag_laws[i];
+
+    for (int k = 0; k <= i; k++)
+        if (drag_laws[k].name == NULL) return 0;
+    *m = (struct model){law->name, law->what, law->cite,
+                        drag_function(law->name), ""};
+    return 1;
+}
+
+static int treatment(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"semi-implicit", "the fluid's own velocity is taken at the new time",
+         "XS11 3.13-3.15", "transfer_drag_terms", ""},
+        {"explicit", "the drag is a given force during the fluid's step", "",
+         "transfer_drag_terms", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int coupling(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"two-way", "what the particles gain the fluid loses", "LS 5",
+         "transfer_drag_terms", ""},
+        {"one-way", "the fluid does not feel the particles", "LS 5",
+         "transfer_drag_terms", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int convection(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"upwind", "the value of the cell that the flow comes from", "",
+         "share_upwind", ""},
+        {"linear", "linear between the two cells of a face", "", "share_linear",
+         ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int continuity(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"mixture", "the volume fluxes of both phases have no divergence",
+         "XS11 2.7", "continuity_source", ""},
+        {"void-rate", "the fluid flows out of where the void shrinks",
+         "XS11 2.3", "continuity_source", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int patch(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"no-slip", "the fluid stands still at the wall", "",
+         "add_boundary_face", ""},
+        {"slip", "no flow through, no friction along", "", "add_slip_face", ""},
+        {"inlet", "a superficial velocity, constant or varying in time", "",
+         "boundary_inlet_velocity", "fluid.<patch>.inlet"},
+        {"outlet", "a pressure outside", "", "pressure_correct",
+         "fluid.<patch>.outlet"},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
+static int effect(int i, struct model *m)
+{
+    const struct effect *const e = effects_all[i];
+
+    for (int k = 0; k <= i; k++)
+        if (effects_all[k] == NULL) return 0;
+    *m = (struct model){e->name, e->what, e->equations, e->function, ""};
+    return 1;
+}
+
+const struct kind models_kinds[] = {
+    {"contact", "contact laws", "particles.contact", contact},
+    {"averaging", "ways from particles to fields", "averaging.method",
+     averaging},
+    {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
+     scheme},
+    {"interpolation", "ways from fields to particles",
+     "averaging.interpolation", interpolation},
+    {"drag", "drag laws", "exchange.drag", drag},
+    {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
+     treatment},
+    {"coupling", "directions of the coupling", "exchange.coupling", coupling},
+    {"convection", "convection schemes", "fluid.convection", convection},
+    {"continuity", "forms of the mass balance", "fluid.continuity", continuity},
+    {"patch", "what happens on a side of the box", "fluid.<patch>", patch},
+    {"effect", "further effects, each on where it is named", "effects", effect},
+    {NULL, NULL, NULL, NULL}};
+
+const struct kind *models_kind(const char *name)
+{
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        if (strcmp(k->name, name) == 0) return k;
+    return NULL;
+}

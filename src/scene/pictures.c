@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/pictures.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "effects/effects.h"
+#include "output/series.h"
+#include "output/vtk.h"
+
+struct pictures {
+    const struct mesh *mesh;
+    const struct time_average *means; /* NULL where that effect is off */
+    struct series *fluid, *particles; /* NULL where there are none */
+    struct vtk_writer *writer;
+    double last; /* [s] */
+};
+
+static const struct time_average *means_of(const struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect == &time_average_effect)
+            return sim->effects[i].memory;
+    return NULL;
+}
+
+struct pictures *pictures_create(const struct simulation *sim, const char *dir)
+{
+    struct pictures *const p = alloc_zeroed(1, sizeof *p);
+
+    p->mesh = sim->mesh;
+    p->means = means_of(sim);
+    p->writer = vtk_writer_create();
+    p->last = -1.0;
+    if (sim->fluid != NULL) p->fluid = series_create(dir, "fluid", "vtr");
+    if (sim->particles != NULL)
+        p->particles = series_create(dir, "particles", "vtp");
+    if ((sim->fluid == NULL || p->fluid != NULL) &&
+        (sim->particles == NULL || p->particles != NULL))
+        return p;
+    pictures_free(p);
+    return NULL;
+}
+
+void pictures_free(struct pictures *p)
+{
+    if (p == NULL) return;
+    series_free(p->fluid);
+    series_free(p->particles);
+    vtk_writer_free(p->writer);
+    free(p);
+}
+
+static int add_fluid(struct pictures *p, const struct snapshot *s)
+{
+    struct vtk_array arrays[8] = {
+        {.name = "void_fraction", .components = 1, .values = s->eps},
+        {.name = "velocity", .components = 3, .values = s->u, .single = 1},
+        {.name = "pressure", .components = 1, .values = s->p, .single = 1}};
+    int n = 3;
+
+    if (s->u_s != NULL)
+        arrays[n++] = (struct vtk_array){.name = "solid_velocity",
+                                         .components = 3,
+                                         .values = s->u_s,
+                                         .single = 1};
+    if (p->means != NULL) {
+        arrays[n++] = (struct vtk_array){.name = "mean_void_fraction",
+                                         .components = 1,
+                                         .values = p->means->eps,
+                                         .single = 1};
+        arrays[n++] = (struct vtk_array){.name = "mean_solid_flux",
+                                         .components = 3,
+                                         .values = p->means->eps_us,
+                                         .single = 1};
+    }
+    return vtk_write_box(p->writer, series_next(p->fluid), p->mesh, s->t, n,
+                         arrays) != 0 ||
+           series_add(p->fluid, s->t) != 0;
+}
+
+static int add_particles(struct pictures *p, const struct snapshot *s)
+{
+    const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
+    const struct vtk_array arrays[] = {
+        {.name = "diameter", .components = 1, .values = s->d, .single = 1},
+        {.name = "velocity",
+         .components = 3,
+         .split = {s->v[0], s->v[1], s->v[2]},
+         .single = 1},
+        {.name = "angular_velocity",
+         .components = 3,
+         .split = {s->w[0], s->w[1], s->w[2]},
+         .single = 1},
+        {.name = "id", .components = 1, .ints = s->id}};
+
+    return vtk_write_particles(p->writer, series_next(p->particles), s->n, x,
+                               s->t, 4, arrays) != 0 ||
+           series_add(p->particles, s->t) != 0;
+}
+
+int pictures_add(struct pictures *p, const struct snapshot *s)
+{
+    if (p->fluid != NULL && add_fluid(p, s) != 0) return 1;
+    if (p->particles != NULL && add_particles(p, s) != 0) return 1;
+    p->last = s->t;
+    return 0;
+}
+
+double pictures_last(const struct pictures *p)
+{
+    return p->last;
+}

@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/record.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/version.h"
+#include "exchange/coupling.h"
+#include "output/picture.h"
+#include "output/summary.h"
+#include "output/table.h"
+#include "scene/history.h"
+#include "scene/lines.h"
+#include "scene/pictures.h"
+
+enum { MOST_COLUMNS = 64 };
+
+struct record {
+    const struct settings *settings;
+    const struct simulation *sim;
+    const char *dir;
+    double began; /* [s] wall clock */
+    int n_columns;
+    const struct history_column *column[MOST_COLUMNS];
+    struct table *history;
+    struct snapshot *snapshot;
+    struct pictures *pictures;
+    struct lines *lines;
+    long row_every, picture_every; /* [-] steps of the loop */
+    /* For the summary: the worst of the whole run, and means over its second
+     * half. */
+    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
+    double eps_lowest;
+    long capped_steps;
+    double drop_sum, weight_sum;
+    long drop_rows;
+};
+
+static struct table *create_history(struct record *r)
+{
+    const char *names[MOST_COLUMNS];
+    char path[4096];
+
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        if (history_applies(c, r->sim)) {
+            names[r->n_columns] = c->name;
+            r->column[r->n_columns++] = c;
+        }
+    snprintf(path, sizeof path, "%s/history.csv", r->dir);
+    return table_create(path, r->n_columns, names);
+}
+
+/* The number of steps nearest to an interval, at least one. */
+static long steps_in(double interval, double dt)
+{
+    const long n = lround(interval / dt);
+    return n < 1 ? 1 : n;
+}
+
+struct record *record_create(const struct settings *s,
+                             const struct simulation *sim, const char *dir)
+{
+    struct record *const r = alloc_zeroed(1, sizeof *r);
+
+    r->settings = s;
+    r->sim = sim;
+    r->dir = dir;
+    r->began = clock_now();
+    r->eps_lowest = 1.0;
+    r->picture_every = steps_in(settings_real(s, "output.every"), sim->dt);
+    r->row_every = settings_has(s, "output.history")
+                       ? steps_in(settings_real(s, "output.history"), sim->dt)
+                       : 1;
+    r->snapshot = snapshot_create(sim);
+    r->lines = lines_create(s, sim, r->snapshot);
+    if (r->lines != NULL && file_make_dirs(dir) == 0) {
+        r->history = create_history(r);
+        r->pictures = pictures_create(sim, dir);
+    }
+    if (r->history != NULL && r->pictures != NULL) return r;
+    record_free(r);
+    return NULL;
+}
+
+void record_free(struct record *r)
+{
+    if (r == NULL) return;
+    table_free(r->history);
+    pictures_free(r->pictures);
+    lines_free(r->lines);
+    snapshot_free(r->snapshot);
+    free(r);
+}
+
+/* --- what is kept for the summary --------------------------------------- */
+
+static void note(struct record *r)
+{
+    const struct simulation *const sim = r->sim;
+
+    if (sim->particles != NULL)
+        r->worst_overlap = fmax(r->worst_overlap, sim->dem_report.max_overlap);
+    if (sim->fluid != NULL && sim->steps > 0) {
+        const struct fluid_report *const f = &sim->fluid->report;
+        r->worst_mass = fmax(r->worst_mass, f->mass_residual);
+        r->worst_momentum = fmax(r->worst_momentum, f->momentum_residual);
+        r->worst_cfl = fmax(r->worst_cfl, f->cfl);
+    }
+    if (sim->coupling != NULL) {
+        const struct coupling_report *const c = &sim->coupling->report;
+        r->worst_exchange = fmax(r->worst_exchange, c->exchange_residual);
+        r->eps_lowest = fmin(r->eps_lowest, c->eps_lowest);
+        r->capped_steps += averaging_report(sim->averaging)->capped > 0;
+    }
+}
+
+static void note_drop(struct record *r)
+{
+    const double end = settings_real(r->settings, "output.end");
+
+    if (r->sim->fluid == NULL || r->sim->t < 0.5 * end) return;
+    r->drop_sum += history_pressure_drop(r->sim);
+    r->drop_rows++;
+    if (r->sim->particles != NULL) r->weight_sum += history_bed_weight(r->sim);
+}
+
+/* --- the moments --------------------------------------------------------- */
+
+static int add_row(struct record *r)
+{
+    double row[MOST_COLUMNS];
+
+    for (int i = 0; i < r->n_columns; i++)
+        row[i] = r->column[i]->value(r->sim);
+    return table_add(r->history, row);
+}
+
+int record_look(struct record *r)
+{
+    const long step = r->sim->steps;
+
+    note(r);
+    if (step % r->row_every == 0) {
+        snapshot_take(r->snapshot, r->sim);
+        lines_add(r->lines, (double)r->row_every * r->sim->dt);
+        note_drop(r);
+        if (add_row(r) != 0) return 1;
+    }
+    if (step % r->picture_every != 0) return 0;
+    snapshot_take(r->snapshot, r->sim);
+    return pictures_add(r->pictures, r->snapshot);
+}
+
+int record_last_state(struct record *r)
+{
+    if (r->snapshot->t <= pictures_last(r->pictures)) return 0;
+    return pictures_add(r->pictures, r->snapshot);
+}
+
+/* --- the end -------------------------------------------------------------- */
+
+static void write_seconds(struct summary *f, const struct record *r)
+{
+    const struct seconds *const s = &r->sim->seconds;
+
+    summary_begin(f, "seconds");
+    summary_number(f, "cfd", s->cfd);
+    summary_number(f, "dem", s->dem);
+    summary_number(f, "averaging", s->averaging);
+    summary_number(f, "exchange", s->exchange);
+    summary_number(f, "output", s->output);
+    summary_number(f, "total", clock_now() - r->began);
+    summary_end(f);
+}
+
+static double rate(double amount, double seconds)
+{
+    return seconds > 0.0 ? amount / seconds : 0.0;
+}
+
+static void write_speed(struct summary *f, const struct record *r)
+{
+    const struct simulation *const sim = r->sim;
+
+    if (sim->particles != NULL)
+        summary_number(
+            f, "particle_steps_per_second",
+            rate((double)sim->steps * sim->dem_steps * sim->particles->n,
+                 sim->seconds.dem));
+    if (sim->fluid != NULL)
+        summary_number(
+            f, "cell_steps_per_second",
+            rate((double)sim->steps * sim->mesh->n_cells, sim->seconds.cfd));
+}
+
+static void write_residuals(struct summary *f, const struct record *r)
+{
+    summary_begin(f, "worst");
+    if (r->sim->fluid != NULL) {
+        summary_number(f, "mass_residual", r->worst_mass);
+        summary_number(f, "momentum_residual", r->worst_momentum);
+        summary_number(f, "cfl", r->worst_cfl);
+    }
+    if (r->sim->coupling != NULL) {
+        summary_number(f, "exchange_residual", r->worst_exchange);
+        summary_number(f, "eps_f_lowest", r->eps_lowest);
+        summary_count(f, "steps_with_capped_cells", r->capped_steps);
+    }
+    if (r->sim->particles != NULL)
+        summary_number(f, "overlap", r->worst_overlap);
+    summary_end(f);
+}
+
+static void write_means(struct summary *f, const struct record *r)
+{
+    if (r->drop_rows == 0) return;
+    summary_begin(f, "second_half");
+    summary_number(f, "mean_pressure_drop", r->drop_sum / (double)r->drop_rows);
+    if (r->sim->particles != NULL)
+        summary_number(f, "bed_weight", r->weight_sum / (double)r->drop_rows);
+    summary_end(f);
+}
+
+static int write_summary(const struct record *r, const char *reason, int code)
+{
+    const struct simulation *const sim = r->sim;
+    char path[4096];
+
+    snprintf(path, sizeof path, "%s/summary.json", r->dir);
+    struct summary *const f = summary_create(path);
+    summary_text(f, "program", "winnow " VERSION_TEXT);
+    summary_text(f, "case", settings_file(r->settings));
+    summary_text(f, "exit_reason", reason);
+    summary_count(f, "exit_code", code);
+    if (settings_has(r->settings, "particles.bed"))
+        summary_count(f, "seed",
+                      settings_int(r->settings, "particles.bed.seed"));
+    summary_count(f, "threads", omp_get_max_threads());
+    summary_count(f, "cells", sim->mesh->n_cells);
+    summary_count(f, "particles",
+                  sim->particles != NULL ? sim->particles->n : 0);
+    summary_number(f, "step", sim->dt);
+    summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
+    summary_count(f, "steps", sim->steps);
+    summary_number(f, "simulated_seconds", sim->t);
+    write_seconds(f, r);
+    write_speed(f, r);
+    write_residuals(f, r);
+    write_means(f, r);
+    return summary_commit(f);
+}
+
+/* The last state as a picture; drawn only where there is a gnuplot. */
+static int draw(const struct record *r)
+{
+    const struct snapshot *const s = r->snapshot;
+    const struct picture p = {.title = settings_text(r->settings, "title"),
+                              .time = s->t,
+                              .mesh = r->sim->mesh,
+                              .eps = s->eps,
+                              .n = s->n,
+                              .x = {s->x[0], s->x[1], s->x[2]},
+                              .v = {s->v[0], s->v[1], s->v[2]},
+                              .d = s->d,
+                              .pressure = r->sim->fluid != NULL &&
+                                          r->sim->particles != NULL};
+
+    if (picture_write(r->dir, &p) != 0) return 1;
+    if (picture_draw(r->dir) == 0) printf("picture %s/bed.png\n", r->dir);
+    return 0;
+}
+
+int record_finish(struct record *r, const char *reason, int exit_code)
+{
+    return lines_write(r->lines, r->dir) != 0 ||
+           write_summary(r, reason, exit_code) != 0 || draw(r) != 0;
+}
+
+void record_report(const struct record *r)
+{
+    const struct simulation *const sim = r->sim;
+
+    if (r->drop_rows > 0 && sim->particles != NULL)
+        printf("pressure drop %.1f Pa (mean of the second half), weight of the "
+               "bed %.1f Pa\n",
+               r->drop_sum / (double)r->drop_rows,
+               r->weight_sum / (double)r->drop_rows);
+    if (sim->fluid != NULL)
+        printf("open %s/fluid.pvd%s in ParaView\n", r->dir,
+               sim->particles != NULL ? " and particles.pvd" : "");
+    else
+        printf("open %s/particles.pvd in ParaView\n", r->dir);
+}

@@ -1,0 +1,46 @@
+/* rows.h -- finding, wording and applying the rows of the key tables.
+ *
+ * A list of tables, ended by NULL, is searched as if it were one table. The
+ * condition of a row is its text: "> 0, <= 1" are comparisons that all hold,
+ * "a | b" are words of which one stands, "auto | >= 1" is either.
+ */
+#ifndef ROWS_H
+#define ROWS_H
+
+#include "base/key.h"
+
+#include <stddef.h>
+
+enum { ROWS_TEXT = 256 }; /* room for a path or a phrase */
+
+/* What <patch> stands for in a path: the sides of the box and the pairs of
+ * opposite sides. Ended by NULL. */
+extern const char *const rows_patches[];
+
+/* The row of a path, or NULL. */
+const struct key *rows_find(const struct key *const *tables, const char *path);
+
+/* The i-th row over all tables, or NULL after the last. */
+const struct key *rows_at(const struct key *const *tables, int i);
+
+/* The name of a row within its group if the row is a direct member of the
+ * group, else NULL. The group "" is the whole case. */
+const char *rows_member(const struct key *key, const char *group);
+
+/* 1 if the name, or one of a row's words, is allowed. */
+int rows_allow_number(const struct key *key, double value);
+int rows_allow_word(const struct key *key, const char *word);
+
+/* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
+void rows_expected(const struct key *key, char text[ROWS_TEXT]);
+
+/* The known path nearest to an unknown one: among the keys of its group,
+ * then everywhere. 0 if none is near. */
+int rows_nearest(const struct key *const *tables, const char *path,
+                 char nearest[ROWS_TEXT]);
+
+/* The word of the row nearest to an unknown one; 0 if none is near. */
+int rows_nearest_word(const struct key *key, const char *word,
+                      char nearest[ROWS_TEXT]);
+
+#endif

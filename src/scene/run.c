@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/file.h"
+#include "exchange/coupling.h"
+#include "scene/breakdown.h"
+#include "scene/build.h"
+#include "scene/interrupt.h"
+#include "scene/progress.h"
+#include "scene/record.h"
+
+enum { BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
+
+/* Looks and keeps the time that writing takes. */
+static int look(struct record *r, struct simulation *sim)
+{
+    double clock = clock_now();
+    const int failed = record_look(r);
+
+    clock_add(&sim->seconds.output, &clock);
+    return failed;
+}
+
+/* The loop. Returns the exit code; a breakdown is described in why. */
+static int advance(const struct settings *s, struct simulation *sim,
+                   struct record *r, struct progress *bar, char *why)
+{
+    const double end = settings_real(s, "output.end");
+    const long steps = lround(end / sim->dt);
+
+    if (coupling_start(sim) != 0) {
+        breakdown_describe(sim, why);
+        return BROKE_DOWN;
+    }
+    if (look(r, sim) != 0) return NOT_WRITTEN;
+    while (sim->steps < steps) {
+        if (coupling_step(sim) != 0) {
+            breakdown_describe(sim, why);
+            return BROKE_DOWN;
+        }
+        if (look(r, sim) != 0) return NOT_WRITTEN;
+        progress_show(bar, sim->t);
+        if (interrupt_arrived()) return INTERRUPTED;
+    }
+    return 0;
+}
+
+static const char *reason_of(int code, const char *why)
+{
+    return code == 0             ? "done"
+           : code == INTERRUPTED ? "interrupted"
+           : code == NOT_WRITTEN ? "output could not be written"
+                                 : why;
+}
+
+/* Everything after the simulation is built. */
+static int run_simulation(const struct settings *s, struct simulation *sim,
+                          const struct run_options *o)
+{
+    struct record *const r = record_create(s, sim, o->dir);
+    struct progress bar;
+    char why[BREAKDOWN_TEXT] = "";
+
+    if (r == NULL) return NOT_WRITTEN;
+    progress_init(&bar, 0.0, settings_real(s, "output.end"), o->quiet);
+    int code = advance(s, sim, r, &bar, why);
+    progress_end(&bar);
+    if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
+        code = NOT_WRITTEN;
+    if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
+    if (code == BROKE_DOWN)
+        fprintf(stderr, "winnow: %s\nthe last good state is in %s\n", why,
+                o->dir);
+    else if (code == INTERRUPTED)
+        fprintf(stderr,
+                "winnow: interrupted at t = %g s; what is done is in "
+                "%s\n",
+                sim->t, o->dir);
+    else if (code == 0)
+        record_report(r);
+    record_free(r);
+    return code;
+}
+
+int run_case(const struct settings *s, const struct run_options *o)
+{
+    int code;
+
+    if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
+    struct simulation *const sim = build_simulation(s, &code);
+    if (sim == NULL) {
+        rmdir(o->dir); /* only if there is nothing in it */
+        return code;
+    }
+    code = run_simulation(s, sim, o);
+    build_free(sim);
+    return code;
+}

@@ -1,0 +1,18 @@
+/* run.h -- a case from its settings to its last output file. */
+#ifndef RUN_H
+#define RUN_H
+
+#include "scene/settings.h"
+
+struct run_options {
+    const char *dir; /* where the output goes, borrowed */
+    int quiet;       /* [-] 1: no progress on stderr */
+};
+
+/* Builds and runs the simulation that the case describes, in the threads that
+ * OpenMP is set to. Returns the exit code of the program: 0 done, 2 the input
+ * is wrong after all, 3 the computation broke down, 4 reading or writing
+ * failed, 130 interrupted; after a message if not 0. */
+int run_case(const struct settings *s, const struct run_options *o);
+
+#endif

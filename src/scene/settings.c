@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/settings.h"
+
+#include "base/alloc.h"
+#include "scene/override.h"
+#include "scene/rows.h"
+#include "scene/source.h"
+#include "scene/strict.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct settings {
+    config_t tree;
+    const struct key **tables; /* a copy of the list, the tables borrowed */
+    char *file;
+};
+
+struct settings *settings_create(const char *file, int n_overrides,
+                                 const char *const *overrides,
+                                 const struct key *const *tables, int *code)
+{
+    struct settings *const s = alloc_zeroed(1, sizeof *s);
+    size_t n = 0;
+
+    while (tables[n] != NULL)
+        n++;
+    s->tables = alloc_zeroed(n + 1, sizeof *s->tables);
+    memcpy(s->tables, tables, n * sizeof *s->tables);
+    s->file = strdup(file);
+    *code = source_read(&s->tree, file);
+    for (int i = 0; i < n_overrides && *code == 0; i++)
+        *code = override_apply(&s->tree, overrides[i]);
+    if (*code == 0) *code = strict_check(&s->tree, tables);
+    if (*code == 0) {
+        strict_fill(&s->tree, tables);
+        return s;
+    }
+    settings_free(s);
+    return NULL;
+}
+
+void settings_free(struct settings *s)
+{
+    if (s == NULL) return;
+    config_destroy(&s->tree);
+    free(s->tables);
+    free(s->file);
+    free(s);
+}
+
+const char *settings_file(const struct settings *s)
+{
+    return s->file;
+}
+
+/* The setting of a path whose row must have the type. The tables say that it
+ * is there; if it is not, the caller did not ask settings_has first. */
+static const config_setting_t *find(const struct settings *s, const char *path,
+                                    enum key_type type)
+{
+    const struct key *const key = rows_find(s->tables, path);
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(key != NULL && key->type == type);
+    assert(found != NULL);
+    (void)key;
+    (void)type;
+    return found;
+}
+
+/* The same for a key of the i-th group of a list. */
+static const config_setting_t *find_in(const struct settings *s,
+                                       const char *list, int i,
+                                       const char *name, enum key_type type)
+{
+    const config_setting_t *const groups = find(s, list, KEY_LIST);
+    const config_setting_t *found;
+    const struct key *key;
+    char path[ROWS_TEXT];
+
+    snprintf(path, sizeof path, "%s.%s", list, name);
+    key = rows_find(s->tables, path);
+    assert(key != NULL && key->type == type);
+    assert(i >= 0 && i < config_setting_length(groups));
+    found = config_setting_get_member(
+        config_setting_get_elem(groups, (unsigned)i), name);
+    assert(found != NULL);
+    (void)key;
+    (void)type;
+    return found;
+}
+
+static double real(const config_setting_t *s)
+{
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_FLOAT:
+        return config_setting_get_float(s);
+    case CONFIG_TYPE_STRING:
+        return 0.0; /* a word in the place of a number */
+    default:
+        return (double)config_setting_get_int64(s);
+    }
+}
+
+static void vector(const config_setting_t *s, double v[3])
+{
+    for (unsigned i = 0; i < 3; i++)
+        v[i] = real(config_setting_get_elem(s, i));
+}
+
+int settings_has(const struct settings *s, const char *path)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(rows_find(s->tables, path) != NULL);
+    return found != NULL && !source_is_default(found);
+}
+
+double settings_real(const struct settings *s, const char *path)
+{
+    return real(find(s, path, KEY_REAL));
+}
+
+int settings_int(const struct settings *s, const char *path)
+{
+    return (int)real(find(s, path, KEY_INT));
+}
+
+int settings_bool(const struct settings *s, const char *path)
+{
+    return config_setting_get_bool(find(s, path, KEY_BOOL));
+}
+
+const char *settings_text(const struct settings *s, const char *path)
+{
+    const struct key *const key = rows_find(s->tables, path);
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(key != NULL && (key->type == KEY_NAME || key->type == KEY_TEXT ||
+                           key->type == KEY_PATCH));
+    assert(found != NULL || key->type == KEY_TEXT);
+    return found != NULL ? config_setting_get_string(found) : "";
+}
+
+void settings_vector(const struct settings *s, const char *path, double v[3])
+{
+    vector(find(s, path, KEY_VECTOR), v);
+}
+
+void settings_counts(const struct settings *s, const char *path, int v[3])
+{
+    const config_setting_t *const found = find(s, path, KEY_COUNTS);
+
+    for (int i = 0; i < 3; i++)
+        v[i] = config_setting_get_int_elem(found, i);
+}
+
+void settings_flags(const struct settings *s, const char *path, int v[3])
+{
+    const config_setting_t *const found = find(s, path, KEY_FLAGS);
+
+    for (int i = 0; i < 3; i++)
+        v[i] = config_setting_get_bool_elem(found, i);
+}
+
+int settings_points(const struct settings *s, const char *path)
+{
+    const config_setting_t *const found = find(s, path, KEY_SERIES);
+
+    return config_setting_is_list(found) ? config_setting_length(found) : 1;
+}
+
+void settings_point(const struct settings *s, const char *path, int i,
+                    double *time, double *value)
+{
+    const config_setting_t *const found = find(s, path, KEY_SERIES);
+    const config_setting_t *point;
+
+    assert(i >= 0 && i < settings_points(s, path));
+    if (!config_setting_is_list(found)) {
+        *time = 0.0;
+        *value = real(found);
+        return;
+    }
+    point = config_setting_get_elem(found, (unsigned)i);
+    *time = real(config_setting_get_elem(point, 0));
+    *value = real(config_setting_get_elem(point, 1));
+}
+
+int settings_length(const struct settings *s, const char *list)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, list);
+
+    assert(rows_find(s->tables, list) != NULL);
+    return found != NULL ? config_setting_length(found) : 0;
+}
+
+int settings_item_has(const struct settings *s, const char *list, int i,
+                      const char *key)
+{
+    const config_setting_t *const groups = find(s, list, KEY_LIST);
+    const config_setting_t *const found = config_setting_get_member(
+        config_setting_get_elem(groups, (unsigned)i), key);
+
+    return found != NULL && !source_is_default(found);
+}
+
+double settings_item_real(const struct settings *s, const char *list, int i,
+                          const char *key)
+{
+    return real(find_in(s, list, i, key, KEY_REAL));
+}
+
+const char *settings_item_text(const struct settings *s, const char *list,
+                               int i, const char *key)
+{
+    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
+}
+
+void settings_item_vector(const struct settings *s, const char *list, int i,
+                          const char *key, double v[3])
+{
+    vector(find_in(s, list, i, key, KEY_VECTOR), v);
+}
+
+const char *settings_side(const struct settings *s, const char *patch)
+{
+    static const char *const sides[][3] = {
+        {"left", "fluid.left", "fluid.sides"},
+        {"right", "fluid.right", "fluid.sides"},
+        {"bottom", "fluid.bottom", "fluid.bottom_top"},
+        {"top", "fluid.top", "fluid.bottom_top"},
+        {"back", "fluid.back", "fluid.front_back"},
+        {"front", "fluid.front", "fluid.front_back"}};
+
+    for (int i = 0; i < 6; i++)
+        for (int k = 1; k < 3 && strcmp(sides[i][0], patch) == 0; k++)
+            if (settings_has(s, sides[i][k])) return sides[i][k];
+    return NULL;
+}
+
+int settings_wrong(const struct settings *s, const char *path,
+                   const char *format, ...)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+    char message[SOURCE_TEXT];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
+    return source_wrong(found != NULL ? found : config_root_setting(&s->tree),
+                        "%s: %s", path, message);
+}

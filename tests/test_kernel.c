@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/kernel.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "averaging/averaging.h"
+#include "averaging/hosts.h"
+#include "base/alloc.h"
+#include "cloud.h"
+
+enum { N = 90 };
+
+/* (1 - zeta^2)^4 worked out: (15/16)^4, (3/4)^4, 0.19^4. */
+START_TEST(xs11_3_6_values)
+{
+    ck_assert(kernel_bell(0.0) == 1.0);
+    ck_assert_double_eq_tol(kernel_bell(0.25), 50625.0 / 65536.0, 1e-16);
+    ck_assert_double_eq_tol(kernel_bell(-0.5), 81.0 / 256.0, 1e-16);
+    ck_assert_double_eq_tol(kernel_bell(0.9), 0.00130321, 1e-17);
+    ck_assert(kernel_bell(1.0) == 0.0);
+    ck_assert(kernel_bell(1.5) == 0.0 && kernel_bell(-7.0) == 0.0);
+}
+END_TEST
+
+struct scene {
+    struct mesh *mesh;
+    struct particles *ps;
+    struct averaging *a;
+    double *field;
+    double b;
+};
+
+static struct scene scene_of(int shape, double b)
+{
+    const struct averaging_options o = {.bandwidth = b};
+    struct scene s = {.mesh = mesh_create_box(&cloud_shapes[shape]), .b = b};
+
+    s.ps = cloud_create(s.mesh, N);
+    s.a = averaging_create(averaging_method_named("kernel"), s.mesh, s.ps, &o);
+    s.field = alloc_doubles(s.mesh->n_cells);
+    ck_assert_int_eq(averaging_bind(s.a), 0);
+    return s;
+}
+
+static void scene_free(struct scene *s)
+{
+    averaging_free(s->a);
+    particles_free(s->ps);
+    mesh_free(s->mesh);
+    free(s->field);
+}
+
+/* K of particle i in cell c over the images of the cell, as [XS11 3.5b] has
+ * it, without stencils. A periodic direction of one cell has no images. */
+static double kernel_of(const struct scene *s, int i, int c)
+{
+    const struct box *const box = &s->mesh->box;
+    const double x[3] = {s->ps->x[i], s->ps->y[i], s->ps->z[i]};
+    double sum = 0.0;
+
+    for (int image = 0; image < 125; image++) {
+        const int turn[3] = {image % 5 - 2, image / 5 % 5 - 2, image / 25 - 2};
+        double r2 = 0.0;
+        int counts = 1;
+        for (int k = 0; k < 3; k++) {
+            const double L = box->edge[k][box->n[k]];
+            const double r = s->mesh->centre[3 * c + k] + turn[k] * L - x[k];
+            counts &= turn[k] == 0 || (box->periodic[k] && box->n[k] > 1);
+            r2 += r * r;
+        }
+        if (counts) sum += kernel_bell(sqrt(r2) / s->b);
+    }
+    return sum;
+}
+
+/* Weights of particle i on all cells, by the book. Returns 0 if there are none
+ * and the host takes it all. */
+static int weights_of(const struct scene *s, int i, double *w)
+{
+    double sum = 0.0;
+
+    for (int c = 0; c < s->mesh->n_cells; c++)
+        sum += w[c] = kernel_of(s, i, c);
+    for (int c = 0; c < s->mesh->n_cells && sum > 0.0; c++)
+        w[c] /= sum;
+    if (sum == 0.0) w[averaging_host(s->a)[i]] = 1.0;
+    return sum > 0.0;
+}
+
+/* 0.16 and 0.3 m on cells of 0.1 m: b of 1.6 to 3 cells. Both sides are sums
+ * of the same terms, rounded differently. */
+START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
+{
+    struct scene s = scene_of(_i / 3, (double[]){0.03, 0.16, 0.3}[_i % 3]);
+    double *const w = alloc_doubles(s.mesh->n_cells);
+    double *const expected = alloc_doubles(s.mesh->n_cells);
+    double q[N];
+    int alone = 0;
+
+    cloud_numbers(9, N, q);
+    for (int i = 0; i < N; i++) {
+        alone += !weights_of(&s, i, w);
+        for (int c = 0; c < s.mesh->n_cells; c++)
+            expected[c] += w[c] * q[i] / s.mesh->V[c];
+    }
+    averaging_spread(s.a, 1, q, s.field);
+    for (int c = 0; c < s.mesh->n_cells; c++)
+        ck_assert_double_eq_tol(s.field[c], expected[c], 1e-12 / s.mesh->V[c]);
+    ck_assert_int_eq(averaging_report(s.a)->alone, alone);
+    free(w);
+    free(expected);
+    scene_free(&s);
+}
+END_TEST
+
+/* [XS11 3.9]: gathered, the weights sum to one; spread, [XS11 3.4]. */
+START_TEST(xs11_3_4_each_particle_is_shared_out_wholly)
+{
+    struct scene s = scene_of(_i, 0.16);
+    double q[N];
+
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++)
+            q[j] = j == i;
+        averaging_spread(s.a, 1, q, s.field);
+        double sum = 0.0;
+        for (int c = 0; c < s.mesh->n_cells; c++)
+            sum += s.mesh->V[c] * s.field[c];
+        ck_assert_double_eq_tol(sum, 1.0, 1e-14);
+    }
+    for (int c = 0; c < s.mesh->n_cells; c++)
+        s.field[c] = 1.0;
+    averaging_gather(s.a, 1, s.field, q);
+    for (int i = 0; i < N; i++)
+        ck_assert_double_eq_tol(q[i], 1.0, 1e-14);
+    scene_free(&s);
+}
+END_TEST
+
+/* b = 1 mm, cells of 10 cm: only a particle in a cell's very middle has a
+ * centre within b. Bit for bit, as 1 / V and then summed or divided differ. */
+START_TEST(a_kernel_narrower_than_a_cell_is_pcm)
+{
+    struct scene s = scene_of(_i, 0.001);
+    const struct averaging_options o = {.cap = 0.0};
+    struct averaging *const pcm =
+        averaging_create(averaging_method_named("pcm"), s.mesh, s.ps, &o);
+    double *const f = alloc_doubles(s.mesh->n_cells);
+    double q[N];
+
+    cloud_numbers(10, N, q);
+    ck_assert_int_eq(averaging_bind(pcm), 0);
+    averaging_spread(pcm, 1, q, f);
+    averaging_spread(s.a, 1, q, s.field);
+    ck_assert_mem_eq(f, s.field, sizeof *f * (size_t)s.mesh->n_cells);
+    ck_assert_int_ge(averaging_report(s.a)->alone, N - 28);
+    averaging_free(pcm);
+    free(f);
+    scene_free(&s);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("kernel");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, xs11_3_6_values);
+    tcase_add_loop_test(t,
+                        xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
+                        0, 3 * CLOUD_SHAPES);
+    tcase_add_loop_test(t, xs11_3_4_each_particle_is_shared_out_wholly, 0,
+                        CLOUD_SHAPES);
+    tcase_add_loop_test(t, a_kernel_narrower_than_a_cell_is_pcm, 0,
+                        CLOUD_SHAPES);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/mesh.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+static struct mesh *box(int nx, int ny, int nz, double grading, int periodic)
+{
+    const struct box_spec spec = {{0.3, 1.2, 0.5},
+                                  {nx, ny, nz},
+                                  {grading, 1.0 / grading, grading},
+                                  {periodic, 0, periodic}};
+    return mesh_create_box(&spec);
+}
+
+/* Shapes that between them have every special case: one cell, one direction,
+ * graded, periodic with 1, 2 and more cells. */
+static const struct {
+    int n[3];
+    double grading;
+    int periodic;
+} shapes[] = {{{1, 1, 1}, 1.0, 0}, {{1, 7, 1}, 3.0, 0}, {{4, 5, 1}, 1.0, 1},
+              {{2, 3, 2}, 2.0, 1}, {{1, 4, 3}, 1.0, 1}, {{6, 5, 4}, 5.0, 0}};
+enum { N_SHAPES = sizeof shapes / sizeof *shapes };
+
+static struct mesh *shape(int i)
+{
+    return box(shapes[i].n[0], shapes[i].n[1], shapes[i].n[2],
+               shapes[i].grading, shapes[i].periodic);
+}
+
+START_TEST(cell_volumes_fill_the_box)
+{
+    struct mesh *const m = shape(_i);
+    double sum = 0.0;
+    for (int c = 0; c < m->n_cells; c++) {
+        ck_assert(m->V[c] > 0.0);
+        sum += m->V[c];
+    }
+    ck_assert_double_eq_tol(sum, 0.3 * 1.2 * 0.5, 1e-15); /* rounding */
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(every_cell_is_closed_where_no_direction_is_periodic_with_one_cell)
+{
+    struct mesh *const m = shape(_i);
+    ck_assert_double_lt(mesh_openness(m), 1e-15);
+    mesh_free(m);
+}
+END_TEST
+
+/* Gauss: the sum over a cell's faces of x_f . S is 3 V; with x_f measured from
+ * the cell centre it needs only links and weights, also across a period. */
+START_TEST(links_weights_and_areas_give_each_volume_back)
+{
+    struct mesh *const m = shape(_i);
+    int directions[3] = {1, 1, 1};
+    for (int k = 0; k < 3; k++) /* such a direction has no faces at all */
+        directions[k] = !(m->box.periodic[k] && m->box.n[k] == 1);
+    const int n_dir = directions[0] + directions[1] + directions[2];
+    for (int c = 0; c < m->n_cells; c++) {
+        double sum = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a], mine = m->owner[f] == c;
+            const double share = mine ? 1.0 - m->w[f] : m->w[f];
+            for (int k = 0; k < 3; k++)
+                sum += share * m->d[3 * f + k] * m->S[3 * f + k];
+        }
+        ck_assert_double_eq_tol(sum / m->V[c], n_dir, 1e-12);
+    }
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(grading_is_the_ratio_of_the_last_cell_to_the_first)
+{
+    struct mesh *const m = box(6, 5, 4, 5.0, 0);
+    const double *const e = m->box.edge[0];
+    ck_assert_double_eq_tol((e[6] - e[5]) / (e[1] - e[0]), 5.0, 1e-12);
+    ck_assert_double_eq_tol((e[2] - e[1]) / (e[1] - e[0]), pow(5.0, 0.2),
+                            1e-12);
+    mesh_free(m);
+}
+END_TEST
+
+/* Faces, edges and corners are where a point could be owned twice or never. */
+START_TEST(every_point_of_the_box_has_exactly_one_owner)
+{
+    struct mesh *const m = shape(_i);
+    const struct box *const b = &m->box;
+    int hits = 0, points = 0;
+    for (int i = 0; i <= 2 * b->n[0]; i++)
+        for (int j = 0; j <= 2 * b->n[1]; j++)
+            for (int k = 0; k <= 2 * b->n[2]; k++) {
+                const int at[3] = {i, j, k};
+                double x[3];
+                for (int a = 0; a < 3; a++) /* edges and midpoints by turns */
+                    x[a] = at[a] % 2 == 0 ? b->edge[a][at[a] / 2]
+                                          : 0.5 * (b->edge[a][at[a] / 2] +
+                                                   b->edge[a][at[a] / 2 + 1]);
+                const int c = mesh_cell_at(m, x[0], x[1], x[2]);
+                points++;
+                ck_assert_int_ge(c, 0);
+                ck_assert_int_lt(c, m->n_cells);
+                hits += c >= 0;
+            }
+    ck_assert_int_eq(hits, points);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(a_point_on_a_face_belongs_to_the_cell_above_it)
+{
+    struct mesh *const m = box(4, 5, 1, 1.0, 0);
+    const double y = m->box.edge[1][2];
+    ck_assert_int_eq(mesh_cell_at(m, 0.01, y, 0.1), 8);
+    ck_assert_int_eq(mesh_cell_at(m, 0.01, nextafter(y, 0.0), 0.1), 4);
+    ck_assert_int_eq(mesh_cell_at(m, 0.01, 1.2, 0.1), 16); /* the end */
+    ck_assert_int_eq(mesh_cell_at(m, 0.01, nextafter(1.2, 2.0), 0.1), -1);
+    ck_assert_int_eq(mesh_cell_at(m, -1e-300, 0.1, 0.1), -1);
+    ck_assert_int_eq(mesh_cell_at(m, NAN, 0.1, 0.1), -1);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(a_periodic_direction_wraps_points)
+{
+    struct mesh *const m = box(4, 5, 3, 1.0, 1);
+    const int c = mesh_cell_at(m, 0.01, 0.1, 0.1);
+    ck_assert_int_eq(mesh_cell_at(m, 0.01 + 0.3, 0.1, 0.1 - 0.5), c);
+    ck_assert_int_eq(mesh_cell_at(m, 0.01 - 3.0, 0.1, 0.1), c);
+    ck_assert_int_ge(mesh_cell_at(m, -1e-300, 0.1, 0.1), 0);
+    ck_assert_int_eq(m->n_patches, 2);
+    ck_assert_ptr_null(mesh_patch(m, "left"));
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(patches_stand_where_their_names_say)
+{
+    struct mesh *const m = box(4, 5, 3, 1.0, 0);
+    const struct {
+        const char *name;
+        int n, k;
+        double sign;
+    } expect[] = {{"left", 15, 0, -1.0},   {"right", 15, 0, 1.0},
+                  {"bottom", 12, 1, -1.0}, {"top", 12, 1, 1.0},
+                  {"back", 20, 2, -1.0},   {"front", 20, 2, 1.0}};
+    for (int i = 0; i < 6; i++) {
+        const struct patch *const p = mesh_patch(m, expect[i].name);
+        ck_assert_ptr_nonnull(p);
+        ck_assert_int_eq(p->n, expect[i].n);
+        for (int f = p->first; f < p->first + p->n; f++)
+            ck_assert(expect[i].sign * m->S[3 * f + expect[i].k] > 0.0);
+    }
+    ck_assert_int_eq(mesh_dimensions(m), 3);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("mesh");
+    TCase *const t = tcase_create("box");
+    suite_add_tcase(s, t);
+    tcase_add_loop_test(t, cell_volumes_fill_the_box, 0, N_SHAPES);
+    tcase_add_loop_test(
+        t, every_cell_is_closed_where_no_direction_is_periodic_with_one_cell, 0,
+        N_SHAPES);
+    tcase_add_loop_test(t, links_weights_and_areas_give_each_volume_back, 0,
+                        N_SHAPES);
+    tcase_add_test(t, grading_is_the_ratio_of_the_last_cell_to_the_first);
+    tcase_add_loop_test(t, every_point_of_the_box_has_exactly_one_owner, 0,
+                        N_SHAPES);
+    tcase_add_test(t, a_point_on_a_face_belongs_to_the_cell_above_it);
+    tcase_add_test(t, a_periodic_direction_wraps_points);
+    tcase_add_test(t, patches_stand_where_their_names_say);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/stencil.h"
+
+#include <check.h>
+#include <math.h>
+
+#include "cloud.h"
+
+/* Distance along k from the host's cell (its interval) to x. */
+static double beyond(const struct mesh *m, int k, int at, double x)
+{
+    const double *const e = &m->box.edge[k][at];
+    return fmax(0.0, fmax(e[0] - x, x - e[1]));
+}
+
+/* Is an image of cell c, shifted by `link`, among the entries of the host?
+ * Returns how often. Links are sums of order 1, hence 1e-12. */
+static int listed(const struct stencil *s, int host, int c,
+                  const double link[3])
+{
+    const int shape = s->shape[host];
+    int n = 0;
+
+    for (int e = s->start[shape]; e < s->start[shape + 1]; e++)
+        n += host + s->step[e] == c && fabs(s->dx[e] - link[0]) < 1e-12 &&
+             fabs(s->dy[e] - link[1]) < 1e-12 &&
+             fabs(s->dz[e] - link[2]) < 1e-12;
+    return n;
+}
+
+/* Looks at every image of every cell, two periods around: if it is near the
+ * host, it is listed once. Returns how many are; as many entries, no more, may
+ * the stencil have. No b below has a cell just at the limit. */
+static int compare_one_host(const struct mesh *m, const struct stencil *s,
+                            const int at[3], double b)
+{
+    const int *const n = m->box.n, *const p = m->box.periodic;
+    const int host = at[0] + n[0] * (at[1] + n[1] * at[2]);
+    int turn[3], near = 0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        for (int image = 0; image < 125; image++) {
+            double link[3], r2 = 0.0;
+            int skip = 0;
+            turn[0] = image % 5 - 2;
+            turn[1] = image / 5 % 5 - 2;
+            turn[2] = image / 25 - 2;
+            for (int k = 0; k < 3; k++) {
+                const double L = m->box.edge[k][n[k]];
+                const double x = m->centre[3 * c + k] + turn[k] * L;
+                const double r = beyond(m, k, at[k], x);
+                skip |= turn[k] != 0 && !(p[k] && n[k] > 1);
+                link[k] = x - m->centre[3 * host + k];
+                r2 += r * r;
+            }
+            if (skip || r2 >= b * b) continue;
+            ck_assert_int_eq(listed(s, host, c, link), 1);
+            near++;
+        }
+    return near;
+}
+
+/* 0.01: within the host. 0.37: across more than a period of those shapes that
+ * have two cells or five. */
+START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
+{
+    static const double b[] = {0.01, 0.11, 0.23, 0.37};
+    struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 4]);
+    struct stencil *const s = stencil_create(m, b[_i % 4]);
+    int at[3], c = 0;
+
+    for (at[2] = 0; at[2] < m->box.n[2]; at[2]++)
+        for (at[1] = 0; at[1] < m->box.n[1]; at[1]++)
+            for (at[0] = 0; at[0] < m->box.n[0]; at[0]++, c++) {
+                const int first = s->start[s->shape[c]];
+                const int n = s->start[s->shape[c] + 1] - first;
+                if ((c + _i) % 7 != 0) continue; /* a part will do */
+                ck_assert_int_le(n, s->largest);
+                ck_assert_int_eq(compare_one_host(m, s, at, b[_i % 4]), n);
+                ck_assert_int_eq(s->step[first], 0);
+            }
+    stencil_free(s);
+    mesh_free(m);
+}
+END_TEST
+
+/* Equal cells, walls all round, b of 1.6 cells reaches 2 cells off: 2 kinds of
+ * cell near each wall and one between, 5 a direction. */
+START_TEST(hosts_that_look_alike_share_a_stencil)
+{
+    const struct box_spec spec = {
+        {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    struct stencil *const s = stencil_create(m, 0.16);
+
+    ck_assert_int_eq(s->n_shapes, 125);
+    stencil_free(s);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("stencil");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_loop_test(t,
+                        a_stencil_holds_the_cells_near_its_host_and_no_others,
+                        0, 4 * CLOUD_SHAPES);
+    tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
