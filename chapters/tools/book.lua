@@ -133,9 +133,11 @@ local function link(item)
   local target = item.target
   if target:match("^%a+:") then return end
   if target:match("%.md") then
-    item.target = target:gsub("README%.md", "index.md"):gsub("%.md", ".html")
+    item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")
+      :gsub("%.md", ".html")
   elseif target:match("^%.%./") then
-    item.target = target:gsub("^%.%./([^#]+)", "%1.html")
+    while target:match("^%.%./") do target = target:sub(4) end
+    item.target = target:gsub("^([^#]+)", "%1.html")
   end
   return item
 end

@@ -6,7 +6,7 @@ set -eu
 out=${1:-build/book}
 tools=$(dirname "$0")
 anchors=$out/anchors.txt
-pages=$(find chapters -name '[0-9]*.md' | LC_ALL=C sort)
+pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
@@ -63,6 +63,7 @@ contents >"$out/index.md"
 render "$out/index.md" "" ""
 rm "$out/index.md"
 
+for page in chapters/solutions/*.md; do render "$page" "" ""; done
 before=
 set -- $pages
 while [ $# -gt 0 ]; do
@@ -71,8 +72,8 @@ while [ $# -gt 0 ]; do
     shift
 done
 
-find src tests cases figures \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
-    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \) | while read -r file; do
+find src tests cases figures chapters/solutions \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
+    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' -o -name '*.patch' \) | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     awk -v anchors="$anchors" -f "$tools/c.awk" -f "$tools/source.awk" "$file" \
         >"$out/$file.html"

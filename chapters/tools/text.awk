@@ -89,6 +89,10 @@ line ~ /\$\$/ {
 
 formula && line == "" { wrong("a blank line in a formula") }
 
+formula && line ~ /^ *([-+*>#]|[0-9]+[.)]) / {
+    wrong("a line of a formula begins like a list")
+}
+
 match(line, /\\tag[{][^}]*[}]/) {
     tag = substr(line, RSTART + 5, RLENGTH - 6)
     if (!formula) wrong("\\tag outside of $$")

@@ -82,11 +82,16 @@ function show_tests(file,    i, s) {
     return s
 }
 
-# The value under a key: the second word of a line `key = value`, `key value`
-# or `"key": value,`.
+# The value under a key, or under part/key: the second word of the first line
+# `key = value`, `key value` or `"key": value,`.
 function number(file, key, form,    k, words, s) {
     if (cut(file) < 0) wrong("cannot read " file)
-    for (k = 1; k <= lines[file]; k++) {
+    k = 1
+    if (split(key, words, "/") == 2) {
+        while (k <= lines[file] && source[file, k] != "## " words[1]) k++
+        key = words[2]
+    }
+    for (; k <= lines[file]; k++) {
         s = source[file, k]
         gsub(/["=:,|]/, " ", s)
         if (split(s, words, /[ \t]+/) && words[1] == "") sub(/^[ \t]+/, "", s)
@@ -131,18 +136,18 @@ function skip(    mark) {
     if ((getline held) <= 0) ended = 1
 }
 
-function directive(line,    words, n, text) {
-    n = split(line, words, / +/) - 1 # "<!--" is dropped, "-->" not counted
-    for (i = 1; i < n; i++) words[i] = words[i + 1]
-    n--
+function directive(line,    words, n, text, mark) {
+    mark = line
+    gsub(/^<!-- | -->$/, "", mark)
+    n = split(mark, words, / +/)
     if (cut(words[2]) < 0) wrong("cannot read " words[2])
     if (words[1] == "code") text = show_code(words[2], words, n)
-    if (words[1] == "output") text = show_output(words[2], words[3])
+    if (words[1] == "output") text = show_output(words[2], n > 2 ? words[3] : "")
     if (words[1] == "tests") text = show_tests(words[2])
     if (words[1] == "code" && places) sub(words[2], "&:" place, line)
     print line
     skip()
-    fence(words[1] == "code" ? "c" : "text", text)
+    fence(words[1] == "code" ? "c" : words[2] ~ /patch$/ ? "diff" : "text", text)
 }
 
 {
