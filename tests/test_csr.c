@@ -129,6 +129,11 @@ START_TEST(each_field_may_have_its_own_diagonal)
                 ck_assert_double_eq_tol(y[m * i + k], z[m * i + k] + more,
                                         1e-14);
             }
+        memset(d, 0, (size_t)(m * A->n) * sizeof *d);
+        csr_multiply_each(A, m, d, x, y);
+        csr_multiply_each(A, m, NULL, x, z); /* as with none but zeros */
+        for (int i = 0; i < m * A->n; i++)
+            ck_assert_double_eq(y[i], z[i]);
         free(x);
         free(d);
         free(y);
