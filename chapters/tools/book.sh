@@ -31,10 +31,12 @@ for page in $pages; do
 done >"$anchors"
 
 render() { # page, page before, page after
+    case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
     awk -v places=1 -f "$tools/c.awk" -f "$tools/weave.awk" "$1" |
         pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
             --template "$tools/page.html" --toc --toc-depth 2 \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \
+            ${toc:+-V page_toc=1} \
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
