@@ -4,7 +4,7 @@
 #   sh chapters/tools/book.sh [build/book]
 set -eu
 out=${1:-build/book}
-tools=$(dirname "$0")
+tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
@@ -82,5 +82,5 @@ find src tests cases figures chapters/solutions \( -name '*.[ch]' -o -name '*.cf
 done
 rm "$anchors"
 cd "$out"
-find . -type f | awk -f "$OLDPWD/$tools/pages.awk"
+find . -type f | awk -f "$tools/pages.awk"
 echo "book: $out/index.html"
