@@ -141,7 +141,7 @@ local function link(item)
   local target = item.target
   if target:match("^%a+:") then return end
   if target:match("%.md") then
-    item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")
+    item.target = target:gsub("^.*solutions/", "solutions-"):gsub("^.*/", ""):gsub("README%.md", "index.md")
       :gsub("%.md", ".html")
   elseif target:match("^%.%./") then
     while target:match("^%.%./") do target = target:sub(4) end

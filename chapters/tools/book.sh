@@ -17,7 +17,8 @@ find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
 
-name() { basename "$1" .md; }
+# Solutions have the name of their chapter.
+name() { echo "$1" | sed 's|.*/solutions/|solutions-|; s|.*/||; s|\.md$||'; }
 title() { sed -n 's/^# //p' "$1" | head -1; }
 
 # What may be linked to by its name, and on which page it is.
