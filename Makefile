@@ -32,6 +32,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
 	sh tests/vtk.sh $B
+	sh tests/book.sh
 	sh chapters/tools/check.sh $B/winnow
 
 weave: ## refresh what the chapters quote from source and results

@@ -20,11 +20,13 @@ local function equation_id(number) return "eq-" .. number:gsub("%.", "-") end
 local function display(math)
   local number = math.text:match("\\tag{([%w.]+)}")
   math.text = math.text:gsub("\\tag{[%w.]+}", "")
-  if not number then return pandoc.Div({ pandoc.Plain({ math }) },
-                                       pandoc.Attr("", { "equation" })) end
+  local formula = pandoc.Span({ math }, pandoc.Attr("", { "formula" }))
+  if not number then
+    return pandoc.Div({ pandoc.Plain({ formula }) }, pandoc.Attr("", { "equation" }))
+  end
   local link = pandoc.Link("(" .. number .. ")", "#" .. equation_id(number), "",
                            pandoc.Attr("", { "number" }))
-  return pandoc.Div({ pandoc.Plain({ math, link }) },
+  return pandoc.Div({ pandoc.Plain({ formula, link }) },
                     pandoc.Attr(equation_id(number), { "equation" }))
 end
 
@@ -87,7 +89,13 @@ local function inlines(list)
         done = true
       end
     end
-    if not done then
+    local chapter = item.t == "Str" and item.text == "Chapter" and list[i + 2]
+      and list[i + 2].t == "Str" and list[i + 2].text:match("^%d+")
+    if chapter and page_of["Chapter-" .. chapter] then -- "Chapter 8," and so on
+      out:insert(pandoc.Link("Chapter " .. chapter, page_of["Chapter-" .. chapter]))
+      out:insert(pandoc.Str(list[i + 2].text:sub(#chapter + 1)))
+      i = i + 3
+    elseif not done then
       local before, number, after
       if item.t == "Str" then
         before, number, after = item.text:match("^(.-)(%(%d+%.%d+%a?%))([^%]]*)$")
@@ -133,7 +141,7 @@ local function link(item)
   local target = item.target
   if target:match("^%a+:") then return end
   if target:match("%.md") then
-    item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")
+    item.target = target:gsub("^.*solutions/", "solutions-"):gsub("^.*/", ""):gsub("README%.md", "index.md")
       :gsub("%.md", ".html")
   elseif target:match("^%.%./") then
     while target:match("^%.%./") do target = target:sub(4) end

@@ -4,7 +4,7 @@
 #   sh chapters/tools/book.sh [build/book]
 set -eu
 out=${1:-build/book}
-tools=$(dirname "$0")
+tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
@@ -17,7 +17,8 @@ find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
 
-name() { basename "$1" .md; }
+# Solutions have the name of their chapter.
+name() { echo "$1" | sed 's|.*/solutions/|solutions-|; s|.*/||; s|\.md$||'; }
 title() { sed -n 's/^# //p' "$1" | head -1; }
 
 # What may be linked to by its name, and on which page it is.
@@ -31,10 +32,12 @@ for page in $pages; do
 done >"$anchors"
 
 render() { # page, page before, page after
+    case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
     awk -v places=1 -f "$tools/c.awk" -f "$tools/weave.awk" "$1" |
         pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
             --template "$tools/page.html" --toc --toc-depth 2 \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \
+            ${toc:+-V page_toc=1} \
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
@@ -80,5 +83,5 @@ find src tests cases figures chapters/solutions \( -name '*.[ch]' -o -name '*.cf
 done
 rm "$anchors"
 cd "$out"
-find . -type f | awk -f "$OLDPWD/$tools/pages.awk"
+find . -type f | awk -f "$tools/pages.awk"
 echo "book: $out/index.html"

@@ -130,7 +130,7 @@ function row(k,    b, s) {
     b = stands_for(k)
     s = "| <a id=\"" anchor(k) "\"></a>**" k "** " title[k]
     if (b != k)
-        return s " | as [" b "](#" anchor(b) ") | | | |"
+        return s "; as [" b "](#" anchor(b) ") | | | | |"
     return s (status[k] == "done" ? "" : "; *" status[k] "*") " | " \
         cell(functions[k]) " | " cell(tests[k]) " | " cell(chapters[k]) \
         " | " evals[k] " |"

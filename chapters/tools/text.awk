@@ -105,7 +105,8 @@ match(line, /\\tag[{][^}]*[}]/) {
 !formula {
     n = line
     gsub(/\\\$/, "", n)
-    if (gsub(/\$/, "", n) % 2) wrong("a $ without its pair")
+    if (n == "" && dollars % 2) wrong("a $ without its pair above")
+    dollars = n == "" ? 0 : dollars + gsub(/\$/, "", n)
     sources(line)
     equations(line " ")
     links(line)
