@@ -1,0 +1,64 @@
+/* contact.h -- the force between two touching spheres.  Chapter 2.
+ *
+ * n points from particle j to particle i, delta = R_i + R_j - |x_i - x_j| is
+ * the overlap. On particle i act
+ *
+ *   F_n = (elastic(delta) - eta_n v_n) n                       [LS 4.4, 4.7]
+ *   F_t = -k_t xi - eta_t v_t,   |F_t| <= mu |F_n|             [LS 4.8]
+ *
+ * and on particle j their negatives. v is the relative velocity of the two
+ * surfaces at the contact, xi the spring that v_t has drawn since they first
+ * touched. A law says what elastic, eta_n, k_t and eta_t are; everything else
+ * is the same for all laws (contact_sweep.h). A wall is a sphere of infinite
+ * mass and radius, of the same material.
+ */
+#ifndef CONTACT_H
+#define CONTACT_H
+
+struct bodies;
+struct strip;
+
+/* What grains and walls are made of. */
+struct material {
+    double young;       /* [Pa] E; law "hertz" */
+    double poisson;     /* [-] nu; law "hertz" */
+    double stiffness;   /* [N/m] k; law "linear" */
+    double tangential;  /* [-] k_t / k of law "linear"; 0: 2/7 */
+    double restitution; /* [-] e; 0: critical damping [LS 4.11] */
+    double friction;    /* [-] mu */
+};
+
+/* What a law needs in the loop, worked out once. */
+struct contact_constants {
+    double normal;     /* linear: k [N/m]; hertz: E* [Pa] */
+    double tangential; /* linear: k_t [N/m]; hertz: G* [Pa] */
+    double damping_n;  /* [-] share of critical damping, normal */
+    double damping_t;  /* [-] eta_t / eta_n */
+    double friction;   /* [-] mu */
+};
+
+/* Adds the contact forces of one strip of particles to its loads; the springs
+ * move on by dt [s]. One loop a law, none of whose contacts is a call. */
+typedef void contact_sweep(struct strip *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt);
+
+struct contact_law {
+    const char *name; /* as a case spells it */
+    const char *cite; /* keys in chapters/references.md */
+    struct contact_constants (*constants)(const struct material *m);
+    /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
+    double (*duration)(const struct material *m, double R_star, double m_star,
+                       double v);
+    contact_sweep *sweep;          /* in a box of walls */
+    contact_sweep *sweep_periodic; /* with periodic directions */
+};
+
+/* All laws, ended by NULL; contact_law_named: NULL for an unknown name. */
+extern const struct contact_law *const contact_laws[];
+const struct contact_law *contact_law_named(const char *name);
+
+/* Share zeta of critical damping at which a linear oscillator keeps e of its
+ * speed over half a period: -ln e / sqrt(pi^2 + ln^2 e) [LS 4.4]; 1 at e = 0. */
+double contact_damping_ratio(double e);
+
+#endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/contact_hertz.h"
+
+#include "particles/contact_sweep.h"
+
+double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
+{
+    return 1.0 / ((1.0 - nu_i * nu_i) / E_i + (1.0 - nu_j * nu_j) / E_j);
+}
+
+double contact_hertz_shear(double E_i, double nu_i, double E_j, double nu_j)
+{
+    const double G_i = E_i / (2.0 * (1.0 + nu_i));
+    const double G_j = E_j / (2.0 * (1.0 + nu_j));
+
+    return 1.0 / ((2.0 - nu_i) / G_i + (2.0 - nu_j) / G_j);
+}
+
+double contact_hertz_radius(double R_i, double R_j)
+{
+    return R_i * R_j / (R_i + R_j);
+}
+
+double contact_hertz_stiffness(double E_star, double R_star)
+{
+    return 4.0 / 3.0 * E_star * sqrt(R_star); /* [LS 4.9] */
+}
+
+/* The largest overlap turns the whole energy m* v^2 / 2 into (2/5) k_n
+ * delta^(5/2); the duration over delta / v is 2 int_0^1 dx/sqrt(1 - x^(5/2)).
+ */
+double contact_hertz_time(double E_star, double R_star, double m_star, double v)
+{
+    const double k_n = contact_hertz_stiffness(E_star, R_star);
+    const double delta = pow(1.25 * m_star * v * v / k_n, 0.4);
+
+    return 2.9432750 * delta / v;
+}
+
+static struct contact_constants constants(const struct material *m)
+{
+    const double E_star =
+        contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
+    const double G_star =
+        contact_hertz_shear(m->young, m->poisson, m->young, m->poisson);
+    return (struct contact_constants){
+        .normal = E_star,
+        .tangential = G_star,
+        .damping_n = contact_damping_ratio(m->restitution),
+        .damping_t = sqrt(4.0 * G_star / E_star), /* sqrt(S_t / S_n) */
+        .friction = m->friction,
+    };
+}
+
+static double duration(const struct material *m, double R_star, double m_star,
+                       double v)
+{
+    const double E_star =
+        contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
+    return contact_hertz_time(E_star, R_star, m_star, v);
+}
+
+SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
+                                           double delta, double inverse_R,
+                                           double inverse_m)
+{
+    const double R_star = 1.0 / inverse_R, m_star = 1.0 / inverse_m;
+    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
+    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
+
+    return (struct sweep_response){
+        .elastic = contact_hertz_force(k->normal, R_star, delta),
+        .eta_n = eta,
+        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
+        .eta_t = k->damping_t * eta,
+    };
+}
+
+static void sweep(struct strip *s, const struct bodies *b,
+                  const struct contact_constants *k, double dt)
+{
+    sweep_contacts(s, b, k, dt, respond, 0);
+}
+
+static void sweep_periodic(struct strip *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt)
+{
+    sweep_contacts(s, b, k, dt, respond, 1);
+}
+
+const struct contact_law contact_hertz = {
+    "hertz", "LS 4.7-4.10", constants, duration, sweep, sweep_periodic};

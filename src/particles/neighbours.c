@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/neighbours.h"
+
+#include <math.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+struct neighbours *neighbours_create(struct particles *ps,
+                                     const struct domain *box)
+{
+    struct neighbours *const nb = alloc_zeroed(1, sizeof *nb);
+
+    nb->ps = ps;
+    nb->bodies = bodies_create(ps->capacity, box);
+    nb->grid = grid_create(ps->capacity, box);
+    nb->count = strip_count(ps->capacity);
+    nb->strips = alloc_zeroed((size_t)nb->count, sizeof *nb->strips);
+    nb->rank = alloc_ints(ps->capacity);
+    nb->stale = 1;
+    return nb;
+}
+
+void neighbours_free(struct neighbours *nb)
+{
+    if (nb == NULL) return;
+    for (int s = 0; s < nb->count; s++)
+        strip_release(&nb->strips[s]);
+    free(nb->strips);
+    bodies_free(nb->bodies);
+    grid_free(nb->grid);
+    free(nb->rank);
+    free(nb);
+}
+
+struct neighbours_share neighbours_share(const struct neighbours *nb)
+{
+    int thread = 0, threads = 1;
+
+#ifdef _OPENMP
+    thread = omp_get_thread_num();
+    threads = omp_get_num_threads();
+#endif
+    return (struct neighbours_share){nb->count * thread / threads,
+                                     nb->count * (thread + 1) / threads};
+}
+
+void neighbours_open(struct neighbours *nb)
+{
+    struct bodies *const b = nb->bodies;
+
+    b->n = nb->ps->n;
+    for (int s = 0; s < nb->count; s++) {
+        struct strip *const own = &nb->strips[s];
+        own->deepest = 0.0;
+        if (nb->stale) {
+            if (!nb->recalled) strip_keep(own);
+            strip_cut(own, s, nb->count, b->n);
+        }
+    }
+    nb->recalled = 0;
+    bodies_fetch(b, nb->ps, 0, b->n);
+}
+
+struct kept *neighbours_recall(struct neighbours *nb, int n)
+{
+    for (int s = 0; s < nb->count; s++)
+        strip_reserve_kept(&nb->strips[s], s == 0 ? n : 0);
+    nb->stale = nb->recalled = 1;
+    return nb->strips[0].kept;
+}
+
+const struct kept *neighbours_keep(struct neighbours *nb, int *n)
+{
+    struct strip *const all = &nb->strips[0];
+
+    *n = 0;
+    for (int s = 0; s < nb->count; s++) {
+        if (!nb->recalled) strip_keep(&nb->strips[s]);
+        *n += nb->strips[s].n_kept;
+    }
+    int at = all->n_kept;
+    strip_reserve_kept(all, *n);
+    for (int s = 1; s < nb->count; s++)
+        for (int q = 0; q < nb->strips[s].n_kept; q++)
+            all->kept[at++] = nb->strips[s].kept[q];
+    return all->kept;
+}
+
+void neighbours_close(struct neighbours *nb)
+{
+    struct particles *const ps = nb->ps;
+
+    bodies_park(nb->bodies, ps, 0, ps->n);
+    if (nb->stale) return; /* no step was made */
+    for (int s = 0; s < nb->count; s++) {
+        const struct strip *const own = &nb->strips[s];
+        for (int i = own->begin; i < own->end; i++) {
+            ps->cfx[i] = own->load[i - own->begin][0];
+            ps->cfy[i] = own->load[i - own->begin][1];
+            ps->cfz[i] = own->load[i - own->begin][2];
+        }
+    }
+}
+
+/* The bound is by component: no square root a particle. */
+double neighbours_speed(const struct neighbours *nb)
+{
+    double top[3] = {0.0, 0.0, 0.0};
+
+    for (int s = 0; s < nb->count; s++)
+        for (int k = 0; k < 3; k++)
+            top[k] = fmax(top[k], nb->strips[s].fastest[k]);
+    return sqrt(top[0] * top[0] + top[1] * top[1] + top[2] * top[2]);
+}
+
+void neighbours_look(struct neighbours *nb)
+{
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++)
+        nb->strips[s].survey =
+            bodies_look(nb->bodies, nb->strips[s].begin, nb->strips[s].end);
+}
+
+/* Farthest that anybody moved since the vicinity was made [m], or -1. */
+static double farthest(const struct neighbours *nb)
+{
+    double moved2 = 0.0;
+
+    for (int s = 0; s < nb->count; s++) {
+        if (nb->strips[s].survey.lost > 0) return -1.0;
+        moved2 = fmax(moved2, nb->strips[s].survey.moved2);
+    }
+    return sqrt(moved2);
+}
+
+/* By one thread: the particles in their new order, and the new place of
+ * each. */
+static void sort(struct neighbours *nb)
+{
+    const struct particles *const ps = nb->ps;
+    double widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    const int *const order = grid_order(nb->grid, ps, widest + nb->skin);
+    particles_permute(nb->ps, order);
+    for (int i = 0; i < ps->n; i++)
+        nb->rank[order[i]] = i;
+    nb->rebuilds++;
+}
+
+/* The strip of particle i: its begin is n s / count, rounded down. */
+static struct strip *strip_of(const struct neighbours *nb, int i)
+{
+    const long s = ((i + 1L) * nb->count - 1) / nb->bodies->n;
+    return &nb->strips[s];
+}
+
+/* Gives a spring back to its pair, under the new numbers. If the other of the
+ * two owns it now, n points the other way, and so does xi. */
+static void restore(struct neighbours *nb, const struct kept *old)
+{
+    struct kept k = *old;
+
+    k.owner = nb->rank[old->owner];
+    if (old->partner >= 0) {
+        k.partner = nb->rank[old->partner];
+        if (!grid_owns(nb->grid, k.owner, k.partner, nb->bodies->n)) {
+            const int swap = k.owner;
+            k.owner = k.partner;
+            k.partner = swap;
+            for (int a = 0; a < 3; a++)
+                k.spring[a] = -k.spring[a];
+        }
+    }
+    strip_restore(strip_of(nb, k.owner), &k);
+}
+
+static void rebuild(struct neighbours *nb)
+{
+    const struct neighbours_share mine = neighbours_share(nb);
+    struct bodies *const b = nb->bodies;
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        if (!nb->stale) strip_keep(own);
+        bodies_park(b, nb->ps, own->begin, own->end);
+    }
+#pragma omp barrier
+#pragma omp single
+    sort(nb);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        bodies_fetch(b, nb->ps, own->begin, own->end);
+        bodies_mark(b, own->begin, own->end);
+    }
+#pragma omp barrier
+    for (int s = mine.first; s < mine.last; s++)
+        grid_find(nb->grid, &nb->strips[s], b, nb->skin);
+#pragma omp barrier
+    for (int s = mine.first; s < mine.last; s++)
+        for (int q = 0; q < nb->strips[s].n_kept; q++)
+            restore(nb, &nb->strips[s].kept[q]);
+#pragma omp barrier
+}
+
+double neighbours_refresh(struct neighbours *nb, double wanted)
+{
+    const struct neighbours_share mine = neighbours_share(nb);
+    const double margin = fmin(wanted, 0.5 * nb->skin);
+
+    neighbours_look(nb);
+#pragma omp barrier
+    const double moved = farthest(nb);
+#pragma omp barrier
+    if (moved < 0.0) return -1.0;
+    if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
+    for (int s = mine.first; s < mine.last; s++)
+        strip_choose(&nb->strips[s], nb->bodies, margin);
+    return margin;
+}

@@ -1,0 +1,42 @@
+/* particles.h -- spheres, as a structure of arrays.  Chapter 2.
+ *
+ * One array a quantity, one entry a particle. The particles change places when
+ * they are sorted in space: a particle is known by its id, not by its index.
+ * Whoever keeps an array with a row a particle attaches it, and it follows.
+ */
+#ifndef PARTICLES_H
+#define PARTICLES_H
+
+struct particles {
+    int n, capacity;
+    double *x, *y, *z;       /* [m] centre */
+    double *vx, *vy, *vz;    /* [m/s] velocity */
+    double *wx, *wy, *wz;    /* [rad/s] angular velocity */
+    double *d;               /* [m] diameter */
+    double *m;               /* [kg] mass */
+    double *ex, *ey, *ez;    /* [N] outside force, constant during dem_run */
+    double *cfx, *cfy, *cfz; /* [N] contact force at the end of dem_run */
+    int *id;                 /* [-] 0, 1, ... in the order of creation */
+    struct attachments *attached;
+};
+
+struct particles *particles_create(int capacity);
+void particles_free(struct particles *ps);
+
+/* One more sphere of the given diameter [m] and density [kg/m^3], at rest at x
+ * [m]. Returns its index. */
+int particles_add(struct particles *ps, const double x[3], double d,
+                  double density);
+
+/* `array`, with `width` numbers a particle, follows the particles from now on.
+ * Borrowed: it must stay as long as the particles do, or be detached. */
+void particles_attach(struct particles *ps, double *array, int width);
+void particles_detach(struct particles *ps, const double *array);
+
+/* Puts the particle that was at order[i] to place i, for all arrays. */
+void particles_permute(struct particles *ps, const int *order);
+
+/* Volume of particle i [m^3]. */
+double particles_volume(const struct particles *ps, int i);
+
+#endif
