@@ -85,9 +85,8 @@ void bodies_park(const struct bodies *b, struct particles *ps, int begin,
 
 /* dv = (F/m + a) dt; d(R omega) = R T dt/I with I = (2/5) m R^2 and
  * T = -R sum n x F_t [LS 4.1-4.3, 4.16], so -(5/2) (sum n x F_t) dt/m. */
-void bodies_advance(struct bodies *b, int begin, int end,
-                    double (*load)[8], double kick, double drift,
-                    double fastest[4])
+void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
+                    double kick, double drift, double fastest[4])
 {
     static const double gain[8] = {1.0, 1.0, 1.0, 0.0, -2.5, -2.5, -2.5, 0.0};
     double top[4] = {0.0, 0.0, 0.0, 0.0};

@@ -58,7 +58,8 @@ extern const struct contact_law *const contact_laws[];
 const struct contact_law *contact_law_named(const char *name);
 
 /* Share zeta of critical damping at which a linear oscillator keeps e of its
- * speed over half a period: -ln e / sqrt(pi^2 + ln^2 e) [LS 4.4]; 1 at e = 0. */
+ * speed over half a period: -ln e / sqrt(pi^2 + ln^2 e) [LS 4.4]; 1 at e = 0.
+ */
 double contact_damping_ratio(double e);
 
 #endif

@@ -57,8 +57,7 @@ static inline double contact_hertz_slope(double E_star, double R_star,
 }
 
 /* [kg/s] 2 sqrt(5/6) zeta sqrt(S m*). */
-static inline double contact_hertz_damping(double zeta, double S,
-                                           double m_star)
+static inline double contact_hertz_damping(double zeta, double S, double m_star)
 {
     const double root = 0.91287092917527685576; /* sqrt(5/6) */
     return 2.0 * root * zeta * sqrt(S * m_star);

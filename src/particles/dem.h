@@ -28,18 +28,18 @@ struct dem_options {
 };
 
 struct dem_report {
-    long steps;              /* [-] of this run, that were done */
-    long rebuilds;           /* [-] of the neighbour list, in this run */
-    int contacts;            /* [-] touching at the end, walls included */
-    double max_overlap;      /* [-] largest of the run, over the mean diameter
-                                of the two */
-    double max_speed;        /* [m/s] at the end */
-    double translation;      /* [J] kinetic energy at the end, (1/2) m v^2 */
-    double rotation;         /* [J] and (1/2) I omega^2 */
-    int lost;                /* [-] particles that left the box by more than
-                                their radius or are nowhere */
-    int lost_id;             /* [-] the first of them; -1: none */
-    double lost_at[3];       /* [m] where it was found */
+    long steps;         /* [-] of this run, that were done */
+    long rebuilds;      /* [-] of the neighbour list, in this run */
+    int contacts;       /* [-] touching at the end, walls included */
+    double max_overlap; /* [-] largest of the run, over the mean diameter
+                           of the two */
+    double max_speed;   /* [m/s] at the end */
+    double translation; /* [J] kinetic energy at the end, (1/2) m v^2 */
+    double rotation;    /* [J] and (1/2) I omega^2 */
+    int lost;           /* [-] particles that left the box by more than
+                           their radius or are nowhere */
+    int lost_id;        /* [-] the first of them; -1: none */
+    double lost_at[3];  /* [m] where it was found */
 };
 
 struct dem;

@@ -18,8 +18,7 @@ void grid_free(struct grid *g);
 
 /* Finds the order of the particles with cells of at least `reach` [m]: the
  * particle at order[i] belongs to place i. Borrowed; until the next call. */
-const int *grid_order(struct grid *g, const struct particles *ps,
-                      double reach);
+const int *grid_order(struct grid *g, const struct particles *ps, double reach);
 
 /* Fills the vicinity of a strip with pairs and walls closer than skin [m].
  * The bodies are in the order that grid_order said. */

@@ -22,9 +22,9 @@ struct attachments {
 struct particles *particles_create(int capacity)
 {
     struct particles *const ps = alloc_zeroed(1, sizeof *ps);
-    double **const own[OWN] = {&ps->x,  &ps->y,  &ps->z,   &ps->vx,  &ps->vy,
-                               &ps->vz, &ps->wx, &ps->wy,  &ps->wz,  &ps->d,
-                               &ps->m,  &ps->ex, &ps->ey,  &ps->ez,  &ps->cfx,
+    double **const own[OWN] = {&ps->x,   &ps->y,  &ps->z,  &ps->vx, &ps->vy,
+                               &ps->vz,  &ps->wx, &ps->wy, &ps->wz, &ps->d,
+                               &ps->m,   &ps->ex, &ps->ey, &ps->ez, &ps->cfx,
                                &ps->cfy, &ps->cfz};
 
     ps->capacity = capacity;

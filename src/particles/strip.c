@@ -115,7 +115,7 @@ void strip_close(struct strip *s, int n)
         const int reach = (at < 0 ? at + n : at) + 1;
         if (reach > s->window) s->window = reach;
     }
-    if (s->window > s->load_capacity) {
+    if (s->load == NULL || s->window > s->load_capacity) {
         free(s->load);
         s->load_capacity = roomy(s->window);
         s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);
@@ -164,8 +164,7 @@ static double wall_gap(const struct bodies *b, int i, int wall)
     return (wall % 2 ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
 }
 
-static void choose(struct strip *s, const struct bodies *b,
-                   struct vicinity *v,
+static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
                    double (*gap)(const struct bodies *, int, int),
                    double margin, int *n)
 {

@@ -30,8 +30,8 @@ struct vicinity {
 struct contacts {
     int n_pairs, n_walls, capacity;
     int *owner, *partner;
-    int *source;        /* [-] its place in the vicinity */
-    double *spring[3];  /* [m] xi, x y z */
+    int *source;       /* [-] its place in the vicinity */
+    double *spring[3]; /* [m] xi, x y z */
 };
 
 /* A touching pair while the lists are made anew; wall: partner = -1 - wall. */
@@ -48,17 +48,17 @@ struct strip_measures {
 };
 
 struct strip {
-    int begin, end;     /* its particles */
-    int window;         /* its loads reach begin ... begin + window - 1, modulo
-                           the number of particles */
-    double (*load)[8];  /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
+    int begin, end;    /* its particles */
+    int window;        /* its loads reach begin ... begin + window - 1, modulo
+                          the number of particles */
+    double (*load)[8]; /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
     int load_capacity;
     struct vicinity pairs, walls;
     struct contacts contacts;
     struct kept *kept;
     int n_kept, kept_capacity;
-    double deepest;     /* [-] largest overlap over the mean diameter */
-    double fastest[4];  /* [m/s] largest |v_x|, |v_y|, |v_z| */
+    double deepest;    /* [-] largest overlap over the mean diameter */
+    double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
     struct bodies_survey survey;
     struct strip_measures measures;
 };
