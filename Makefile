@@ -1,9 +1,11 @@
 # Winnow. `make run` shows a fluidized bed, `make check` proves the code, `make help` lists the rest.
 CC       = gcc
-WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror
+WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes $(WERROR)
+WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
-FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math -mprefer-vector-width=512
-SANITIZE = -O1 -g -fsanitize=address,undefined -fno-omit-frame-pointer
+FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math $(WIDE)
+WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
@@ -11,24 +13,58 @@ LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o)
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
+# All cores, unless make was told how many.
+CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 
 all: $B/winnow
 
+run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
+	sh .ci/install run
+	$(MAKE) $(CORES) $B/winnow WERROR=
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.6
+
+check: ## install what is missing, build, run every test, also under sanitizers
+	sh .ci/install check
+	$(MAKE) $(CORES) $B/winnow tests
+	sh tests/run.sh $B/tests
+	$(MAKE) $(CORES) tests B=$B/san OPT="$(SANITIZE)" WERROR=
+	sh tests/run.sh $B/san/tests
+	sh tests/style.sh $B
+	sh tests/cli.sh $B/winnow
+	sh tests/vtk.sh $B
+	sh tests/book.sh
+	sh chapters/tools/check.sh $B/winnow
+
+weave: ## refresh what the chapters quote from source and results
+	sh chapters/tools/weave.sh
+	sh chapters/tools/ledger.sh
+
+book: ## the chapters as pages: build/book/index.html
+	sh .ci/install book
+	sh chapters/tools/book.sh $B/book
+	sh chapters/tools/browser.sh $B/book
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
+
+clean: ## forget everything built
+	rm -rf $B
+
+tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a
-	$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
+	@echo "link $@"
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(LIBS)
 $B/libwinnow.a: $(OBJ)
 	@rm -f $@; ar rcs $@ $^
 $B/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+	@echo "compile $<"
+	@$(CC) $(STD) $(OPT) $(WARN) -MMD -MP -c -o $@ $<
+# This test counts allocations.
+$B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	$(CC) $(OPT) -fopenmp -o $@ $^ -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-check: $(TESTS)
-	@for t in $(TESTS); do $$t || exit 1; done
-
-clean:
-	rm -rf build
-.PHONY: all check clean
+.PHONY: all run check weave book help clean tests
 .SECONDARY:
--include $(OBJ:.o=.d) $(B)/src/main.d
+-include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d

@@ -180,6 +180,7 @@ static void column(int shared, double K, double dt, enum continuity form)
     for (int c = 0; c < 20; c++)
         ck_assert_double_eq_tol(fl->u[3 * c + 1] * fl->eps[c] / U, 1.0, 1e-6);
     ck_assert_double_lt(fl->report.mass_residual, 1e-9);
+    ck_assert_double_lt(fl->report.momentum_residual, 1e-13);
     fluid_free(fl);
     mesh_free(m);
 }
@@ -471,6 +472,7 @@ START_TEST(backflow_through_an_outlet_is_counted_and_stays_bounded)
     for (int n = 0; n < 200; n++) {
         run(fl, 1);
         if (fl->report.backflow_faces > most) most = fl->report.backflow_faces;
+        ck_assert_double_lt(fl->report.momentum_residual, 1e-13);
     }
     ck_assert_int_gt(most, 0);
     ck_assert_double_lt(fluid_kinetic_energy(fl), 1e3 * 0.5 * 1000.0 * 1e-4);

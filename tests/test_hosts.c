@@ -106,22 +106,6 @@ START_TEST(particles_outside_or_nowhere_are_counted)
 }
 END_TEST
 
-/* pi d^3 / 6; a radius taken for a diameter would give 8 times as much. */
-START_TEST(a_particle_has_the_volume_of_its_sphere)
-{
-    struct mesh *const m = mesh_create_box(&cloud_shapes[0]);
-    struct particles *const ps = cloud_create(m, 1);
-    struct hosts *const h = hosts_create(m, ps);
-
-    ps->d[0] = 2.0;
-    ck_assert_double_eq_tol(hosts_particle_volume(h, 0), 4.1887902047863905,
-                            1e-15);
-    hosts_free(h);
-    particles_free(ps);
-    mesh_free(m);
-}
-END_TEST
-
 int main(void)
 {
     Suite *const s = suite_create("hosts");
@@ -135,7 +119,6 @@ int main(void)
     tcase_add_loop_test(t, offsets_end_at_the_walls_of_the_host, 0,
                         CLOUD_SHAPES);
     tcase_add_test(t, particles_outside_or_nowhere_are_counted);
-    tcase_add_test(t, a_particle_has_the_volume_of_its_sphere);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

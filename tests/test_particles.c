@@ -1,96 +1,111 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The structure of arrays: every array follows when particles change places. */
-#include <check.h>
 #include <gsl/gsl_math.h>
+#include <stdlib.h>
 
-#include "particles/particles.h"
+#include "spheres.h"
 
-enum { N = 7 };
+enum { N = 5 };
 
-static struct particles *seven(void)
+static struct particles *row_of_five(void)
 {
     struct particles *const ps = particles_create(N);
 
-    for (int i = 0; i < N; i++) {
-        particles_add(ps, (const double[3]){0.1 * i, 0.2 * i, 0.3 * i},
-                      1e-3 * (i + 1), 1000.0);
-        ps->wy[i] = 7.0 * i;
-        ps->cfz[i] = -1.0 * i;
-    }
+    for (int i = 0; i < N; i++)
+        particles_add(ps, (double[3]){i, 10.0 + i, 20.0 + i}, 1.0 + i, 3.0);
     return ps;
 }
 
-START_TEST(sphere_has_the_mass_of_its_volume)
+START_TEST(a_particle_has_the_mass_of_its_sphere_and_is_at_rest)
 {
-    struct particles *const ps = seven();
-    ck_assert_double_eq_tol(particles_volume(ps, 1) / (M_PI / 6.0 * 8e-9), 1.0,
-                            1e-15);
-    ck_assert_double_eq_tol(ps->m[1] / (M_PI / 6.0 * 8e-6), 1.0, 1e-15);
-    particles_free(ps);
-}
-END_TEST
+    struct particles *const ps = row_of_five();
 
-START_TEST(everything_follows_a_permutation)
-{
-    static const int order[N] = {3, 0, 6, 2, 1, 5, 4};
-    struct particles *const ps = seven();
-    double eight[8 * N];
-
-    for (int i = 0; i < 8 * N; i++)
-        eight[i] = i;
-    particles_attach(ps, eight, 8);
-    particles_permute(ps, order);
+    ck_assert_int_eq(ps->n, N);
     for (int i = 0; i < N; i++) {
-        const int was = order[i];
-        ck_assert_int_eq(ps->id[i], was);
-        ck_assert_double_eq(ps->x[i], 0.1 * was);
-        ck_assert_double_eq(ps->z[i], 0.3 * was);
-        ck_assert_double_eq(ps->d[i], 1e-3 * (was + 1));
-        ck_assert_double_eq(ps->wy[i], 7.0 * was);
-        ck_assert_double_eq(ps->cfz[i], -1.0 * was);
-        for (int k = 0; k < 8; k++)
-            ck_assert_double_eq(eight[8 * i + k], 8 * was + k);
+        const double R = 0.5 * (1.0 + i);
+        const double V = 4.0 / 3.0 * M_PI * R * R * R;
+        ck_assert_int_eq(ps->id[i], i);
+        ck_assert_double_eq_tol(particles_volume(ps, i), V, 1e-13 * V);
+        ck_assert_double_eq_tol(ps->m[i], 3.0 * V, 1e-12 * V);
+        ck_assert_double_eq(ps->vx[i], 0.0);
+        ck_assert_double_eq(ps->wz[i], 0.0);
+        ck_assert_double_eq(ps->ey[i], 0.0);
     }
     particles_free(ps);
 }
 END_TEST
 
-START_TEST(detached_array_stays_as_it_is)
-{
-    static const int order[N] = {1, 0, 2, 3, 4, 5, 6};
-    struct particles *const ps = seven();
-    double a[N] = {0, 1, 2}, b[N] = {0, 1, 2};
+static const int order[N] = {3, 0, 4, 2, 1};
 
-    particles_attach(ps, a, 1);
-    particles_attach(ps, b, 1);
-    particles_detach(ps, a);
+START_TEST(a_permutation_takes_every_array_along)
+{
+    struct particles *const ps = row_of_five();
+    double *const own[] = {ps->vx, ps->vy, ps->vz, ps->wx,  ps->wy,  ps->wz,
+                           ps->ex, ps->ey, ps->ez, ps->cfx, ps->cfy, ps->cfz};
+    const int n_own = sizeof own / sizeof *own;
+
+    for (int a = 0; a < n_own; a++)
+        for (int i = 0; i < N; i++)
+            own[a][i] = 100.0 * a + i;
     particles_permute(ps, order);
-    ck_assert_double_eq(a[0], 0.0);
-    ck_assert_double_eq(b[0], 1.0);
+    for (int i = 0; i < N; i++) {
+        ck_assert_int_eq(ps->id[i], order[i]);
+        ck_assert_double_eq(ps->x[i], order[i]);
+        ck_assert_double_eq(ps->y[i], 10.0 + order[i]);
+        ck_assert_double_eq(ps->z[i], 20.0 + order[i]);
+        ck_assert_double_eq(ps->d[i], 1.0 + order[i]);
+        ck_assert_double_eq_tol(ps->m[i], 3.0 * particles_volume(ps, i), 1e-12);
+        for (int a = 0; a < n_own; a++)
+            ck_assert_double_eq(own[a][i], 100.0 * a + order[i]);
+    }
     particles_free(ps);
 }
 END_TEST
 
-START_TEST(no_particles_are_fine)
+START_TEST(an_attached_array_follows_until_it_is_detached)
 {
-    struct particles *const ps = particles_create(0);
-    particles_permute(ps, NULL);
+    struct particles *const ps = row_of_five();
+    double one[N], three[3 * N];
+
+    for (int i = 0; i < N; i++) {
+        one[i] = i;
+        for (int k = 0; k < 3; k++)
+            three[3 * i + k] = 10.0 * i + k;
+    }
+    particles_attach(ps, one, 1);
+    particles_attach(ps, three, 3);
+    particles_permute(ps, order);
+    particles_detach(ps, one);
+    for (int i = 0; i < N; i++) {
+        ck_assert_double_eq(one[i], order[i]);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq(three[3 * i + k], 10.0 * order[i] + k);
+    }
+    particles_permute(ps, order);
+    for (int i = 0; i < N; i++) {
+        ck_assert_double_eq(one[i], order[i]); /* stays behind */
+        ck_assert_double_eq(three[3 * i], 10.0 * order[order[i]]);
+    }
     particles_free(ps);
+}
+END_TEST
+
+START_TEST(no_particles_can_be_freed)
+{
     particles_free(NULL);
+    particles_free(particles_create(0));
 }
 END_TEST
 
 int main(void)
 {
     Suite *const s = suite_create("particles");
-    TCase *const t = tcase_create("core");
+    TCase *const t = tcase_create("arrays");
 
     suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, sphere_has_the_mass_of_its_volume);
-    tcase_add_test(t, everything_follows_a_permutation);
-    tcase_add_test(t, detached_array_stays_as_it_is);
-    tcase_add_test(t, no_particles_are_fine);
+    tcase_add_test(t, a_particle_has_the_mass_of_its_sphere_and_is_at_rest);
+    tcase_add_test(t, a_permutation_takes_every_array_along);
+    tcase_add_test(t, an_attached_array_follows_until_it_is_detached);
+    tcase_add_test(t, no_particles_can_be_freed);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

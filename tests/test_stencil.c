@@ -28,9 +28,9 @@ static int listed(const struct stencil *s, int host, int c,
     return n;
 }
 
-/* Every image of every cell, two periods around, checked by its distance from
- * the host: near means listed once, far means not listed. Returns the number
- * of near ones. */
+/* Looks at every image of every cell, two periods around: if it is near the
+ * host, it is listed once. Returns how many are; as many entries, no more, may
+ * the stencil have. No b below has a cell just at the limit. */
 static int compare_one_host(const struct mesh *m, const struct stencil *s,
                             const int at[3], double b)
 {
@@ -53,15 +53,15 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
                 link[k] = x - m->centre[3 * host + k];
                 r2 += r * r;
             }
-            if (skip || fabs(sqrt(r2) - b) < 1e-9) continue;
-            ck_assert_int_eq(listed(s, host, c, link), r2 < b * b);
-            near += r2 < b * b;
+            if (skip || r2 >= b * b) continue;
+            ck_assert_int_eq(listed(s, host, c, link), 1);
+            near++;
         }
     return near;
 }
 
-/* 0.01: within the host. 0.1: cells touch the limit. 0.37: across more than a
- * period of the shapes that have only two cells or five. */
+/* 0.01: within the host. 0.37: across more than a period of those shapes that
+ * have two cells or five. */
 START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
 {
     static const double b[] = {0.01, 0.11, 0.23, 0.37};
@@ -74,7 +74,7 @@ START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
             for (at[0] = 0; at[0] < m->box.n[0]; at[0]++, c++) {
                 const int first = s->start[s->shape[c]];
                 const int n = s->start[s->shape[c] + 1] - first;
-                if ((c + _i) % 5 != 0) continue; /* a fifth will do */
+                if ((c + _i) % 7 != 0) continue; /* a part will do */
                 ck_assert_int_le(n, s->largest);
                 ck_assert_int_eq(compare_one_host(m, s, at, b[_i % 4]), n);
                 ck_assert_int_eq(s->step[first], 0);
@@ -84,14 +84,14 @@ START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
 }
 END_TEST
 
-/* Equal cells, walls all round, b of 1.5 cells: 2 cells off, and so 2 kinds of
+/* Equal cells, walls all round, b of 1.6 cells reaches 2 cells off: 2 kinds of
  * cell near each wall and one between, 5 a direction. */
 START_TEST(hosts_that_look_alike_share_a_stencil)
 {
     const struct box_spec spec = {
         {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     struct mesh *const m = mesh_create_box(&spec);
-    struct stencil *const s = stencil_create(m, 0.15);
+    struct stencil *const s = stencil_create(m, 0.16);
 
     ck_assert_int_eq(s->n_shapes, 125);
     stencil_free(s);

@@ -5,7 +5,7 @@
  * exact adjoint: the work of a force on the gathered velocities is the work of
  * the spread force on the field.
  *
- *     sum_c V_c field_c = sum_i q_i,   field = spread(q)
+ *     sum_c V_c spread(q)_c = sum_i q_i
  *     sum_i q_i gather(f)_i = sum_c V_c f_c spread(q)_c
  *
  * The m numbers of a cell or particle lie side by side, field[m * c + k] and
@@ -30,23 +30,21 @@ struct averaging_options {
     int fields;         /* [-] most numbers side by side in one call [8] */
 };
 
-/* lost to alone: of the last bind. lowest to negative: of the last spread.
+/* lost to lost_volume: of the last bind. alone to negative: of the last spread.
  * products and worst: of the last spread or gather. */
 struct averaging_report {
     int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
     int capped;             /* [-] pcm: cells with more solids than the cap */
     double lost_volume;     /* [m^3] pcm: solids the cap took away */
-    int alone;              /* [-] kernel: particles with no cell centre within
-                               b, taken by their host cell */
+    int alone;              /* [-] kernel: particles with no centre within b */
     double lowest, highest; /* of the first field: eps_s, by convention */
     double negative;        /* [-] of the first field: share of it below 0 */
-    int products;           /* [-] diffusion: matrix products, all fields in
-                               one */
+    int products; /* [-] diffusion: with the matrix, all fields as 1 */
     struct solve_report worst; /* diffusion: of its steps */
 };
 
-/* All methods, ended by NULL; averaging_method_named gives NULL for an unknown
- * name. The names for options.scheme are in diffusion.h. */
+/* All methods, ended by NULL, and one by its name or NULL. The names for
+ * options.scheme are in diffusion.h. */
 extern const struct averaging_method *const averaging_methods[];
 const struct averaging_method *averaging_method_named(const char *name);
 
@@ -69,6 +67,9 @@ void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
+
+/* The share of particle i that is spread [-]: 1 but for the cap of pcm. */
+double averaging_share(const struct averaging *a, int i);
 
 /* Borrowed: the host cell of each particle, all about hosts, the report. */
 const int *averaging_host(const struct averaging *a);

@@ -21,6 +21,7 @@ struct averaging_method {
                    struct averaging_report *r);
     void (*gather)(void *state, int m, const double *field, double *q,
                    struct averaging_report *r);
+    double (*share)(const void *state, int i); /* or NULL: 1 */
 };
 
 #endif

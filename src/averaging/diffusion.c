@@ -280,6 +280,11 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
 }
 
 const struct averaging_method diffusion_method = {
-    "diffusion",      "SX15 5, 6, 9",  "the pcm field, smoothed by diffusion",
-    diffusion_create, diffusion_free,  NULL,
-    diffusion_spread, diffusion_gather};
+    .name = "diffusion",
+    .cite = "SX15 5, 6, 9",
+    .what = "the pcm field, smoothed by diffusion",
+    .create = diffusion_create,
+    .free = diffusion_free,
+    .spread = diffusion_spread,
+    .gather = diffusion_gather,
+};

@@ -2,11 +2,14 @@
 #include "averaging/hosts.h"
 
 #include <assert.h>
-#include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+
+/* Numbers; a loop over fewer is done before a second thread has woken up. */
+enum { WORTH_A_THREAD = 8192 };
 
 struct hosts *hosts_create(const struct mesh *mesh, const struct particles *ps)
 {
@@ -29,12 +32,6 @@ void hosts_free(struct hosts *h)
     free(h->start);
     free(h->member);
     free(h);
-}
-
-double hosts_particle_volume(const struct hosts *h, int i)
-{
-    const double d = h->ps->d[i];
-    return M_PI / 6.0 * d * d * d;
 }
 
 /* Host and offset of particle i. In a periodic direction the nearest image of
@@ -98,7 +95,7 @@ int hosts_find(struct hosts *h)
     const int n = h->ps->n;
     assert(n <= h->ps->capacity);
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n > WORTH_A_THREAD / 8)
     for (int i = 0; i < n; i++)
         find_one(h, i);
     const int lost = count_lost(h);
@@ -112,7 +109,7 @@ void hosts_sum(const struct hosts *h, int m, const double *q, double *field)
 {
     const int n_cells = h->mesh->n_cells;
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
     for (int c = 0; c < n_cells; c++) {
         double *const f = &field[m * c];
         for (int k = 0; k < m; k++)
@@ -127,7 +124,7 @@ void hosts_sum(const struct hosts *h, int m, const double *q, double *field)
 
 void hosts_value(const struct hosts *h, int m, const double *field, double *q)
 {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
     for (int i = 0; i < h->n; i++)
         for (int k = 0; k < m; k++)
             q[m * i + k] = field[m * h->host[i] + k];

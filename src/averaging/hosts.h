@@ -38,7 +38,4 @@ void hosts_sum(const struct hosts *h, int m, const double *q, double *field);
 /* Its adjoint: q_i = the value in the host of i. */
 void hosts_value(const struct hosts *h, int m, const double *field, double *q);
 
-/* [m^3] of the sphere that is particle i. */
-double hosts_particle_volume(const struct hosts *h, int i);
-
 #endif

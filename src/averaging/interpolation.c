@@ -48,7 +48,7 @@ static void linear(struct averaging *a, int m, const double *field,
 {
     const struct hosts *const h = averaging_hosts(a);
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (h->n > 512)
     for (int c = 0; c < h->mesh->n_cells; c++) {
         if (h->start[c] == h->start[c + 1]) continue;
         for (int k = 0; k < m; k++) {
@@ -69,6 +69,10 @@ static void same(struct averaging *a, int m, const double *field,
 {
     (void)boundary;
     averaging_gather(a, m, field, q);
+    if (averaging_report(a)->capped == 0) return;
+    for (int i = 0; i < averaging_hosts(a)->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] /= averaging_share(a, i);
 }
 
 static const struct interpolation interpolation_nearest = {

@@ -11,8 +11,9 @@
  *          none is given, f_f = f_c: next to a wall half the slope across it
  *          is seen, and none in a direction of one cell.
  *          It can leave the range of the neighbours' values: nothing limits it.
- * same     the adjoint of the averaging, averaging_gather: what is summed to
- *          the fluid is weighed as what is seen of it [XS11 3.9].
+ * same     what the averaging gathers: what is summed to the fluid is weighed
+ *          as what is seen of it [XS11 3.9]. A particle in a cell capped by
+ *          pcm is spread in part; what it sees is not cut down.
  */
 #ifndef INTERPOLATION_H
 #define INTERPOLATION_H

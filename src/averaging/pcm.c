@@ -45,7 +45,7 @@ static double solids(const struct hosts *h, int c)
     double sum = 0.0;
 
     for (int a = h->start[c]; a < h->start[c + 1]; a++)
-        sum += hosts_particle_volume(h, h->member[a]);
+        sum += particles_volume(h->ps, h->member[a]);
     return sum;
 }
 
@@ -90,11 +90,20 @@ static void pcm_gather(void *state, int m, const double *field, double *q,
             q[m * i + k] *= p->share[p->h->host[i]];
 }
 
-const struct averaging_method pcm_method = {"pcm",
-                                            "XS11 3.1, SX15 4, 7, 8",
-                                            "a cell takes the particles in it",
-                                            pcm_create,
-                                            pcm_free,
-                                            pcm_bind,
-                                            pcm_spread,
-                                            pcm_gather};
+static double pcm_share(const void *state, int i)
+{
+    const struct pcm *const p = state;
+    return p->share == NULL ? 1.0 : p->share[p->h->host[i]];
+}
+
+const struct averaging_method pcm_method = {
+    .name = "pcm",
+    .cite = "XS11 3.1, SX15 4, 7, 8",
+    .what = "a cell takes the particles in it",
+    .create = pcm_create,
+    .free = pcm_free,
+    .bind = pcm_bind,
+    .spread = pcm_spread,
+    .gather = pcm_gather,
+    .share = pcm_share,
+};

@@ -8,8 +8,9 @@
  * spread, whatever the amount: volume, momentum, force. Thus eps_s <= cap, and
  * the mean velocity of a cell (momentum over volume) is what it was. Gathering
  * takes the same share, s_c f_c, and so stays the adjoint; it does not give a
- * constant back in a capped cell ("nearest" does). What the cap takes away is
- * lost to the fields: the report says in how many cells and how much volume.
+ * constant back in a capped cell (the interpolations all do). What the cap
+ * takes away is lost to the fields: the report says in how many cells and how
+ * much volume.
  */
 #ifndef PCM_H
 #define PCM_H

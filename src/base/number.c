@@ -22,15 +22,28 @@ static void use_decimal_point(char *text)
     *out = '\0';
 }
 
+/* nan and inf without a sign that would only tell how they came about. */
+static const char *word_for(double x)
+{
+    if (isnan(x)) return "nan";
+    return x > 0.0 ? "inf" : "-inf";
+}
+
 const char *number_text(double x, char text[NUMBER_LENGTH])
 {
-    if (isnan(x)) return strcpy(text, "nan");
-    if (isinf(x)) return strcpy(text, x > 0.0 ? "inf" : "-inf");
+    if (!isfinite(x)) return strcpy(text, word_for(x));
     for (int digits = 15; digits <= 17; digits++) {
         snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
-        if (strtod(text, NULL) == x) /* both in the same language */
-            break;
+        if (strtod(text, NULL) == x) break; /* both in the same language */
     }
+    use_decimal_point(text);
+    return text;
+}
+
+const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH])
+{
+    if (!isfinite(x)) return strcpy(text, word_for(x));
+    snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
     use_decimal_point(text);
     return text;
 }

@@ -28,7 +28,7 @@ struct coupling_options {
     enum treatment treatment;
     const struct interpolation *interpolation;
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
-                     relaxation time asks for [XS11 3.3] */
+                     relaxation time asks for [XS11 section 3.3] */
     int two_way;  /* 0: the fluid does not feel the particles */
 };
 

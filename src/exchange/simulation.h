@@ -36,8 +36,8 @@ struct simulation {
     double *held;      /* [N] forces that effects put on the particles for
                           this step, 3 a particle */
     struct dem_report dem_report; /* of the last step */
-    struct boundary *boundaries; /* one a patch, of the fluid */
-    double *courses;     /* [s], [m/s] times and velocities of the inlets */
+    struct boundary *boundaries;  /* one a patch, of the fluid */
+    double *courses; /* [s], [m/s] times and velocities of the inlets */
     int n_effects;
     struct effect_state *effects;
     struct seconds seconds;

@@ -8,6 +8,8 @@
 
 #include "exchange/coupling.h"
 
+enum { MANY = 1000 }; /* particles from which on a second thread pays */
+
 static double volume(const struct particles *ps, int i)
 {
     return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
@@ -58,7 +60,7 @@ int transfer_average(struct simulation *sim)
             cp->eps[i] = 1.0;
         return 0;
     }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
         const double V = volume(ps, i);
         cp->amount[4 * i] = V;
@@ -82,7 +84,9 @@ static void charge_particles(struct simulation *sim)
     const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
     double shortest = INFINITY;
 
-#pragma omp parallel for schedule(static) reduction(min : shortest)
+#pragma omp parallel for schedule(static)                                      \
+    reduction(min                                                              \
+              : shortest) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
         const double k = drag_rate(sim, i);
         shortest = fmin(shortest, ps->m[i] / k); /* tau_p [XS11 3.16] */
@@ -160,6 +164,16 @@ static void settle_payment(struct simulation *sim)
     check_payment(sim, charged, scale);
 }
 
+/* 1: what a particle sees of the fluid is the adjoint already. (Where a cap
+ * is at work it is not: see averaging_share.) */
+static int seen_alike(const struct simulation *sim)
+{
+    const struct coupling *const cp = sim->coupling;
+
+    return cp->options.interpolation == interpolation_named("same") &&
+           averaging_report(sim->averaging)->capped == 0;
+}
+
 void transfer_fluid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
@@ -168,8 +182,12 @@ void transfer_fluid(struct simulation *sim)
         averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
         if (sim->fluid->t > 0.0) settle_payment(sim);
     }
-    cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
-                                     cp->u_f);
+    if (cp->options.two_way && seen_alike(sim))
+        memcpy(cp->u_f, cp->smooth,
+               3 * (size_t)sim->particles->n * sizeof *cp->u_f);
+    else
+        cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
+                                         cp->u_f);
 }
 
 void transfer_open_account(struct simulation *sim)
@@ -185,7 +203,7 @@ void transfer_apply_drag(struct simulation *sim, int steps)
     const double share = (double)steps / sim->dem_steps;
     const double time = cp->options.two_way ? share * sim->dt : 0.0;
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
         const double k = drag_rate(sim, i);
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};

@@ -46,9 +46,12 @@ struct fluid_report {
     double mass_residual;     /* [-] largest defect of continuity in a cell,
                                  from the face fluxes, over the largest flux
                                  through a cell */
-    double momentum_residual; /* [-] what the last corrector left of the
+    double momentum_residual; /* [-] change of the fluid's momentum that no
+                                 force accounts for, over the sum of their
+                                 sizes: from faces and particles */
+    double splitting;         /* [-] what the last corrector left of the
                                  momentum equation, over its largest term;
-                                 carried into the next step */
+                                 carried into the next step, not lost */
     double cfl;               /* [-] largest dt (sum |phi|) / (2 eps V) */
     int backflow_faces;       /* [-] outlet faces with flow inward */
 };

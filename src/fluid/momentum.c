@@ -206,7 +206,7 @@ void momentum_correct(struct fluid *fl)
                 (ps->H[3 * c + k] + known(fl, c, k)) / ps->momentum->diag[c];
 }
 
-double momentum_residual(struct fluid *fl)
+double momentum_rest(struct fluid *fl)
 {
     struct piso *const ps = fl->piso;
     double worst = 0.0, largest = 0.0;

@@ -150,7 +150,11 @@ static void note_worst(struct solve_report *worst, struct solve_report now)
 int fluid_step(struct fluid *fl)
 {
     struct fluid_report *const report = &fl->report;
+    const double *const r = fl->relabelled;
+    const double relabelled[3] = {r[0], r[1], r[2]};
+    double before[3];
 
+    fluid_momentum(fl, before);
     fl->t += fl->options.dt;
     momentum_assemble(fl);
     gradient_update(fl); /* with the drag of now */
@@ -168,10 +172,11 @@ int fluid_step(struct fluid *fl)
         gradient_update(fl);
         momentum_correct(fl);
     }
-    report->momentum_residual = momentum_residual(fl);
+    report->splitting = momentum_rest(fl);
     report->mass_residual = continuity_residual(fl);
     count_relabelled(fl);
     shift_time(fl);
+    report->momentum_residual = balance_residual(fl, before, relabelled);
     return !(all_finite(fl) && report->pressure.converged &&
              report->momentum.converged);
 }

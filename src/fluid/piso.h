@@ -61,7 +61,7 @@ void momentum_neighbours(struct fluid *fl);
 void momentum_correct(struct fluid *fl);
 /* What is left of the equation with the present u and p goes to `owed`;
  * returns its largest entry over the largest term of the equation [-]. */
-double momentum_residual(struct fluid *fl);
+double momentum_rest(struct fluid *fl);
 
 /* pressure.c: mobilities and the matrix; once a step. */
 void pressure_assemble(struct fluid *fl);
@@ -79,6 +79,12 @@ void jump_update(struct fluid *fl);
 double jump_pressure(const struct fluid *fl, int f);
 /* By how much p_f lies above the owner's side of the face [Pa]. */
 double jump_above_owner(const struct fluid *fl, int f);
+
+/* balance.c: how far the momentum of the fluid, `before` the step and now,
+ * changed otherwise than by the forces on it, over the sum of their sizes [-].
+ * relabelled: fl->relabelled before the step. */
+double balance_residual(const struct fluid *fl, const double before[3],
+                        const double relabelled[3]);
 
 /* gradient.c: p_face and grad_p from p, phi and the forces. */
 void gradient_update(struct fluid *fl);

@@ -22,7 +22,7 @@ void bicgstab_work_free(struct bicgstab_work *w);
  * over all three components, so that a component that is almost zero is not
  * asked for more than it matters. The report is that of the worst component;
  * a guess that is good enough costs 0 iterations. After a breakdown the method
- * starts afresh from where it is; converged says whether that helped. */
+ * starts afresh from where it is, if it moved at all. diag3 has no zeros. */
 struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
                                    const double *b3, double *x3,
                                    double tolerance /* [-] */,

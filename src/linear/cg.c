@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
+#include "linear/strips.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -35,59 +36,73 @@ void cg_work_free(struct cg_work *w)
     free(w);
 }
 
-/* r = b - A x; returns r.r */
-static double residual(const struct csr *A, const double *b, const double *x,
-                       double *r)
+/* y = A x; returns x.y */
+static double multiply(const struct csr *A, const struct multigrid *mg,
+                       const double *x, double *y)
 {
-    const int n = A->n;
+    if (mg != NULL) return multigrid_multiply(mg, x, y);
+    csr_multiply(A, x, y);
+    return reduce_dot(A->n, x, y);
+}
 
-    csr_multiply(A, x, r);
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
+/* r = b - r over a range; returns its part of r.r */
+static double subtract(int first, int last, const double *b, double *r)
+{
+    for (int i = first; i < last; i++)
         r[i] = b[i] - r[i];
-    return reduce_dot(n, r, r);
+    return reduce_range(first, last, r, r);
 }
 
-static void precondition(const struct csr *A, struct multigrid *mg,
-                         const double *r, double *z)
+/* r = b - A x; returns r.r */
+static double residual(const struct csr *A, const struct multigrid *mg,
+                       const double *b, const double *x, double *r)
 {
-    const int n = A->n;
+    double rr;
 
-    if (mg != NULL) {
-        multigrid_apply(mg, r, z);
-        return;
-    }
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
-        z[i] = r[i] / A->diag[i];
+    multiply(A, mg, x, r);
+    STRIPS_SUM(rr, A->n, 1, subtract, b, r);
+    return rr;
 }
 
-/* p = z + beta p */
-static void turn(int n, double beta, const double *z, double *p)
+/* z = r / diag over a range; returns its part of r.z */
+static double jacobi(int first, int last, const double *diag, const double *r,
+                     double *z)
 {
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int i = 0; i < n; i++)
+    for (int i = first; i < last; i++)
+        z[i] = r[i] / diag[i];
+    return reduce_range(first, last, r, z);
+}
+
+/* z = M r; returns r.z */
+static double precondition(const struct csr *A, struct multigrid *mg,
+                           const double *r, double *z)
+{
+    double rz;
+
+    if (mg != NULL) return multigrid_apply(mg, r, z);
+    STRIPS_SUM(rz, A->n, 1, jacobi, A->diag, r, z);
+    return rz;
+}
+
+/* p = z + beta p over a range */
+static void turn(int first, int last, double beta, const double *z, double *p)
+{
+    for (int i = first; i < last; i++)
         p[i] = z[i] + beta * p[i];
 }
 
-/* x += alpha p, r -= alpha q; returns r.r */
-static double advance(double alpha, const struct cg_work *w, double *x)
+/* x += alpha p, r -= alpha q over a range; returns its part of r.r */
+static double advance(int first, int last, double alpha, struct cg_work *w,
+                      double *x)
 {
+    const double *const p = w->p, *const q = w->q;
     double *const r = w->r;
-    double strip[REDUCE_STRIPS];
 
-#pragma omp parallel for schedule(static) if (w->n > REDUCE_THREADED)
-    for (int s = 0; s < REDUCE_STRIPS; s++) {
-        const int first = reduce_strip(w->n, s);
-        const int last = reduce_strip(w->n, s + 1);
-
-        for (int i = first; i < last; i++) {
-            x[i] += alpha * w->p[i];
-            r[i] -= alpha * w->q[i];
-        }
-        strip[s] = reduce_range(first, last, r, r);
+    for (int i = first; i < last; i++) {
+        x[i] += alpha * p[i];
+        r[i] -= alpha * q[i];
     }
-    return reduce_strips(strip);
+    return reduce_range(first, last, r, r);
 }
 
 /* The iteration, until |r| <= target. Returns the last |r|. */
@@ -95,21 +110,17 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
                       double rr, double target, int max_iterations,
                       struct cg_work *w, int *iterations)
 {
-    const int n = A->n;
     double rz_old = 1.0;
 
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
-        precondition(A, mg, w->r, w->z);
+        const double rz = precondition(A, mg, w->r, w->z);
 
-        const double rz = reduce_dot(n, w->r, w->z);
+        STRIPS_RUN(A->n, 1, turn, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
 
-        turn(n, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
-        csr_multiply(A, w->p, w->q);
-
-        const double pq = reduce_dot(n, w->p, w->q);
+        const double pq = multiply(A, mg, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
-        rr = advance(rz / pq, w, x);
+        STRIPS_SUM(rr, A->n, 1, advance, rz / pq, w, x);
         rz_old = rz;
         *iterations = it + 1;
     }
@@ -130,7 +141,7 @@ struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
     }
 
     const double target = fmax(tolerance * scale, absolute);
-    const double rr = residual(A, b, x, w->r);
+    const double rr = residual(A, mg, b, x, w->r);
     const double after =
         iterate(A, mg, x, rr, target, max_iterations, w, &report.iterations);
 

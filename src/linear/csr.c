@@ -2,7 +2,8 @@
 #include "linear/csr.h"
 
 #include "base/alloc.h"
-#include "linear/reduce.h"
+#include "linear/fields.h"
+#include "linear/strips.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -93,10 +94,10 @@ void csr_free(struct csr *A)
     free(A);
 }
 
-void csr_multiply(const struct csr *A, const double *x, double *y)
+static void rows(int first, int last, const struct csr *A, const double *x,
+                 double *y)
 {
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4)
-    for (int i = 0; i < A->n; i++) {
+    for (int i = first; i < last; i++) {
         double sum = A->diag[i] * x[i];
 
         for (int e = A->start[i]; e < A->start[i + 1]; e++)
@@ -105,65 +106,55 @@ void csr_multiply(const struct csr *A, const double *x, double *y)
     }
 }
 
-/* One row for m fields. Called with m a constant where it matters, so that
- * the sums stay in registers. d is the diagonal: one number (step = 0) or one
- * a field (step = 1). */
-static inline void row_many(const struct csr *A, int i, int m, const double *d,
-                            int step, const double *x, double *y)
+void csr_multiply(const struct csr *A, const double *x, double *y)
 {
-    double sum[REDUCE_FIELDS];
-    const double *const xi = x + (long)m * i;
-    double *const yi = y + (long)m * i;
+    STRIPS_RUN(A->n, 4, rows, A, x, y);
+}
 
-    for (int k = 0; k < m; k++)
-        sum[k] = d[k * step] * xi[k];
-    for (int e = A->start[i]; e < A->start[i + 1]; e++) {
-        const double a = A->a[e];
-        const double *const xj = x + (long)m * A->col[e];
+/* Rows for width fields from the k-th of m on. The diagonal is one number a row
+ * (step = 0) or one a field (step = 1), or none (NULL). */
+FIELDS_KERNEL rows_of(int width, int k, int first, int last,
+                      const struct csr *A, int m, const double *diag, int step,
+                      const double *x, double *y)
+{
+    for (int i = first; i < last; i++) {
+        const double *const xi = x + (long)m * i + k;
+        const long at = step ? (long)m * i + k : i;
+        double sum[FIELDS_WIDTH] = {0.0};
 
-        for (int k = 0; k < m; k++)
-            sum[k] += a * xj[k];
+        for (int f = 0; f < width && diag != NULL; f++)
+            sum[f] = diag[at + f * step] * xi[f];
+        for (int e = A->start[i]; e < A->start[i + 1]; e++) {
+            const double a = A->a[e];
+            const double *const xj = x + (long)m * A->col[e] + k;
+
+            for (int f = 0; f < width; f++)
+                sum[f] += a * xj[f];
+        }
+        for (int f = 0; f < width; f++)
+            y[(long)m * i + k + f] = sum[f];
     }
-    for (int k = 0; k < m; k++)
-        yi[k] = sum[k];
+}
+
+static void rows_many(int first, int last, const struct csr *A, int m,
+                      const double *x, double *y)
+{
+    FIELDS_RUN(m, rows_of, first, last, A, m, A->diag, 0, x, y);
 }
 
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
 {
-    assert(m >= 1 && m <= REDUCE_FIELDS);
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
-    for (int i = 0; i < A->n; i++) {
-        const double *const d = A->diag + i;
+    STRIPS_RUN(A->n, 4 * m, rows_many, A, m, x, y);
+}
 
-        switch (m) {
-        case 3:
-            row_many(A, i, 3, d, 0, x, y);
-            break;
-        case 4:
-            row_many(A, i, 4, d, 0, x, y);
-            break;
-        case 8:
-            row_many(A, i, 8, d, 0, x, y);
-            break;
-        default:
-            row_many(A, i, m, d, 0, x, y);
-        }
-    }
+static void rows_each(int first, int last, const struct csr *A, int m,
+                      const double *diag, const double *x, double *y)
+{
+    FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
 
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y)
 {
-    const double none[REDUCE_FIELDS] = {0.0};
-
-    assert(m >= 1 && m <= REDUCE_FIELDS);
-#pragma omp parallel for schedule(static) if (A->n > REDUCE_THREADED / 4 / m)
-    for (int i = 0; i < A->n; i++) {
-        const double *const d = diag != NULL ? diag + (long)m * i : none;
-
-        if (m == 3)
-            row_many(A, i, 3, d, 1, x, y);
-        else
-            row_many(A, i, m, d, 1, x, y);
-    }
+    STRIPS_RUN(A->n, 4 * m, rows_each, A, m, diag, x, y);
 }

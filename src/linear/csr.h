@@ -38,7 +38,7 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
 /* The same, but each field has its own diagonal, diag[m * i + k], which stands
- * in for A->diag. diag = NULL: only the entries off the diagonal. */
+ * in for A->diag; NULL: the part off the diagonal alone. */
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y);
 

@@ -3,8 +3,12 @@
 
 #include "base/alloc.h"
 
-#include <float.h>
+#include <math.h>
 #include <stdlib.h>
+
+/* Of the largest diagonal entry: a pivot below is what rounding left of a sum
+ * over millions of cells. */
+static const double rounding = 1e-12;
 
 struct dense {
     int n;
@@ -38,20 +42,23 @@ double *dense_matrix(struct dense *D)
 void dense_factor(struct dense *D)
 {
     const int n = D->n;
+    double most = 0.0;
 
-    for (int j = 0; j < n; j++) D->inverse[j] = D->a[j * n + j]; /* for scale */
+    for (int j = 0; j < n; j++)
+        most = fmax(most, D->a[j * n + j]);
     for (int j = 0; j < n; j++) {
         double *const column = D->a + j * n;
-        const double rounding = n * DBL_EPSILON * D->inverse[j];
-        const int regular = column[j] > rounding;
+        const int regular = column[j] > rounding * most;
 
         D->inverse[j] = regular ? 1.0 / column[j] : 0.0;
         for (int k = j + 1; k < n; k++) {
             const double factor = column[k] * D->inverse[j];
 
-            for (int i = k; i < n; i++) D->a[k * n + i] -= factor * column[i];
+            for (int i = k; i < n; i++)
+                D->a[k * n + i] -= factor * column[i];
         }
-        for (int i = j + 1; i < n; i++) column[i] *= D->inverse[j];
+        for (int i = j + 1; i < n; i++)
+            column[i] *= D->inverse[j];
     }
 }
 
@@ -59,17 +66,20 @@ void dense_solve(const struct dense *D, const double *b, double *x)
 {
     const int n = D->n;
 
-    for (int i = 0; i < n; i++) x[i] = b[i];
+    for (int i = 0; i < n; i++)
+        x[i] = b[i];
     for (int j = 0; j < n; j++) {
         const double *const column = D->a + j * n;
 
-        for (int i = j + 1; i < n; i++) x[i] -= column[i] * x[j];
+        for (int i = j + 1; i < n; i++)
+            x[i] -= column[i] * x[j];
     }
     for (int j = n - 1; j >= 0; j--) {
         const double *const column = D->a + j * n;
         double sum = x[j] * D->inverse[j];
 
-        for (int i = j + 1; i < n; i++) sum -= column[i] * x[i];
+        for (int i = j + 1; i < n; i++)
+            sum -= column[i] * x[i];
         x[j] = sum;
     }
 }

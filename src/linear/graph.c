@@ -7,6 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the area of a cell: what is less is not taken for a wall. */
+static const double small_gap = 0.02;
+
 static struct graph *allocate(int n, int n_links)
 {
     struct graph *const g = alloc_zeroed(1, sizeof *g);
@@ -18,8 +21,35 @@ static struct graph *allocate(int n, int n_links)
     g->strength = alloc_doubles(n_links);
     g->link = alloc_doubles(3 * n_links);
     g->V = alloc_doubles(n);
+    g->wall = alloc_doubles(3 * n);
     g->strong = alloc_ints(n_links);
     return g;
+}
+
+/* A cell is closed, so what its links leave open is the area of its wall. S is
+ * taken along d, which is exact if they are parallel; a small gap is the error
+ * of that. */
+static void find_walls(struct graph *g)
+{
+    double *const area = alloc_doubles(g->n);
+
+    for (int l = 0; l < g->n_links; l++)
+        for (int k = 0; k < 3; k++) {
+            const double S = g->strength[l] * g->link[3L * l + k];
+            const int i = g->owner[l], j = g->neighbour[l];
+
+            g->wall[3L * i + k] -= S;
+            g->wall[3L * j + k] += S;
+            area[i] += fabs(S);
+            area[j] += fabs(S);
+        }
+    for (int i = 0; i < g->n; i++)
+        for (int k = 0; k < 3; k++) {
+            double *const wall = &g->wall[3L * i + k];
+
+            *wall = fabs(*wall) > small_gap * area[i] ? fabs(*wall) : 0.0;
+        }
+    free(area);
 }
 
 struct graph *graph_create(int n, int n_links, const int *owner,
@@ -34,6 +64,7 @@ struct graph *graph_create(int n, int n_links, const int *owner,
     memcpy(g->strength, strength, links * sizeof *strength);
     memcpy(g->link, link, 3 * links * sizeof *link);
     memcpy(g->V, V, (size_t)n * sizeof *V);
+    find_walls(g);
     return g;
 }
 
@@ -45,6 +76,7 @@ void graph_free(struct graph *g)
     free(g->strength);
     free(g->link);
     free(g->V);
+    free(g->wall);
     free(g->strong);
     free(g);
 }
@@ -54,6 +86,14 @@ double graph_length(const struct graph *g, int l)
     const double *const d = g->link + 3L * l;
 
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+double graph_depth(const struct graph *g, int i)
+{
+    const double *const w = g->wall + 3L * i;
+    const double area = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+
+    return area > 0.0 ? g->V[i] / area : 0.0;
 }
 
 /* Numbers the aggregates in the order of their first cells; returns how many.
@@ -71,8 +111,8 @@ static int number(int n, const int *root, int *parent)
     return count;
 }
 
-/* Volumes of the aggregates; offsets from their centroids instead of from
- * their first cells. */
+/* Volumes and walls of the aggregates; offsets from their centroids instead of
+ * from their first cells. */
 static void centre(const struct graph *g, const int *parent, struct graph *big,
                    double *offset)
 {
@@ -80,8 +120,10 @@ static void centre(const struct graph *g, const int *parent, struct graph *big,
 
     for (int i = 0; i < g->n; i++) {
         big->V[parent[i]] += g->V[i];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
+            big->wall[3L * parent[i] + k] += g->wall[3L * i + k];
             sum[3L * parent[i] + k] += g->V[i] * offset[3L * i + k];
+        }
     }
     for (int i = 0; i < g->n; i++)
         for (int k = 0; k < 3; k++)

@@ -10,6 +10,8 @@ struct graph {
     double *strength;       /* [m] S/d of each link */
     double *link;           /* [m] from owner to neighbour, 3 a link */
     double *V;              /* [m^3] of each cell */
+    double *wall;           /* [m^2] area of each cell that no link leads
+                               through, by direction, 3 a cell */
     int *strong;            /* [-] 1: the link may join cells */
 };
 
@@ -21,6 +23,10 @@ void graph_free(struct graph *g);
 
 /* Length of link l [m]. */
 double graph_length(const struct graph *g, int l);
+
+/* How far it is through cell i to the wall it touches, V over area [m]; 0 for
+ * a cell inside. */
+double graph_depth(const struct graph *g, int i);
 
 /* The graph of aggregates. root[i] is the first cell of the aggregate of i,
  * offset the way from there to i [m] (becomes the way from the centroid).

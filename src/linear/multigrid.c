@@ -3,12 +3,11 @@
 
 #include "base/alloc.h"
 #include "linear/dense.h"
-#include "linear/graph.h"
+#include "linear/level.h"
 #include "linear/pairs.h"
 #include "linear/reduce.h"
-#include "linear/symmetric.h"
+#include "linear/strips.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -22,204 +21,109 @@ enum {
  * diagonally dominant, so no eigenvalue needs to be estimated. */
 static const double low = 0.56, high = 2.0;
 
-/* What sums many things into few: item t of list[start[i]] .. belongs to i. */
-struct members {
-    int *start, *list;
-};
-
-struct level {
-    int n, n_links;
-    struct symmetric *A;
-    double *g;    /* coefficient of each link: minus the matrix entry */
-    double *sums; /* row sums of the matrix: what is not diffusion */
-    double *b, *r;          /* right-hand side (not on the finest), residual */
-    double *x, *y;          /* two stages of the solution, padded */
-    int *parent;            /* [-] aggregate of each unknown */
-    struct members cells;   /* of the finer level, in each unknown */
-    struct members links;   /* of the finer level, in each link */
-    double *share;          /* [-] of links.list: length of the finer link over
-                               that of the coarser */
-};
-
 struct multigrid {
     int n_levels;
-    struct level level[LEVELS];
-    struct dense *coarsest; /* NULL if too many unknowns are left */
-    const struct csr *A;    /* borrowed from update to update */
+    struct level level[LEVELS]; /* the finest first */
+    struct dense *coarsest;     /* NULL if too many unknowns are left */
+    struct graph *links;        /* of the coarsest level, for its matrix */
+    double *unknown;            /* of the coarsest level */
+    double unit;                /* one over the typical entry of the matrix */
 };
 
-static struct members members_of(int n_groups, int n, const int *group)
+/* Adds the level above g, or returns NULL if aggregates no longer help. */
+static struct graph *add_level(struct multigrid *mg, struct graph *g)
 {
-    struct members m = {alloc_ints(n_groups + 1), NULL};
-    int *const next = alloc_ints(n_groups + 1);
+    struct level *const v = &mg->level[mg->n_levels];
+    int *const parent = alloc_ints(g->n);
+    int *const bundle = alloc_ints(g->n_links);
+    struct graph *coarse = pairs_coarser(g, parent, bundle);
 
-    for (int i = 0; i < n; i++)
-        if (group[i] >= 0) m.start[group[i] + 1]++;
-    for (int s = 0; s < n_groups; s++) m.start[s + 1] += m.start[s];
-    for (int s = 0; s < n_groups; s++) next[s] = m.start[s];
-    m.list = alloc_ints(m.start[n_groups]);
-    for (int i = 0; i < n; i++)
-        if (group[i] >= 0) m.list[next[group[i]]++] = i;
-    free(next);
-    return m;
-}
-
-static void level_fill(struct level *v, const struct graph *g)
-{
-    v->n = g->n;
-    v->n_links = g->n_links;
-    v->A = symmetric_create(g->n, g->n_links, g->owner, g->neighbour);
-    v->g = alloc_doubles(g->n_links);
-    v->sums = alloc_doubles(g->n);
-    v->b = alloc_doubles(g->n);
-    v->r = alloc_doubles(g->n);
-    v->x = symmetric_vector(v->A);
-    v->y = symmetric_vector(v->A);
-}
-
-/* Ties level v to the finer level below it. */
-static void level_tie(struct level *v, const struct graph *fine,
-                      const struct graph *coarse, const int *parent,
-                      const int *bundle)
-{
-    v->cells = members_of(coarse->n, fine->n, parent);
-    v->links = members_of(coarse->n_links, fine->n_links, bundle);
-    v->share = alloc_doubles(v->links.start[coarse->n_links]);
-    for (int L = 0; L < coarse->n_links; L++)
-        for (int s = v->links.start[L]; s < v->links.start[L + 1]; s++)
-            v->share[s] = fmin(1.0, graph_length(fine, v->links.list[s]) /
-                                        graph_length(coarse, L));
+    if (coarse->n > 0.8 * g->n) {
+        free(parent);
+        graph_free(coarse);
+        coarse = NULL;
+    } else {
+        v[-1].parent = parent;
+        level_init(v, coarse, 0);
+        level_tie(v, g, coarse, parent, bundle);
+        mg->n_levels++;
+    }
+    free(bundle);
+    return coarse;
 }
 
 struct multigrid *multigrid_create(int n, int n_links, const int *owner,
-                                   const int *neighbour,
-                                   const double *strength, const double *link,
-                                   const double *V)
+                                   const int *neighbour, const double *strength,
+                                   const double *link, const double *V)
 {
     struct multigrid *const mg = alloc_zeroed(1, sizeof *mg);
     struct graph *g =
         graph_create(n, n_links, owner, neighbour, strength, link, V);
 
-    level_fill(&mg->level[mg->n_levels++], g);
-    while (g->n > DENSE && mg->n_levels < LEVELS) {
-        int *const parent = alloc_ints(g->n);
-        int *const bundle = alloc_ints(g->n_links);
-        struct graph *const big = pairs_coarser(g, parent, bundle);
-        const int stalled = big->n > 0.8 * g->n;
+    level_init(&mg->level[mg->n_levels++], g, 1);
+    while (g != NULL && g->n > DENSE && mg->n_levels < LEVELS) {
+        struct graph *const fine = g;
 
-        if (!stalled) {
-            mg->level[mg->n_levels - 1].parent = parent;
-            level_fill(&mg->level[mg->n_levels], big);
-            level_tie(&mg->level[mg->n_levels++], g, big, parent, bundle);
-        } else {
-            free(parent);
-        }
-        free(bundle);
-        graph_free(g);
-        g = big;
-        if (stalled) break;
+        g = add_level(mg, fine);
+        graph_free(fine);
     }
-    graph_free(g);
+    mg->links = g;
 
     const int left = mg->level[mg->n_levels - 1].n;
 
     if (left <= DENSE) mg->coarsest = dense_create(left);
+    mg->unknown = alloc_doubles(left);
     return mg;
-}
-
-static void level_free(struct level *v)
-{
-    symmetric_vector_free(v->A, v->x);
-    symmetric_vector_free(v->A, v->y);
-    symmetric_free(v->A);
-    free(v->g);
-    free(v->sums);
-    free(v->b);
-    free(v->r);
-    free(v->parent);
-    free(v->cells.start);
-    free(v->cells.list);
-    free(v->links.start);
-    free(v->links.list);
-    free(v->share);
 }
 
 void multigrid_free(struct multigrid *mg)
 {
     if (mg == NULL) return;
-    for (int k = 0; k < mg->n_levels; k++) level_free(&mg->level[k]);
+    for (int k = 0; k < mg->n_levels; k++)
+        level_release(&mg->level[k]);
     dense_free(mg->coarsest);
+    graph_free(mg->links);
+    free(mg->unknown);
     free(mg);
 }
 
-/* The coefficients of the finest level, out of the matrix itself. */
-static void take_over(struct level *v, const struct csr *A)
-{
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 4)
-    for (int l = 0; l < v->n_links; l++) v->g[l] = -A->a[A->upper[l]];
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 4)
-    for (int i = 0; i < v->n; i++) {
-        double sum = A->diag[i];
-
-        for (int e = A->start[i]; e < A->start[i + 1]; e++) sum += A->a[e];
-        v->sums[i] = sum;
-    }
-}
-
-/* The coefficients of a coarser level, summed from the finer one. */
-static void sum_up(struct level *v, const struct level *fine)
-{
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 16)
-    for (int L = 0; L < v->n_links; L++) {
-        double sum = 0.0;
-
-        for (int s = v->links.start[L]; s < v->links.start[L + 1]; s++)
-            sum += v->share[s] * fine->g[v->links.list[s]];
-        v->g[L] = sum;
-    }
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 8)
-    for (int I = 0; I < v->n; I++) {
-        double sum = 0.0;
-
-        for (int s = v->cells.start[I]; s < v->cells.start[I + 1]; s++)
-            sum += fine->sums[v->cells.list[s]];
-        v->sums[I] = sum;
-    }
-}
-
-/* Column by column, the coarsest matrix times unit vectors. */
+/* The coarsest matrix in double, from the coefficients of its links. */
 static void factor_coarsest(struct multigrid *mg)
 {
-    struct level *const v = &mg->level[mg->n_levels - 1];
+    const struct level *const v = &mg->level[mg->n_levels - 1];
     double *const a = dense_matrix(mg->coarsest);
+    const int n = v->n;
 
-    for (int i = 0; i < v->n; i++) v->b[i] = v->x[i] = 0.0;
-    for (int j = 0; j < v->n; j++) {
-        v->x[j] = -1.0;
-        symmetric_residual(v->A, v->b, v->x, a + j * v->n);
-        v->x[j] = 0.0;
+    for (int i = 0; i < n * n; i++)
+        a[i] = 0.0;
+    for (int i = 0; i < n; i++)
+        a[i * n + i] = mg->unit * v->sums[i];
+    for (int l = 0; l < v->n_links; l++) {
+        const int i = mg->links->owner[l], j = mg->links->neighbour[l];
+        const double g = mg->unit * v->g[l];
+
+        a[i * n + i] += g;
+        a[j * n + j] += g;
+        a[i * n + j] -= g;
+        a[j * n + i] -= g;
     }
     dense_factor(mg->coarsest);
 }
 
 void multigrid_update(struct multigrid *mg, const struct csr *A)
 {
-    mg->A = A;
-    for (int k = 0; k < mg->n_levels; k++) {
-        struct level *const v = &mg->level[k];
+    struct level *const v = mg->level;
 
-        if (k == 0)
-            take_over(v, A);
-        else
-            sum_up(v, v - 1);
-        symmetric_fill(v->A, v->g, v->sums);
-    }
+    mg->unit = 1.0 / reduce_rms(A->n, A->diag);
+    level_take_over(v, A, mg->unit);
+    for (int k = 1; k < mg->n_levels; k++)
+        level_sum_up(&v[k], &v[k - 1], mg->unit);
     if (mg->coarsest != NULL) factor_coarsest(mg);
 }
 
-/* The weights of the two stages of Chebyshev smoothing [Saad 03, 12.3.2]. */
+/* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */
 struct weights {
-    double first, turn, second;
+    float first, turn, second;
 };
 
 static struct weights smoothing(void)
@@ -227,76 +131,110 @@ static struct weights smoothing(void)
     const double theta = 0.5 * (high + low), delta = 0.5 * (high - low);
     const double rho0 = delta / theta;
     const double rho1 = 1.0 / (2.0 * theta / delta - rho0);
-    const struct weights w = {1.0 / theta, rho1 * rho0, 2.0 * rho1 / delta};
+    const struct weights w = {(float)(1.0 / theta), (float)(rho1 * rho0),
+                              (float)(2.0 * rho1 / delta)};
 
     return w;
 }
 
+/* x = weight D^-1 b over a range */
+static void jacobi_rows(int first, int last, struct level *v, float weight)
+{
+    const float *const inverse = v->A->inverse;
+
+    for (int i = first; i < last; i++)
+        v->x[i] = weight * inverse[i] * v->b[i];
+}
+
 /* y = a smoothed solution of A y = b from zero. */
-static void smooth_from_zero(const struct level *v, const double *b)
+static void smooth_from_zero(struct level *v)
 {
     const struct weights w = smoothing();
 
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED)
-    for (int i = 0; i < v->n; i++) v->x[i] = w.first * v->A->inverse[i] * b[i];
-    symmetric_relax(v->A, b, v->x, 1.0 + w.turn, v->x, 0.0, w.second, v->y);
+    STRIPS_RUN(v->n, 1, jacobi_rows, v, w.first);
+    symmetric_relax(v->A, v->b, v->x, 1.0F + w.turn, v->x, 0.0F, w.second,
+                    v->y);
 }
 
-/* z = a smoothed y; z may be y. */
-static void smooth(const struct level *v, const double *b, double *z)
+/* The same from the y there is. */
+static void smooth(struct level *v)
 {
     const struct weights w = smoothing();
 
-    symmetric_relax(v->A, b, v->y, 1.0, v->y, 0.0, w.first, v->x);
-    symmetric_relax(v->A, b, v->x, 1.0 + w.turn, v->y, -w.turn, w.second, z);
+    symmetric_relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
+    symmetric_relax(v->A, v->b, v->x, 1.0F + w.turn, v->y, -w.turn, w.second,
+                    v->y);
 }
 
-/* Right-hand side of the coarser level: what the finer one is still missing. */
-static void go_down(const struct level *fine, const double *b, struct level *v)
+static void solve_coarsest(struct multigrid *mg)
 {
-    smooth_from_zero(fine, b);
-    symmetric_residual(fine->A, b, fine->y, fine->r);
-#pragma omp parallel for schedule(static) if (v->n > REDUCE_THREADED / 8)
-    for (int I = 0; I < v->n; I++) {
-        double sum = 0.0;
+    struct level *const v = &mg->level[mg->n_levels - 1];
 
-        for (int s = v->cells.start[I]; s < v->cells.start[I + 1]; s++)
-            sum += fine->r[v->cells.list[s]];
-        v->b[I] = sum;
-    }
-}
-
-static void go_up(const struct level *fine, const double *b,
-                  const struct level *v, double *z)
-{
-#pragma omp parallel for schedule(static) if (fine->n > REDUCE_THREADED)
-    for (int i = 0; i < fine->n; i++) fine->y[i] += v->y[fine->parent[i]];
-    smooth(fine, b, z);
-}
-
-static void solve_coarsest(const struct multigrid *mg, const double *b)
-{
-    const struct level *const v = &mg->level[mg->n_levels - 1];
-
-    if (mg->coarsest != NULL) {
-        dense_solve(mg->coarsest, b, v->y);
+    if (mg->coarsest == NULL) {
+        smooth_from_zero(v);
+        for (int s = 1; s < COARSEST_SWEEPS; s++)
+            smooth(v);
         return;
     }
-    smooth_from_zero(v, b);
-    for (int s = 1; s < COARSEST_SWEEPS; s++) smooth(v, b, v->y);
+    for (int i = 0; i < v->n; i++)
+        mg->unknown[i] = (double)v->b[i];
+    dense_solve(mg->coarsest, mg->unknown, mg->unknown);
+    for (int i = 0; i < v->n; i++)
+        v->y[i] = (float)mg->unknown[i];
 }
 
-void multigrid_apply(struct multigrid *mg, const double *r, double *z)
+/* Down to the coarsest level and up again: each level is smoothed, hands on
+ * what it is still missing, gets the answer and is smoothed again. */
+static void cycle(struct multigrid *mg)
 {
     struct level *const v = mg->level;
-    const int last = mg->n_levels - 1;
 
-    for (int k = 0; k < last; k++) go_down(&v[k], k ? v[k].b : r, &v[k + 1]);
-    solve_coarsest(mg, last ? v[last].b : r);
-    for (int k = last - 1; k >= 0; k--)
-        go_up(&v[k], k ? v[k].b : r, &v[k + 1], k ? v[k].y : z);
-    if (last == 0)
-        for (int i = 0; i < v->n; i++) z[i] = v->y[i];
+    for (int k = 0; k + 1 < mg->n_levels; k++) {
+        smooth_from_zero(&v[k]);
+        symmetric_residual(v[k].A, v[k].b, v[k].y, v[k].r);
+        level_restrict(&v[k + 1], &v[k]);
+    }
+    solve_coarsest(mg);
+    for (int k = mg->n_levels - 2; k >= 0; k--) {
+        level_prolong(&v[k + 1], &v[k]);
+        smooth(&v[k]);
+    }
+}
+
+/* b = r / scale over a range */
+static void take(int first, int last, const double *r, double scale, float *b)
+{
+    for (int i = first; i < last; i++)
+        b[i] = (float)(r[i] / scale);
+}
+
+/* z = scale y over a range; returns its part of r.z */
+static double give(int first, int last, const float *y, double scale,
+                   const double *r, double *z)
+{
+    for (int i = first; i < last; i++)
+        z[i] = scale * (double)y[i];
+    return reduce_range(first, last, r, z);
+}
+
+double multigrid_apply(struct multigrid *mg, const double *r, double *z)
+{
+    struct level *const v = mg->level;
+    const double scale = reduce_rms(v->n, r);
+    double rz;
+
+    if (scale > 0.0) {
+        STRIPS_RUN(v->n, 1, take, r, scale, v->b);
+        cycle(mg);
+    }
+    STRIPS_SUM(rz, v->n, 1, give, v->y, scale * mg->unit, r, z);
+    return rz;
+}
+
+double multigrid_multiply(const struct multigrid *mg, const double *x,
+                          double *y)
+{
+    return symmetric_multiply(mg->level[0].A, x, y);
 }
 
 int multigrid_levels(const struct multigrid *mg)

@@ -26,12 +26,17 @@ struct multigrid *multigrid_create(int n, int n_links, const int *owner,
 void multigrid_free(struct multigrid *mg);
 
 /* Takes over the coefficients of A: symmetric, positive definite, entries off
- * the diagonal <= 0, rows weakly diagonally dominant. A is borrowed and must
- * not change until the next update. */
+ * the diagonal <= 0, rows weakly diagonally dominant. */
 void multigrid_update(struct multigrid *mg, const struct csr *A);
 
-/* z = M r, one cycle from zero: a symmetric positive definite M. */
-void multigrid_apply(struct multigrid *mg, const double *r, double *z);
+/* z = M r, one cycle from zero, in single precision inside: a symmetric
+ * positive definite M. Returns r.z. */
+double multigrid_apply(struct multigrid *mg, const double *r, double *z);
+
+/* y = A x in double, for the matrix taken over; returns x.y. On a box several
+ * times faster than csr_multiply; equal to it up to rounding. */
+double multigrid_multiply(const struct multigrid *mg, const double *x,
+                          double *y);
 
 /* For reports: the number of levels, and the unknowns of one of them. */
 int multigrid_levels(const struct multigrid *mg);

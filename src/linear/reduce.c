@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/reduce.h"
 
+#include "linear/strips.h"
+
 #include <assert.h>
+#include <math.h>
 
 enum { LANES = 32 };
 
@@ -21,29 +24,22 @@ double reduce_range(int first, int last, const double *x, const double *y)
     return sum;
 }
 
-double reduce_strips(const double strip[REDUCE_STRIPS])
+double reduce_dot(int n, const double *x, const double *y)
 {
-    double sum = 0.0;
+    double sum;
 
-    for (int s = 0; s < REDUCE_STRIPS; s++)
-        sum += strip[s];
+    STRIPS_SUM(sum, n, 1, reduce_range, x, y);
     return sum;
 }
 
-double reduce_dot(int n, const double *x, const double *y)
+double reduce_rms(int n, const double *x)
 {
-    double strip[REDUCE_STRIPS];
-
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED)
-    for (int s = 0; s < REDUCE_STRIPS; s++)
-        strip[s] =
-            reduce_range(reduce_strip(n, s), reduce_strip(n, s + 1), x, y);
-    return reduce_strips(strip);
+    return sqrt(reduce_dot(n, x, x) / n);
 }
 
 /* Eight rows at a time make 8 m lanes: full vectors for any m. */
-static inline void strip_dot_many(int first, int last, int m, const double *x,
-                                  const double *y, double *dot)
+static inline void range_many(int first, int last, int m, const double *x,
+                              const double *y, double *dot)
 {
     double lane[8 * REDUCE_FIELDS] = {0.0};
     const int width = 8 * m;
@@ -64,30 +60,38 @@ static inline void strip_dot_many(int first, int last, int m, const double *x,
         dot[k % m] += lane[k];
 }
 
+/* The frequent numbers of fields get loops of known length. */
+void reduce_range_many(int first, int last, int m, const double *x,
+                       const double *y, double *dot)
+{
+    switch (m) {
+    case 3:
+        range_many(first, last, 3, x, y, dot);
+        break;
+    case 8:
+        range_many(first, last, 8, x, y, dot);
+        break;
+    default:
+        range_many(first, last, m, x, y, dot);
+    }
+}
+
+static void strip_many(int first, int last, int n, int m, const double *x,
+                       const double *y, double (*strip)[REDUCE_FIELDS])
+{
+    reduce_range_many(first, last, m, x, y, strip[strips_of(n, first)]);
+}
+
 void reduce_dot_many(int n, int m, const double *x, const double *y,
                      double *dot)
 {
-    double strip[REDUCE_STRIPS][REDUCE_FIELDS];
+    double strip[STRIPS][REDUCE_FIELDS] = {{0.0}};
 
     assert(m >= 1 && m <= REDUCE_FIELDS);
-#pragma omp parallel for schedule(static) if (n > REDUCE_THREADED / m)
-    for (int s = 0; s < REDUCE_STRIPS; s++) {
-        const int first = reduce_strip(n, s), last = reduce_strip(n, s + 1);
-
-        switch (m) { /* the frequent counts get loops of known length */
-        case 3:
-            strip_dot_many(first, last, 3, x, y, strip[s]);
-            break;
-        case 8:
-            strip_dot_many(first, last, 8, x, y, strip[s]);
-            break;
-        default:
-            strip_dot_many(first, last, m, x, y, strip[s]);
-        }
-    }
+    STRIPS_RUN(n, m, strip_many, n, m, x, y, strip);
     for (int k = 0; k < m; k++)
         dot[k] = 0.0;
-    for (int s = 0; s < REDUCE_STRIPS; s++)
+    for (int s = 0; s < STRIPS; s++)
         for (int k = 0; k < m; k++)
             dot[k] += strip[s][k];
 }

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
+#include "linear/strips.h"
 
 #include <stdlib.h>
 
@@ -30,8 +31,22 @@ static void find_bands(struct symmetric *S, const int *owner,
         S->distance[S->n_bands++] = best;
         if (best > S->pad) S->pad = best;
     }
-    S->pad = (S->pad + 7) / 8 * 8; /* keeps vectors aligned to 64 bytes */
+    S->pad = (S->pad + 15) / 16 * 16; /* keeps vectors aligned to 64 bytes */
     free(count);
+}
+
+static void list_rest_rows(struct symmetric *S)
+{
+    const int *const start = S->rest->start;
+    int n = 0;
+
+    S->rest_row = alloc_ints(S->n);
+    S->rest_from = alloc_ints(S->n + 1);
+    for (int i = 0; i < S->n; i++) {
+        S->rest_from[i] = n;
+        if (start[i + 1] > start[i]) S->rest_row[n++] = i;
+    }
+    S->rest_from[S->n] = n;
 }
 
 /* Gives each link its place: in a band, if nobody has taken it, else in the
@@ -39,30 +54,35 @@ static void find_bands(struct symmetric *S, const int *owner,
 static void place_links(struct symmetric *S, const int *owner,
                         const int *neighbour)
 {
-    int *const own = alloc_ints(S->n_links), *const nei = alloc_ints(S->n_links);
+    int *const own = alloc_ints(S->n_links), *const nei =
+                                                 alloc_ints(S->n_links);
     int n_rest = 0;
 
     for (int l = 0; l < S->n_links; l++) {
         const int i = owner[l], j = neighbour[l], low = i < j ? i : j;
         int k = 0;
 
-        while (k < S->n_bands && S->distance[k] != abs(j - i)) k++;
+        while (k < S->n_bands && S->distance[k] != abs(j - i))
+            k++;
         S->kind[l] = i == j ? -2 : k < S->n_bands ? k : -1;
         S->place[l] = low;
-        if (S->kind[l] >= 0 && S->band[k][low] != 0.0) S->kind[l] = -1;
-        if (S->kind[l] >= 0) S->band[k][low] = 1.0;
+        if (S->kind[l] >= 0 && S->band[k][low] != 0.0F) S->kind[l] = -1;
+        if (S->kind[l] >= 0) S->band[k][low] = 1.0F;
         if (S->kind[l] != -1) continue;
         own[n_rest] = i;
         nei[n_rest] = j;
         S->place[l] = n_rest++;
     }
-    if (n_rest > 0) S->rest = csr_create(S->n, n_rest, own, nei);
+    if (n_rest > 0) {
+        S->rest = csr_create(S->n, n_rest, own, nei);
+        list_rest_rows(S);
+    }
     free(own);
     free(nei);
 }
 
 struct symmetric *symmetric_create(int n, int n_links, const int *owner,
-                                   const int *neighbour)
+                                   const int *neighbour, int exact)
 {
     struct symmetric *const S = alloc_zeroed(1, sizeof *S);
 
@@ -70,19 +90,30 @@ struct symmetric *symmetric_create(int n, int n_links, const int *owner,
     S->n_links = n_links;
     S->kind = alloc_ints(n_links);
     S->place = alloc_ints(n_links);
-    S->diag = alloc_doubles(n);
-    S->inverse = alloc_doubles(n);
+    S->diag = alloc_zeroed((size_t)n, sizeof *S->diag);
+    S->inverse = alloc_zeroed((size_t)n, sizeof *S->inverse);
     find_bands(S, owner, neighbour);
-    for (int k = 0; k < S->n_bands; k++) S->band[k] = symmetric_vector(S);
+    for (int k = 0; k < S->n_bands; k++)
+        S->band[k] = symmetric_vector(S);
     place_links(S, owner, neighbour);
+    if (!exact) return S;
+    S->exact_diag = alloc_doubles(n);
+    for (int k = 0; k < S->n_bands; k++)
+        S->exact[k] = alloc_doubles(n + S->pad) + S->pad;
     return S;
 }
 
 void symmetric_free(struct symmetric *S)
 {
     if (S == NULL) return;
-    for (int k = 0; k < S->n_bands; k++) symmetric_vector_free(S, S->band[k]);
+    for (int k = 0; k < S->n_bands; k++) {
+        symmetric_vector_free(S, S->band[k]);
+        if (S->exact[k] != NULL) free(S->exact[k] - S->pad);
+    }
+    free(S->exact_diag);
     csr_free(S->rest);
+    free(S->rest_row);
+    free(S->rest_from);
     free(S->kind);
     free(S->place);
     free(S->diag);
@@ -90,23 +121,25 @@ void symmetric_free(struct symmetric *S)
     free(S);
 }
 
-double *symmetric_vector(const struct symmetric *S)
+float *symmetric_vector(const struct symmetric *S)
 {
-    return alloc_doubles(S->n + 2 * S->pad) + S->pad;
+    const size_t n = (size_t)S->n + 2 * (size_t)S->pad;
+
+    return (float *)alloc_zeroed(n, sizeof(float)) + S->pad;
 }
 
-void symmetric_vector_free(const struct symmetric *S, double *x)
+void symmetric_vector_free(const struct symmetric *S, float *x)
 {
     if (x != NULL) free(x - S->pad);
 }
 
-/* y[i - first] = sum of the bands k < bands of row i, times x. Called with a
- * constant number of bands, so that the loop over rows is the one that
+/* y[i - first] = the diagonal and the first bands of row i, times x. Called
+ * with a constant number of bands, so that the loop over rows is the one that
  * vectorises. */
 static inline void band_rows(const struct symmetric *S, int bands, int first,
-                             int last, const double *x, double *restrict y)
+                             int last, const float *x, float *restrict y)
 {
-    const double *u[3], *v[3], *up[3], *down[3];
+    const float *u[3], *v[3], *up[3], *down[3];
 
     for (int k = 0; k < bands; k++) {
         u[k] = S->band[k] + first;
@@ -115,7 +148,7 @@ static inline void band_rows(const struct symmetric *S, int bands, int first,
         down[k] = x + first - S->distance[k];
     }
     for (int i = 0; i < last - first; i++) {
-        double sum = S->diag[first + i] * x[first + i];
+        float sum = S->diag[first + i] * x[first + i];
 
         for (int k = 0; k < bands; k++)
             sum += u[k][i] * up[k][i] + v[k][i] * down[k][i];
@@ -124,81 +157,156 @@ static inline void band_rows(const struct symmetric *S, int bands, int first,
 }
 
 static void other_bands(const struct symmetric *S, int first, int last,
-                        const double *x, double *restrict y)
+                        const float *x, float *restrict y)
 {
     for (int k = 3; k < S->n_bands; k++) {
         const int d = S->distance[k];
-        const double *const u = S->band[k];
+        const float *const u = S->band[k];
 
         for (int i = first; i < last; i++)
             y[i - first] += u[i] * x[i + d] + u[i - d] * x[i - d];
     }
 }
 
-static void rest_rows(const struct csr *R, int first, int last,
-                      const double *x, double *y)
+static void rest_rows(const struct symmetric *S, int first, int last,
+                      const float *x, float *y)
 {
-    for (int i = first; i < last; i++) {
+    const struct csr *const R = S->rest;
+
+    for (int s = S->rest_from[first]; s < S->rest_from[last]; s++) {
+        const int i = S->rest_row[s];
         double sum = 0.0;
 
         for (int e = R->start[i]; e < R->start[i + 1]; e++)
-            sum += R->a[e] * x[R->col[e]];
-        y[i - first] += sum;
+            sum += R->a[e] * (double)x[R->col[e]];
+        y[i - first] += (float)(sum * S->unit);
     }
 }
 
 /* y[0 ..] = rows first .. last - 1 of A x. */
-static void rows(const struct symmetric *S, int first, int last,
-                 const double *x, double *y)
+static void rows(const struct symmetric *S, int first, int last, const float *x,
+                 float *y)
 {
     switch (S->n_bands) {
-    case 0: band_rows(S, 0, first, last, x, y); break;
-    case 1: band_rows(S, 1, first, last, x, y); break;
-    case 2: band_rows(S, 2, first, last, x, y); break;
-    default: band_rows(S, 3, first, last, x, y);
+    case 0:
+        band_rows(S, 0, first, last, x, y);
+        break;
+    case 1:
+        band_rows(S, 1, first, last, x, y);
+        break;
+    case 2:
+        band_rows(S, 2, first, last, x, y);
+        break;
+    default:
+        band_rows(S, 3, first, last, x, y);
     }
     other_bands(S, first, last, x, y);
-    if (S->rest != NULL) rest_rows(S->rest, first, last, x, y);
+    if (S->rest != NULL) rest_rows(S, first, last, x, y);
 }
 
-void symmetric_residual(const struct symmetric *S, const double *b,
-                        const double *x, double *r)
+static int block_end(int first, int last)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int first = 0; first < S->n; first += BLOCK) {
-        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
-        double Ax[BLOCK];
+    return first + BLOCK < last ? first + BLOCK : last;
+}
 
-        rows(S, first, last, x, Ax);
-        for (int i = first; i < last; i++) r[i] = b[i] - Ax[i - first];
+static void residual_rows(int first, int last, const struct symmetric *S,
+                          const float *b, const float *x, float *r)
+{
+    float Ax[BLOCK];
+
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        rows(S, first, end, x, Ax);
+        for (int i = first; i < end; i++)
+            r[i] = b[i] - Ax[i - first];
     }
 }
 
-void symmetric_relax(const struct symmetric *S, const double *b,
-                     const double *x, double alpha, const double *w,
-                     double beta, double gamma, double *y)
+void symmetric_residual(const struct symmetric *S, const float *b,
+                        const float *x, float *r)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int first = 0; first < S->n; first += BLOCK) {
-        const int last = first + BLOCK < S->n ? first + BLOCK : S->n;
-        double Ax[BLOCK];
+    STRIPS_RUN(S->n, 2, residual_rows, S, b, x, r);
+}
 
-        rows(S, first, last, x, Ax);
-        for (int i = first; i < last; i++)
+static void relax_rows(int first, int last, const struct symmetric *S,
+                       const float *b, const float *x, float alpha,
+                       const float *w, float beta, float gamma, float *y)
+{
+    float Ax[BLOCK];
+
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        rows(S, first, end, x, Ax);
+        for (int i = first; i < end; i++)
             y[i] = alpha * x[i] + beta * w[i] +
                    gamma * S->inverse[i] * (b[i] - Ax[i - first]);
     }
 }
 
-/* Writes the coefficients of all links; each has a place of its own. */
-static void write_links(struct symmetric *S, const double *g)
+void symmetric_relax(const struct symmetric *S, const float *b, const float *x,
+                     float alpha, const float *w, float beta, float gamma,
+                     float *y)
 {
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int l = 0; l < S->n_links; l++) {
+    STRIPS_RUN(S->n, 2, relax_rows, S, b, x, alpha, w, beta, gamma, y);
+}
+
+/* Rows first .. last - 1 of A x in double. Away from the ends of the vector a
+ * test finds nothing to do. */
+static void exact_rows(const struct symmetric *S, int first, int last,
+                       const double *x, double *restrict y)
+{
+    for (int i = first; i < last; i++)
+        y[i] = S->exact_diag[i] * x[i];
+    for (int k = 0; k < S->n_bands; k++) {
+        const int d = S->distance[k];
+        const int begin = first > d ? first : d;
+        const int end = last < S->n - d ? last : S->n - d;
+        const double *const u = S->exact[k];
+
+        for (int i = first; i < end; i++)
+            y[i] += u[i] * x[i + d];
+        for (int i = begin; i < last; i++)
+            y[i] += u[i - d] * x[i - d];
+    }
+    if (S->rest == NULL) return;
+    for (int s = S->rest_from[first]; s < S->rest_from[last]; s++) {
+        const int i = S->rest_row[s];
+
+        for (int e = S->rest->start[i]; e < S->rest->start[i + 1]; e++)
+            y[i] += S->rest->a[e] * x[S->rest->col[e]];
+    }
+}
+
+static double multiply_rows(int first, int last, const struct symmetric *S,
+                            const double *x, double *y)
+{
+    const int begin = first;
+
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        exact_rows(S, first, end, x, y);
+    }
+    return reduce_range(begin, last, x, y);
+}
+
+double symmetric_multiply(const struct symmetric *S, const double *x, double *y)
+{
+    double xy;
+
+    STRIPS_SUM(xy, S->n, 2, multiply_rows, S, x, y);
+    return xy;
+}
+
+/* Writes the coefficients of links first ..; each has a place of its own. */
+static void write_links(int first, int last, struct symmetric *S,
+                        const double *g)
+{
+    for (int l = first; l < last; l++) {
         const int kind = S->kind[l], place = S->place[l];
 
         if (kind >= 0) {
-            S->band[kind][place] = -g[l];
+            S->band[kind][place] = (float)(-g[l] * S->unit);
+            if (S->exact_diag != NULL) S->exact[kind][place] = -g[l];
         } else if (kind == -1) {
             S->rest->a[S->rest->upper[place]] = -g[l];
             S->rest->a[S->rest->lower[place]] = -g[l];
@@ -206,25 +314,41 @@ static void write_links(struct symmetric *S, const double *g)
     }
 }
 
-/* Minus the sum of the entries off the diagonal of row i. */
+/* The sum of the entries off the diagonal of row i. */
 static double links_of_row(const struct symmetric *S, int i)
 {
-    double sum = 0.0;
+    double rounded = 0.0, sum = 0.0;
 
-    for (int k = 0; k < S->n_bands; k++)
-        sum -= S->band[k][i] + S->band[k][i - S->distance[k]];
+    for (int k = 0; k < S->n_bands; k++) {
+        const int d = S->distance[k];
+
+        if (S->exact_diag != NULL)
+            sum += S->exact[k][i] + S->exact[k][i - d];
+        else
+            rounded += (double)S->band[k][i] + (double)S->band[k][i - d];
+    }
     if (S->rest != NULL)
         for (int e = S->rest->start[i]; e < S->rest->start[i + 1]; e++)
-            sum -= S->rest->a[e];
-    return sum;
+            sum += S->rest->a[e];
+    return sum + rounded / S->unit;
 }
 
-void symmetric_fill(struct symmetric *S, const double *g, const double *sums)
+static void write_diagonal(int first, int last, struct symmetric *S,
+                           const double *sums)
 {
-    write_links(S, g);
-#pragma omp parallel for schedule(static) if (S->n > REDUCE_THREADED / 2)
-    for (int i = 0; i < S->n; i++) {
-        S->diag[i] = sums[i] + links_of_row(S, i);
-        S->inverse[i] = S->diag[i] > 0.0 ? 1.0 / S->diag[i] : 0.0;
+    for (int i = first; i < last; i++) {
+        const double diag = sums[i] - links_of_row(S, i);
+
+        if (S->exact_diag != NULL) S->exact_diag[i] = diag;
+        S->diag[i] = (float)(S->unit * diag);
+        S->inverse[i] = S->diag[i] > 0.0F ? 1.0F / S->diag[i] : 0.0F;
     }
+}
+
+void symmetric_fill(struct symmetric *S, const double *g, const double *sums,
+                    double unit)
+{
+    S->unit = unit;
+    STRIPS_RUN(S->n_links, 2, write_links, S, g);
+    STRIPS_RUN(S->n, 4, write_diagonal, S, sums);
 }

@@ -42,6 +42,14 @@ static void compressor_init(z_stream *z, int level)
     }
 }
 
+static void make_room(struct vtk_blocks *b, size_t n)
+{
+    if (n <= b->n_size) return;
+    free(b->size);
+    b->size = alloc_zeroed(2 * n, sizeof b->size[0]);
+    b->n_size = 2 * n;
+}
+
 struct vtk_blocks *vtk_blocks_create(void)
 {
     struct vtk_blocks *const b = alloc_zeroed(1, sizeof *b);
@@ -50,6 +58,7 @@ struct vtk_blocks *vtk_blocks_create(void)
     compressor_init(&b->stored, 0);
     assert(deflateBound(&b->stored, VTK_BLOCK) <= PACKED_ROOM);
     assert(deflateBound(&b->light, VTK_BLOCK) <= PACKED_ROOM);
+    make_room(b, 16);
     return b;
 }
 
@@ -73,14 +82,6 @@ static size_t pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
     const int done = deflate(z, Z_FINISH) == Z_STREAM_END;
     assert(done); /* there was room for it */
     return done ? (size_t)z->total_out : 0;
-}
-
-static void make_room(struct vtk_blocks *b, size_t n)
-{
-    if (n <= b->n_size) return;
-    free(b->size);
-    b->size = alloc_zeroed(2 * n, sizeof b->size[0]);
-    b->n_size = 2 * n;
 }
 
 static void put_words(FILE *out, const uint64_t *word, size_t n)

@@ -45,6 +45,7 @@ typedef void contact_sweep(struct strip *s, const struct bodies *b,
 struct contact_law {
     const char *name; /* as a case spells it */
     const char *cite; /* keys in chapters/references.md */
+    const char *what; /* one line */
     struct contact_constants (*constants)(const struct material *m);
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,

@@ -89,4 +89,6 @@ static void sweep_periodic(struct strip *s, const struct bodies *b,
 }
 
 const struct contact_law contact_hertz = {
-    "hertz", "LS 4.7-4.10", constants, duration, sweep, sweep_periodic};
+    "hertz",       "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
+    constants,     duration,      sweep,
+    sweep_periodic};

@@ -70,4 +70,5 @@ static void sweep_periodic(struct strip *s, const struct bodies *b,
 }
 
 const struct contact_law contact_linear = {
-    "linear", "LS 4.4, 4.8", constants, duration, sweep, sweep_periodic};
+    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
+    duration, sweep,         sweep_periodic};

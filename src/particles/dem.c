@@ -21,6 +21,7 @@ struct dem {
     struct neighbours *neighbours;
     double least_margin; /* [m] */
     long done;           /* [-] steps of the run at hand */
+    double overlap;      /* [-] largest of the last run */
 };
 
 static double mean_diameter(const struct particles *ps)
@@ -60,7 +61,7 @@ static int options_wrong(const struct dem_options *o,
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
     const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
-    const struct domain box = domain_create(o->lo, o->hi, o->periodic);
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
@@ -228,7 +229,7 @@ static void report_lost(const struct neighbours *nb, struct dem_report *r)
     }
 }
 
-static void report(const struct dem *dem, long rebuilds, struct dem_report *r)
+static void report(struct dem *dem, long rebuilds, struct dem_report *r)
 {
     const struct neighbours *const nb = dem->neighbours;
 
@@ -242,6 +243,10 @@ static void report(const struct dem *dem, long rebuilds, struct dem_report *r)
         r->rotation += own->measures.rotation;
     }
     report_lost(nb, r);
+    /* who is lost was too deep in something before this run saw it */
+    const double now = r->max_overlap;
+    if (r->lost > 0) r->max_overlap = fmax(now, dem->overlap);
+    dem->overlap = now;
 }
 
 static int team_size(const struct neighbours *nb)

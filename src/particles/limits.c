@@ -5,7 +5,7 @@
 
 #include "particles/contact_hertz.h"
 
-static const double steps_a_contact = 25.0;
+static const double steps_a_contact = 25.0, least_steps_a_contact = 15.0;
 static const double share_of_rayleigh = 0.1;
 
 double limits_rayleigh(double r, double rho, double G, double nu)
@@ -31,4 +31,11 @@ double limits_step(const struct contact_law *law, const struct material *m,
     const double G = m->young / (2.0 * (1.0 + m->poisson));
     const double T_R = limits_rayleigh(0.5 * d, rho, G, m->poisson);
     return fmin(step, share_of_rayleigh * T_R);
+}
+
+double limits_longest_step(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v)
+{
+    return limits_contact_time(law, m, d, rho, v) / least_steps_a_contact;
 }

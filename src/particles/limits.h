@@ -27,4 +27,9 @@ double limits_contact_time(const struct contact_law *law,
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v);
 
+/* The longest that still resolves a contact: 1/15 of its time. */
+double limits_longest_step(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v);
+
 #endif

@@ -163,22 +163,15 @@ static int check_averaging(const struct settings *s)
 
 static int check_output(const struct settings *s)
 {
-    const double end = settings_real(s, "output.end");
     double size[3];
 
     settings_vector(s, "mesh.size", size);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
         const double y = settings_item_real(s, "output.profiles", i, "height");
-        const double t = settings_item_real(s, "output.profiles", i, "from");
         if (y > size[1])
             return settings_wrong(s, "output.profiles",
                                   "height %g m is above the box, %g m", y,
                                   size[1]);
-        if (t >= end)
-            return settings_wrong(s, "output.profiles",
-                                  "from = %g s leaves nothing to average: the "
-                                  "run ends at %g s",
-                                  t, end);
     }
     return 0;
 }

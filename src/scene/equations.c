@@ -1,7 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/equations.h"
 
+#include "averaging/diffusion.h"
+#include "averaging/kernel.h"
+#include "effects/time_average.h"
 #include "exchange/drag.h"
+#include "particles/contact_hertz.h"
+#include "particles/contact_linear.h"
+#include "particles/limits.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -34,6 +40,55 @@ static double relaxation_time(const double *x)
 {
     return drag_relaxation_time(drag_law_named("syamlal-obrien"), x[0], x[1],
                                 x[2], x[3], x[4], x[5]);
+}
+
+static double bell(const double *x)
+{
+    return kernel_bell(x[0]);
+}
+
+static double gauss(const double *x)
+{
+    return diffusion_kernel(x[0], x[1]);
+}
+
+static double fading_weight(const double *x)
+{
+    return time_average_weight(x[0], x[1]);
+}
+
+static double linear_damping(const double *x)
+{
+    return contact_linear_damping(x[0], x[1], x[2], x[3]);
+}
+
+/* The next three begin with E_i E_j nu_i nu_j R_i R_j. */
+static double mean_radius(const double *x)
+{
+    return contact_hertz_radius(x[4], x[5]);
+}
+
+static double hertz_force(const double *x)
+{
+    const double E = contact_hertz_modulus(x[0], x[2], x[1], x[3]);
+    return contact_hertz_force(E, mean_radius(x), x[6]);
+}
+
+static double hertz_stiffness(const double *x)
+{
+    const double E = contact_hertz_modulus(x[0], x[2], x[1], x[3]);
+    return contact_hertz_stiffness(E, mean_radius(x));
+}
+
+static double mindlin_stiffness(const double *x)
+{
+    const double G = contact_hertz_shear(x[0], x[2], x[1], x[3]);
+    return contact_hertz_tangential(G, mean_radius(x), x[6]);
+}
+
+static double rayleigh(const double *x)
+{
+    return limits_rayleigh(x[0], x[1], x[2], x[3]);
 }
 
 static double force(const double *x)
@@ -75,12 +130,32 @@ const struct equation equations_all[] = {
      reynolds},
     {"XS11:2.13", "terminal velocity of a suspension over that of one sphere",
      "Re [-], eps_f [-]", "V_r", "-", "drag_terminal_ratio", terminal_ratio},
+    {"XS11:3.6", "bell kernel", "zeta [-]", "K", "-", "kernel_bell", bell},
     {"XS11:3.17", "time in which drag would stop a particle, Syamlal-O'Brien",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
      "tau_p", "s", "drag_relaxation_time", relaxation_time},
+    {"SX15:6", "Gaussian kernel that diffusion amounts to", "r [m], b [m]", "h",
+     "1/m^3", "diffusion_kernel", gauss},
+    {"SX15:14", "weight of the past in a fading time mean", "dt [s], b_t [s]",
+     "alpha", "-", "time_average_weight", fading_weight},
+    {"LS:4.4", "damping of the linear contact for a restitution e",
+     "k [N/m], e [-], m_i [kg], m_j [kg]", "eta", "kg/s",
+     "contact_linear_damping", linear_damping},
+    {"LS:4.7", "elastic normal force between two spheres, Hertz",
+     "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
+     "F_n", "N", "contact_hertz_force", hertz_force},
+    {"LS:4.9", "normal stiffness of two spheres, Hertz",
+     "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m]", "k_n",
+     "N/m^1.5", "contact_hertz_stiffness", hertz_stiffness},
+    {"LS:4.10", "tangential stiffness of two spheres, Mindlin",
+     "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
+     "k_t", "N/m", "contact_hertz_tangential", mindlin_stiffness},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},
+    {"LS:5.11", "Rayleigh time of a sphere",
+     "r [m], rho [kg/m^3], G [Pa], nu [-]", "T_R", "s", "limits_rayleigh",
+     rayleigh},
     {"LS:5.12", "relaxation time of one sphere after Stokes",
      "rho_p [kg/m^3], d [m], mu [Pa s]", "tau", "s", "drag_stokes_time",
      stokes_time},

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/models.h"
 
+#include "averaging/averaging.h"
+#include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
+#include "particles/contact_hertz.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -18,51 +21,76 @@ static int row(const struct model *table, int i, struct model *m)
 
 static int contact(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"hertz", "elastic spheres after Hertz and Mindlin, damped from e",
-         "LS 4.7-4.10", "particles.grains.young particles.grains.poisson"},
-        {"linear", "spring and dashpot, tangential spring with Coulomb's cap",
-         "LS 4.4", "particles.grains.stiffness"},
-        {NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct contact_law *const *const all = contact_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
+    m->function = all[i] == &contact_hertz ? "contact_hertz_force"
+                                           : "contact_linear_force";
+    m->keys = all[i] == &contact_hertz
+                  ? "particles.grains.young particles.grains.poisson"
+                  : "particles.grains.stiffness";
+    return 1;
+}
+
+/* Which keys a method of averaging reads. */
+static const char *averaging_keys(const char *method)
+{
+    if (strcmp(method, "pcm") == 0) return "averaging.cap";
+    if (strcmp(method, "diffusion") == 0)
+        return "averaging.bandwidth averaging.scheme averaging.steps "
+               "averaging.tolerance";
+    return "averaging.bandwidth";
+}
+
+static const char *averaging_function(const char *method)
+{
+    if (strcmp(method, "pcm") == 0) return "pcm_spread";
+    return strcmp(method, "kernel") == 0 ? "kernel_spread" : "diffusion_spread";
 }
 
 static int averaging(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"pcm", "all of a particle in the cell of its centre", "XS11 3.1",
-         "averaging.cap"},
-        {"kernel", "a bell around each particle, normalised over the cells",
-         "XS11 3.5, 3.6", "averaging.bandwidth"},
-        {"diffusion", "the pcm fields smoothed by a diffusion equation",
-         "SX15 5-9",
-         "averaging.bandwidth averaging.scheme averaging.steps "
-         "averaging.tolerance"},
-        {NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct averaging_method *const *const all = averaging_methods;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
+                        averaging_function(all[i]->name),
+                        averaging_keys(all[i]->name)};
+    return 1;
 }
 
 static int scheme(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"exponential", "series for the matrix exponential; no steps", "", ""},
+        {"exponential", "series for the matrix exponential; no steps", "",
+         "apply_series", ""},
         {"crank-nicolson", "second order; undershoots if the steps are few",
-         "SX15 5", "averaging.steps"},
-        {"implicit-euler", "first order; never undershoots", "",
+         "SX15 5", "apply_steps", "averaging.steps"},
+        {"implicit-euler", "first order; never undershoots", "", "apply_steps",
          "averaging.steps"},
-        {NULL, NULL, NULL, NULL}};
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
 static int interpolation(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"nearest", "the value of the host cell", "", ""},
-        {"linear", "linear between cell centres", "", ""},
-        {"same", "the weights of the averaging, read backwards", "XS11 3.9",
-         ""},
-        {NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct interpolation *const *const all = interpolations;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, all[i]->name,
+                        ""};
+    return 1;
+}
+
+/* The function of a law; they are static in drag.c, one for each name. */
+static const char *drag_function(const char *law)
+{
+    if (strcmp(law, "syamlal-obrien") == 0) return "syamlal_obrien";
+    return strcmp(law, "gidaspow") == 0 ? "gidaspow" : "schiller_naumann";
 }
 
 static int drag(int i, struct model *m)
@@ -71,7 +99,8 @@ static int drag(int i, struct model *m)
 
     for (int k = 0; k <= i; k++)
         if (drag_laws[k].name == NULL) return 0;
-    *m = (struct model){law->name, law->what, law->cite, ""};
+    *m = (struct model){law->name, law->what, law->cite,
+                        drag_function(law->name), ""};
     return 1;
 }
 
@@ -79,28 +108,32 @@ static int treatment(int i, struct model *m)
 {
     static const struct model table[] = {
         {"semi-implicit", "the fluid's own velocity is taken at the new time",
-         "XS11 3.13-3.15", ""},
+         "XS11 3.13-3.15", "transfer_drag_terms", ""},
         {"explicit", "the drag is a given force during the fluid's step", "",
-         ""},
-        {NULL, NULL, NULL, NULL}};
+         "transfer_drag_terms", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"two-way", "what the particles gain the fluid loses", "LS 5", ""},
-        {"one-way", "the fluid does not feel the particles", "LS 5", ""},
-        {NULL, NULL, NULL, NULL}};
+        {"two-way", "what the particles gain the fluid loses", "LS 5",
+         "transfer_drag_terms", ""},
+        {"one-way", "the fluid does not feel the particles", "LS 5",
+         "transfer_drag_terms", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
 static int convection(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"upwind", "the value of the cell that the flow comes from", "", ""},
-        {"linear", "linear between the two cells of a face", "", ""},
-        {NULL, NULL, NULL, NULL}};
+        {"upwind", "the value of the cell that the flow comes from", "",
+         "share_upwind", ""},
+        {"linear", "linear between the two cells of a face", "", "share_linear",
+         ""},
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
@@ -108,22 +141,24 @@ static int continuity(int i, struct model *m)
 {
     static const struct model table[] = {
         {"mixture", "the volume fluxes of both phases have no divergence",
-         "XS11 2.7", ""},
+         "XS11 2.7", "continuity_source", ""},
         {"void-rate", "the fluid flows out of where the void shrinks",
-         "XS11 2.3", ""},
-        {NULL, NULL, NULL, NULL}};
+         "XS11 2.3", "continuity_source", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
 static int patch(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"no-slip", "the fluid stands still at the wall", "", ""},
-        {"slip", "no flow through, no friction along", "", ""},
+        {"no-slip", "the fluid stands still at the wall", "",
+         "add_boundary_face", ""},
+        {"slip", "no flow through, no friction along", "", "add_slip_face", ""},
         {"inlet", "a superficial velocity, constant or varying in time", "",
-         "fluid.<patch>.inlet"},
-        {"outlet", "a pressure outside", "", "fluid.<patch>.outlet"},
-        {NULL, NULL, NULL, NULL}};
+         "boundary_inlet_velocity", "fluid.<patch>.inlet"},
+        {"outlet", "a pressure outside", "", "pressure_correct",
+         "fluid.<patch>.outlet"},
+        {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }
 
@@ -133,7 +168,7 @@ static int effect(int i, struct model *m)
 
     for (int k = 0; k <= i; k++)
         if (effects_all[k] == NULL) return 0;
-    *m = (struct model){e->name, e->what, e->equations, ""};
+    *m = (struct model){e->name, e->what, e->equations, e->function, ""};
     return 1;
 }
 

@@ -7,10 +7,11 @@
 #define MODELS_H
 
 struct model {
-    const char *name;   /* as a case spells it */
-    const char *what;   /* one line */
-    const char *source; /* where it comes from, "" if nowhere in particular */
-    const char *keys;   /* paths of the keys it reads, apart by blanks */
+    const char *name;     /* as a case spells it */
+    const char *what;     /* one line */
+    const char *source;   /* where it comes from, "" if nowhere in particular */
+    const char *function; /* that computes it */
+    const char *keys;     /* paths of the keys it reads, apart by blanks */
 };
 
 struct kind {

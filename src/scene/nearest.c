@@ -1,11 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/nearest.h"
 
+#include <ctype.h>
 #include <string.h>
 
 static int least(int a, int b)
 {
     return a < b ? a : b;
+}
+
+/* Capitals are no mistake. */
+static int alike(char a, char b)
+{
+    return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
 /* Rows of the table of distances between beginnings of a and b: the one being
@@ -25,9 +32,10 @@ int nearest_edits(const char *a, const char *b)
 
         now[0] = i;
         for (int j = 1; j <= m; j++) {
-            const int same = a[i - 1] == b[j - 1];
+            const int same = alike(a[i - 1], b[j - 1]);
             now[j] = least(last[j - 1] + !same, 1 + least(last[j], now[j - 1]));
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            if (i > 1 && j > 1 && alike(a[i - 1], b[j - 2]) &&
+                alike(a[i - 2], b[j - 1]))
                 now[j] = least(now[j], before[j - 2] + 1);
         }
     }
@@ -44,7 +52,7 @@ static int limit(const char *word)
 void nearest_init(struct nearest *n, const char *wanted)
 {
     n->wanted = wanted;
-    n->edits = limit(wanted) + 1;
+    n->edits = strlen(wanted) < NEAREST_TEXT ? limit(wanted) + 1 : 0;
     n->best[0] = '\0';
 }
 

@@ -1,8 +1,8 @@
 /* nearest.h -- the known word nearest to a misspelt one.
  *
  * Near means few edits: a letter inserted, left out, replaced, or two
- * neighbours swapped. A word that merely begins the known one counts as one
- * edit, so that "visc" finds "viscosity".
+ * neighbours swapped; capitals do not count. A word that merely begins the
+ * known one counts as one edit, so that "visc" finds "viscosity".
  */
 #ifndef NEAREST_H
 #define NEAREST_H

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/override.h"
 
+#include "base/alloc.h"
 #include "scene/digits.h"
 #include "scene/source.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,36 +38,7 @@ static config_setting_t *copy(config_setting_t *parent, const char *name,
     return to;
 }
 
-/* Reads one value as a case would write it, under the name "value". */
-static int read_value(config_t *tree, const char *value)
-{
-    const size_t size = strlen(value) + 16;
-    char *const text = malloc(size);
-    int good;
-
-    config_init(tree);
-    if (text == NULL) return 0;
-    snprintf(text, size, "value = %s;", value);
-    good = config_read_string(tree, text) &&
-           config_setting_length(config_root_setting(tree)) == 1;
-    free(text);
-    return good;
-}
-
-void override_default(config_setting_t *group, const char *name,
-                      const char *value)
-{
-    config_t tree;
-
-    if (read_value(&tree, value)) {
-        config_setting_t *const s =
-            copy(group, name, config_lookup(&tree, "value"));
-        if (s != NULL) config_setting_set_hook(s, (void *)source_default);
-    }
-    config_destroy(&tree);
-}
-
-/* A word that needs no quotes in an override: a name or a path. */
+/* A word that needs no quotes: a name or a path. */
 static int is_bare(const char *value)
 {
     if (!isalpha((unsigned char)*value) && *value != '.' && *value != '/')
@@ -74,6 +47,44 @@ static int is_bare(const char *value)
         if (!isalnum((unsigned char)*value) && strchr("./_-+", *value) == NULL)
             return 0;
     return 1;
+}
+
+/* Reads "value = (quote)(text)(quote);" as a file of one setting. */
+static int read_quoted(config_t *tree, const char *quote, const char *value)
+{
+    const size_t size = strlen(value) + 16;
+    char *const text = alloc_zeroed(size, 1);
+    int good;
+
+    config_init(tree);
+    snprintf(text, size, "value = %s%s%s;", quote, value, quote);
+    good = config_read_string(tree, text) &&
+           config_setting_length(config_root_setting(tree)) == 1;
+    free(text);
+    return good;
+}
+
+/* Reads one value as a case would write it, or a bare word as a text, under
+ * the name "value". */
+static int read_value(config_t *tree, const char *value)
+{
+    if (read_quoted(tree, "", value)) return 1;
+    if (!is_bare(value)) return 0;
+    config_destroy(tree);
+    return read_quoted(tree, "\"", value);
+}
+
+void override_default(config_setting_t *group, const char *name,
+                      const char *value)
+{
+    config_t tree;
+    const int good = read_value(&tree, value);
+    config_setting_t *const s =
+        good ? copy(group, name, config_lookup(&tree, "value")) : NULL;
+
+    assert(s != NULL); /* a table of keys holds a default that is none */
+    config_setting_set_hook(s, (void *)source_default);
+    config_destroy(&tree);
 }
 
 static int refuse(const char *text, const char *why)
@@ -91,19 +102,17 @@ static config_setting_t *below(config_setting_t *s, const char *name)
     return NULL;
 }
 
-/* Puts the value, or a text if value is NULL, in the place of an old one. */
+/* Puts the value in the place of an old one. */
 static int put(config_setting_t *group, const char *name, const char *text,
-               const config_setting_t *value, const char *bare)
+               const config_setting_t *value)
 {
     config_setting_t *s;
 
     if (!config_setting_is_group(group))
         return refuse(text, "only a key of a group can be set");
     config_setting_remove(group, name);
-    s = value != NULL ? copy(group, name, value)
-                      : config_setting_add(group, name, CONFIG_TYPE_STRING);
+    s = copy(group, name, value);
     if (s == NULL) return refuse(text, "not a name that a key can have");
-    if (value == NULL) config_setting_set_string(s, bare);
     config_setting_set_hook(s, (void *)text);
     return 0;
 }
@@ -141,9 +150,7 @@ static int set(config_setting_t *group, const char *name, const char *text,
         return refuse(text, "too large for a whole number; write it with a "
                             "point or an exponent");
     if (read_value(&tree, value))
-        code = put(group, name, text, config_lookup(&tree, "value"), NULL);
-    else if (is_bare(value))
-        code = put(group, name, text, NULL, value);
+        code = put(group, name, text, config_lookup(&tree, "value"));
     else
         code = refuse(text, "what follows = is not one value as a case would "
                             "write it; quote a text with blanks, write all "

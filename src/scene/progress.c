@@ -45,8 +45,8 @@ void progress_line(const struct progress *p, double t, double elapsed,
     snprintf(text, PROGRESS_TEXT, "%s%s%s%3.0f %%  t = %.4g of %.4g s, %s left",
              p->style == PROGRESS_BAR ? "[" : "",
              p->style == PROGRESS_BAR ? bar : "",
-             p->style == PROGRESS_BAR ? "] " : "", floor(100.0 * done), t,
-             p->end, left);
+             p->style == PROGRESS_BAR ? "] " : "", floor(100.0 * done + 1e-9),
+             t, p->end, left);
 }
 
 void progress_init(struct progress *p, double first, double end, int quiet)

@@ -11,6 +11,8 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/version.h"
+#include "exchange/coupling.h"
+#include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
 #include "scene/history.h"
@@ -232,7 +234,7 @@ static int write_summary(const struct record *r, const char *reason, int code)
 
     snprintf(path, sizeof path, "%s/summary.json", r->dir);
     struct summary *const f = summary_create(path);
-    summary_text(f, "program", "winnow " WINNOW_VERSION);
+    summary_text(f, "program", "winnow " VERSION_TEXT);
     summary_text(f, "case", settings_file(r->settings));
     summary_text(f, "exit_reason", reason);
     summary_count(f, "exit_code", code);
@@ -254,10 +256,30 @@ static int write_summary(const struct record *r, const char *reason, int code)
     return summary_commit(f);
 }
 
+/* The last state as a picture; drawn only where there is a gnuplot. */
+static int draw(const struct record *r)
+{
+    const struct snapshot *const s = r->snapshot;
+    const struct picture p = {.title = settings_text(r->settings, "title"),
+                              .time = s->t,
+                              .mesh = r->sim->mesh,
+                              .eps = s->eps,
+                              .n = s->n,
+                              .x = {s->x[0], s->x[1], s->x[2]},
+                              .v = {s->v[0], s->v[1], s->v[2]},
+                              .d = s->d,
+                              .pressure = r->sim->fluid != NULL &&
+                                          r->sim->particles != NULL};
+
+    if (picture_write(r->dir, &p) != 0) return 1;
+    if (picture_draw(r->dir) == 0) printf("picture %s/bed.png\n", r->dir);
+    return 0;
+}
+
 int record_finish(struct record *r, const char *reason, int exit_code)
 {
-    if (lines_write(r->lines, r->dir) != 0) return 1;
-    return write_summary(r, reason, exit_code);
+    return lines_write(r->lines, r->dir) != 0 ||
+           write_summary(r, reason, exit_code) != 0 || draw(r) != 0;
 }
 
 void record_report(const struct record *r)

@@ -126,6 +126,26 @@ int rows_nearest_word(const struct key *key, const char *word,
     return 1;
 }
 
+static void append(char text[ROWS_TEXT], const char *more)
+{
+    strncat(text, more, ROWS_TEXT - 1 - strlen(text));
+}
+
+/* The words or the conditions of a row, one after the other. */
+static void gather(const struct key *key, int conditions, const char *between,
+                   char text[ROWS_TEXT])
+{
+    const char *rest = key->allowed;
+    char one[ROWS_TEXT];
+
+    text[0] = '\0';
+    while ((rest = next_allowed(rest, one)) != NULL)
+        if (is_condition(one) == conditions) {
+            if (text[0] != '\0') append(text, between);
+            append(text, one);
+        }
+}
+
 void rows_expected(const struct key *key, char text[ROWS_TEXT])
 {
     static const char *const kinds[] = {
@@ -134,18 +154,25 @@ void rows_expected(const struct key *key, char text[ROWS_TEXT])
         [KEY_REAL] = "a number",
         [KEY_INT] = "a whole number",
         [KEY_BOOL] = "true or false",
-        [KEY_NAME] = "one of",
+        [KEY_NAME] = "",
         [KEY_TEXT] = "a text in quotes",
         [KEY_VECTOR] = "three numbers [x, y, z], each",
         [KEY_COUNTS] = "three whole numbers [x, y, z], each",
         [KEY_FLAGS] = "three of true or false [x, y, z]",
-        [KEY_SERIES] = "a number or ((time, number), ...), numbers",
-        [KEY_PATCH] = "{ inlet = ...; }, { outlet = ...; } or"};
-    const int has_unit = key->unit[0] != '\0';
+        [KEY_SERIES] = "a number or ((time, number), ...), each number",
+        [KEY_PATCH] = "{ inlet = ...; } or { outlet = ...; }"};
+    char conditions[ROWS_TEXT], words[ROWS_TEXT];
 
-    snprintf(text, ROWS_TEXT, "%s%s%s%s%s%s", kinds[key->type],
-             key->allowed[0] != '\0' ? " " : "", key->allowed,
-             has_unit ? " [" : "", key->unit, has_unit ? "]" : "");
+    gather(key, 1, ", ", conditions);
+    gather(key, 0, " or ", words);
+    snprintf(text, ROWS_TEXT, "%s", kinds[key->type]);
+    if (conditions[0] != '\0') append(text, " ");
+    append(text, conditions);
+    if (key->unit[0] != '\0') append(text, " [");
+    append(text, key->unit);
+    if (key->unit[0] != '\0') append(text, "]");
+    if (text[0] != '\0' && words[0] != '\0') append(text, " or ");
+    append(text, words);
 }
 
 /* Replaces the last name of a path. */

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* balance.c -- does the momentum of the fluid change by its forces only?
+ *
+ * In the sum over all cells what passes between them cancels: what remains are
+ * the faces of the boundary, the particles, and what averaging relabelled. The
+ * sum is made anew from fluxes, pressures and velocities, not from the matrix;
+ * so it sees a coefficient that is not the same on both sides of a face.
+ */
+#include "fluid/piso.h"
+
+#include <math.h>
+
+struct sum {
+    double impulse[3]; /* [N s] */
+    double gross;      /* [N s] of the sizes */
+};
+
+static void add(struct sum *s, int k, double impulse)
+{
+    s->impulse[k] += impulse;
+    s->gross += fabs(impulse);
+}
+
+/* Velocity at boundary face f, as the momentum equation took it. */
+static double face_velocity(const struct fluid *fl, enum boundary_kind kind,
+                            int f, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const S = &m->S[3 * f];
+    const double phi = fl->piso->phi_old[f];
+    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+
+    if (kind == BOUNDARY_INLET) return phi * S[k] / (fl->eps[m->owner[f]] * SS);
+    if (kind == BOUNDARY_OUTLET && phi >= 0.0)
+        return fl->u[3 * m->owner[f] + k];
+    return 0.0;
+}
+
+/* Force of the wall or the inlet by viscosity on the cell at f [N]. */
+static double viscous_force(const struct fluid *fl, enum boundary_kind kind,
+                            int f, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double *const u = &fl->u[3 * m->owner[f]];
+    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double D =
+        fl->options.mu * SS / (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+
+    if (kind == BOUNDARY_OUTLET) return 0.0;
+    if (kind == BOUNDARY_SLIP) return -D * S[k] * S[k] / SS * u[k];
+    return D * (face_velocity(fl, kind, f, k) - u[k]);
+}
+
+static void add_boundaries(const struct fluid *fl, struct sum *s)
+{
+    const struct mesh *const m = fl->mesh;
+    const double dt = fl->options.dt, rho = fl->options.rho;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        const enum boundary_kind kind = fl->options.boundaries[i].kind;
+        for (int f = p->first; f < p->first + p->n; f++)
+            for (int k = 0; k < 3; k++) {
+                const double flow = rho * fl->piso->phi_old[f];
+                add(s, k, -dt * flow * face_velocity(fl, kind, f, k));
+                add(s, k, dt * viscous_force(fl, kind, f, k));
+                add(s, k, -dt * fl->p_face[f] * m->S[3 * f + k]);
+            }
+    }
+}
+
+/* Drag, and the share of the pressure that goes to the particles. */
+static void add_particles(const struct fluid *fl, struct sum *s)
+{
+    const double dt = fl->options.dt;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            const double V = fl->mesh->V[c];
+            add(s, k, dt * V * (fl->F[i] - fl->K[c] * fl->u[i]));
+            add(s, k, dt * V * (1.0 - piso_gamma(fl, c)) * fl->grad_p[i]);
+        }
+}
+
+double balance_residual(const struct fluid *fl, const double before[3],
+                        const double relabelled[3])
+{
+    struct sum s = {{0.0, 0.0, 0.0}, 0.0};
+    double after[3], worst = 0.0;
+
+    add_boundaries(fl, &s);
+    if (fl->options.coupled) add_particles(fl, &s);
+    fluid_momentum(fl, after);
+    for (int k = 0; k < 3; k++) {
+        const double known = s.impulse[k] + fl->relabelled[k] - relabelled[k];
+        worst = fmax(worst, fabs(after[k] - before[k] - known));
+        s.gross += fabs(before[k]) + fabs(after[k]);
+    }
+    return s.gross > 0.0 ? worst / s.gross : 0.0;
+}

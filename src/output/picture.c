@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/picture.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/number.h"
+#include "output/gnuplot.h"
+#include "output/picture_script.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A particle as it is drawn. */
+struct disc {
+    double x, y, z; /* [m] centre */
+    double r;       /* [m] */
+    double speed;   /* [m/s] */
+};
+
+static int by_depth(const void *a, const void *b)
+{
+    const struct disc *const p = a, *const q = b;
+    return (p->z > q->z) - (p->z < q->z);
+}
+
+static int by_speed(const void *a, const void *b)
+{
+    const struct disc *const p = a, *const q = b;
+    return (p->speed > q->speed) - (p->speed < q->speed);
+}
+
+static void put_row(FILE *out, int n, const double *row)
+{
+    char text[NUMBER_LENGTH];
+
+    for (int i = 0; i < n; i++)
+        fprintf(out, "%s%c", number_rounded(row[i], 6, text),
+                i < n - 1 ? ' ' : '\n');
+}
+
+/* A file in DIR/picture; NULL after a message. */
+static struct file *opened(const char *folder, const char *name)
+{
+    char *const path = file_join(folder, name);
+    struct file *const f = file_create(path);
+
+    free(path);
+    return f;
+}
+
+/* Farthest first, so that the nearer ones cover them. */
+static int put_particles(const char *folder, struct disc *discs, int n)
+{
+    struct file *const f = opened(folder, "particles.txt");
+    if (f == NULL) return 1;
+
+    qsort(discs, (size_t)n, sizeof discs[0], by_depth);
+    fprintf(file_stream(f), "# x [m]  y [m]  radius [m]  speed [m/s]\n");
+    for (int i = 0; i < n; i++) {
+        const struct disc *const s = &discs[i];
+        put_row(file_stream(f), 4, (double[4]){s->x, s->y, s->r, s->speed});
+    }
+    return file_commit(f);
+}
+
+/* Mean over the cells behind each other, by their volumes. */
+static double depth_average(const struct mesh *m, const double *eps, int i,
+                            int j)
+{
+    const int *const n = m->box.n;
+    double amount = 0.0, volume = 0.0;
+
+    for (int k = 0; k < n[2]; k++) {
+        const int c = i + n[0] * (j + n[1] * k);
+        amount += m->V[c] * eps[c];
+        volume += m->V[c];
+    }
+    return amount / volume;
+}
+
+static int put_void_fraction(const char *folder, const struct picture *p)
+{
+    struct file *const f = opened(folder, "void_fraction.txt");
+    if (f == NULL) return 1;
+
+    const struct box *const b = &p->mesh->box;
+    const double *const x = b->edge[0], *const y = b->edge[1];
+
+    fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
+                            "top [m]  void fraction [-]\n");
+    for (int j = 0; p->eps && j < b->n[1]; j++)
+        for (int i = 0; i < b->n[0]; i++) {
+            const double eps = depth_average(p->mesh, p->eps, i, j);
+            put_row(file_stream(f), 5,
+                    (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
+        }
+    return file_commit(f);
+}
+
+/* The speed that all but one particle in a hundred keep below [m/s]: one fast
+ * grain shall not make all others dark. */
+static double usual_speed(struct disc *discs, int n)
+{
+    if (n == 0) return 1.0;
+    qsort(discs, (size_t)n, sizeof discs[0], by_speed);
+    const double speed = discs[(int)(0.99 * (n - 1))].speed;
+    return speed > 0.0 ? speed : 1.0;
+}
+
+static void put_definition(FILE *out, const char *name, double value,
+                           const char *unit)
+{
+    char text[NUMBER_LENGTH];
+
+    fprintf(out, "%s = %s%s # [%s]\n", name, number_rounded(value, 9, text),
+            value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
+}
+
+/* Within single quotes gnuplot reads a quote from two, and all else as is. */
+static void put_title(FILE *out, const char *title)
+{
+    fputs("title = '", out);
+    for (const char *p = title; *p; p++)
+        fputs(*p == '\'' ? "''" : (const char[2]){*p == '\n' ? ' ' : *p, 0},
+              out);
+    fputs("'\n", out);
+}
+
+static int put_script(const char *folder, const struct picture *p, double speed)
+{
+    struct file *const f = opened(folder, "bed.gp");
+    if (f == NULL) return 1;
+
+    FILE *const out = file_stream(f);
+    const struct box *const b = &p->mesh->box;
+
+    fprintf(out, "# The numbers of this run.\n");
+    put_title(out, p->title);
+    put_definition(out, "time", p->time, "s");
+    put_definition(out, "x0", b->edge[0][0], "m");
+    put_definition(out, "x1", b->edge[0][b->n[0]], "m");
+    put_definition(out, "y0", b->edge[1][0], "m");
+    put_definition(out, "y1", b->edge[1][b->n[1]], "m");
+    put_definition(out, "fast", speed, "m/s, which 99 of 100 keep below");
+    fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
+            p->eps != NULL, p->pressure);
+    for (const char *const *line = picture_script; *line; line++)
+        fprintf(out, "%s\n", *line);
+    return file_commit(f);
+}
+
+static struct disc *discs_of(const struct picture *p)
+{
+    struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
+
+    for (int i = 0; i < p->n; i++)
+        discs[i] = (struct disc){.x = p->x[0][i],
+                                 .y = p->x[1][i],
+                                 .z = p->x[2][i],
+                                 .r = 0.5 * p->d[i],
+                                 .speed = sqrt(p->v[0][i] * p->v[0][i] +
+                                               p->v[1][i] * p->v[1][i] +
+                                               p->v[2][i] * p->v[2][i])};
+    return discs;
+}
+
+int picture_write(const char *dir, const struct picture *p)
+{
+    char *const folder = file_join(dir, "picture");
+    struct disc *const discs = discs_of(p);
+    const double speed = usual_speed(discs, p->n);
+    const int failed =
+        file_make_dirs(folder) || put_particles(folder, discs, p->n) ||
+        put_void_fraction(folder, p) || put_script(folder, p, speed);
+
+    free(discs);
+    free(folder);
+    return failed;
+}
+
+int picture_draw(const char *dir)
+{
+    char *const script = file_join(dir, "picture/bed.gp");
+    char *const png = file_join(dir, "bed.png");
+    char *const log = file_join(dir, "picture/gnuplot.log");
+    const int failed = gnuplot_draw(script, dir, png, log);
+
+    free(script);
+    free(png);
+    free(log);
+    return failed;
+}

@@ -1,0 +1,11 @@
+/* picture_script.h -- the gnuplot script of a bed's picture, line by line.
+ *
+ * Goes behind the numbers of a run (picture.c), which it names without
+ * defining. Ended by NULL.
+ */
+#ifndef PICTURE_SCRIPT_H
+#define PICTURE_SCRIPT_H
+
+extern const char *const picture_script[];
+
+#endif

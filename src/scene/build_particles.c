@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/build_particles.h"
+
+#include <stdio.h>
+
+#include "base/alloc.h"
+#include "scene/build.h"
+
+static double real_or_zero(const struct settings *s, const char *path)
+{
+    return settings_has(s, path) ? settings_real(s, path) : 0.0;
+}
+
+struct material build_material(const struct settings *s)
+{
+    const struct material m = {
+        .young = real_or_zero(s, "particles.grains.young"),
+        .poisson = real_or_zero(s, "particles.grains.poisson"),
+        .stiffness = real_or_zero(s, "particles.grains.stiffness"),
+        .restitution = settings_real(s, "particles.grains.restitution"),
+        .friction = settings_real(s, "particles.grains.friction")};
+    return m;
+}
+
+struct dem_options build_dem_options(const struct settings *s, double step)
+{
+    struct dem_options o = {
+        .law = contact_law_named(settings_text(s, "particles.contact")),
+        .material = build_material(s),
+        .step = step,
+        .skin = real_or_zero(s, "particles.skin")};
+    double size[3];
+
+    settings_vector(s, "mesh.size", size);
+    settings_flags(s, "mesh.periodic", o.periodic);
+    for (int k = 0; k < 3; k++)
+        o.hi[k] = size[k];
+    return o;
+}
+
+struct bed_options build_bed_options(const struct settings *s)
+{
+    struct bed_options b = {
+        .count = settings_int(s, "particles.bed.count"),
+        .diameter = settings_real(s, "particles.bed.diameter"),
+        .density = settings_real(s, "particles.grains.density"),
+        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
+        .jitter = settings_real(s, "particles.bed.jitter"),
+        .settle = settings_real(s, "particles.bed.settle")};
+
+    build_gravity(s, b.gravity);
+    return b;
+}
+
+static int bed_lost(const struct bed_report *r)
+{
+    fprintf(stderr,
+            "winnow: %d particles left the box while the bed settled, the "
+            "first with id %d; is the box too small for its bed?\n",
+            r->dem.lost, r->dem.lost_id);
+    return 3;
+}
+
+/* The bed from its file, or made anew and kept there. */
+static int create_bed(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o)
+{
+    const struct bed_options b = build_bed_options(s);
+    const char *const path = settings_has(s, "particles.bed.file")
+                                 ? settings_text(s, "particles.bed.file")
+                                 : NULL;
+    struct bed_report r;
+
+    sim->particles = particles_create(b.count);
+    sim->dem = dem_create(sim->particles, o);
+    if (sim->dem == NULL) return 2;
+    const int found = bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    if (found == BED_LOST) return bed_lost(&r);
+    if (found != BED_MADE) return 2;
+    if (r.steps > 0)
+        fprintf(stderr,
+                "settled in %.3g s: height %.4g m, solid fraction %.3f, "
+                "kinetic energy %.1g m g d%s\n",
+                r.time, r.height, r.packing, r.kinetic,
+                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+    return 0;
+}
+
+static int place_spheres(const struct settings *s, struct simulation *sim,
+                         const struct dem_options *o)
+{
+    static const char *const list = "particles.place";
+    const int n = settings_length(s, list);
+    const double density = settings_real(s, "particles.grains.density");
+
+    sim->particles = particles_create(n);
+    for (int k = 0; k < n; k++) {
+        double x[3], v[3], w[3];
+        settings_item_vector(s, list, k, "position", x);
+        settings_item_vector(s, list, k, "velocity", v);
+        settings_item_vector(s, list, k, "spin", w);
+        const int i =
+            particles_add(sim->particles, x,
+                          settings_item_real(s, list, k, "diameter"), density);
+        sim->particles->vx[i] = v[0];
+        sim->particles->vy[i] = v[1];
+        sim->particles->vz[i] = v[2];
+        sim->particles->wx[i] = w[0];
+        sim->particles->wy[i] = w[1];
+        sim->particles->wz[i] = w[2];
+    }
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
+int build_particles(const struct settings *s, struct simulation *sim)
+{
+    const struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
+    int code = 0;
+
+    if (settings_has(s, "particles.bed"))
+        code = create_bed(s, sim, &o);
+    else
+        code = place_spheres(s, sim, &o);
+    if (code != 0) return code;
+    sim->held = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, sim->held, 3);
+    return 0;
+}

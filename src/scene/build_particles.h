@@ -1,0 +1,18 @@
+/* build_particles.h -- the particles of a case, at rest or placed. */
+#ifndef BUILD_PARTICLES_H
+#define BUILD_PARTICLES_H
+
+#include "exchange/simulation.h"
+#include "particles/bed.h"
+#include "scene/settings.h"
+
+/* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Returns
+ * the exit code, after a message if not 0. */
+int build_particles(const struct settings *s, struct simulation *sim);
+
+/* The same in numbers, for `check`. */
+struct material build_material(const struct settings *s);
+struct dem_options build_dem_options(const struct settings *s, double step);
+struct bed_options build_bed_options(const struct settings *s);
+
+#endif

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/check.h"
+
+#include "averaging/averaging.h"
+#include "exchange/drag.h"
+#include "mesh/mesh.h"
+#include "particles/contact.h"
+#include "particles/limits.h"
+#include "scene/build.h"
+#include "scene/build_particles.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+
+/* Solid fractions that the time scales are given for: a packed bed, where the
+ * fluid is quickest between the grains, and a lone particle. */
+static const double packed = 0.6;
+
+/* What runs were seen to need, the speeds for each core: to be taken as the
+ * order of magnitude. */
+static const double particle_steps_per_second = 8e6;
+static const double cell_steps_per_second = 3e5;
+static const double bytes_per_particle = 800.0, bytes_per_cell = 1800.0;
+
+/* The case in numbers. 0 where it has no such thing. */
+struct scales {
+    int cells, particles;
+    double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
+    double dx;         /* [m] smallest cell width along the flow */
+    double d, d_most;  /* [m] smallest and largest diameter */
+    double density;    /* [kg/m^3] of the particles */
+    double dt, dem_dt; /* [s] of the loop, of the particles */
+    int dem_steps;     /* [-] in one step of the loop */
+    double inlet;      /* [m/s] largest superficial velocity of an inlet */
+    double impact;     /* [m/s] speed of collisions that is assumed */
+    double end;        /* [s] */
+};
+
+static void line(const char *name, double value, const char *unit,
+                 const char *remark)
+{
+    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+static void particle_scales(const struct settings *s, struct scales *k)
+{
+    const char *const list = "particles.place";
+
+    k->density = settings_real(s, "particles.grains.density");
+    if (settings_has(s, "particles.bed")) {
+        k->particles = settings_int(s, "particles.bed.count");
+        k->d = k->d_most = settings_real(s, "particles.bed.diameter");
+        return;
+    }
+    k->particles = settings_length(s, list);
+    for (int i = 0; i < k->particles; i++) {
+        const double d = settings_item_real(s, list, i, "diameter");
+
+        k->d = i == 0 ? d : fmin(k->d, d);
+        k->d_most = fmax(k->d_most, d);
+    }
+}
+
+static double largest_inlet(const struct settings *s, const struct mesh *m)
+{
+    double largest = 0.0;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        char path[64];
+
+        snprintf(path, sizeof path, "%s.inlet",
+                 settings_side(s, m->patches[i].name));
+        for (int j = 0; settings_has(s, path) && j < settings_points(s, path);
+             j++) {
+            double t, u;
+            settings_point(s, path, j, &t, &u);
+            largest = fmax(largest, u);
+        }
+    }
+    return largest;
+}
+
+static struct scales scales_of(const struct settings *s)
+{
+    struct mesh *const m = build_mesh(s);
+    struct scales k = {.cells = m->n_cells, .dx = INFINITY};
+    double g[3], size[3];
+
+    settings_vector(s, "mesh.size", size);
+    k.S_c = cbrt(size[0] * size[1] * size[2] / k.cells); /* [SX15 10] */
+    for (int i = 0; i < m->box.n[1]; i++)
+        k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
+    k.end = settings_real(s, "output.end");
+    k.dem_steps = build_steps(s, &k.dt);
+    if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
+    if (settings_has(s, "particles")) {
+        particle_scales(s, &k);
+        k.dem_dt = k.dt / k.dem_steps;
+    }
+    build_gravity(s, g);
+    k.impact = fmax(k.inlet, sqrt(2.0 * fabs(g[1]) * k.d_most));
+    mesh_free(m);
+    return k;
+}
+
+static void print_resolution(const struct scales *k)
+{
+    puts("Resolution");
+    line("cells", k->cells, "-", "");
+    line("S_c", k->S_c, "m", "cube root of the mean cell volume");
+    if (k->particles == 0) return;
+    line("particles", k->particles, "-", "");
+    line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
+    line("N_p / N_c", (double)k->particles / k->cells, "-", "");
+}
+
+/* [LS 5.11] asks for G; E = 2 G (1 + nu). */
+static void print_rayleigh(const struct scales *k, const struct material *m)
+{
+    const double G = m->young / (2.0 * (1.0 + m->poisson));
+    const double T_R = limits_rayleigh(0.5 * k->d, k->density, G, m->poisson);
+
+    line("T_R", T_R, "s", "Rayleigh's wave around the smallest particle");
+    line("particles.step / T_R", k->dem_dt / T_R, "-", "");
+}
+
+static void print_contacts(const struct settings *s, const struct scales *k)
+{
+    const struct material m = build_material(s);
+    const struct contact_law *const law =
+        contact_law_named(settings_text(s, "particles.contact"));
+    const double t_c =
+        limits_contact_time(law, &m, k->d, k->density, k->impact);
+    const double safe =
+        limits_longest_step(law, &m, k->d, k->density, k->impact);
+
+    puts("Contacts");
+    line("impact speed", k->impact, "m/s", "assumed for what follows");
+    if (m.young > 0.0) print_rayleigh(k, &m);
+    line("contact time", t_c, "s", "of two of the smallest particles");
+    line("suggested step", limits_step(law, &m, k->d, k->density, k->impact),
+         "s", "");
+    line("safe step", safe, "s", "");
+    line("particle step", k->dem_dt, "s",
+         k->dem_dt <= safe ? "safe" : "NOT SAFE: collisions are not resolved");
+    line("particle steps in one step", k->dem_steps, "-", "");
+}
+
+/* The fluid between the grains of a packed bed moves at U / eps_f. */
+static void print_flow(const struct scales *k)
+{
+    const double u = k->inlet / (1.0 - packed);
+
+    puts("Flow");
+    line("step", k->dt, "s", "");
+    if (k->inlet <= 0.0) return;
+    line("inlet", k->inlet, "m/s", "superficial, largest");
+    line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
+    line("step at CFL = 1", k->dx / u, "s",
+         k->dt <= k->dx / u ? "the step is below: accurate in time"
+                            : "the step is above: stable, not accurate");
+}
+
+/* Crank-Nicolson needs so many steps not to undershoot. */
+static void print_averaging(const struct settings *s)
+{
+    struct mesh *const m = build_mesh(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const int steps = averaging_check(
+        averaging_method_named(settings_text(s, "averaging.method")), m, &o);
+
+    puts("Averaging");
+    if (o.bandwidth > 0.0)
+        line("bandwidth / S_c", o.bandwidth / cbrt(m->V[0]), "-", "");
+    if (steps > 0)
+        line("averaging.steps", steps, "-",
+             "needed: with fewer the fields undershoot");
+    mesh_free(m);
+}
+
+static void print_drag(const struct settings *s, const struct scales *k)
+{
+    const struct drag_law *const law =
+        drag_law_named(settings_text(s, "exchange.drag"));
+    const double rho_s = settings_real(s, "particles.grains.density");
+    const double rho_f = settings_real(s, "fluid.density");
+    const double mu = settings_real(s, "fluid.viscosity");
+    const int asked = settings_int(s, "exchange.substeps");
+    const double bed = drag_relaxation_time(law, rho_s, packed, rho_f, mu, k->d,
+                                            k->inlet / (1.0 - packed));
+    const double lone =
+        drag_relaxation_time(law, rho_s, 0.0, rho_f, mu, k->d, k->inlet);
+
+    puts("Drag");
+    line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
+    line("tau_p", lone, "s", "of a lone particle");
+    line("sub-steps", asked > 0 ? asked : fmax(1.0, ceil(k->dt / bed)), "-",
+         asked > 0 ? "as the case asks" : "drag updates in a step, about");
+}
+
+static void print_weight(const struct settings *s, const struct scales *k)
+{
+    const double rho_s = settings_real(s, "particles.grains.density");
+    double size[3], g[3];
+
+    settings_vector(s, "mesh.size", size);
+    if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
+    line("weight of the bed over its area",
+         k->particles * M_PI / 6.0 * gsl_pow_3(k->d) * rho_s * fabs(g[1]) /
+             (size[0] * size[2]),
+         "Pa", "what the pressure drop comes to when it is carried");
+}
+
+static void print_cost(const struct settings *s, const struct scales *k)
+{
+    const double steps = k->end / k->dt;
+    const int flow = settings_has(s, "fluid");
+    const double work =
+        steps * k->dem_steps * k->particles / particle_steps_per_second +
+        steps * k->cells * flow / cell_steps_per_second;
+
+    puts("Cost");
+    line("steps", steps, "-", "");
+    line("particle steps", steps * k->dem_steps * k->particles, "-", "");
+    line("memory",
+         1e-6 * (k->particles * bytes_per_particle +
+                 k->cells * flow * bytes_per_cell),
+         "MB", "about");
+    line("time", work / omp_get_max_threads(), "s",
+         "about, after settling, on all cores of this machine");
+}
+
+int check_case(const struct settings *s)
+{
+    const struct scales k = scales_of(s);
+
+    printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
+    print_resolution(&k);
+    if (k.particles > 0) print_contacts(s, &k);
+    if (settings_has(s, "fluid")) print_flow(&k);
+    if (settings_has(s, "averaging")) print_averaging(s);
+    if (settings_has(s, "exchange") && k.particles > 0) print_drag(s, &k);
+    if (k.particles > 0) print_weight(s, &k);
+    print_cost(s, &k);
+    return 0;
+}

@@ -1,0 +1,161 @@
+#!/bin/sh
+# The program as a person meets it: what it says, and the exit codes.
+#
+#   sh tests/cli.sh build/winnow
+set -u
+winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
+top=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failed=0
+facts=0
+# Threads that wait should not keep others from working on a busy machine.
+export OMP_WAIT_POLICY=passive
+
+# fact NAME CODE PART COMMAND...: the command ends with the code, and what it
+# prints, on either stream, holds the part.
+fact() {
+    name=$1 code=$2 part=$3
+    shift 3
+    "$@" >said 2>&1
+    found=$?
+    if [ $found -ne "$code" ]; then
+        echo "FAILED $name: exit code $found, not $code:" && cat said
+        failed=$((failed + 1))
+    elif [ -n "$part" ] && ! grep -qF -- "$part" said; then
+        echo "FAILED $name: no \"$part\" in:" && cat said
+        failed=$((failed + 1))
+    else
+        facts=$((facts + 1)) && echo "    $name"
+    fi
+}
+
+# A pair of spheres in a little air: everything is on, and over in a moment.
+cat >tiny.cfg <<'END'
+title = "two spheres in a little air";
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = { inlet = 0.2; }; top = { outlet = 0.0; };
+          sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.003, 0.002, 0.003]; diameter = 1e-3; },
+              { position = [0.0031, 0.004, 0.003]; diameter = 1e-3; } ); };
+averaging = { method = "kernel"; bandwidth = 4e-3; };
+exchange = { drag = "syamlal-obrien"; };
+effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
+output = { end = 0.02; every = 0.01; };
+END
+
+echo "command line:"
+fact no_command_shows_the_usage 2 "winnow run CASE" "$winnow"
+fact help_is_no_error 0 "Exit codes" "$winnow" --help
+fact version_is_told 0 "winnow 0." "$winnow" --version
+fact misspelt_command_finds_the_one_meant 2 "did you mean run?" "$winnow" rum
+fact strange_command_is_refused 2 "no command elephant" "$winnow" elephant
+fact misspelt_option_finds_the_one_meant 2 "did you mean --quiet?" \
+    "$winnow" run tiny.cfg --quite
+fact option_of_another_command_is_refused 2 "check knows no option -o" \
+    "$winnow" check tiny.cfg -o there
+fact option_without_value_is_refused 2 "-o asks for a value" \
+    "$winnow" run tiny.cfg -o
+fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many
+fact run_asks_for_a_case 2 "asks for a case" "$winnow" run
+fact one_case_at_a_time 2 "one argument too many" "$winnow" run tiny.cfg tiny.cfg
+
+echo "input:"
+fact missing_file_is_code_4 4 "none.cfg: cannot read" "$winnow" run none.cfg
+sed 's/viscosity/viscsity/' tiny.cfg >typo.cfg
+fact misspelt_key_names_file_line_and_nearest 2 \
+    "typo.cfg:3: fluid.viscsity: no such key; did you mean fluid.viscosity" \
+    "$winnow" run typo.cfg
+sed 's/diameter = 1e-3/diameter = -1e-3/' tiny.cfg >negative.cfg
+fact negative_diameter_names_unit 2 "a number > 0 [m], found -0.001" \
+    "$winnow" run negative.cfg
+fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
+    "$winnow" run tiny.cfg -s fluid.density=heavy
+fact case_is_checked_as_a_whole 2 "no outlet" \
+    "$winnow" check tiny.cfg -s fluid.top=slip
+fact sphere_outside_the_box_is_refused 2 "not inside the box" \
+    "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
+fact nothing_is_written_for_wrong_input 1 "" test -e out
+
+echo "tables:"
+fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list
+fact list_shows_the_keys_of_a_model 0 "averaging.bandwidth = a number > 0 [m]" \
+    "$winnow" list averaging
+fact list_shows_every_key 0 "effects.gravity" "$winnow" list keys
+fact misspelt_kind_finds_the_one_meant 2 "did you mean drag?" "$winnow" list darg
+fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
+fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
+fact eval_asks_for_what_is_missing 2 "Re is missing" \
+    "$winnow" eval XS11:2.13 eps_f=0.5
+full_output() { "$winnow" eval >/dev/full; }
+fact results_that_cannot_be_written_are_code_4 4 "cannot write" full_output
+
+for case in "$top"/cases/*.cfg; do
+    fact "check_$(basename "$case" .cfg)_passes" 0 "" "$winnow" check "$case"
+    fact "explain_$(basename "$case" .cfg)_passes" 0 "On" "$winnow" explain "$case"
+done
+
+# Every function that explain and eval name is defined in the source.
+defined() {
+    {
+        "$winnow" eval | sed -n 's/.*, by //p'
+        for case in "$top"/cases/*.cfg; do
+            "$winnow" explain "$case" | sed -n 's/^  .\{26\} \([a-z_0-9]*\)  *.*/\1/p'
+        done
+    } | sort -u | while read -r function; do
+        grep -rqE "^[a-z].*[ *]$function\(" "$top/src" || echo "no $function"
+    done | grep . && return 1
+    echo defined
+}
+fact functions_that_are_named_exist 0 defined defined
+
+fact check_calls_a_step_unsafe_that_is 0 "NOT SAFE" \
+    "$winnow" check tiny.cfg -s particles.step=1e-4
+
+echo "runs:"
+fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
+fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \
+    -a -s one/fluid.pvd -a -s one/particles.pvd
+fact two_threads_run_it_too 0 "" "$winnow" run tiny.cfg -o two -j 2 --quiet
+same() {
+    cmp one/history.csv two/history.csv && diff -r one/fluid two/fluid &&
+        diff -r one/particles two/particles && echo same
+}
+fact one_and_two_threads_give_the_same_bits 0 same same
+quiet() { "$winnow" run tiny.cfg -o quiet --quiet 2>&1 >/dev/null | wc -c; }
+fact quiet_says_nothing_on_stderr 0 0 quiet
+fact folder_that_cannot_be_made_is_code_4 4 "tiny.cfg/out" \
+    "$winnow" run tiny.cfg -o tiny.cfg/out
+# A limit on the size of files stands for a full disk.
+full_disk() { (
+    trap '' XFSZ
+    ulimit -f 1
+    "$winnow" run tiny.cfg -o full -s 'mesh.cells=[12,24,12]'
+); }
+fact full_disk_is_code_4 4 "full/" full_disk
+no_part() { find full -name '*.partial' | grep . || echo none; }
+fact full_disk_leaves_no_part_of_a_file 0 none no_part
+interrupted() {
+    "$winnow" run tiny.cfg -o long -s output.end=1000 &
+    run=$!
+    while [ ! -s long/history.csv ]; do sleep 0.1; done
+    kill -INT $run
+    wait $run
+}
+fact interrupted_run_is_code_130 130 "" interrupted
+fact interrupted_run_says_so_in_its_summary 0 interrupted cat long/summary.json
+
+fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
+    "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
+    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip
+fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
+
+if [ $failed -gt 0 ]; then
+    echo "$failed facts of the command line do not hold"
+    exit 1
+fi
+echo "$facts facts hold (command line)"

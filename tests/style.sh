@@ -1,0 +1,125 @@
+#!/bin/sh
+# The rules of style that a machine can check. Says everything that is wrong.
+#
+#   sh tests/style.sh build      (after the build: object files are looked at)
+set -u
+build=${1:-build}
+found=$(mktemp)
+trap 'rm -f "$found"' EXIT
+
+flags='-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -Itests -fsyntax-only
+-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror'
+sources=$(find src tests -name '*.[ch]' | sort)
+modules=$(find src -name '*.c' | sort)
+headers=$(find src -name '*.h' | sort)
+objects=$(find "$build/src" -name '*.o' 2>/dev/null | sort)
+
+wrong() { # prefixes each line of the input with a rule; notes that it is broken
+    sed "s/^/$1: /" >>"$found"
+}
+
+layout() {
+    command -v clang-format >/dev/null || return
+    # shellcheck disable=SC2086 # one word a file
+    clang-format --dry-run $sources 2>&1 | grep 'warning:' |
+        wrong 'not as clang-format lays it out'
+}
+
+# Every header on its own, and every module, with each compiler there is.
+compiles() {
+    for compiler in gcc clang; do
+        command -v $compiler >/dev/null || continue
+        for header in $headers; do
+            # shellcheck disable=SC2086
+            printf '#include "%s"\nextern int nothing;\n' "${header#src/}" |
+                $compiler $flags -x c - 2>&1 | grep -E 'error:' |
+                wrong "header does not compile alone ($compiler)"
+        done
+    done
+    command -v clang >/dev/null || return
+    for module in $sources; do
+        case $module in *.h) continue ;; esac
+        # shellcheck disable=SC2086
+        clang $flags "$module" 2>&1 | grep -E 'error:' | wrong 'clang objects'
+    done
+}
+
+# A room knows itself and earlier ones; some not even all of these.
+rooms() {
+    grep -rn --include='*.[ch]' '^#include "' src | awk -F'[:/"]' '
+    BEGIN {
+        n = split("base mesh linear fluid particles averaging exchange effects" \
+                  " output scene", order, " ")
+        for (i = 1; i <= n; i++) rank[order[i]] = i
+        apart["linear mesh"]; apart["particles fluid"]; apart["averaging fluid"]
+        apart["output fluid"]; apart["output exchange"]
+    }
+    $2 != "main.c" { # src/room/file:line:#include "other/file"
+        room = $2; other = $6
+        if (rank[other] == 0 || rank[other] > rank[room] ||
+            (room " " other) in apart)
+            print $0
+    }' | wrong 'room includes one it may not know'
+}
+
+# An exported name begins with its module: its own file, or a header of its
+# room that several files stand behind.
+names() {
+    for object in $objects; do
+        room=$(dirname "${object#"$build"/}")
+        case $room in src) continue ;; esac
+        own=$(basename "$object" .o)
+        behind=$(find "$room" -name '*.h' -exec basename {} .h \; | tr '\n' '|')
+        nm -g --defined-only "$object" | awk '{print $3}' |
+            grep -v -E "^(${behind}$own)(s?_.*|s?)\$" | sed "s|^|$object: |" |
+            wrong 'exported name without its module'
+    done
+}
+
+# Constant tables of pointers are relocated (.data.rel.ro); what changes while
+# the program runs is in .data or .bss.
+variables() {
+    for object in $objects; do
+        nm -f sysv "$object" | awk -F'|' -v object="$object" '
+            $7 ~ /^\.(data|bss|tdata|tbss)/ && $7 !~ /^\.data\.rel\.ro/ {
+                print object ": " $1
+            }' | wrong 'variable at file scope that may change'
+    done
+}
+
+lengths() {
+    for module in $modules; do
+        lines=$(wc -l <"$module")
+        [ "$lines" -le 400 ] || echo "$module: $lines lines" |
+            wrong 'module of more than 400 lines'
+        awk -v file="$module" '
+            /^[a-z].*\(/ { start = NR }
+            /^}/ { if (start && NR - start + 1 > 60)
+                       print file ":" start ": " NR - start + 1 " lines"
+                   start = 0 }' "$module" |
+            wrong 'function of more than 60 lines'
+    done
+}
+
+text() {
+    grep -rn --include='*.[ch]' '^ *# *if' src |
+        grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP' | wrong 'code behind #if'
+    for module in $modules $(find tests -name '*.c'); do
+        head -1 "$module" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' ||
+            echo "$module" | wrong 'no licence in the first line'
+    done
+}
+
+layout
+compiles
+rooms
+names
+variables
+lengths
+text
+if [ -s "$found" ]; then
+    cat "$found"
+    echo "style: $(wc -l <"$found") things are not as they should be"
+    exit 1
+fi
+echo "style: as it should be"

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/cg.h"
+
+#include "linear_case.h"
+
+#include <check.h>
+#include <omp.h>
+
+static const double unit[3] = {1, 1, 1};
+
+struct setting {
+    struct links b;
+    struct csr *A;
+    struct multigrid *mg;
+    struct cg_work *w;
+    double *rhs, *x;
+};
+
+/* Diffusion in a box with one wall of value zero. */
+static struct setting poisson(int nx, int ny, int nz)
+{
+    struct setting s = {.b = links_cube(nx, ny, nz)};
+
+    s.A = diffusion(&s.b, NULL);
+    add_wall(s.A, &s.b, NULL, unit);
+    s.mg = multigrid_create(s.b.n, s.b.n_links, s.b.owner, s.b.neighbour,
+                            s.b.strength, s.b.link, s.b.V);
+    multigrid_update(s.mg, s.A);
+    s.w = cg_work_create(s.b.n);
+    s.rhs = noise_vector(s.b.n, 11);
+    s.x = alloc_doubles(s.b.n);
+    return s;
+}
+
+static void release(struct setting *s)
+{
+    free(s->rhs);
+    free(s->x);
+    cg_work_free(s->w);
+    multigrid_free(s->mg);
+    csr_free(s->A);
+    links_free(&s->b);
+}
+
+/* The residual of the recurrence drifts from the true one by rounding, some
+ * 1e-15 an iteration times the condition of the product. */
+START_TEST(the_true_residual_is_the_one_reported)
+{
+    for (int jacobi = 0; jacobi < 2; jacobi++) {
+        struct setting s = poisson(16, 16, 16);
+        const struct solve_report r = cg_solve(s.A, jacobi ? NULL : s.mg, s.rhs,
+                                               s.x, 1e-10, 0.0, 1000, s.w);
+
+        ck_assert(r.converged);
+        ck_assert_double_eq_tol(r.before, 1.0, 1e-15);
+        ck_assert_double_le(r.after, 1e-10);
+        ck_assert_double_eq_tol(true_residual(s.A, s.rhs, s.x), r.after, 1e-13);
+        release(&s);
+    }
+}
+END_TEST
+
+START_TEST(without_a_right_hand_side_the_solution_is_zero)
+{
+    struct setting s = poisson(4, 4, 4);
+
+    memset(s.rhs, 0, 64 * sizeof *s.rhs);
+    s.x[5] = 3.0;
+
+    const struct solve_report r =
+        cg_solve(s.A, s.mg, s.rhs, s.x, 1e-6, 0.0, 10, s.w);
+
+    ck_assert(r.converged && r.iterations == 0);
+    ck_assert_double_eq(r.before, 0.0);
+    for (int i = 0; i < 64; i++)
+        ck_assert_double_eq(s.x[i], 0.0);
+    release(&s);
+}
+END_TEST
+
+START_TEST(a_good_guess_costs_nothing)
+{
+    struct setting s = poisson(8, 8, 4);
+    double *const exact = noise_vector(s.b.n, 4);
+
+    csr_multiply(s.A, exact, s.rhs);
+    memcpy(s.x, exact, (size_t)s.b.n * sizeof *exact);
+
+    const struct solve_report r =
+        cg_solve(s.A, s.mg, s.rhs, s.x, 1e-12, 0.0, 10, s.w);
+
+    ck_assert(r.converged && r.iterations == 0);
+    ck_assert_mem_eq(s.x, exact, (size_t)s.b.n * sizeof *exact);
+    free(exact);
+    release(&s);
+}
+END_TEST
+
+START_TEST(the_absolute_tolerance_stops_too)
+{
+    struct setting s = poisson(16, 16, 4);
+    const double size = sqrt(dot_plain(s.b.n, s.rhs, s.rhs));
+    const struct solve_report r =
+        cg_solve(s.A, s.mg, s.rhs, s.x, 0.0, 1e-3 * size, 100, s.w);
+
+    ck_assert(r.converged);
+    ck_assert_double_le(r.after, 1e-3);
+    ck_assert_double_gt(r.after, 1e-6); /* did not go on for nothing */
+    release(&s);
+}
+END_TEST
+
+START_TEST(the_limit_of_iterations_is_reported)
+{
+    struct setting s = poisson(16, 16, 4);
+    const struct solve_report r =
+        cg_solve(s.A, NULL, s.rhs, s.x, 1e-10, 0.0, 3, s.w);
+
+    ck_assert(!r.converged && r.iterations == 3);
+    ck_assert_double_gt(r.after, 1e-10);
+    ck_assert_double_eq_tol(true_residual(s.A, s.rhs, s.x), r.after, 1e-13);
+    release(&s);
+}
+END_TEST
+
+START_TEST(a_matrix_that_is_not_positive_is_reported)
+{
+    struct setting s = poisson(6, 6, 1);
+
+    for (int i = 0; i < s.b.n; i++)
+        s.A->diag[i] = 0.1;
+
+    const struct solve_report r =
+        cg_solve(s.A, NULL, s.rhs, s.x, 1e-10, 0.0, 100, s.w);
+
+    ck_assert(!r.converged);
+    ck_assert(isfinite(r.after));
+    s.rhs[3] = NAN;
+    ck_assert(!cg_solve(s.A, NULL, s.rhs, s.x, 1e-10, 0.0, 100, s.w).converged);
+    release(&s);
+}
+END_TEST
+
+START_TEST(threads_do_not_change_a_bit)
+{
+    struct setting s = poisson(33, 32, 31);
+    double *const first = alloc_doubles(s.b.n);
+    struct solve_report r[2];
+
+    for (int threads = 1; threads <= 2; threads++) {
+        omp_set_num_threads(threads);
+        multigrid_update(s.mg, s.A);
+        memset(s.x, 0, (size_t)s.b.n * sizeof *s.x);
+        r[threads - 1] = cg_solve(s.A, s.mg, s.rhs, s.x, 1e-8, 0.0, 3, s.w);
+        if (threads == 1) memcpy(first, s.x, (size_t)s.b.n * sizeof *s.x);
+    }
+    ck_assert_mem_eq(first, s.x, (size_t)s.b.n * sizeof *s.x);
+    ck_assert_double_eq(r[0].after, r[1].after);
+    free(first);
+    release(&s);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("cg");
+    TCase *t = tcase_create("core");
+    SRunner *r = srunner_create(s);
+
+    omp_set_num_threads(1); /* two wait for each other on a busy machine */
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
+    tcase_add_test(t, the_true_residual_is_the_one_reported);
+    tcase_add_test(t, without_a_right_hand_side_the_solution_is_zero);
+    tcase_add_test(t, a_good_guess_costs_nothing);
+    tcase_add_test(t, the_absolute_tolerance_stops_too);
+    tcase_add_test(t, the_limit_of_iterations_is_reported);
+    tcase_add_test(t, a_matrix_that_is_not_positive_is_reported);
+    tcase_add_test(t, threads_do_not_change_a_bit);
+    srunner_run_all(r, CK_NORMAL);
+
+    const int failed = srunner_ntests_failed(r);
+
+    srunner_free(r);
+    return failed != 0;
+}

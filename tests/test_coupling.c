@@ -1,0 +1,402 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "exchange/coupling.h"
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "effects/effects.h"
+
+/* A scene put together by hand: everything that a test wants to vary. */
+struct scene {
+    const char *averaging, *scheme, *interpolation, *drag;
+    enum treatment treatment;
+    enum continuity continuity;
+    int pressure_gradient, substeps, one_way;
+    double rho, mu, dt;
+    double rho_s, d;
+    int n, dem_steps;
+    double size; /* [m] of the cube */
+    int cells;   /* a side */
+    double gravity[3];
+};
+
+static const struct scene air = {.averaging = "diffusion",
+                                 .scheme = "exponential",
+                                 .interpolation = "same",
+                                 .drag = "syamlal-obrien",
+                                 .treatment = TREATMENT_SEMI_IMPLICIT,
+                                 .continuity = CONTINUITY_VOID_RATE,
+                                 .pressure_gradient = 1,
+                                 .rho = 1.2,
+                                 .mu = 1.8e-5,
+                                 .dt = 2e-4,
+                                 .rho_s = 1000.0,
+                                 .d = 1e-3,
+                                 .n = 400,
+                                 .dem_steps = 10,
+                                 .size = 0.012,
+                                 .cells = 6};
+
+static void add_effect(struct simulation *sim, const struct effect *e,
+                       const double *numbers)
+{
+    sim->effects[sim->n_effects].effect = e;
+    sim->effects[sim->n_effects].memory = e->create(sim, numbers);
+    sim->n_effects++;
+}
+
+/* Spheres on a lattice with random velocities. */
+static void scatter(struct simulation *sim, const struct scene *s)
+{
+    const int side = (int)ceil(cbrt(s->n));
+    const double pitch = s->size / side;
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+
+    sim->particles = particles_create(s->n);
+    for (int k = 0; k < s->n; k++) {
+        const double x[3] = {(k % side + 0.5) * pitch,
+                             (k / side % side + 0.5) * pitch,
+                             (k / side / side + 0.5) * pitch};
+        const int i = particles_add(sim->particles, x, s->d, s->rho_s);
+        sim->particles->vx[i] = 0.5 * gsl_rng_uniform(random);
+        sim->particles->vy[i] = 0.5 * gsl_rng_uniform(random) - 0.25;
+        sim->particles->vz[i] = 0.5 * gsl_rng_uniform(random) - 0.25;
+    }
+    gsl_rng_free(random);
+}
+
+static void create_fluid(struct simulation *sim, const struct scene *s)
+{
+    const struct fluid_options fo = {
+        .rho = s->rho,
+        .mu = s->mu,
+        .dt = s->dt,
+        .convection = convection_scheme_named("upwind"),
+        .continuity = s->continuity,
+        .correctors = 2,
+        .tolerance = 1e-10,
+        .coupled = !s->one_way,
+        .pressure_shared = s->pressure_gradient && !s->one_way};
+
+    sim->fluid = fluid_create(sim->mesh, &fo);
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c] = 0.3;
+    for (int f = 0; f < sim->mesh->n_faces; f++)
+        sim->fluid->phi[f] = 0.3 * sim->mesh->S[3 * f];
+}
+
+static void create_coupling(struct simulation *sim, const struct scene *s)
+{
+    const struct averaging_options ao = {.bandwidth = 2.0 * s->size / s->cells,
+                                         .scheme = s->scheme,
+                                         .steps = 3,
+                                         .tolerance = 1e-13,
+                                         .fields = 4};
+    const struct coupling_options co = {
+        .law = drag_law_named(s->drag),
+        .treatment = s->treatment,
+        .interpolation = interpolation_named(s->interpolation),
+        .substeps = s->substeps,
+        .two_way = !s->one_way};
+
+    sim->averaging = averaging_create(averaging_method_named(s->averaging),
+                                      sim->mesh, sim->particles, &ao);
+    sim->coupling = coupling_create(sim, &co);
+}
+
+static struct simulation *build(const struct scene *s)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+    const struct box_spec spec = {{s->size, s->size, s->size},
+                                  {s->cells, s->cells, s->cells},
+                                  {1.0, 1.0, 1.0},
+                                  {1, 1, 1}};
+    struct dem_options o = {
+        .law = contact_law_named("linear"),
+        .material = {.stiffness = 100.0, .restitution = 0.9, .friction = 0.3},
+        .step = s->dt / s->dem_steps,
+        .hi = {s->size, s->size, s->size},
+        .periodic = {1, 1, 1}};
+
+    sim->mesh = mesh_create_box(&spec);
+    sim->dt = s->dt;
+    sim->dem_steps = s->dem_steps;
+    scatter(sim, s);
+    sim->held = alloc_doubles(3 * s->n);
+    particles_attach(sim->particles, sim->held, 3);
+    sim->dem = dem_create(sim->particles, &o);
+    create_fluid(sim, s);
+    create_coupling(sim, s);
+    sim->effects = alloc_zeroed(2, sizeof *sim->effects);
+    if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
+    if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
+    ck_assert_int_eq(coupling_start(sim), 0);
+    return sim;
+}
+
+static void discard(struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->free != NULL)
+            sim->effects[i].effect->free(sim->effects[i].memory);
+    free(sim->effects);
+    coupling_free(sim->coupling);
+    averaging_free(sim->averaging);
+    dem_free(sim->dem);
+    particles_free(sim->particles);
+    fluid_free(sim->fluid);
+    free(sim->held);
+    mesh_free(sim->mesh);
+    free(sim);
+}
+
+static void run(struct simulation *sim, int steps)
+{
+    for (int i = 0; i < steps; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+}
+
+/* Sum of |m v| of the particles: the scale of what is exchanged. */
+static double gross_momentum(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    double sum = 0.0;
+    for (int i = 0; i < ps->n; i++)
+        sum += ps->m[i] * (fabs(ps->vx[i]) + fabs(ps->vy[i]) + fabs(ps->vz[i]));
+    return sum;
+}
+
+/* --- momentum ----------------------------------------------------------- */
+
+static const struct {
+    const char *averaging, *scheme;
+} methods[] = {{"pcm", "exponential"},
+               {"kernel", "exponential"},
+               {"diffusion", "exponential"},
+               {"diffusion", "crank-nicolson"},
+               {"diffusion", "implicit-euler"}};
+static const char *const ways[] = {"nearest", "linear", "same"};
+
+/* 5 methods x 3 interpolations x 2 treatments x 2 forms of continuity x with
+ * and without the pressure force: fluid, particles and what is owed keep their
+ * sum to rounding. 1e-12 of the particles' momentum is a thousand roundings;
+ * the solvers of the diffusion get 1e-10, a thousand times their tolerance. */
+START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
+{
+    struct scene s = air;
+    double before[3], after[3];
+    s.averaging = methods[_i % 5].averaging;
+    s.scheme = methods[_i % 5].scheme;
+    s.interpolation = ways[_i / 5 % 3];
+    s.treatment = _i / 15 % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
+    s.continuity = _i / 30 % 2 ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE;
+    s.pressure_gradient = _i / 60 % 2;
+    s.substeps = 1 + _i % 2;
+    struct simulation *const sim = build(&s);
+    coupling_total_momentum(sim, before);
+    run(sim, 20);
+    coupling_total_momentum(sim, after);
+    const double gross = gross_momentum(sim);
+    const double limit = strcmp(s.scheme, "exponential") == 0 ? 1e-12 : 1e-10;
+    for (int k = 0; k < 3; k++) {
+        const double drift = after[k] - before[k] - sim->fluid->relabelled[k];
+        ck_assert_msg(fabs(drift) < limit * gross, "%s %s %s: drift %g",
+                      s.averaging, s.scheme, s.interpolation, drift / gross);
+    }
+    ck_assert_double_lt(sim->coupling->report.exchange_residual, limit);
+    discard(sim);
+}
+END_TEST
+
+/* Algorithm 3.1 as printed charges the fluid with Omega and A of the step
+ * before and forgets the difference. How much that is: `owed` is it. */
+START_TEST(without_the_debt_algorithm_3_1_loses_momentum)
+{
+    struct simulation *const sim = build(&air);
+    double owed[3];
+    run(sim, 20);
+    coupling_owed(sim, owed);
+    /* a hundred times what the test above allows */
+    ck_assert_double_gt(fabs(owed[0]), 1e-10 * gross_momentum(sim));
+    discard(sim);
+}
+END_TEST
+
+/* The drag of a sub-step with fixed k pulls as the mean velocity would: the
+ * impulse is k (u_f - mean u_p) dt, and N_s = 1 has the velocity of the start.
+ * One sphere, Schiller-Naumann near Re = 0, where k is constant to 1e-3. */
+START_TEST(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps)
+{
+    struct scene s = air;
+    s.n = 1;
+    s.d = 1e-5;
+    s.size = 1e-3;
+    s.drag = "schiller-naumann";
+    s.averaging = "pcm";
+    s.substeps = 5;
+    s.pressure_gradient = 0;
+    struct simulation *const sim = build(&s);
+    const struct particles *const ps = sim->particles;
+    const double v0 = ps->vx[0], m = ps->m[0];
+    const double k = 3.0 * M_PI * s.mu * s.d;
+    run(sim, 1);
+    /* v^(j+1) = v^j + k (u - v^j) dt_s / m, and the mean over j = 0..4 */
+    double v = v0, mean = 0.0;
+    const double u = sim->coupling->u_f[0];
+    for (int j = 0; j < 5; j++) {
+        mean += v / 5.0;
+        v += k * (u - v) * s.dt / 5.0 / m;
+    }
+    ck_assert_double_eq_tol(sim->coupling->u_mean[0] / mean, 1.0, 0.03);
+    ck_assert_double_eq_tol(m * (ps->vx[0] - v0) /
+                                (k * (u - sim->coupling->u_mean[0]) * s.dt),
+                            1.0, 0.15); /* 1 + 0.15 Re^0.687 */
+    discard(sim);
+}
+END_TEST
+
+/* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms asks for 9 to 10 drag
+ * updates, and 20 particle steps allow them. */
+START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for)
+{
+    struct scene s = air;
+    s.rho = 1000.0;
+    s.mu = 1e-3;
+    s.d = 1e-4;
+    s.n = 8;
+    s.drag = "schiller-naumann";
+    s.dt = 5e-3;
+    s.dem_steps = 20;
+    struct simulation *const sim = build(&s);
+    for (int i = 0; i < s.n; i++)
+        sim->particles->vx[i] = sim->particles->vy[i] = sim->particles->vz[i] =
+            0.0;
+    run(sim, 3);
+    const double tau = sim->coupling->report.shortest_time;
+    ck_assert_double_lt(tau, 0.56e-3);
+    ck_assert_int_eq(sim->coupling->report.substeps, (int)ceil(5e-3 / tau));
+    discard(sim);
+}
+END_TEST
+
+/* --- forces ------------------------------------------------------------- */
+
+/* A sphere as heavy as the fluid floats: weight and buoyancy cancel in each
+ * step, for any g, while the pressure has no hydrostatic part. */
+START_TEST(ls_5_1_a_neutral_sphere_floats)
+{
+    struct scene s = air;
+    s.rho = s.rho_s;
+    s.gravity[1] = -9.81;
+    s.n = 27;
+    struct simulation *const sim = build(&s);
+    memset(sim->fluid->u, 0, 3 * (size_t)sim->mesh->n_cells * sizeof(double));
+    memset(sim->fluid->phi, 0, (size_t)sim->mesh->n_faces * sizeof(double));
+    for (int i = 0; i < s.n; i++)
+        sim->particles->vx[i] = sim->particles->vy[i] = sim->particles->vz[i] =
+            0.0;
+    coupling_start(sim);
+    run(sim, 50);
+    for (int i = 0; i < s.n; i++) /* rounding of 9.81 * 0.01 s */
+        ck_assert_double_lt(fabs(sim->particles->vy[i]), 1e-15);
+    discard(sim);
+}
+END_TEST
+
+/* One-way: the fluid is what it would be alone, bit for bit. */
+START_TEST(ls_5_one_way_leaves_the_fluid_alone)
+{
+    struct scene s = air;
+    s.one_way = 1;
+    s.pressure_gradient = 0;
+    struct simulation *const sim = build(&s);
+    run(sim, 10);
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        ck_assert_double_eq_tol(sim->fluid->u[3 * c], 0.3, 1e-15);
+        ck_assert_double_eq(sim->fluid->eps[c], 1.0);
+    }
+    double mean = 0.0;
+    for (int i = 0; i < s.n; i++)
+        mean += sim->particles->vx[i] / s.n;
+    ck_assert_double_gt(mean, 0.24); /* the particles do feel it */
+    discard(sim);
+}
+END_TEST
+
+/* --- hard cases ----------------------------------------------------------- */
+
+/* Heavy, tiny, many: dt / tau_p of 1e4 and a mass loading of 500. The semi-
+ * implicit step must stay bounded by the velocities it started with. */
+START_TEST(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau)
+{
+    struct scene s = air;
+    s.averaging = methods[_i].averaging;
+    s.scheme = methods[_i].scheme;
+    s.mu = 18.0; /* honey */
+    s.rho = 1.0;
+    s.dt = 1e-3;
+    s.dem_steps = 1;
+    s.substeps = 1;
+    struct simulation *const sim = build(&s);
+    for (int i = 0; i < s.n; i++) /* held: only the fluid is to react */
+        sim->particles->m[i] *= 1e12;
+    run(sim, 30);
+    for (int i = 0; i < 3 * sim->mesh->n_cells; i++)
+        ck_assert_double_lt(fabs(sim->fluid->u[i]), 2.0);
+    discard(sim);
+}
+END_TEST
+
+START_TEST(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
+{
+    double u[2][3 * 216], x[2][400];
+    const int most = omp_get_max_threads();
+    for (int k = 0; k < 2; k++) {
+        omp_set_num_threads(k + 1);
+        struct simulation *const sim = build(&air);
+        run(sim, 30);
+        memcpy(u[k], sim->fluid->u, sizeof u[k]);
+        memcpy(x[k], sim->particles->x, sizeof x[k]);
+        discard(sim);
+    }
+    omp_set_num_threads(most);
+    ck_assert_mem_eq(u[0], u[1], sizeof u[0]);
+    ck_assert_mem_eq(x[0], x[1], sizeof x[0]);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *const s = suite_create("coupling");
+    TCase *const t = tcase_create("algorithm 3.1");
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60.0);
+    tcase_add_loop_test(
+        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0, 120);
+    tcase_add_test(t, without_the_debt_algorithm_3_1_loses_momentum);
+    tcase_add_test(
+        t, xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
+    tcase_add_test(t, xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
+    tcase_add_test(t, ls_5_1_a_neutral_sphere_floats);
+    tcase_add_test(t, ls_5_one_way_leaves_the_fluid_alone);
+    tcase_add_loop_test(t, xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau,
+                        0, 3);
+    tcase_add_test(
+        t, the_coupled_loop_gives_the_same_bits_for_any_number_of_threads);
+    return s;
+}
+
+int main(void)
+{
+    SRunner *const r = srunner_create(suite());
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

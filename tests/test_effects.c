@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The linker sends every call of the three functions of base/alloc.h through
+ * the counters below (-Wl,--wrap, see the Makefile). */
+#include "effects/effects.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "effects/time_average.h"
+#include "exchange/coupling.h"
+#include "scene/build.h"
+#include "scene/scene.h"
+
+static long allocations;
+
+void *__real_alloc_zeroed(size_t n, size_t size);
+double *__real_alloc_doubles(int n);
+int *__real_alloc_ints(int n);
+void *__wrap_alloc_zeroed(size_t n, size_t size);
+double *__wrap_alloc_doubles(int n);
+int *__wrap_alloc_ints(int n);
+
+void *__wrap_alloc_zeroed(size_t n, size_t size)
+{
+    allocations++;
+    return __real_alloc_zeroed(n, size);
+}
+
+double *__wrap_alloc_doubles(int n)
+{
+    allocations++;
+    return __real_alloc_doubles(n);
+}
+
+int *__wrap_alloc_ints(int n)
+{
+    allocations++;
+    return __real_alloc_ints(n);
+}
+
+/* A small bed with these effects; the file is made and removed here. */
+static struct simulation *build(const char *effects)
+{
+    static const char *const rest =
+        "mesh = { size = [0.012, 0.024, 0.006]; cells = [4, 8, 2]; };\n"
+        "fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;\n"
+        "  bottom = { inlet = 0.5; }; top = { outlet = 0.0; };\n"
+        "  sides = \"slip\"; front_back = \"slip\"; };\n"
+        "particles = { contact = \"linear\"; step = 2e-5;\n"
+        "  grains = { density = 1000; stiffness = 50.0; restitution = 0.9;\n"
+        "             friction = 0.1; };\n"
+        "  bed = { count = 100; diameter = 1.2e-3; settle = 0.0; }; };\n"
+        "averaging = { method = \"pcm\"; };\n"
+        "exchange = { drag = \"gidaspow\"; };\n"
+        "output = { end = 1.0; every = 1.0; };\n";
+    char path[] = "/tmp/winnow-effects-XXXXXX";
+    const int fd = mkstemp(path);
+    FILE *const f = fdopen(fd, "w");
+    int code;
+
+    fprintf(f, "%s%s", rest, effects);
+    fclose(f);
+    struct settings *const s = scene_read(path, 0, NULL, &code);
+    remove(path);
+    ck_assert_ptr_nonnull(s);
+    allocations = 0;
+    struct simulation *const sim = build_simulation(s, &code);
+    ck_assert_ptr_nonnull(sim);
+    settings_free(s);
+    return sim;
+}
+
+static long allocations_with(const char *effects)
+{
+    struct simulation *const sim = build(effects);
+    const long n = allocations;
+    build_free(sim);
+    return n;
+}
+
+/* What each effect allocates beyond a scene that names none: the list itself,
+ * and its own memory. With one more array anywhere these numbers change. */
+START_TEST(an_effect_that_is_not_named_allocates_nothing)
+{
+    const long none = allocations_with("");
+    const long list = 1;
+    ck_assert_int_eq(allocations_with("effects = { };\n"), none);
+    ck_assert_int_eq(
+        allocations_with("effects = { gravity = [0.0, -9.81, 0.0]; };\n"),
+        none + list);
+    ck_assert_int_eq(allocations_with("effects = { pressure_gradient = {}; };"),
+                     none + list + 2);
+    ck_assert_int_eq(
+        allocations_with("effects = { time_average = { time = 0.1; }; };\n"),
+        none + list + 3);
+}
+END_TEST
+
+static int calls_before, calls_after;
+
+static void spy_before(void *memory, struct simulation *sim)
+{
+    (void)memory;
+    (void)sim;
+    calls_before++;
+}
+
+static void spy_after(void *memory, struct simulation *sim)
+{
+    (void)memory;
+    (void)sim;
+    calls_after++;
+}
+
+/* The loop knows effects only by its list: one call a step and hook for one
+ * that is in it, none for one that is not, none where the hook is missing. */
+START_TEST(an_effect_that_is_not_named_is_never_called)
+{
+    static const struct effect both = {"spy", "",         "",        "",  NULL,
+                                       NULL,  spy_before, spy_after, NULL};
+    static const struct effect after = {"spy", "",   "",        "",  NULL,
+                                        NULL,  NULL, spy_after, NULL};
+    struct effect_state list[2] = {{&both, NULL}, {&after, NULL}};
+    struct simulation *const sim = build("");
+    ck_assert_int_eq(sim->n_effects, 0);
+    ck_assert_ptr_null(sim->effects);
+    ck_assert_int_eq(coupling_start(sim), 0);
+    for (int i = 0; i < 3; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+    ck_assert_int_eq(calls_before + calls_after, 0);
+    sim->effects = list;
+    sim->n_effects = 2;
+    for (int i = 0; i < 3; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+    ck_assert_int_eq(calls_before, 3);
+    ck_assert_int_eq(calls_after, 6);
+    sim->effects = NULL;
+    sim->n_effects = 0;
+    build_free(sim);
+}
+END_TEST
+
+/* The lists of pairs grow until they fit, nothing else; after some steps they
+ * do. */
+START_TEST(a_step_allocates_nothing)
+{
+    struct simulation *const sim =
+        build("effects = { gravity = [0.0, -9.81, 0.0];\n"
+              "  pressure_gradient = {}; time_average = { time = 0.1; }; };\n");
+    ck_assert_int_eq(coupling_start(sim), 0);
+    for (int i = 0; i < 300; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+    allocations = 0;
+    for (int i = 0; i < 100; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+    ck_assert_int_eq(allocations, 0);
+    build_free(sim);
+}
+END_TEST
+
+START_TEST(every_effect_is_known_by_its_name_and_has_a_row)
+{
+    for (int i = 0; effects_all[i] != NULL; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "effects.%s", effects_all[i]->name);
+        ck_assert_ptr_eq(effects_named(effects_all[i]->name), effects_all[i]);
+        ck_assert_str_eq(effects_all[i]->keys[0].path, path);
+    }
+    ck_assert_ptr_null(effects_named("magnetism"));
+}
+END_TEST
+
+/* --- [SX15 11-14] ------------------------------------------------------- */
+
+START_TEST(sx15_14_weight_is_one_over_one_plus_dt_over_b)
+{
+    ck_assert_double_eq_tol(time_average_weight(0.1, 0.4), 0.8, 1e-15);
+    ck_assert_double_eq_tol(time_average_weight(0.0, 0.4), 1.0, 1e-15);
+}
+END_TEST
+
+/* A constant stays; a step is followed as implicit Euler follows [SX15 13]:
+ * after n steps 1 - alpha^n, which tends to 1 - exp(-t / b) with order one. */
+START_TEST(sx15_13_mean_follows_a_step_with_order_one)
+{
+    double error[2];
+    for (int k = 0; k < 2; k++) {
+        const int n = k == 0 ? 50 : 100;
+        const double alpha = time_average_weight(1.0 / n, 0.5), one = 1.0;
+        double mean = 0.0, still = 1.0;
+        for (int i = 0; i < n; i++) {
+            time_average_update(alpha, 1, &one, &mean);
+            time_average_update(alpha, 1, &one, &still);
+        }
+        ck_assert_double_eq_tol(still, 1.0, 1e-14);
+        error[k] = mean - (1.0 - exp(-1.0 / 0.5));
+    }
+    ck_assert_double_eq_tol(log2(error[0] / error[1]), 1.0, 0.03);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *const s = suite_create("effects");
+    TCase *const t = tcase_create("effects");
+    suite_add_tcase(s, t);
+    tcase_add_test(t, an_effect_that_is_not_named_allocates_nothing);
+    tcase_add_test(t, an_effect_that_is_not_named_is_never_called);
+    tcase_add_test(t, a_step_allocates_nothing);
+    tcase_add_test(t, every_effect_is_known_by_its_name_and_has_a_row);
+    tcase_add_test(t, sx15_14_weight_is_one_over_one_plus_dt_over_b);
+    tcase_add_test(t, sx15_13_mean_follows_a_step_with_order_one);
+    return s;
+}
+
+int main(void)
+{
+    SRunner *const r = srunner_create(suite());
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/equations.h"
+#include "scene/eval.h"
+
+#include "capture.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An input of eval at a time: "Re=50 eps_f=0.6" is cut at the blanks. */
+static int evaluate(const char *key, const char *inputs, char *out, char *err)
+{
+    static char text[256];
+    const char *list[EQUATIONS_INPUTS + 2];
+    struct capture c_out, c_err;
+    int n = 0, code;
+
+    snprintf(text, sizeof text, "%s", inputs);
+    for (char *w = strtok(text, " "); w != NULL; w = strtok(NULL, " "))
+        list[n++] = w;
+    c_out = capture_begin(1);
+    c_err = capture_begin(2);
+    code = eval_print(key, n, list);
+    capture_end(&c_err, err);
+    capture_end(&c_out, out);
+    return code;
+}
+
+static char out[CAPTURE_TEXT], err[CAPTURE_TEXT];
+
+/* The values were computed apart from this program, with the formulas of the
+ * documents in double precision. Printed are 12 digits: 1e-11 is what the last
+ * of them may differ by; a wrong exponent or sign is off by far more. */
+static const struct {
+    const char *key, *inputs, *symbol;
+    double value;
+    const char *unit;
+} known[] = {
+    {"XS11:2.10", "eps_s=0.4 rho_f=1.2 mu=1.8e-5 d=1.2e-3 u_r=0.9", "B",
+     3.85792395579081e-06, "kg/s"},
+    {"XS11:2.11", "eps_s=0.4 rho_f=1.2 mu=1.8e-5 d=1.2e-3 u_r=0.9", "beta",
+     1023.34611272791, "kg/(m^3 s)"},
+    {"XS11:2.12", "rho_f=1.2 mu=1.8e-5 d=1.2e-3 u_r=0.9", "Re", 72.0, "-"},
+    {"XS11:2.13", "Re=50 eps_f=0.6", "V_r", 0.382618351595941, "-"},
+    {"XS11:2.13", "Re=72 eps_f=0.9", "V_r", 0.740307783674227, "-"},
+    {"XS11:3.6", "zeta=0.5", "K", 0.31640625, "-"},
+    {"XS11:3.6", "zeta=1.5", "K", 0.0, "-"},
+    {"XS11:3.17", "rho_s=2650 eps_s=0.2 rho_f=1000 mu=1e-3 d=1e-3 u_r=3",
+     "tau_p", 0.00109013049583229, "s"},
+    {"SX15:6", "r=2.4e-3 b=4.8e-3", "h", 1264671.86903772, "1/m^3"},
+    {"SX15:14", "dt=1e-4 b_t=1e-2", "alpha", 0.990099009901, "-"},
+    {"LS:4.4", "k=1e4 e=0.8 m_i=1e-3 m_j=2e-3", "eta", 0.365869376973942,
+     "kg/s"},
+    {"LS:4.7",
+     "E_i=380e9 E_j=70e9 nu_i=0.23 nu_j=0.25 R_i=2.5e-3 R_j=5e-3 delta=1e-6",
+     "F_n", 3.42664982478123, "N"},
+    {"LS:4.9", "E_i=380e9 E_j=70e9 nu_i=0.23 nu_j=0.25 R_i=2.5e-3 R_j=5e-3",
+     "k_n", 3426649824.78123, "N/m^1.5"},
+    {"LS:4.10",
+     "E_i=380e9 E_j=70e9 nu_i=0.23 nu_j=0.25 R_i=2.5e-3 R_j=5e-3 delta=1e-6",
+     "k_t", 4415976.27048677, "N/m"},
+    {"LS:5.2", "rho_f=1.2 C_D=0.44 d=1e-3 u_r=2", "F", 8.29380460547705e-07,
+     "N"},
+    {"LS:5.11", "r=6e-4 rho=1000 G=4.5e4 nu=0.33", "T_R", 0.000302005205419072,
+     "s"},
+    {"LS:5.12", "rho_p=3000 d=1e-4 mu=1e-4", "tau", 0.0166666666666667, "s"},
+    {"LS:5.13", "rho_p=3000 d=1e-4 mu=1e-4 Re=1.37337", "tau",
+     0.0140465482201807, "s"},
+    {"LS:5.26", "alpha=0.9 Re=100", "C_d", 1.14695428899973, "-"},
+    {"LS:5.27", "alpha=0.45 rho_f=1000 mu=1e-3 d=1e-3 u_r=0.01", "beta",
+     110458.333333333, "kg/(m^3 s)"},
+    {"LS:5.27", "alpha=0.9 rho_f=1.2 mu=1.8e-5 d=1e-3 u_r=1.5", "beta",
+     184.238223650342, "kg/(m^3 s)"},
+};
+
+START_TEST(every_equation_has_its_independent_value)
+{
+    const size_t n = sizeof known / sizeof known[0];
+
+    for (size_t i = 0; i < n; i++) {
+        char symbol[32], unit[32];
+        double value;
+
+        ck_assert_int_eq(evaluate(known[i].key, known[i].inputs, out, err), 0);
+        ck_assert_int_eq(
+            sscanf(out, "%31s = %lf [%31[^]]]", symbol, &value, unit), 3);
+        ck_assert_str_eq(symbol, known[i].symbol);
+        ck_assert_str_eq(unit, known[i].unit);
+        ck_assert_msg(
+            fabs(value - known[i].value) <= 1e-11 * fabs(known[i].value),
+            "%s: %.15g, not %.15g", known[i].key, value, known[i].value);
+    }
+    for (const struct equation *e = equations_all; e->key != NULL; e++) {
+        int shown = 0;
+        for (size_t i = 0; i < n; i++)
+            shown += strcmp(known[i].key, e->key) == 0;
+        ck_assert_msg(shown > 0, "%s has no value here", e->key);
+    }
+}
+END_TEST
+
+START_TEST(value_is_one_line_with_symbol_and_unit)
+{
+    ck_assert_int_eq(evaluate("XS11:3.6", "zeta=0.5", out, err), 0);
+    ck_assert_str_eq(out, "K = 0.31640625 [-]\n");
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+START_TEST(order_of_the_inputs_does_not_matter)
+{
+    static char other[CAPTURE_TEXT];
+
+    ck_assert_int_eq(evaluate("XS11:2.13", "Re=50 eps_f=0.6", out, err), 0);
+    ck_assert_int_eq(evaluate("XS11:2.13", "eps_f=0.6 Re=50", other, err), 0);
+    ck_assert_str_eq(out, other);
+}
+END_TEST
+
+static void refused(const char *key, const char *inputs, const char *part)
+{
+    ck_assert_int_eq(evaluate(key, inputs, out, err), 2);
+    ck_assert_str_eq(out, "");
+    ck_assert_msg(strstr(err, part) != NULL, "no \"%s\" in %s", part, err);
+}
+
+START_TEST(wrong_inputs_are_refused_with_what_it_takes)
+{
+    refused("XS11:2.13", "Re=50", "eps_f is missing; it takes Re [-], eps_f");
+    refused("XS11:2.13", "", "Re is missing");
+    refused("XS11:2.13", "Re=50 eps_f=0.6 mu=1", "mu=1 is not one of");
+    refused("XS11:2.13", "Re=50 eps_f=0.6 Re=5", "Re=5 is given twice");
+    refused("XS11:2.13", "Re=50 eps_f=high", "eps_f=high is not a number");
+    refused("XS11:2.13", "Re=50 eps_f=", "is not a number");
+    refused("XS11:2.13", "Re=50 eps_f=nan", "is not a number");
+    refused("XS11:2.13", "Re eps_f=1", "Re is not one of");
+    refused("xs11:2.133", "", "did you mean XS11:2.13?");
+    refused("elephant", "", "winnow eval lists all");
+}
+END_TEST
+
+START_TEST(value_that_is_no_number_is_refused)
+{
+    refused("LS:5.26", "alpha=0 Re=1", "C_d has no value");
+}
+END_TEST
+
+START_TEST(list_names_every_equation_with_units_and_function)
+{
+    struct capture c = capture_begin(1);
+
+    eval_list();
+    capture_end(&c, out);
+    for (const struct equation *e = equations_all; e->key != NULL; e++) {
+        ck_assert_ptr_nonnull(strstr(out, e->key));
+        ck_assert_ptr_nonnull(strstr(out, e->inputs));
+        ck_assert_ptr_nonnull(strstr(out, e->function));
+        ck_assert_int_le(equations_inputs(e), EQUATIONS_INPUTS);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("eval");
+    TCase *const t = tcase_create("core");
+    SRunner *r;
+    int failed;
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, every_equation_has_its_independent_value);
+    tcase_add_test(t, value_is_one_line_with_symbol_and_unit);
+    tcase_add_test(t, order_of_the_inputs_does_not_matter);
+    tcase_add_test(t, wrong_inputs_are_refused_with_what_it_takes);
+    tcase_add_test(t, value_that_is_no_number_is_refused);
+    tcase_add_test(t, list_names_every_equation_with_units_and_function);
+    r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

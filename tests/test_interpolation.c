@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/interpolation.h"
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "averaging/hosts.h"
+#include "base/alloc.h"
+#include "cloud.h"
+
+enum { N = 120, M = 3 };
+
+struct scene {
+    struct mesh *mesh;
+    struct particles *ps;
+    struct averaging *a;
+    double *field, *boundary, *q;
+};
+
+static struct scene scene_of(const struct box_spec *spec, const char *method)
+{
+    const struct averaging_options o = {.bandwidth = 0.2};
+    struct scene s = {.mesh = mesh_create_box(spec)};
+
+    s.ps = cloud_create(s.mesh, N);
+    s.a = averaging_create(averaging_method_named(method), s.mesh, s.ps, &o);
+    s.field = alloc_doubles(M * s.mesh->n_cells);
+    s.boundary = alloc_doubles(M * (s.mesh->n_faces - s.mesh->n_internal));
+    s.q = alloc_doubles(M * N);
+    ck_assert_int_eq(averaging_bind(s.a), 0);
+    return s;
+}
+
+static void scene_free(struct scene *s)
+{
+    averaging_free(s->a);
+    particles_free(s->ps);
+    mesh_free(s->mesh);
+    free(s->field);
+    free(s->boundary);
+    free(s->q);
+}
+
+/* Three linear fields. */
+static double plane(int k, const double x[3])
+{
+    return 0.3 + k + (1.0 + k) * x[0] - 2.0 * x[1] + (0.5 - k) * x[2];
+}
+
+static void fill_planes(struct scene *s)
+{
+    const struct mesh *const m = s->mesh;
+
+    for (int c = 0; c < m->n_cells; c++)
+        for (int k = 0; k < M; k++)
+            s->field[M * c + k] = plane(k, &m->centre[3 * c]);
+    for (int f = m->n_internal; f < m->n_faces; f++) {
+        double x[3];
+        for (int j = 0; j < 3; j++)
+            x[j] = m->centre[3 * m->owner[f] + j] + m->d[3 * f + j];
+        for (int k = 0; k < M; k++)
+            s->boundary[M * (f - m->n_internal) + k] = plane(k, x);
+    }
+}
+
+static int touches_the_boundary(const struct mesh *m, int c)
+{
+    return m->cell_face[m->cell_start[c + 1] - 1] >= m->n_internal;
+}
+
+/* Rounding of gradients of order 1 on cells of 0.1. Shape 4 is graded. */
+START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
+{
+    struct scene s = scene_of(&cloud_shapes[4], "pcm");
+    int inside = 0;
+
+    fill_planes(&s);
+    interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++) {
+        const double x[3] = {s.ps->x[i], s.ps->y[i], s.ps->z[i]};
+        if (touches_the_boundary(s.mesh, averaging_host(s.a)[i])) continue;
+        inside++;
+        for (int k = 0; k < M; k++)
+            ck_assert_double_eq_tol(s.q[M * i + k], plane(k, x), 1e-13);
+    }
+    ck_assert_int_gt(inside, 20);
+    scene_free(&s);
+}
+END_TEST
+
+/* All shapes without a period: also one cell, and one direction. */
+START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
+{
+    static const int closed[] = {0, 1, 4};
+    struct scene s = scene_of(&cloud_shapes[closed[_i]], "pcm");
+
+    fill_planes(&s);
+    interpolation_named("linear")->apply(s.a, M, s.field, s.boundary, s.q);
+    for (int i = 0; i < N; i++) {
+        const double x[3] = {s.ps->x[i], s.ps->y[i], s.ps->z[i]};
+        for (int k = 0; k < M; k++)
+            ck_assert_double_eq_tol(s.q[M * i + k], plane(k, x), 1e-13);
+    }
+    scene_free(&s);
+}
+END_TEST
+
+/* f = x on equal cells in a row: half the slope next to the two walls. */
+START_TEST(linear_without_boundary_values_sees_half_the_slope_at_a_wall)
+{
+    const struct box_spec spec = {
+        {1.0, 0.1, 0.1}, {10, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct scene s = scene_of(&spec, "pcm");
+
+    for (int c = 0; c < 10; c++)
+        s.field[c] = s.mesh->centre[3 * c];
+    interpolation_named("linear")->apply(s.a, 1, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++) {
+        const int c = averaging_host(s.a)[i];
+        const double middle = s.mesh->centre[3 * c];
+        const double slope = c == 0 || c == 9 ? 0.5 : 1.0;
+        ck_assert_double_eq_tol(s.q[i], middle + slope * (s.ps->x[i] - middle),
+                                1e-14);
+    }
+    scene_free(&s);
+}
+END_TEST
+
+/* Largest error of one way for a wave in a box periodic in x and y. */
+static double wave_error(const char *way, int n)
+{
+    const struct box_spec spec = {
+        {1.0, 1.0, 0.1}, {n, n, 1}, {1.0, 1.0, 1.0}, {1, 1, 1}};
+    struct scene s = scene_of(&spec, "pcm");
+    double worst = 0.0;
+
+    for (int c = 0; c < s.mesh->n_cells; c++)
+        s.field[c] = sin(2.0 * M_PI * s.mesh->centre[3 * c]) *
+                     cos(2.0 * M_PI * s.mesh->centre[3 * c + 1]);
+    interpolation_named(way)->apply(s.a, 1, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++)
+        worst = fmax(worst, fabs(s.q[i] - sin(2.0 * M_PI * s.ps->x[i]) *
+                                              cos(2.0 * M_PI * s.ps->y[i])));
+    scene_free(&s);
+    return worst;
+}
+
+/* The particles include those on corners and faces, where the error is at its
+ * largest and of a regular size; also across the period. */
+START_TEST(linear_is_of_second_order_and_nearest_of_first)
+{
+    const double linear = wave_error("linear", 20) / wave_error("linear", 40);
+    const double near = wave_error("nearest", 20) / wave_error("nearest", 40);
+    ck_assert_double_eq_tol(log2(linear), 2.0, 0.2);
+    ck_assert_double_eq_tol(log2(near), 1.0, 0.2);
+}
+END_TEST
+
+START_TEST(nearest_is_the_value_of_the_host)
+{
+    struct scene s = scene_of(&cloud_shapes[_i], "pcm");
+
+    cloud_numbers(12, M * s.mesh->n_cells, s.field);
+    interpolation_named("nearest")->apply(s.a, M, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < M; k++)
+            ck_assert(s.q[M * i + k] ==
+                      s.field[M * averaging_host(s.a)[i] + k]);
+    scene_free(&s);
+}
+END_TEST
+
+START_TEST(same_is_the_adjoint_of_the_averaging)
+{
+    struct scene s = scene_of(&cloud_shapes[_i], "kernel");
+    double *const g = alloc_doubles(M * N);
+
+    cloud_numbers(13, M * s.mesh->n_cells, s.field);
+    interpolation_named("same")->apply(s.a, M, s.field, NULL, s.q);
+    averaging_gather(s.a, M, s.field, g);
+    ck_assert_mem_eq(g, s.q, sizeof(double) * M * N);
+    free(g);
+    scene_free(&s);
+}
+END_TEST
+
+START_TEST(every_way_gives_constants_back)
+{
+    for (int w = 0; interpolations[w] != NULL; w++) {
+        struct scene s = scene_of(&cloud_shapes[_i], "diffusion");
+        for (int e = 0; e < M * s.mesh->n_cells; e++)
+            s.field[e] = 2.5;
+        interpolations[w]->apply(s.a, M, s.field, NULL, s.q);
+        for (int e = 0; e < M * N; e++)
+            ck_assert_double_eq_tol(s.q[e], 2.5, 1e-12);
+        scene_free(&s);
+    }
+}
+END_TEST
+
+/* Capped cells too: a slip velocity cut down by the share would be wrong. */
+START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
+{
+    const struct averaging_options o = {.cap = 0.004};
+    struct scene s = scene_of(&cloud_shapes[4], "pcm");
+
+    averaging_free(s.a);
+    s.a = averaging_create(averaging_method_named("pcm"), s.mesh, s.ps, &o);
+    ck_assert_int_eq(averaging_bind(s.a), 0);
+    ck_assert_int_gt(averaging_report(s.a)->capped, 3);
+    cloud_numbers(15, M * s.mesh->n_cells, s.field);
+    interpolation_named("same")->apply(s.a, M, s.field, NULL, s.q);
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < M; k++)
+            ck_assert_double_eq_tol(
+                s.q[M * i + k], s.field[M * averaging_host(s.a)[i] + k], 1e-15);
+    scene_free(&s);
+}
+END_TEST
+
+START_TEST(an_unknown_way_has_no_name)
+{
+    ck_assert_ptr_null(interpolation_named("cubic"));
+    for (int w = 0; interpolations[w] != NULL; w++)
+        ck_assert_ptr_eq(interpolation_named(interpolations[w]->name),
+                         interpolations[w]);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("interpolation");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, linear_is_exact_for_linear_fields_in_the_interior);
+    tcase_add_loop_test(t, linear_is_exact_at_boundaries_whose_values_are_given,
+                        0, 3);
+    tcase_add_test(
+        t, linear_without_boundary_values_sees_half_the_slope_at_a_wall);
+    tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
+    tcase_add_loop_test(t, nearest_is_the_value_of_the_host, 0, CLOUD_SHAPES);
+    tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,
+                        CLOUD_SHAPES);
+    tcase_add_loop_test(t, every_way_gives_constants_back, 0, CLOUD_SHAPES);
+    tcase_add_test(t, the_cap_of_pcm_does_not_cut_down_what_particles_see);
+    tcase_add_test(t, an_unknown_way_has_no_name);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

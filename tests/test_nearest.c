@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/nearest.h"
+
+#include <check.h>
+#include <stddef.h>
+#include <string.h>
+
+static const char *nearest_of(const char *wanted, struct nearest *n)
+{
+    static const char *const known[] = {"density", "viscosity", "step",
+                                        "convection", NULL};
+
+    nearest_init(n, wanted);
+    for (int i = 0; known[i] != NULL; i++)
+        nearest_offer(n, known[i]);
+    return nearest_best(n);
+}
+
+START_TEST(edits_between_kitten_and_sitting_are_three)
+{
+    ck_assert_int_eq(nearest_edits("kitten", "sitting"), 3);
+    ck_assert_int_eq(nearest_edits("", "abc"), 3);
+    ck_assert_int_eq(nearest_edits("same", "same"), 0);
+}
+END_TEST
+
+START_TEST(edits_are_the_same_both_ways)
+{
+    ck_assert_int_eq(nearest_edits("density", "destiny"),
+                     nearest_edits("destiny", "density"));
+}
+END_TEST
+
+START_TEST(two_swapped_letters_are_one_edit)
+{
+    ck_assert_int_eq(nearest_edits("friciton", "friction"), 1);
+}
+END_TEST
+
+START_TEST(capitals_are_no_edit)
+{
+    ck_assert_int_eq(nearest_edits("Density", "denSITY"), 0);
+}
+END_TEST
+
+START_TEST(misspelt_word_finds_the_one_meant)
+{
+    struct nearest n;
+
+    ck_assert_str_eq(nearest_of("densty", &n), "density");
+    ck_assert_str_eq(nearest_of("setp", &n), "step");
+    ck_assert_str_eq(nearest_of("visc", &n), "viscosity");
+}
+END_TEST
+
+START_TEST(strange_word_finds_none)
+{
+    struct nearest n;
+    char lengthy[500];
+
+    memset(lengthy, 'd', sizeof lengthy - 1);
+    lengthy[sizeof lengthy - 1] = '\0';
+    ck_assert_ptr_null(nearest_of("banana", &n));
+    ck_assert_ptr_null(nearest_of("", &n));
+    ck_assert_ptr_null(nearest_of("x", &n));
+    ck_assert_ptr_null(nearest_of(lengthy, &n));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("nearest");
+    TCase *const t = tcase_create("core");
+    SRunner *r;
+    int failed;
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, edits_between_kitten_and_sitting_are_three);
+    tcase_add_test(t, edits_are_the_same_both_ways);
+    tcase_add_test(t, two_swapped_letters_are_one_edit);
+    tcase_add_test(t, capitals_are_no_edit);
+    tcase_add_test(t, misspelt_word_finds_the_one_meant);
+    tcase_add_test(t, strange_word_finds_none);
+    r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

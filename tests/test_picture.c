@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/picture.h"
+#include "scratch.h"
+
+#include "base/file.h"
+
+static char dir[64];
+
+static void set_up(void)
+{
+    scratch_make(dir);
+}
+
+static void tear_down(void)
+{
+    scratch_clear(dir);
+}
+
+/* Two cells deep, the front one twice as deep as the back one, and three
+ * particles, the first in front of the others. */
+static struct mesh *box(void)
+{
+    return mesh_create_box(&(struct box_spec){
+        .size = {0.5, 1.0, 0.3}, .cells = {2, 1, 2}, .grading = {1, 1, 2}});
+}
+
+static const double eps[4] = {0.4, 1.0, 0.7, 1.0};
+static const double x[3] = {0.1, 0.2, 0.4}, y[3] = {0.5, 0.25, 0.75};
+static const double z[3] = {0.25, 0.125, 0.0625}, d[3] = {0.1, 0.2, 0.3};
+static const double vx[3] = {3.0, 0.0, 0.0}, vy[3] = {4.0, 1.0, 0.0};
+static const double vz[3] = {0.0, 0.0, 0.0};
+
+static struct picture sample(const struct mesh *m)
+{
+    return (struct picture){.title = "A bed's \"_{title}_\"",
+                            .time = 0.5,
+                            .mesh = m,
+                            .eps = eps,
+                            .n = 3,
+                            .x = {x, y, z},
+                            .v = {vx, vy, vz},
+                            .d = d};
+}
+
+START_TEST(particles_are_listed_from_back_to_front)
+{
+    struct mesh *const m = box();
+    const struct picture p = sample(m);
+
+    ck_assert_int_eq(picture_write(dir, &p), 0);
+    scratch_assert_text(scratch_path(dir, "picture/particles.txt"),
+                        "# x [m]  y [m]  radius [m]  speed [m/s]\n"
+                        "0.4 0.75 0.15 0\n"
+                        "0.2 0.25 0.1 1\n"
+                        "0.1 0.5 0.05 5\n");
+    mesh_free(m);
+}
+END_TEST
+
+/* Left 0.4 in a third of the depth and 0.7 in two: 0.6. */
+START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
+{
+    struct mesh *const m = box();
+    const struct picture p = sample(m);
+
+    ck_assert_int_eq(picture_write(dir, &p), 0);
+    scratch_assert_text(scratch_path(dir, "picture/void_fraction.txt"),
+                        "# edges of a column of cells: left right bottom top "
+                        "[m]  void fraction [-]\n"
+                        "0 0.25 0 1 0.6\n"
+                        "0.25 0.5 0 1 1\n");
+    mesh_free(m);
+}
+END_TEST
+
+/* Whether gnuplot drew it: with and without each panel, in a folder whose name
+ * asks for quoting. A machine without gnuplot must say what to install. */
+START_TEST(gnuplot_draws_every_kind_of_scene_or_is_missed_politely)
+{
+    struct mesh *const m = box();
+    char folder[80], png[96];
+    const int here = system("gnuplot --version >/dev/null 2>&1") == 0;
+
+    snprintf(folder, sizeof folder, "%s/it's a \"bed\"", dir);
+    snprintf(png, sizeof png, "%s/bed.png", folder);
+    scratch_listen(dir);
+    for (int kind = 0; kind < 8; kind++) {
+        struct picture p = sample(m);
+        p.n = kind & 1 ? 3 : 0;
+        p.eps = kind & 2 ? eps : NULL;
+        p.pressure = kind & 4 ? 1 : 0;
+        ck_assert_int_eq(picture_write(folder, &p), 0);
+        if (p.pressure)
+            scratch_write(
+                scratch_path(folder, "history.csv"),
+                kind & 1 ? "time [s],bed_weight [Pa],pressure_drop [Pa]\n"
+                           "0,100,0\n0.5,100,80\n1,100,101\n"
+                         : "time [s],bed_weight [Pa],pressure_drop [Pa]\n");
+        remove(png);
+        ck_assert_int_eq(picture_draw(folder), !here);
+        ck_assert_int_eq(scratch_exists(png), here);
+        ck_assert(!scratch_exists(scratch_path(folder, "bed.png.partial")));
+    }
+    char *const said = scratch_heard(dir);
+    if (here)
+        ck_assert_str_eq(said, "");
+    else
+        ck_assert_ptr_nonnull(strstr(said, "apt-get install gnuplot"));
+    free(said);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(without_gnuplot_it_is_said_what_to_install)
+{
+    struct mesh *const m = box();
+    const struct picture p = sample(m);
+
+    scratch_listen(dir);
+    ck_assert_int_eq(picture_write(dir, &p), 0);
+    setenv("PATH", dir, 1);
+    ck_assert_int_ne(picture_draw(dir), 0);
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "apt-get install gnuplot-nox"));
+    free(said);
+    setenv("PATH", "/usr/bin:/bin", 1);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(a_failing_gnuplot_leaves_its_words_and_no_picture)
+{
+    struct mesh *const m = box();
+    const struct picture p = sample(m);
+
+    scratch_listen(dir);
+    ck_assert_int_eq(picture_write(dir, &p), 0);
+    scratch_write(scratch_path(dir, "gnuplot"),
+                  "#!/bin/sh\necho half >$4\necho broken; exit 1\n");
+    chmod(scratch_path(dir, "gnuplot"), 0755);
+    setenv("PATH", dir, 1);
+    ck_assert_int_ne(picture_draw(dir), 0);
+    setenv("PATH", "/usr/bin:/bin", 1);
+    scratch_assert_text(scratch_path(dir, "picture/gnuplot.log"), "broken\n");
+    ck_assert(!scratch_exists(scratch_path(dir, "bed.png")));
+    ck_assert(!scratch_exists(scratch_path(dir, "bed.png.partial")));
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "picture/gnuplot.log"));
+    free(said);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(a_picture_that_cannot_be_written_is_reported)
+{
+    struct mesh *const m = box();
+    const struct picture p = sample(m);
+
+    scratch_listen(dir);
+    scratch_write(scratch_path(dir, "picture"), "a file");
+    ck_assert_int_ne(picture_write(dir, &p), 0);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("picture");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, particles_are_listed_from_back_to_front);
+    tcase_add_test(t, the_void_fraction_is_averaged_over_the_depth_by_volume);
+    tcase_add_test(t, gnuplot_draws_every_kind_of_scene_or_is_missed_politely);
+    tcase_add_test(t, without_gnuplot_it_is_said_what_to_install);
+    tcase_add_test(t, a_failing_gnuplot_leaves_its_words_and_no_picture);
+    tcase_add_test(t, a_picture_that_cannot_be_written_is_reported);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

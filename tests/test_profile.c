@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/profile.h"
+#include "scratch.h"
+
+#include <math.h>
+
+static char dir[64];
+
+static void set_up(void)
+{
+    scratch_make(dir);
+}
+
+static void tear_down(void)
+{
+    scratch_clear(dir);
+}
+
+/* Graded in all directions, so that no two widths agree. */
+static struct mesh *graded_box(void)
+{
+    return mesh_create_box(&(struct box_spec){.size = {0.4, 1.2, 0.1},
+                                              .cells = {6, 9, 5},
+                                              .grading = {2.0, 0.3, 4.0}});
+}
+
+/* Number `column` of the row-th row below the head. */
+static double entry(const char *text, int row, int column)
+{
+    const char *p = text;
+
+    for (int i = 0; i <= row; i++)
+        p = strchr(p, '\n') + 1;
+    for (int i = 0; i < column; i++)
+        p = strchr(p, ',') + 1;
+    return strtod(p, NULL);
+}
+
+/* The csv of a profile, to be freed. */
+static char *text_of(const struct profile *p)
+{
+    const char *const path = scratch_path(dir, "p.csv");
+
+    ck_assert_int_eq(profile_write(p, path), 0);
+    return scratch_read(path, NULL);
+}
+
+/* f = 1 + 2 x - 3 y + 5 z, on every pair of directions: linear in the height
+ * by construction, and over the depth its mean is the value in the middle.
+ * The tolerance is rounding of a sum of 10 terms of size 5. */
+START_TEST(a_linear_field_is_met_exactly_on_a_graded_mesh)
+{
+    static const double slope[3] = {2.0, -3.0, 5.0};
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5];
+
+    for (int c = 0; c < m->n_cells; c++) {
+        f[c] = 1.0;
+        for (int k = 0; k < 3; k++)
+            f[c] += slope[k] * m->centre[3 * c + k];
+    }
+    for (int pair = 0; pair < 6; pair++) {
+        const int a = pair / 2, up = (a + 1 + pair % 2) % 3, deep = 3 - a - up;
+        const double *const y = m->box.edge[up];
+        const int n_y = m->box.n[up];
+        const double h = 0.37 * y[n_y] + 0.02 * y[1];
+        const double depth = m->box.edge[deep][m->box.n[deep]];
+        const struct profile_line line = {a, up, h, 0.0};
+        const struct profile_field field = {"f", "-", f, 1, 0, NULL};
+        struct profile *const p = profile_create(m, &line, 1, &field);
+
+        profile_add(p, 0.0, 1.0);
+        char *const text = text_of(p);
+        for (int i = 0; i < m->box.n[a]; i++) {
+            const double x = 0.5 * (m->box.edge[a][i] + m->box.edge[a][i + 1]);
+            ck_assert_double_eq_tol(entry(text, i, 0), x, 1e-15);
+            ck_assert_double_eq_tol(entry(text, i, 1),
+                                    1.0 + slope[a] * x + slope[up] * h +
+                                        slope[deep] * 0.5 * depth,
+                                    1e-14);
+            ck_assert_double_eq(entry(text, i, 2), 0.0);
+        }
+        free(text);
+        profile_free(p);
+    }
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(beyond_the_last_centres_the_nearest_row_counts)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5];
+    const double heights[3] = {0.0, 1.2, 1.1999};
+    const double expected[3] = {0.0, 8.0, 8.0};
+
+    for (int c = 0; c < m->n_cells; c++)
+        f[c] = c / 6 % 9;
+    for (int i = 0; i < 3; i++) {
+        const struct profile_line line = {0, 1, heights[i], 0.0};
+        const struct profile_field field = {"f", "-", f, 1, 0, NULL};
+        struct profile *const p = profile_create(m, &line, 1, &field);
+
+        profile_add(p, 0.0, 1.0);
+        char *const text = text_of(p);
+        ck_assert_double_eq_tol(entry(text, 0, 1), expected[i], 1e-14);
+        free(text);
+        profile_free(p);
+    }
+    mesh_free(m);
+}
+END_TEST
+
+/* Velocity 2 where eps_s is 0.6, and 8 where it is 0.2, in two halves of the
+ * depth: (0.6 * 2 + 0.2 * 8) / 0.8 = 3.5. In a second sample, eps_s is
+ * doubled and the velocity 0.5 everywhere: the mean over time is (0.8 * 3.5 +
+ * 1.6 * 0.5) / 2.4 = 1.5, the spread sqrt((0.8 * 2^2 + 1.6 * 1^2) / 2.4). */
+START_TEST(a_weighted_mean_counts_what_is_there)
+{
+    struct mesh *const m = mesh_create_box(&(struct box_spec){
+        .size = {1.0, 1.0, 1.0}, .cells = {1, 1, 2}, .grading = {1, 1, 1}});
+    double eps_s[2] = {0.6, 0.2}, u[6] = {9.0, 2.0, 9.0, 9.0, 8.0, 9.0};
+    const struct profile_line line = {0, 1, 0.5, 0.0};
+    const struct profile_field field = {"u_s", "m/s", u, 3, 1, eps_s};
+    struct profile *const p = profile_create(m, &line, 1, &field);
+
+    profile_add(p, 0.0, 1.0);
+    char *text = text_of(p);
+    ck_assert_double_eq_tol(entry(text, 0, 1), 3.5, 2e-15);
+    free(text);
+    eps_s[0] = 1.2, eps_s[1] = 0.4, u[1] = u[4] = 0.5;
+    profile_add(p, 1.0, 1.0);
+    text = text_of(p);
+    ck_assert_double_eq_tol(entry(text, 0, 1), 1.5, 2e-15);
+    ck_assert_double_eq_tol(entry(text, 0, 2), sqrt(2.0), 2e-15);
+    free(text);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(where_nothing_was_met_there_is_no_mean)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5] = {0.0}, none[6 * 9 * 5] = {0.0};
+    const struct profile_line line = {0, 1, 0.5, 0.0};
+    const struct profile_field field = {"f", "-", f, 1, 0, none};
+    struct profile *const p = profile_create(m, &line, 1, &field);
+
+    profile_add(p, 0.0, 1.0);
+    char *const text = text_of(p);
+    ck_assert(isnan(entry(text, 0, 1)) && isnan(entry(text, 0, 2)));
+    free(text);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
+/* Ten steps of 0.1 add up to less than 1, and still are one second. */
+START_TEST(samples_count_from_the_given_time_on)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5] = {0.0}, time = 0.0;
+    const struct profile_line line = {0, 1, 0.5, 1.0};
+    const struct profile_field field = {"f", "-", f, 1, 0, NULL};
+    struct profile *const p = profile_create(m, &line, 1, &field);
+
+    for (int step = 0; step <= 12; step++) {
+        for (int c = 0; c < m->n_cells; c++)
+            f[c] = step;
+        profile_add(p, time, 0.1);
+        time += 0.1;
+    }
+    char *const text = text_of(p);
+    ck_assert_double_eq_tol(entry(text, 0, 1), 11.0, 1e-14);
+    ck_assert_double_eq_tol(entry(text, 0, 2), sqrt(2.0 / 3.0), 1e-14);
+    free(text);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(columns_are_named_with_units)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5] = {0.0};
+    const struct profile_line line = {2, 0, 0.1, 0.0};
+    const struct profile_field fields[2] = {{"eps_f", "-", f, 1, 0, NULL},
+                                            {"u_y", "m/s", f, 1, 0, NULL}};
+    struct profile *const p = profile_create(m, &line, 2, fields);
+    char *const text = text_of(p);
+    static const char head[] =
+        "z [m],eps_f_mean [-],eps_f_std [-],u_y_mean [m/s],u_y_std [m/s]\n";
+
+    ck_assert_int_eq(strncmp(text, head, strlen(head)), 0);
+    free(text);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(a_height_outside_the_box_is_refused)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5] = {0.0};
+    const double heights[3] = {-1e-9, 1.2001, NAN};
+
+    scratch_listen(dir);
+    for (int i = 0; i < 3; i++)
+        ck_assert_ptr_null(
+            profile_create(m, &(struct profile_line){0, 1, heights[i], 0.0}, 1,
+                           &(struct profile_field){"f", "-", f, 1, 0, NULL}));
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "height 1.2001 m is outside the box"));
+    free(said);
+    profile_free(NULL);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("profile");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, a_linear_field_is_met_exactly_on_a_graded_mesh);
+    tcase_add_test(t, beyond_the_last_centres_the_nearest_row_counts);
+    tcase_add_test(t, a_weighted_mean_counts_what_is_there);
+    tcase_add_test(t, where_nothing_was_met_there_is_no_mean);
+    tcase_add_test(t, samples_count_from_the_given_time_on);
+    tcase_add_test(t, columns_are_named_with_units);
+    tcase_add_test(t, a_height_outside_the_box_is_refused);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

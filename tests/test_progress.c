@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/progress.h"
+
+#include "capture.h"
+
+#include <check.h>
+#include <string.h>
+
+static char said[CAPTURE_TEXT];
+
+/* A run of n steps in the style; what it says goes into said. */
+static void run_steps(enum progress_style style, int n)
+{
+    struct capture c = capture_begin(2);
+    struct progress p;
+
+    progress_init(&p, 0.0, 1.0, 0);
+    p.style = style;
+    for (int i = 1; i <= n; i++)
+        progress_show(&p, (double)i / n);
+    progress_end(&p);
+    capture_end(&c, said);
+}
+
+static int count(const char *text, char what)
+{
+    int n = 0;
+
+    for (; *text != '\0'; text++)
+        n += *text == what;
+    return n;
+}
+
+START_TEST(away_from_a_terminal_there_are_ten_lines)
+{
+    run_steps(PROGRESS_LINES, 1000);
+    ck_assert_int_eq(count(said, '\n'), 10);
+    ck_assert_ptr_nonnull(strstr(said, " 10 %  t = 0.1 of 1 s"));
+    ck_assert_ptr_nonnull(strstr(said, "100 %  t = 1 of 1 s, 0:00 left"));
+}
+END_TEST
+
+START_TEST(few_steps_give_few_lines)
+{
+    run_steps(PROGRESS_LINES, 3);
+    ck_assert_int_eq(count(said, '\n'), 3);
+}
+END_TEST
+
+START_TEST(bar_stays_on_one_line_and_ends_full)
+{
+    run_steps(PROGRESS_BAR, 1000);
+    ck_assert_int_eq(count(said, '\n'), 1);
+    ck_assert_ptr_nonnull(
+        strstr(said, "[##############################] 100 %"));
+}
+END_TEST
+
+/* A bar for each of 1000 steps would cost more than the steps. */
+START_TEST(bar_is_not_drawn_for_every_step)
+{
+    run_steps(PROGRESS_BAR, 1000);
+    ck_assert_int_lt(count(said, '\r'), 10);
+}
+END_TEST
+
+START_TEST(quiet_says_nothing)
+{
+    run_steps(PROGRESS_QUIET, 1000);
+    ck_assert_str_eq(said, "");
+}
+END_TEST
+
+START_TEST(quiet_and_files_are_told_from_terminals)
+{
+    struct capture c = capture_begin(2); /* a file, then */
+    struct progress p;
+
+    progress_init(&p, 0.0, 1.0, 1);
+    ck_assert_int_eq(p.style, PROGRESS_QUIET);
+    progress_init(&p, 0.0, 1.0, 0);
+    ck_assert_int_eq(p.style, PROGRESS_LINES);
+    capture_end(&c, said);
+}
+END_TEST
+
+START_TEST(time_left_follows_from_time_spent)
+{
+    const struct progress p = {PROGRESS_BAR, 0.0, 2.0, 0.0, 0.0, 0};
+    char text[PROGRESS_TEXT];
+
+    progress_line(&p, 0.5, 25.0, text); /* a quarter in 25 s: 75 s are left */
+    ck_assert_str_eq(text, "[#######.......................]  25 %  "
+                           "t = 0.5 of 2 s, 1:15 left");
+    progress_line(&p, 1e-3, 10.0, text); /* 2000 times 10 s, less 10 s */
+    ck_assert_ptr_nonnull(strstr(text, "5:33:10 left"));
+    progress_line(&p, 0.0, 10.0, text);
+    ck_assert_ptr_nonnull(strstr(text, "?:?? left"));
+}
+END_TEST
+
+/* A run that goes on from 1 s has spent nothing on the first second. */
+START_TEST(share_counts_from_where_the_run_begins)
+{
+    const struct progress p = {PROGRESS_BAR, 1.0, 2.0, 0.0, 0.0, 0};
+    char text[PROGRESS_TEXT];
+
+    progress_line(&p, 1.5, 30.0, text);
+    ck_assert_ptr_nonnull(strstr(text, " 50 %"));
+    ck_assert_ptr_nonnull(strstr(text, "0:30 left"));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("progress");
+    TCase *const t = tcase_create("core");
+    SRunner *r;
+    int failed;
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, away_from_a_terminal_there_are_ten_lines);
+    tcase_add_test(t, few_steps_give_few_lines);
+    tcase_add_test(t, bar_stays_on_one_line_and_ends_full);
+    tcase_add_test(t, bar_is_not_drawn_for_every_step);
+    tcase_add_test(t, quiet_says_nothing);
+    tcase_add_test(t, quiet_and_files_are_told_from_terminals);
+    tcase_add_test(t, time_left_follows_from_time_spent);
+    tcase_add_test(t, share_counts_from_where_the_run_begins);
+    r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

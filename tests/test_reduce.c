@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/reduce.h"
+
+#include "linear/strips.h"
+#include "linear_case.h"
+
+#include <check.h>
+#include <omp.h>
+
+START_TEST(strips_cover_every_unknown_once)
+{
+    const int sizes[] = {0, 1, 15, 16, 63, 64, 1000, 1024, 65537, 2000000};
+
+    for (int k = 0; k < 10; k++) {
+        const int n = sizes[k];
+
+        ck_assert_int_eq(strips_first(n, 0), 0);
+        ck_assert_int_eq(strips_first(n, STRIPS), n);
+        for (int s = 0; s < STRIPS; s++)
+            ck_assert_int_le(strips_first(n, s), strips_first(n, s + 1));
+        for (int s = 0; s < STRIPS && strips_first(n, s) < n; s++)
+            ck_assert_int_eq(strips_of(n, strips_first(n, s)), s);
+    }
+}
+END_TEST
+
+/* Sums of n whole numbers are exact, whatever their order. */
+START_TEST(a_dot_product_counts_every_unknown_once)
+{
+    const int sizes[] = {1, 31, 32, 33, 5000, 16384, 16385, 70001};
+
+    for (int k = 0; k < 8; k++) {
+        const int n = sizes[k];
+        double *const x = alloc_doubles(n), *const y = alloc_doubles(n);
+
+        for (int i = 0; i < n; i++)
+            x[i] = i % 10, y[i] = 2.0;
+
+        double exact = 0.0;
+
+        for (int i = 0; i < n; i++)
+            exact += 2 * (i % 10);
+        ck_assert_double_eq(reduce_dot(n, x, y), exact);
+        free(x);
+        free(y);
+    }
+}
+END_TEST
+
+START_TEST(fields_side_by_side_have_their_own_dot_products)
+{
+    for (int m = 1; m <= REDUCE_FIELDS; m++)
+        for (int n = 7; n <= 20007; n += 20000) {
+            double *const x = alloc_doubles(m * n);
+            double dot[REDUCE_FIELDS];
+
+            for (int i = 0; i < n * m; i++)
+                x[i] = 1 + i % m;
+            reduce_dot_many(n, m, x, x, dot);
+            for (int k = 0; k < m; k++)
+                ck_assert_double_eq(dot[k], (1.0 + k) * (1.0 + k) * n);
+            free(x);
+        }
+}
+END_TEST
+
+START_TEST(threads_do_not_change_a_bit)
+{
+    const int n = 50021;
+    double *const x = noise_vector(3 * n, 1), *const y = noise_vector(3 * n, 2);
+    double one[4], two[4];
+
+    for (int threads = 1; threads <= 2; threads++) {
+        double *const dot = threads == 1 ? one : two;
+
+        omp_set_num_threads(threads);
+        dot[3] = reduce_dot(3 * n, x, y);
+        reduce_dot_many(n, 3, x, y, dot);
+    }
+    ck_assert_mem_eq(one, two, sizeof one);
+    free(x);
+    free(y);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("reduce");
+    TCase *t = tcase_create("core");
+    SRunner *r = srunner_create(s);
+
+    omp_set_num_threads(1); /* two wait for each other on a busy machine */
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
+    tcase_add_test(t, strips_cover_every_unknown_once);
+    tcase_add_test(t, a_dot_product_counts_every_unknown_once);
+    tcase_add_test(t, fields_side_by_side_have_their_own_dot_products);
+    tcase_add_test(t, threads_do_not_change_a_bit);
+    srunner_run_all(r, CK_NORMAL);
+
+    const int failed = srunner_ntests_failed(r);
+
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/digits.h"
+#include "scene/rows.h"
+#include "scene/scene.h"
+
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct key table[] = {
+    {"poisson", KEY_REAL, "-", ">= 0, <= 0.5", NULL, "ratio", "", ""},
+    {"skin", KEY_REAL, "m", "auto | > 0", "auto", "margin", "", ""},
+    {"law", KEY_NAME, "", "linear | hertz", NULL, "law", "", ""},
+    {"fluid.<patch>", KEY_PATCH, "", "no-slip | slip", "", "side", "", ""},
+    {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", "", "in", "", ""},
+    {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
+
+static const struct key *const tables[] = {table, NULL};
+
+START_TEST(conditions_on_a_number_hold_all)
+{
+    ck_assert(rows_allow_number(&table[0], 0.0));
+    ck_assert(rows_allow_number(&table[0], 0.5));
+    ck_assert(!rows_allow_number(&table[0], -1e-300));
+    ck_assert(!rows_allow_number(&table[0], 0.5000001));
+    ck_assert(rows_allow_number(&table[1], 1e-300));
+    ck_assert(!rows_allow_number(&table[1], 0.0));
+}
+END_TEST
+
+START_TEST(words_are_whole_words)
+{
+    ck_assert(rows_allow_word(&table[2], "hertz"));
+    ck_assert(rows_allow_word(&table[2], "linear"));
+    ck_assert(!rows_allow_word(&table[2], "line"));
+    ck_assert(!rows_allow_word(&table[2], ""));
+    ck_assert(!rows_allow_word(&table[2], "linear | hertz"));
+    ck_assert(rows_allow_word(&table[1], "auto"));
+    ck_assert(!rows_allow_word(&table[1], "> 0"));
+}
+END_TEST
+
+START_TEST(each_side_of_the_box_matches_the_row_of_sides)
+{
+    for (int i = 0; rows_patches[i] != NULL; i++) {
+        char path[64];
+
+        snprintf(path, sizeof path, "fluid.%s.inlet", rows_patches[i]);
+        ck_assert_ptr_eq(rows_find(tables, path), &table[4]);
+    }
+    ck_assert_ptr_null(rows_find(tables, "fluid.middle"));
+    ck_assert_ptr_null(rows_find(tables, "fluid.leftover"));
+    ck_assert_ptr_null(rows_find(tables, "fluid.lef"));
+    ck_assert_ptr_null(rows_find(tables, "fluid."));
+    ck_assert_ptr_null(rows_find(tables, "fluid.<patch>"));
+    ck_assert_ptr_null(rows_find(tables, "flu"));
+}
+END_TEST
+
+START_TEST(expectation_names_kind_condition_and_unit)
+{
+    char text[ROWS_TEXT];
+
+    rows_expected(&table[1], text);
+    ck_assert_str_eq(text, "a number > 0 [m] or auto");
+    rows_expected(&table[2], text);
+    ck_assert_str_eq(text, "linear or hertz");
+}
+END_TEST
+
+/* Every row of the program itself: complete, in a group that has a row, its
+ * name not in use twice, its default allowed by itself. */
+START_TEST(every_row_of_the_tables_is_complete)
+{
+    const struct key *all[SCENE_TABLES];
+    const struct key *k;
+
+    scene_tables(all);
+    for (int i = 0; (k = rows_at(all, i)) != NULL; i++) {
+        const char *const dot = strrchr(k->path, '.');
+        char group[ROWS_TEXT];
+
+        ck_assert_msg(k->unit != NULL && k->allowed != NULL &&
+                          k->source != NULL && k->needs != NULL &&
+                          k->what != NULL && k->what[0] != '\0',
+                      "%s", k->path);
+        if (k->type == KEY_REAL || k->type == KEY_INT ||
+            k->type == KEY_VECTOR || k->type == KEY_SERIES)
+            ck_assert_msg(k->unit[0] != '\0', "%s has no unit", k->path);
+        if (k->type == KEY_NAME && k->fallback != NULL)
+            ck_assert_msg(rows_allow_word(k, k->fallback), "%s", k->path);
+        for (int j = 0; j < i; j++)
+            ck_assert_str_ne(rows_at(all, j)->path, k->path);
+        if (dot == NULL) continue;
+        snprintf(group, sizeof group, "%.*s", (int)(dot - k->path), k->path);
+        if (strstr(group, "<patch>") == NULL)
+            ck_assert_msg(rows_find(all, group) != NULL, "%s", k->path);
+    }
+}
+END_TEST
+
+START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
+{
+    const char *const text = "# 99999999999\n/* 99999999999\n */ a = "
+                             "\"99999999999\"; // 99999999999\n"
+                             "q = \"a \\\" 99999999999\";"
+                             "b = 99999999999.0; c = 9e99; x99999999999 = 1;\n"
+                             "d = 2147483647;\ne = -2147483648;";
+    int line;
+    const char *const found = digits_find(text, &line);
+
+    ck_assert_ptr_nonnull(found);
+    ck_assert_int_eq(strncmp(found, "2147483648", 10), 0);
+    ck_assert_int_eq(line, 6);
+    ck_assert_ptr_null(digits_find("\"unfinished", &line));
+    ck_assert_ptr_null(digits_find("/* unfinished", &line));
+    ck_assert_ptr_null(digits_find("\"ends in \\", &line));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("rows");
+    TCase *const t = tcase_create("core");
+    SRunner *r;
+    int failed;
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, conditions_on_a_number_hold_all);
+    tcase_add_test(t, words_are_whole_words);
+    tcase_add_test(t, each_side_of_the_box_matches_the_row_of_sides);
+    tcase_add_test(t, expectation_names_kind_condition_and_unit);
+    tcase_add_test(t, every_row_of_the_tables_is_complete);
+    tcase_add_test(t,
+                   numbers_too_large_for_an_int_are_found_outside_strings_only);
+    r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/list.h"
+#include "scene/models.h"
+#include "scene/rows.h"
+#include "scene/scene.h"
+
+#include "capture.h"
+
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char said[CAPTURE_TEXT];
+
+static struct settings *read_case(const char *file, const char *override,
+                                  int *code)
+{
+    const char *const overrides[] = {override};
+    struct capture c = capture_begin(2);
+    struct settings *const s =
+        scene_read(file, override != NULL, overrides, code);
+
+    capture_end(&c, said);
+    return s;
+}
+
+static void refused(const char *override, const char *part)
+{
+    int code;
+
+    ck_assert_ptr_null(read_case("cases/mueller-bed.cfg", override, &code));
+    ck_assert_int_eq(code, 2);
+    ck_assert_msg(strstr(said, part) != NULL, "no \"%s\" in %s", part, said);
+}
+
+START_TEST(the_cases_are_right)
+{
+    static const char *const cases[] = {
+        "cases/mueller-bed.cfg", "cases/small-bed.cfg",
+        "cases/settling-sphere.cfg", "cases/packed-column.cfg"};
+
+    for (int i = 0; i < 4; i++) {
+        int code;
+        struct settings *const s = read_case(cases[i], NULL, &code);
+
+        ck_assert_msg(s != NULL, "%s", said);
+        ck_assert_int_eq(code, 0);
+        settings_free(s);
+    }
+}
+END_TEST
+
+START_TEST(something_must_be_there_to_compute)
+{
+    FILE *const f = fopen("/tmp/winnow-empty.cfg", "w");
+    int code;
+
+    fputs("mesh = { size = [1, 1, 1]; cells = [1, 1, 1]; };\n"
+          "output = { end = 1; every = 1; };\n",
+          f);
+    fclose(f);
+    ck_assert_ptr_null(read_case("/tmp/winnow-empty.cfg", NULL, &code));
+    remove("/tmp/winnow-empty.cfg");
+    ck_assert_int_eq(code, 2);
+    ck_assert_ptr_nonnull(strstr(said, "neither fluid nor particles"));
+}
+END_TEST
+
+START_TEST(each_side_of_the_box_is_described_once)
+{
+    refused("fluid.left=slip", "left is given twice, by left and sides");
+    refused("mesh.periodic=[true,false,false]", "x is periodic");
+    refused("mesh.periodic=[false,false,true]", "no front_back");
+    refused("fluid={density=1;viscosity=1;step=1;}", "the side left");
+}
+END_TEST
+
+START_TEST(what_flows_in_must_be_able_to_flow_out)
+{
+    refused("fluid.top=slip", "there is an inlet and no outlet");
+}
+END_TEST
+
+START_TEST(contact_law_asks_for_its_constants)
+{
+    refused("particles.contact=linear",
+            "linear asks for particles.grains.stiffness");
+    refused("particles.grains={density=1;restitution=1;friction=0;}",
+            "hertz asks for particles.grains.young");
+}
+END_TEST
+
+START_TEST(bed_must_fit_into_the_box)
+{
+    refused("particles.bed.diameter=0.02", "more than the box has room for");
+    refused("particles.bed.count=100000", "would fill 171 % of the box");
+    refused("particles.place=({position=[0.01,0.01,0.01];diameter=1e-3;})",
+            "not both");
+}
+END_TEST
+
+START_TEST(averaging_by_a_width_asks_for_one)
+{
+    refused("averaging={method=\"kernel\";}", "asks for averaging.bandwidth");
+}
+END_TEST
+
+START_TEST(profiles_lie_inside_the_box)
+{
+    refused("output.profiles.0.height=0.2", "above the box");
+}
+END_TEST
+
+START_TEST(empty_bed_and_missing_inlet_are_allowed)
+{
+    int code;
+    struct settings *s =
+        read_case("cases/mueller-bed.cfg", "particles.bed.count=0", &code);
+
+    ck_assert_msg(s != NULL, "%s", said);
+    settings_free(s);
+    s = read_case("cases/mueller-bed.cfg", "fluid.bottom=no-slip", &code);
+    ck_assert_msg(s != NULL, "%s", said);
+    settings_free(s);
+}
+END_TEST
+
+START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
+{
+    static const struct key keys[] = {
+        {"effects", KEY_GROUP, "", "", "", "", "", ""},
+        {"effects.gravity", KEY_VECTOR, "m/s^2", "", "", "", "", ""},
+        {"fluid.density", KEY_REAL, "kg/m^3", "", "", "", "", ""},
+        {"fluid.correctors", KEY_INT, "-", "", "", "", "", ""},
+        {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
+    int code;
+    double x[5];
+    struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
+
+    ck_assert_msg(s != NULL, "%s", said);
+    ck_assert_int_eq(scene_parameters(s, keys, x, 5), 5);
+    ck_assert_double_eq(x[1], -9.81);
+    ck_assert_double_eq(x[3], 1.2);
+    ck_assert_double_eq(x[4], 2.0);
+    settings_free(s);
+}
+END_TEST
+
+/* The words that a key allows are the names of the models of its kind, and
+ * each model reads keys that there are. */
+START_TEST(models_and_keys_name_the_same)
+{
+    const struct key *tables[SCENE_TABLES];
+    struct model m;
+
+    scene_tables(tables);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
+        const struct key *const key = rows_find(tables, k->key);
+        char words[ROWS_TEXT] = "";
+
+        for (int i = 0; k->model(i, &m); i++) {
+            char path[64];
+            int used;
+
+            snprintf(words + strlen(words), sizeof words - strlen(words),
+                     "%s%s", i > 0 ? " | " : "", m.name);
+            ck_assert_msg(m.what[0] != '\0' && m.function[0] != '\0', "%s",
+                          m.name);
+            for (const char *p = m.keys; sscanf(p, "%63s%n", path, &used) == 1;
+                 p += used)
+                ck_assert_msg(strstr(path, "<patch>") != NULL ||
+                                  rows_find(tables, path) != NULL,
+                              "%s", path);
+        }
+        if (key != NULL && key->type == KEY_NAME)
+            ck_assert_str_eq(words, key->allowed);
+    }
+}
+END_TEST
+
+START_TEST(list_shows_every_model_and_key)
+{
+    struct capture c = capture_begin(1);
+    const struct key *tables[SCENE_TABLES];
+    const struct key *key;
+    struct model m;
+
+    list_kinds();
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        ck_assert_int_eq(list_models(k->name), 0);
+    capture_end(&c, said);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; k->model(i, &m); i++) {
+            ck_assert_ptr_nonnull(strstr(said, m.name));
+            ck_assert_ptr_nonnull(strstr(said, m.what));
+        }
+
+    c = capture_begin(1);
+    ck_assert_int_eq(list_models("keys"), 0);
+    capture_end(&c, said);
+    scene_tables(tables);
+    for (int i = 0; (key = rows_at(tables, i)) != NULL; i++) {
+        ck_assert_ptr_nonnull(strstr(said, key->path));
+        ck_assert_ptr_nonnull(strstr(said, key->what));
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("scene");
+    TCase *const t = tcase_create("core");
+    SRunner *r;
+    int failed;
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, the_cases_are_right);
+    tcase_add_test(t, something_must_be_there_to_compute);
+    tcase_add_test(t, each_side_of_the_box_is_described_once);
+    tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
+    tcase_add_test(t, contact_law_asks_for_its_constants);
+    tcase_add_test(t, bed_must_fit_into_the_box);
+    tcase_add_test(t, averaging_by_a_width_asks_for_one);
+    tcase_add_test(t, profiles_lie_inside_the_box);
+    tcase_add_test(t, empty_bed_and_missing_inlet_are_allowed);
+    tcase_add_test(t, numbers_of_an_effect_come_in_the_order_of_its_keys);
+    tcase_add_test(t, models_and_keys_name_the_same);
+    tcase_add_test(t, list_shows_every_model_and_key);
+    r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/symmetric.h"
+
+#include "linear_case.h"
+
+#include <check.h>
+
+static const double unit[3] = {1, 1, 1};
+
+/* Boxes whose links are all in bands, partly, not at all; with two links
+ * between the same cells; with links of a cell to itself. */
+enum { BOXES = 7 };
+static struct links box(int which)
+{
+    switch (which) {
+    case 0:
+        return links_cube(13, 11, 9);
+    case 1:
+        return links_box(13, 11, 9, unit, (int[3]){1, 1, 1});
+    case 2:
+        return links_box(2, 2, 2, unit, (int[3]){1, 1, 1});
+    case 3:
+        return links_box(40, 1, 1, unit, (int[3]){1, 1, 1});
+    case 4:
+        return links_cube(1, 1, 1);
+    case 5: /* six distances */
+        return links_box(5, 5, 5, unit, (int[3]){1, 1, 1});
+    default: {
+        struct links b = links_box(13, 11, 9, unit, (int[3]){0, 1, 0});
+
+        links_shuffle(&b, 9);
+        return b;
+    }
+    }
+}
+
+struct setting {
+    struct links b;
+    struct csr *A;
+    struct symmetric *S;
+};
+
+/* The same matrix twice, with conductivities of their own in every cell. */
+static struct setting both(int which)
+{
+    struct setting s = {.b = box(which)};
+    double *const k = noise_vector(s.b.n, 3);
+    double *const g = alloc_doubles(s.b.n_links);
+    double *const sums = alloc_doubles(s.b.n);
+
+    for (int i = 0; i < s.b.n; i++)
+        k[i] = 1.5 + k[i];
+    s.A = diffusion(&s.b, k);
+    for (int i = 0; i < s.b.n; i++)
+        s.A->diag[i] += sums[i] = 0.1 * (i % 3);
+    for (int l = 0; l < s.b.n_links; l++)
+        g[l] = -s.A->a[s.A->upper[l]];
+    s.S = symmetric_create(s.b.n, s.b.n_links, s.b.owner, s.b.neighbour, 1);
+    symmetric_fill(s.S, g, sums, 0.25);
+    free(k);
+    free(g);
+    free(sums);
+    return s;
+}
+
+static void release(struct setting *s)
+{
+    csr_free(s->A);
+    symmetric_free(s->S);
+    links_free(&s->b);
+}
+
+START_TEST(a_box_needs_no_list_of_columns)
+{
+    struct setting s = both(0);
+
+    ck_assert_int_eq(s.S->n_bands, 3);
+    ck_assert_ptr_null(s.S->rest);
+    release(&s);
+}
+END_TEST
+
+/* Seven terms of order 10, added in another order: some 1e-15. */
+START_TEST(the_product_is_that_of_the_csr)
+{
+    for (int which = 0; which < BOXES; which++) {
+        struct setting s = both(which);
+        double *const x = noise_vector(s.b.n, 1);
+        double *const y = alloc_doubles(s.b.n), *const z = alloc_doubles(s.b.n);
+        const double xy = symmetric_multiply(s.S, x, y);
+
+        csr_multiply(s.A, x, z);
+        for (int i = 0; i < s.b.n; i++)
+            ck_assert_double_eq_tol(y[i], z[i], 2e-14);
+        ck_assert_double_eq_tol(xy, dot_plain(s.b.n, x, z), 1e-11);
+        free(x);
+        free(y);
+        free(z);
+        release(&s);
+    }
+}
+END_TEST
+
+/* Single precision: 6e-8 of terms of order 10 x 0.25. */
+START_TEST(residual_and_relaxation_are_their_formulas)
+{
+    for (int which = 0; which < BOXES; which++) {
+        struct setting s = both(which);
+        const int n = s.b.n;
+        float *const x = symmetric_vector(s.S), *const y =
+                                                    symmetric_vector(s.S);
+        float *const w = symmetric_vector(s.S), *const b =
+                                                    symmetric_vector(s.S);
+        double *const xd = noise_vector(n, 1), *const Ax = alloc_doubles(n);
+
+        for (int i = 0; i < n; i++)
+            x[i] = (float)xd[i];
+        for (int i = 0; i < n; i++)
+            b[i] = w[i] = (float)(1 + i % 4);
+        csr_multiply(s.A, xd, Ax);
+        symmetric_residual(s.S, b, x, y);
+        for (int i = 0; i < n; i++)
+            ck_assert_double_eq_tol(y[i], b[i] - 0.25 * Ax[i], 2e-6);
+        symmetric_relax(s.S, b, x, 2.0F, w, 3.0F, 4.0F, w);
+        for (int i = 0; i < n; i++) {
+            const double d = s.S->diag[i], r = b[i] - 0.25 * Ax[i];
+            const double more = d > 0.0 ? 4.0 * r / d : 0.0;
+
+            ck_assert_double_eq_tol(w[i], 2.0 * xd[i] + 3.0 * b[i] + more,
+                                    2e-5);
+        }
+        free(xd);
+        free(Ax);
+        symmetric_vector_free(s.S, x);
+        symmetric_vector_free(s.S, y);
+        symmetric_vector_free(s.S, w);
+        symmetric_vector_free(s.S, b);
+        release(&s);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("symmetric");
+    TCase *t = tcase_create("core");
+    SRunner *r = srunner_create(s);
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
+    tcase_add_test(t, a_box_needs_no_list_of_columns);
+    tcase_add_test(t, the_product_is_that_of_the_csr);
+    tcase_add_test(t, residual_and_relaxation_are_their_formulas);
+    srunner_run_all(r, CK_NORMAL);
+
+    const int failed = srunner_ntests_failed(r);
+
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/table.h"
+#include "scratch.h"
+
+#include <math.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+static char dir[64];
+
+static void set_up(void)
+{
+    scratch_make(dir);
+}
+
+static void tear_down(void)
+{
+    scratch_clear(dir);
+}
+
+static const char *const names[2] = {"time [s]", "pressure_drop [Pa]"};
+
+static const char *history(void)
+{
+    return scratch_path(dir, "history.csv");
+}
+
+START_TEST(the_first_line_names_columns_with_units)
+{
+    struct table *const t = table_create(history(), 2, names);
+
+    scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n");
+    table_free(t);
+}
+END_TEST
+
+START_TEST(each_row_is_in_the_file_at_once)
+{
+    struct table *const t = table_create(history(), 2, names);
+
+    ck_assert_int_eq(table_add(t, (double[2]){0.1, -1e-300}), 0);
+    scratch_assert_text(history(),
+                        "time [s],pressure_drop [Pa]\n0.1,-1e-300\n");
+    ck_assert_int_eq(table_add(t, (double[2]){0.2, NAN}), 0);
+    scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n"
+                                   "0.1,-1e-300\n0.2,nan\n");
+    table_free(t);
+    table_free(NULL);
+}
+END_TEST
+
+START_TEST(names_with_commas_and_quotes_are_quoted)
+{
+    const char *const odd[3] = {"a, b [m]", "the \"c\"", "d"};
+
+    ck_assert_int_eq(
+        table_write(history(), 3, odd, 1, (double[3]){1.0, 2.0, 3.0}), 0);
+    scratch_assert_text(history(), "\"a, b [m]\",\"the \"\"c\"\"\",d\n1,2,3\n");
+}
+END_TEST
+
+/* As after a power cut in the middle of a row, of whatever time. */
+START_TEST(a_restart_keeps_whole_rows_from_before_its_time)
+{
+    scratch_write(history(), "time [s],pressure_drop [Pa]\n"
+                             "0.1,1\n0.2,2\n0.3,3\n0.15");
+    struct table *t = table_resume(history(), 2, names, 0.3);
+    ck_assert_ptr_nonnull(t);
+    ck_assert_int_eq(table_add(t, (double[2]){0.3, 4.0}), 0);
+    table_free(t);
+    scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n"
+                                   "0.1,1\n0.2,2\n0.3,4\n");
+}
+END_TEST
+
+START_TEST(a_restart_refuses_a_missing_file_and_other_columns)
+{
+    scratch_listen(dir);
+    ck_assert_ptr_null(table_resume(history(), 2, names, 1.0));
+    scratch_write(history(), "time [s],cfl [-]\n0.1,1\n");
+    ck_assert_ptr_null(table_resume(history(), 2, names, 1.0));
+    scratch_assert_text(history(), "time [s],cfl [-]\n0.1,1\n");
+    ck_assert(!scratch_exists(scratch_path(dir, "history.csv.partial")));
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "cannot read"));
+    ck_assert_ptr_nonnull(strstr(said, "other columns"));
+    free(said);
+}
+END_TEST
+
+/* The disk ends within the second row; the first stays the last. */
+START_TEST(a_full_disk_is_reported_and_leaves_whole_rows)
+{
+    struct rlimit limit, small;
+
+    scratch_listen(dir);
+    struct table *const t = table_create(history(), 2, names);
+    ck_assert_int_eq(table_add(t, (double[2]){0.1, 1.0}), 0);
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &limit);
+    small = limit;
+    small.rlim_cur = 28 + 6 + 3;
+    setrlimit(RLIMIT_FSIZE, &small);
+    const int failed = table_add(t, (double[2]){0.2, 2.0});
+    setrlimit(RLIMIT_FSIZE, &limit);
+    ck_assert_int_ne(failed, 0);
+    scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n0.1,1\n");
+    ck_assert_int_eq(table_add(t, (double[2]){0.3, 3.0}), 0);
+    scratch_assert_text(history(),
+                        "time [s],pressure_drop [Pa]\n0.1,1\n0.3,3\n");
+    table_free(t);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("table");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, the_first_line_names_columns_with_units);
+    tcase_add_test(t, each_row_is_in_the_file_at_once);
+    tcase_add_test(t, names_with_commas_and_quotes_are_quoted);
+    tcase_add_test(t, a_restart_keeps_whole_rows_from_before_its_time);
+    tcase_add_test(t, a_restart_refuses_a_missing_file_and_other_columns);
+    tcase_add_test(t, a_full_disk_is_reported_and_leaves_whole_rows);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

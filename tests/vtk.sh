@@ -1,0 +1,40 @@
+#!/bin/sh
+# Lets the real VTK readers read what the program writes: samples of every kind
+# of array, and a run of three spheres in a little air.
+#
+#   sh tests/vtk.sh build        (after the build of program and tests)
+set -eu
+build=${1:-build}
+python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
+[ -x $python ] || python=$(command -v python3) || {
+    echo "vtk_check: no Python here, left out"
+    exit 0
+}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+cat >"$work/tiny.cfg" <<'END'
+title = "three spheres & a little \"air\"";
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = { inlet = 0.2; }; top = { outlet = 0.0; };
+          sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.003, 0.002, 0.003]; diameter = 1e-3; },
+              { position = [0.0031, 0.004, 0.003]; diameter = 1e-3; },
+              { position = [0.0031, 0.006, 0.003]; diameter = 1e-3; } ); };
+averaging = { method = "kernel"; bandwidth = 4e-3; };
+exchange = { drag = "syamlal-obrien"; };
+effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
+output = { end = 0.02; every = 0.004;
+           profiles = ( { field = "eps_f"; height = 0.003; from = 0.01; } ); };
+END
+
+mkdir "$work/samples"
+"$build/tests/test_vtk" "$work/samples"
+"$build/winnow" run "$work/tiny.cfg" -o "$work/run" --quiet >"$work/said" 2>&1 || {
+    cat "$work/said"
+    exit 1
+}
+$python tests/vtk_check.py "$work/samples" "$work/run"

@@ -1,0 +1,272 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Read what Winnow writes with the real VTK readers.
+
+    vtk_check.py FOLDER...
+
+A folder with .pvd files is the output of a run: each listed file must load
+without a word of complaint, hold a number for each cell or particle, show the
+time that its collection gives, and make physical sense; history.csv,
+profiles/*.csv and summary.json must be what they should be, and no file may be
+left half written.
+
+A folder without .pvd files holds the samples that `test_vtk FOLDER` writes,
+whose numbers can be computed from their place and must agree to the bit.
+
+Prints a line for each fault and a count. Exit status 0 if there is no fault,
+also where Python has no VTK (Debian: python3-vtk9 python3-numpy), 1 if there
+is one, 2 if there is nothing to check.
+"""
+
+import csv
+import json
+import math
+import os
+import re
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+try:
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader,
+                                     vtkXMLRectilinearGridReader)
+except ImportError as missing:
+    print(f"vtk_check: no {missing.name} for Python here, left out "
+          "(Debian: apt-get install python3-vtk9 python3-numpy)")
+    sys.exit(0)
+
+faults = []
+checks = 0
+
+
+def check(holds, path, text):
+    global checks
+    checks += 1
+    if not holds:
+        faults.append(f"{path}: {text}")
+    return holds
+
+
+# --- Loading -----------------------------------------------------------------
+
+def read(path):
+    """What VTK reads from the file, and what it says meanwhile."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    box = path.suffix == ".vtr"
+    reader = vtkXMLRectilinearGridReader() if box else vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    said = " ".join(window.GetOutput().split())
+    return reader.GetOutput(), said or "an error" * (reader.GetErrorCode() != 0)
+
+
+def ends_python(path):
+    """Some faults end the reader with a signal: let a child go first."""
+    child = os.fork()
+    if child == 0:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+        try:
+            read(path)
+            os._exit(0)
+        finally:
+            os._exit(1)
+    return os.waitpid(child, 0)[1] != 0
+
+
+def load(path):
+    """The data of a file, or None and a fault."""
+    if not check(not ends_python(path), path, "VTK's reader crashes on it"):
+        return None
+    data, said = read(path)
+    good = check(not said, path, f"VTK says: {said[:300]}")
+    return data if good else None
+
+
+def arrays_of(data):
+    """Name and numbers of each array on cells (box) or points (particles)."""
+    box = data.IsA("vtkRectilinearGrid")
+    place = data.GetCellData() if box else data.GetPointData()
+    arrays = [place.GetArray(i) for i in range(place.GetNumberOfArrays())]
+    return {a.GetName(): vtk_to_numpy(a) for a in arrays}
+
+
+def announced(path):
+    """Names and component counts that the XML in front of the bytes lists."""
+    head = path.read_bytes().split(b"<AppendedData")[0] + b"</VTKFile>"
+    section = ".//CellData" if path.suffix == ".vtr" else ".//PointData"
+    found = [(a.get("Name"), int(a.get("NumberOfComponents")))
+             for a in ET.fromstring(head).find(section)]
+    check(len(dict(found)) == len(found), path, "a name is used twice")
+    return dict(found)
+
+
+def check_arrays(path, data):
+    """As many numbers as cells or particles, for every array in the file."""
+    arrays, wanted = arrays_of(data), announced(path)
+    count = (data.GetNumberOfCells() if path.suffix == ".vtr"
+             else data.GetNumberOfPoints())
+    check(set(arrays) == set(wanted), path,
+          f"has arrays {sorted(wanted)}, VTK finds {sorted(arrays)}")
+    for name, array in arrays.items():
+        width = array.size // len(array) if len(array) else wanted.get(name)
+        check(len(array) == count and width == wanted.get(name), path,
+              f"{name} has the shape {array.shape}, not {count} rows")
+    return arrays
+
+
+def time_of(path, data):
+    stamp = data.GetFieldData().GetArray("TimeValue")
+    if not check(stamp is not None and stamp.GetNumberOfTuples() == 1, path,
+                 "no TimeValue"):
+        return math.nan
+    return stamp.GetValue(0)
+
+
+def check_verts(path, data):
+    """Each particle is a cell of its own, or it would not be drawn."""
+    n = data.GetNumberOfPoints()
+    verts = data.GetVerts()
+    ids = vtk_to_numpy(verts.GetConnectivityArray())
+    check(data.GetNumberOfCells() == n and data.GetNumberOfVerts() == n and
+          (ids == np.arange(n)).all(), path, "not one vertex a particle")
+
+
+# --- Samples -----------------------------------------------------------------
+
+def sample(first, count):
+    """The numbers of tests/test_vtk.c, exact in single precision too."""
+    return (np.arange(first, first + count) % 1009) * 0.375 - 100.0
+
+
+def check_sample_box(path, data):
+    cells = [int(n) for n in re.findall(r"\d+", path.stem)]
+    check(data.GetDimensions() == tuple(n + 1 for n in cells), path,
+          f"dimensions are {data.GetDimensions()}")
+    axes = (data.GetXCoordinates(), data.GetYCoordinates(),
+            data.GetZCoordinates())
+    for axis, size in zip(axes, (0.3, 0.7, 0.11)):
+        edges = vtk_to_numpy(axis)
+        check((np.diff(edges) > 0).all() and edges[0] == 0 and
+              math.isclose(edges[-1], size, rel_tol=1e-15), path,
+              f"edges go from {edges[0]} to {edges[-1]}")
+
+
+def check_sample_particles(path, data):
+    n = int(re.findall(r"\d+", path.stem)[0])
+    check(data.GetNumberOfPoints() == n, path,
+          f"{data.GetNumberOfPoints()} points")
+    check_verts(path, data)
+    if n:
+        points = vtk_to_numpy(data.GetPoints().GetData())
+        wanted = np.stack([sample(3 * k, n) for k in range(3)], axis=1)
+        check((points == wanted).all(), path, "points are not the sample's")
+
+
+def check_sample(path):
+    data = load(path)
+    if data is None:
+        return
+    box = path.suffix == ".vtr"
+    (check_sample_box if box else check_sample_particles)(path, data)
+    check(time_of(path, data) == 0.1, path, "time is not 0.1")
+    arrays = check_arrays(path, data)
+    check(len(arrays) == 12, path, f"{len(arrays)} arrays, not 12")
+    for name, array in arrays.items():
+        flat = array.reshape(-1)
+        wanted = (7 * np.arange(len(flat)) - 3 if name == "whole"
+                  else sample(0, len(flat)))
+        kind = {"f32": "float32", "who": "int32"}.get(name[:3], "float64")
+        check(flat.dtype == kind and (flat == wanted).all(), path,
+              f"{name} ({flat.dtype}) does not hold the sample's numbers")
+
+
+# --- A run -------------------------------------------------------------------
+
+def check_collection(pvd, box):
+    """All files that a collection lists; returns the box of its grids, or the
+    one given."""
+    before, first = -math.inf, None
+    for item in ET.parse(pvd).getroot().iter("DataSet"):
+        path, time = pvd.parent / item.get("file"), float(item.get("timestep"))
+        check(time > before, pvd, f"time {time} does not come after {before}")
+        before = time
+        if not check(path.is_file(), path, f"is not there, but in {pvd.name}"):
+            continue
+        data = load(path)
+        if data is None:
+            continue
+        check(time_of(path, data) == time, path, f"is not of time {time}")
+        arrays = check_arrays(path, data)
+        shapes = {n: (a.dtype, a.shape[1:]) for n, a in arrays.items()}
+        first = first or shapes
+        check(shapes == first, path, "has other arrays than the first")
+        check_sense(path, data, arrays, box)
+        if path.suffix == ".vtr":
+            box = data.GetBounds()
+    return box
+
+
+def check_sense(path, data, arrays, box):
+    """Finite numbers, a fraction that is one, particles in the box."""
+    for name, array in arrays.items():
+        check(np.isfinite(array).all(), path, f"{name} is not finite")
+    void = arrays.get("void_fraction")
+    if void is not None:
+        check(void.min() > 0 and void.max() <= 1, path,
+              f"void_fraction goes from {void.min()} to {void.max()}")
+    if path.suffix != ".vtp":
+        return
+    check_verts(path, data)
+    if data.GetNumberOfPoints():
+        at = vtk_to_numpy(data.GetPoints().GetData())
+        check(np.isfinite(at).all(), path, "a place is not finite")
+        outside = (at < box[0::2]) | (at > box[1::2]) if box else np.zeros(1)
+        check(not outside.any(), path, f"{outside.sum()} are outside the box")
+
+
+def check_table(path, ascending):
+    with path.open(newline="") as lines:
+        head, *rows = list(csv.reader(lines))
+    check(all(re.fullmatch(r"\S.* \[[^\]]+\]", name) for name in head), path,
+          f"the head is not `name [unit]` throughout: {head}")
+    check(len(set(head)) == len(head), path, "a name is used twice")
+    numbers = np.array([[float(x) for x in row] for row in rows if
+                        check(len(row) == len(head), path, f"row {row}")])
+    if ascending and len(numbers):
+        check((np.diff(numbers[:, 0]) > 0).all(), path, "time goes back")
+
+
+def check_run(folder):
+    box = None
+    for pvd in sorted(folder.glob("*.pvd"), key=lambda p: p.stem != "fluid"):
+        box = check_collection(pvd, box)
+    check((folder / "history.csv").is_file(), folder, "no history.csv")
+    for path in sorted(folder.rglob("*.csv")):
+        check_table(path, path.name == "history.csv")
+    summary = folder / "summary.json"
+    if check(summary.is_file(), folder, "no summary.json"):
+        strict = {"parse_constant": lambda word: check(False, summary, word)}
+        content = json.loads(summary.read_text(encoding="utf-8"), **strict)
+        check(isinstance(content, dict) and content, summary, "says nothing")
+    for path in folder.rglob("*.partial"):
+        check(False, path, "was left half written")
+
+
+def main():
+    for folder in map(Path, sys.argv[1:]):
+        if list(folder.glob("*.pvd")):
+            check_run(folder)
+        else:
+            for path in sorted(folder.glob("*.vt[rp]")):
+                check_sample(path)
+    print(*faults, sep="\n", end="\n" if faults else "")
+    print(f"vtk_check: {checks} checks, {len(faults)} faults")
+    return 2 if not checks else 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
