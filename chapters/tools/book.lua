@@ -143,6 +143,8 @@ local function link(item)
   if target:match("%.md") then
     item.target = target:gsub("^.*solutions/", "solutions-"):gsub("^.*/", ""):gsub("README%.md", "index.md")
       :gsub("%.md", ".html")
+  elseif target:match("%.patch$") then
+    item.target = "chapters/solutions/" .. target:gsub("^.*/", "") .. ".html"
   elseif target:match("^%.%./") then
     while target:match("^%.%./") do target = target:sub(4) end
     item.target = target:gsub("^([^#]+)", "%1.html")
