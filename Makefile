@@ -42,6 +42,7 @@ weave: ## refresh what the chapters quote from source and results
 book: ## the chapters as pages: build/book/index.html
 	sh .ci/install book
 	sh chapters/tools/book.sh $B/book
+	sh chapters/tools/browser.sh $B/book
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile

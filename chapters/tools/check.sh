@@ -19,7 +19,6 @@ step sh "$tools/unshown.sh" check
 step sh "$tools/solutions.sh" "$(dirname "$winnow")"
 if command -v pandoc >/dev/null; then
     step sh "$tools/book.sh" "$(dirname "$winnow")/book"
-    step sh "$tools/browser.sh" "$(dirname "$winnow")/book"
 else
     echo "book: without pandoc no pages are made"
 fi
