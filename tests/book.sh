@@ -58,7 +58,7 @@ END
     printf '# Notation\n\n| symbol | code | meaning |\n| --- | --- | --- |\n%s\n' \
         '| $g$ | `g` | gravity |' >chapters/notation.md
     printf '## part\nspeed = 4.429 [m/s]\n\n## other\nspeed = 7\n' >figures/fall.txt
-    echo '# 1 Solutions' >chapters/solutions/01-fall.md
+    echo '# 1 Solutions' >chapters/solutions/01-fall-solutions.md
     cat >chapters/01-fall.md <<'END'
 # 1 Fall
 

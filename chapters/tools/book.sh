@@ -17,8 +17,7 @@ find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
 
-# Solutions have the name of their chapter.
-name() { echo "$1" | sed 's|.*/solutions/|solutions-|; s|.*/||; s|\.md$||'; }
+name() { basename "$1" .md; }
 title() { sed -n 's/^# //p' "$1" | head -1; }
 
 # What may be linked to by its name, and on which page it is.
@@ -33,10 +32,13 @@ done >"$anchors"
 
 render() { # page, page before, page after
     case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
-    awk -v places=1 -f "$tools/c.awk" -f "$tools/weave.awk" "$1" |
+    # What cannot be woven, weave.sh has said.
+    awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
+        "$1" 2>/dev/null |
         pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
             --template "$tools/page.html" --toc --toc-depth 2 \
-            --lua-filter "$tools/book.lua" -M anchors="$anchors" \
+            --lua-filter "$tools/book.lua" \
+            --lua-filter "$tools/cite.lua" -M anchors="$anchors" \
             ${toc:+-V page_toc=1} \
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \

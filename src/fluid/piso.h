@@ -1,4 +1,4 @@
-/* piso.h -- what one step of the flow solver works with.  Chapter 4.
+/* piso.h -- what one step of the flow solver works with.  Chapter 6.
  *
  * The momentum equation of cell P, in newtons:
  *

@@ -1,4 +1,4 @@
-/* limits.h -- how long a step of the particles may be.  Chapter 2.
+/* limits.h -- how long a step of the particles may be.  Chapter 11.
  *
  * Two measures of the same thing, the time in which a grain answers a push:
  * the duration of an impact, and the Rayleigh time in which a surface wave

@@ -1,4 +1,4 @@
-/* neighbours.h -- when the lists are made anew, and how.  Chapter 2.
+/* neighbours.h -- when the lists are made anew, and how.  Chapter 3.
  *
  * Particles that move at most v come closer by at most 2 v dt in a step
  * [LS 5.16]. The contacts were chosen with a margin; while the sum of 2 v dt
