@@ -1,4 +1,4 @@
-/* averaging.h -- from particles to fields and back.  Chapter 7.
+/* averaging.h -- from particles to fields and back.  Chapter 8.
  *
  * Spreading turns amounts that particles carry (volume, momentum, force) into
  * densities that cells have, and loses nothing [SX15 A.1]. Gathering is its
@@ -63,6 +63,8 @@ void averaging_free(struct averaging *a);
  * outside the mesh; then only a bind that succeeds may follow. */
 int averaging_bind(struct averaging *a);
 
+/* Nothing is lost: with the volumes, momenta over density and forces of the
+ * particles for q, the sums of V field are theirs [SX15 A.1a-c]. */
 void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,

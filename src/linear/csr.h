@@ -1,4 +1,4 @@
-/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 4.
+/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 7.
  *
  * Link l joins two unknowns, owner[l] and neighbour[l], and stands for the two
  * entries (owner, neighbour) and (neighbour, owner). The rows are stored one
