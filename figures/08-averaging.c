@@ -228,6 +228,29 @@ static void table_bed(void)
     scene_free(&s);
 }
 
+/* A row of 400 cells with one particle in the middle of each: how full an even
+ * bed seems near its wall. */
+static void wall(void)
+{
+    enum { N = 400 };
+    const struct averaging_options o = {.bandwidth = 100.0};
+    const struct box_spec spec = {
+        {N, 1.0, 1.0}, {N, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct scene s = {mesh_create_box(&spec), particles_create(N)};
+    double kernel[N], diffusion[N];
+    struct averaging_report r;
+
+    for (int i = 0; i < N; i++)
+        place(s.ps, i + 0.5, 0.5, 0.5);
+    average(&s, "kernel", &o, kernel, &r);
+    average(&s, "diffusion", &o, diffusion, &r);
+    printf("# distance from the wall over b, kernel, diffusion\n");
+    for (int i = 0; i <= 100; i += 20)
+        printf("%.3f  %.4f  %.4f\n", (i + 0.5) / 100.0,
+               kernel[i] / (M_PI / 6.0), diffusion[i] / (M_PI / 6.0));
+    scene_free(&s);
+}
+
 /* The work of forces on gathered velocities, and of the spread forces on the
  * field of velocities. */
 static void work(void)
@@ -331,7 +354,8 @@ int main(int argc, char **argv)
         const char *name;
         void (*print)(void);
     } parts[] = {{"layout", layout}, {"cell", cell}, {"table", table},
-                 {"bed", table_bed}, {"work", work}, {"time", times}};
+                 {"bed", table_bed}, {"wall", wall}, {"work", work},
+                 {"time", times}};
 
     omp_set_num_threads(1); /* on meshes this small threads only wait */
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
@@ -339,6 +363,6 @@ int main(int argc, char **argv)
             parts[k].print();
             return 0;
         }
-    fprintf(stderr, "averaging layout|cell|table|bed|work|time\n");
+    fprintf(stderr, "averaging layout|cell|table|bed|wall|work|time\n");
     return 2;
 }

@@ -7,11 +7,11 @@ row() { # cells, method, name for the table, further options
     shift 3
     winnow run cases/small-bed.cfg -o out/small -s output.end=0.01 --quiet -j 1 \
         -s "mesh.cells=[$cells]" -s averaging.method="$method" "$@" \
-        >/dev/null 2>&1 || { echo "$cells  $name  stops"; return; }
+        >/dev/null 2>&1 || { printf "%-9s  %-10s  stops\n" "$cells" "$name"; return; }
     sh chapters/tools/last.sh out/small eps_f_lowest pressure_drop |
         awk -v cells="$cells" -v name="$name" '
             { value[NR] = $3 }
-            END { printf "%s  %-10s  %.3f  %.1f\n", cells, name, 1 - value[1],
+            END { printf "%-9s  %-10s  %.3f  %.1f\n", cells, name, 1 - value[1],
                          value[2] }'
 }
 echo "# cells, method, highest eps_s [-], pressure drop [Pa]"

@@ -4,12 +4,16 @@ load "figures/style.gp"
 set terminal svg size 860,400 dynamic font "sans,13" background "#ffffff"
 set output "figures/08-steps.svg"
 stats "figures/08-cell.txt" using 5 name "cn" nooutput
-set multiplot layout 1,2
+set multiplot
+set tmargin at screen 0.97
+set bmargin at screen 0.15
+set lmargin at screen 0.065
+set rmargin at screen 0.535
 set xlabel "distance from the full cell, in cells"
 set ylabel "1000 {/:Italic ε_s}"
 set xrange [-7:7]
 set yrange [-1:9]
-set key top right samplen 1.2 spacing 1.1 font "sans,11"
+set key top right samplen 1 spacing 1.1 font "sans,10"
 set label sprintf("up to %.1f,", cn_max) at -6.8,8.4 textcolor "#c2571a"
 set label sprintf("and %.1f", cn_min) at -6.8,7.8 textcolor "#c2571a"
 set label "in the middle" at -6.8,7.2 textcolor "#c2571a"
@@ -20,6 +24,8 @@ plot "figures/08-cell.txt" using 1:2 with points pointtype 7 \
      "" using 1:5 with lines linetype 2 title "Crank-Nicolson, 3", \
      "" using 1:6 with lines linetype 4 title "Crank-Nicolson, 6"
 unset label
+set lmargin at screen 0.635
+set rmargin at screen 0.985
 set xlabel "products with the matrix"
 set ylabel "error in time, over the amount"
 set logscale xy
