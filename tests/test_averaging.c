@@ -143,7 +143,8 @@ START_TEST(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops)
 }
 END_TEST
 
-/* Rounding again; CG adds its tolerance of 1e-13 times the condition. */
+/* For the kernel: the weights of both directions are the same [XS11 3.12].
+ * Rounding again; CG adds its tolerance of 1e-13 times the condition. */
 START_TEST(gathering_is_the_adjoint_of_spreading)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);

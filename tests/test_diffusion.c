@@ -409,6 +409,35 @@ START_TEST(sx15_a_5_what_is_left_after_a_long_time_is_the_mean)
 }
 END_TEST
 
+/* A row of four cells: a full one that moves, one a quarter full and at rest
+ * beside it. Momentum per volume, diffused, keeps its sum; velocity, diffused
+ * by itself and then multiplied by the diffused eps_s, does not. */
+START_TEST(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
+{
+    const struct box_spec spec = {
+        {4.0, 1.0, 1.0}, {4, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    const struct averaging_options o = {.bandwidth = 1.5, .tolerance = 1e-12};
+    const double solids[4] = {0.0, 0.6, 0.15, 0.0};
+    const double u[4] = {0.0, 1.0, 0.0, 0.0};
+    struct scene s = scene_of(&spec, &o);
+    double q[12], field[12], kept = 0.0, changed = 0.0;
+
+    for (int c = 0; c < 4; c++) {
+        q[3 * c] = solids[c];
+        q[3 * c + 1] = solids[c] * u[c];
+        q[3 * c + 2] = u[c];
+    }
+    averaging_spread(s.a, 3, q, field);
+    for (int c = 0; c < 4; c++) {
+        kept += field[3 * c + 1];
+        changed += field[3 * c] * field[3 * c + 2];
+    }
+    ck_assert_double_eq_tol(kept, 0.6, 1e-15);
+    ck_assert_double_lt(changed, 0.4);
+    scene_free(&s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("diffusion");
@@ -437,6 +466,7 @@ int main(void)
                         4);
     tcase_add_test(t, the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes);
     tcase_add_test(t, a_check_warns_of_too_few_steps_of_crank_nicolson_only);
+    tcase_add_test(t, sx15_9_momentum_is_to_be_diffused_and_not_velocity);
     tcase_add_loop_test(t, sx15_a_5_what_is_left_after_a_long_time_is_the_mean,
                         0, CLOUD_SHAPES);
     SRunner *const r = srunner_create(s);

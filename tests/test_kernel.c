@@ -90,7 +90,8 @@ static int weights_of(const struct scene *s, int i, double *w)
 }
 
 /* 0.16 and 0.3 m on cells of 0.1 m: b of 1.6 to 3 cells. Both sides are sums
- * of the same terms, rounded differently. */
+ * of the same terms, rounded differently. The amounts are any numbers: volumes
+ * as well as the forces of [XS11 3.8]. */
 START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
 {
     struct scene s = scene_of(_i / 3, (double[]){0.03, 0.16, 0.3}[_i % 3]);
@@ -112,6 +113,43 @@ START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
     free(w);
     free(expected);
     scene_free(&s);
+}
+END_TEST
+
+/* The velocity of a cell: two particles weighed by volume and distance, by the
+ * book. u = 1 and 3 m/s of volumes 1 and 0.125; the middle cell is nearer to
+ * the small one. */
+START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
+{
+    const struct box_spec spec = {
+        {3.0, 1.0, 1.0}, {3, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    const struct averaging_options o = {.bandwidth = 2.0};
+    const double V[2] = {1.0, 0.125}, u[2] = {1.0, 3.0}, x[2] = {0.7, 1.9};
+    const double q[4] = {V[0], V[0] * u[0], V[1], V[1] * u[1]};
+    struct mesh *const m = mesh_create_box(&spec);
+    struct particles *const ps = particles_create(2);
+    double volume[3] = {0.0}, momentum[3] = {0.0}, field[6];
+
+    for (int i = 0; i < 2; i++) {
+        double K[3], sum = 0.0;
+        cloud_place(ps, x[i], 0.5, 0.5, 0.1);
+        for (int c = 0; c < 3; c++)
+            sum += K[c] = kernel_bell((c + 0.5 - x[i]) / 2.0);
+        for (int c = 0; c < 3; c++) {
+            volume[c] += K[c] / sum * V[i];
+            momentum[c] += K[c] / sum * V[i] * u[i];
+        }
+    }
+    struct averaging *const a =
+        averaging_create(averaging_method_named("kernel"), m, ps, &o);
+    ck_assert_int_eq(averaging_bind(a), 0);
+    averaging_spread(a, 2, q, field);
+    for (int c = 0; c < 3; c++)
+        ck_assert_double_eq_tol(field[2 * c + 1] / field[2 * c],
+                                momentum[c] / volume[c], 1e-14);
+    averaging_free(a);
+    particles_free(ps);
+    mesh_free(m);
 }
 END_TEST
 
@@ -172,6 +210,8 @@ int main(void)
     tcase_add_loop_test(t,
                         xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
                         0, 3 * CLOUD_SHAPES);
+    tcase_add_test(
+        t, xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
     tcase_add_loop_test(t, xs11_3_4_each_particle_is_shared_out_wholly, 0,
                         CLOUD_SHAPES);
     tcase_add_loop_test(t, a_kernel_narrower_than_a_cell_is_pcm, 0,

@@ -45,7 +45,7 @@ static void scene_free(struct scene *s)
     mesh_free(s->mesh);
 }
 
-/* By hand: pi/6 (1 + 0.512) and pi/6 0.729. */
+/* By hand: pi/6 (1 + 0.512) and pi/6 0.729 [XS11 3.1, SX15 4]. */
 START_TEST(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it)
 {
     struct scene s = scene_of(0.0);
@@ -61,6 +61,20 @@ START_TEST(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass)
 {
     struct scene s = scene_of(0.0);
     ck_assert_double_eq_tol(s.field[1] / s.field[0], 1.6772486772486772, 1e-15);
+    scene_free(&s);
+}
+END_TEST
+
+/* Cells of 1 m^3, 1 and 4 N on the particles of the left, 2 N on that of the
+ * right: the fluid gets the opposite, per volume. */
+START_TEST(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles)
+{
+    struct scene s = scene_of(0.0);
+    const double minus_f[3] = {-1.0, -2.0, -4.0};
+
+    averaging_spread(s.a, 1, minus_f, s.field);
+    ck_assert_double_eq_tol(s.field[0], -5.0, 1e-15);
+    ck_assert_double_eq_tol(s.field[1], -2.0, 1e-15);
     scene_free(&s);
 }
 END_TEST
@@ -109,6 +123,8 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_add_test(t, xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
     tcase_add_test(t, sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
+    tcase_add_test(
+        t, sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
     tcase_add_test(t, a_capped_cell_is_counted_and_its_loss_reported);
     tcase_add_test(t, the_cap_leaves_the_velocity_as_it_is);
     tcase_add_test(t, a_bind_counts_afresh);

@@ -63,6 +63,8 @@ void averaging_free(struct averaging *a);
  * outside the mesh; then only a bind that succeeds may follow. */
 int averaging_bind(struct averaging *a);
 
+/* Nothing is lost: with the volumes, momenta over density and forces of the
+ * particles for q, the sums of V field are theirs [SX15 A.1a-c]. */
 void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,

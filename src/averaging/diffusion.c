@@ -134,8 +134,8 @@ static void worse_of(struct solve_report *worst, const struct solve_report *one)
 }
 
 /* A u_new = rhs(u), step by step. Each solve starts from the old field and is
- * preconditioned by V: then it keeps the sum of V u to rounding, however early
- * it stops. */
+ * preconditioned by V: then it keeps the sum of V u to rounding [SX15 A.5],
+ * however early it stops. */
 static void apply_steps(struct diffusion *d, int m, double *u,
                         struct averaging_report *r)
 {

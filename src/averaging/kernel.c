@@ -48,7 +48,8 @@ double kernel_bell(double zeta)
 }
 
 /* The weights of particle i over the stencil of its host, which begins at
- * entry `first` and has n: [XS11 3.5b]. Returns 1 if no centre is within b. */
+ * entry `first` and has n: [XS11 3.5b]. They add up to one [XS11 3.4]. Returns
+ * 1 if no centre is within b. */
 static int find_weights(const struct kernel *k, int i, int first, int n,
                         double *restrict w)
 {
@@ -221,7 +222,7 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
                 f[j] += s->sum[m * (c - s->low) + j];
         }
         for (int j = 0; j < m; j++)
-            f[j] /= k->h->mesh->V[c]; /* [XS11 3.5a] */
+            f[j] /= k->h->mesh->V[c]; /* [XS11 3.5a, 3.7, 3.8] */
     }
 }
 

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Compiles figures/NAME.c against the library beside winnow, and runs it.
+#
+#   sh figures/program.sh 08-averaging table
+#
+# For results that no case gives: a page of C that uses one room alone.
+set -eu
+build=$(dirname "$(command -v winnow)")
+name=$1
+shift
+mkdir -p "$build/figures"
+${CC:-gcc} -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -fopenmp \
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Isrc \
+    -o "$build/figures/$name" "figures/$name.c" \
+    "$build/libwinnow.a" -lconfig -lgsl -lgslcblas -lz -lm
+"$build/figures/$name" "$@"
