@@ -32,6 +32,15 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
 	sh tests/vtk.sh $B
+	sh chapters/tools/check.sh $B/winnow
+
+weave: ## refresh what the chapters quote from source and results
+	sh chapters/tools/weave.sh
+	sh chapters/tools/ledger.sh
+
+book: ## the chapters as pages: build/book/index.html
+	sh .ci/install book
+	sh chapters/tools/book.sh $B/book
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
@@ -54,6 +63,6 @@ $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wra
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check help clean tests
+.PHONY: all run check weave book help clean tests
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d

@@ -1,0 +1,83 @@
+#!/bin/sh
+# Renders the book: build/book/index.html. Asks for pandoc.
+#
+#   sh chapters/tools/book.sh [build/book]
+set -eu
+out=${1:-build/book}
+tools=$(dirname "$0")
+anchors=$out/anchors.txt
+pages=$(find chapters -name '[0-9]*.md' | LC_ALL=C sort)
+pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
+
+command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
+rm -rf "$out"
+mkdir -p "$out/figures"
+cp "$tools/book.css" "$out"
+find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
+    cp "$figure" "$out/figures"
+done
+
+name() { basename "$1" .md; }
+title() { sed -n 's/^# //p' "$1" | head -1; }
+
+# What may be linked to by its name, and on which page it is.
+for page in $pages; do
+    html=$(name "$page").html
+    sed -n "s/.*\\\\tag{\\([0-9a-z.]*\\)}.*/(\\1) $html/p" "$page"
+    sed -n "s/.*<a id=\"\\([A-Za-z0-9-]*\\)\">.*/\\1 $html/p" "$page"
+    case $html in [0-9]*) # 09-drag is Chapter 9
+        echo "$html" | sed 's/^0*\([0-9]*\)-.*/Chapter-\1 &/' ;;
+    esac
+done >"$anchors"
+
+render() { # page, page before, page after
+    awk -v places=1 -f "$tools/c.awk" -f "$tools/weave.awk" "$1" |
+        pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
+            --template "$tools/page.html" --toc --toc-depth 2 \
+            --lua-filter "$tools/book.lua" -M anchors="$anchors" \
+            -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
+            ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
+            ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
+        awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
+}
+
+# The contents: each chapter that is there, with its question from README.md.
+contents() {
+    echo "# Winnow"
+    echo
+    sed -n '/^# /d; /^|/q; p' chapters/README.md
+    awk -F' *[|] *' -v have=" $(for p in $pages; do name "$p"; done | tr '\n' ' ')" '
+        $2 ~ /^[0-9][0-9]-/ {
+            s = substr($2, 4)
+            gsub(/-/, " ", s)
+            s = (substr($2, 1, 2) + 0) " " toupper(substr(s, 1, 1)) substr(s, 2)
+            if (index(have, " " $2 " ")) s = "[" s "](" $2 ".md)"
+            print "- " s "<br>" $3
+        }' chapters/README.md
+    printf '\n- [Equations](equations.md)<br>Where is it computed and tested?\n'
+    printf -- '- [Notation](notation.md)<br>What does this symbol mean?\n'
+    printf -- '- [References](references.md)<br>Who found it?\n'
+}
+
+contents >"$out/index.md"
+render "$out/index.md" "" ""
+rm "$out/index.md"
+
+before=
+set -- $pages
+while [ $# -gt 0 ]; do
+    render "$1" "$before" "${2:-}"
+    before=$1
+    shift
+done
+
+find src tests cases figures \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
+    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \) | while read -r file; do
+    mkdir -p "$out/$(dirname "$file")"
+    awk -v anchors="$anchors" -f "$tools/c.awk" -f "$tools/source.awk" "$file" \
+        >"$out/$file.html"
+done
+rm "$anchors"
+cd "$out"
+find . -type f | awk -f "$OLDPWD/$tools/pages.awk"
+echo "book: $out/index.html"

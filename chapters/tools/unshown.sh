@@ -1,0 +1,21 @@
+#!/bin/sh
+# Lists the functions of src/ that no chapter shows.
+#
+#   sh chapters/tools/unshown.sh            their number, by file
+#   sh chapters/tools/unshown.sh names      their names
+#   sh chapters/tools/unshown.sh check      only the total; fails on a useless
+#                                           exemption in chapters/unshown.txt
+set -u
+tools=$(dirname "$0")
+list=$(mktemp)
+trap 'rm -f "$list"' EXIT
+names=
+[ "${1:-}" = names ] && names=1
+
+# shellcheck disable=SC2046 # one word a file
+awk -v exempt=chapters/unshown.txt -v names=$names -f "$tools/c.awk" \
+    -f "$tools/unshown.awk" chapters/[0-9]*.md \
+    $(find src -name '*.[ch]' | LC_ALL=C sort) >"$list"
+failed=$?
+if [ "${1:-}" = check ]; then tail -1 "$list"; else cat "$list"; fi
+exit $failed

@@ -1,0 +1,29 @@
+#!/bin/sh
+# Refreshes what the chapters quote from the source and from results of runs.
+#
+#   sh chapters/tools/weave.sh              rewrites the fences and numbers
+#   sh chapters/tools/weave.sh check        prints what differs, and fails
+set -u
+mode=${1:-write}
+tools=$(dirname "$0")
+new=$(mktemp)
+trap 'rm -f "$new"' EXIT
+failed=0
+
+for chapter in chapters/*.md; do
+    # equations.md is made by ledger.sh, and README.md shows the directives.
+    case $chapter in */equations.md | */README.md) continue ;; esac
+    if ! awk -f "$tools/c.awk" -f "$tools/weave.awk" "$chapter" >"$new"; then
+        failed=1
+    elif cmp -s "$chapter" "$new"; then
+        :
+    elif [ "$mode" = check ]; then
+        echo "$chapter is not what the source says (make weave):"
+        diff -u --label "$chapter" --label woven "$chapter" "$new"
+        failed=1
+    else
+        cat "$new" >"$chapter"
+        echo "wove $chapter"
+    fi
+done
+exit $failed
