@@ -21,7 +21,7 @@ all: $B/winnow
 run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
 	sh .ci/install run
 	$(MAKE) $(CORES) $B/winnow WERROR=
-	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.6
 
 check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
@@ -57,7 +57,7 @@ $B/libwinnow.a: $(OBJ)
 $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
-	@$(CC) $(STD) $(OPT) $(WARN) -MMD -c -o $@ $<
+	@$(CC) $(STD) $(OPT) $(WARN) -MMD -MP -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a

@@ -121,7 +121,7 @@ static struct simulation *build(const struct scene *s)
         .law = contact_law_named("linear"),
         .material = {.stiffness = 100.0, .restitution = 0.9, .friction = 0.3},
         .step = s->dt / s->dem_steps,
-        .high = {s->size, s->size, s->size},
+        .hi = {s->size, s->size, s->size},
         .periodic = {1, 1, 1}};
 
     sim->mesh = mesh_create_box(&spec);
@@ -130,7 +130,6 @@ static struct simulation *build(const struct scene *s)
     scatter(sim, s);
     sim->held = alloc_doubles(3 * s->n);
     particles_attach(sim->particles, sim->held, 3);
-    o.material.density = s->rho_s;
     sim->dem = dem_create(sim->particles, &o);
     create_fluid(sim, s);
     create_coupling(sim, s);

@@ -60,8 +60,9 @@ function read_list(text,    parts, n, i, doc, s) {
             s = substr(s, RLENGTH + 1)
         }
         gsub(/[()]/, "", s)
+        sub(/ [a-z].*/, "", s) # "4.12 with e instead of 0"
         # words, and places that are no equations
-        if (s == "" || s ~ /^[a-z ]+$/ || s ~ /^(Table|Fig|[Ss]ection|Appendix)/)
+        if (s == "" || s ~ /^[a-z][a-z]/ || s ~ /^(Table|Fig|Section|Appendix)/)
             continue
         if (s ~ /^[0-9]$/ && doc ~ /^(XS11|LS)$/) continue # a chapter
         if (!read_keys(doc, s)) unknown = unknown " [" doc " " s "]"

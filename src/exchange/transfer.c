@@ -164,6 +164,16 @@ static void settle_payment(struct simulation *sim)
     check_payment(sim, charged, scale);
 }
 
+/* 1: what a particle sees of the fluid is the adjoint already. (Where a cap
+ * is at work it is not: see averaging_share.) */
+static int seen_alike(const struct simulation *sim)
+{
+    const struct coupling *const cp = sim->coupling;
+
+    return cp->options.interpolation == interpolation_named("same") &&
+           averaging_report(sim->averaging)->capped == 0;
+}
+
 void transfer_fluid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
@@ -172,8 +182,12 @@ void transfer_fluid(struct simulation *sim)
         averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
         if (sim->fluid->t > 0.0) settle_payment(sim);
     }
-    cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
-                                     cp->u_f);
+    if (cp->options.two_way && seen_alike(sim))
+        memcpy(cp->u_f, cp->smooth,
+               3 * (size_t)sim->particles->n * sizeof *cp->u_f);
+    else
+        cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
+                                         cp->u_f);
 }
 
 void transfer_open_account(struct simulation *sim)

@@ -1,105 +1,114 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "particles/bed.h"
 
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
-#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-static double size_of(const double g[3])
+#include "particles/bed_file.h"
+#include "particles/limits.h"
+
+static const double closest = 1.02;   /* [-] lattice spacing over d */
+static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
+static const double settling_speed = 1.0; /* [m/s] that the step is made for */
+enum { STEPS_A_LOOK = 50 };
+
+struct lattice {
+    int up;          /* direction that gravity points along */
+    int down;        /* 1: gravity points to lo */
+    int n[3];        /* sites a direction; as many layers as needed */
+    double space[3]; /* [m] between sites */
+};
+
+static double length(const double v[3])
 {
-    return sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* The direction along which to fill, and from which end: where gravity points,
- * else y from below. */
-static int upward(const double g[3], int *from_high)
+/* The direction that g mostly points along; without gravity the longest. */
+static int upward(const struct bed_options *bed, const struct dem_options *dem)
 {
-    int up = 1;
+    int up = 0;
 
-    for (int a = 0; a < 3; a++)
-        if (fabs(g[a]) > fabs(g[up])) up = a;
-    *from_high = g[up] > 0.0;
+    for (int k = 1; k < 3; k++) {
+        const double own = fabs(bed->gravity[k]), best = fabs(bed->gravity[up]);
+        const double L = dem->hi[k] - dem->lo[k];
+        const double most = dem->hi[up] - dem->lo[up];
+        if (own > best || (own == best && L > most)) up = k;
+    }
     return up;
 }
 
-/* --- the lattice ------------------------------------------------------------
- */
-
-struct lattice {
-    int up, from_high;
-    int n[3];        /* [-] places per direction */
-    double pitch[3]; /* [m] */
-};
-
-/* Places at least 1.05 d apart, spread evenly over the width of the box; as
- * many layers as are needed. */
-static int plan_lattice(const struct bed_options *b,
-                        const struct dem_options *o, struct lattice *l)
+static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
+                         const struct dem_options *dem)
 {
-    const double d = b->diameter, least = 1.05 * d;
-    int layer = 1;
+    const double room = dem->hi[l->up] - dem->lo[l->up];
+    const double height = l->n[l->up] * l->space[l->up];
 
-    l->up = upward(b->gravity, &l->from_high);
-    for (int a = 0; a < 3; a++) {
-        const double length = o->high[a] - o->low[a];
-        l->n[a] = (int)floor(length / least + 1e-9);
-        if (l->n[a] < 1 && length >= d) l->n[a] = 1; /* one layer just fits */
-        l->pitch[a] = a == l->up ? least : length / fmax(1, l->n[a]);
-        if (a != l->up) layer *= l->n[a];
-    }
-    return layer > 0 && (b->count + layer - 1) / layer <= l->n[l->up];
+    for (int k = 0; k < 3; k++)
+        if (l->n[k] == 0 && bed->count > 0) {
+            fprintf(stderr,
+                    "winnow: the bed does not fit: spheres of %g m in a box "
+                    "%g m wide\n",
+                    bed->diameter, dem->hi[k] - dem->lo[k]);
+            return 1;
+        }
+    if (height <= room) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: %d spheres of %g m on a lattice "
+            "need %g m of height, the box has %g m\n",
+            bed->count, bed->diameter, height, room);
+    return 1;
 }
 
-int bed_fill(struct particles *ps, const struct bed_options *b,
-             const struct dem_options *o)
+static struct lattice lattice_of(const struct bed_options *bed,
+                                 const struct dem_options *dem)
 {
-    struct lattice l;
+    const double least = closest * bed->diameter;
+    struct lattice l = {.up = upward(bed, dem)};
+    int layer = 1;
 
-    if (b->count == 0) return 0;
-    if (!plan_lattice(b, o, &l)) {
-        fprintf(stderr,
-                "winnow: %d spheres of %g m do not fit into the box; a loose "
-                "lattice has room for %d\n",
-                b->count, b->diameter, l.n[0] * l.n[1] * l.n[2]);
-        return 1;
+    l.down = bed->gravity[l.up] <= 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double L = dem->hi[k] - dem->lo[k];
+        l.n[k] = L >= least ? (int)(L / least) : L >= bed->diameter;
+        l.space[k] = k == l.up ? least : L / fmax(1.0, l.n[k]);
+        if (k != l.up) layer *= l.n[k];
     }
-    const int a1 = (l.up + 1) % 3, a2 = (l.up + 2) % 3;
+    if (layer > 0) l.n[l.up] = (bed->count + layer - 1) / layer;
+    return l;
+}
+
+int bed_fill(struct particles *ps, const struct bed_options *bed,
+             const struct dem_options *dem)
+{
+    const struct lattice l = lattice_of(bed, dem);
+    const int a = (l.up + 1) % 3, c = (l.up + 2) % 3;
+
+    if (lattice_wrong(&l, bed, dem)) return 1;
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(random, (unsigned long)b->seed);
-    for (int k = 0; k < b->count; k++) {
-        int at[3];
+    gsl_rng_set(random, bed->seed);
+    for (int i = 0; i < bed->count; i++) {
+        int site[3];
         double x[3];
-        at[a1] = k % l.n[a1];
-        at[a2] = k / l.n[a1] % l.n[a2];
-        at[l.up] = k / (l.n[a1] * l.n[a2]);
-        for (int a = 0; a < 3; a++) {
-            const double room = 0.5 * (l.pitch[a] - b->diameter) * b->jitter;
-            const double away = (at[a] + 0.5) * l.pitch[a] +
-                                room * (2.0 * gsl_rng_uniform(random) - 1.0);
-            x[a] =
-                a == l.up && l.from_high ? o->high[a] - away : o->low[a] + away;
+
+        site[a] = i % l.n[a];
+        site[c] = i / l.n[a] % l.n[c];
+        site[l.up] = i / l.n[a] / l.n[c];
+        for (int k = 0; k < 3; k++) {
+            const double free = bed->jitter * (l.space[k] - bed->diameter);
+            const double shift = free * (gsl_rng_uniform(random) - 0.5);
+            const double at = (site[k] + 0.5) * l.space[k] + shift;
+            x[k] = k == l.up && !l.down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        particles_add(ps, x, b->diameter, b->density);
+        particles_add(ps, x, bed->diameter, bed->density);
     }
     gsl_rng_free(random);
     return 0;
 }
 
-/* --- settling
- * ----------------------------------------------------------------- */
-
-static double kinetic_energy(const struct particles *ps)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        sum += 0.5 * ps->m[i] *
-               (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                ps->vz[i] * ps->vz[i]);
-    return sum;
-}
-
-static void weigh(struct particles *ps, const double g[3])
+static void hold_weight(struct particles *ps, const double g[3])
 {
     for (int i = 0; i < ps->n; i++) {
         ps->ex[i] = ps->m[i] * g[0];
@@ -108,67 +117,103 @@ static void weigh(struct particles *ps, const double g[3])
     }
 }
 
-static void stop(struct particles *ps)
+/* Runs until the bed is at rest, at the earliest after `least` [s]. */
+static int run_to_rest(struct dem *run, double dt, double least,
+                       const struct bed_options *bed, double weight_d,
+                       struct bed_report *r)
 {
-    for (int i = 0; i < ps->n; i++) {
-        ps->vx[i] = ps->vy[i] = ps->vz[i] = 0.0;
-        ps->wx[i] = ps->wy[i] = ps->wz[i] = 0.0;
-        ps->ex[i] = ps->ey[i] = ps->ez[i] = 0.0;
-    }
+    const double end = r->time + least;
+
+    do {
+        if (dem_run(run, STEPS_A_LOOK, &r->dem) != 0) return 1;
+        r->steps += r->dem.steps;
+        r->time += (double)r->dem.steps * dt;
+        r->kinetic = (r->dem.translation + r->dem.rotation) / weight_d;
+        r->settled = r->kinetic < BED_REST && r->time >= end;
+    } while (!r->settled && r->time < bed->settle);
+    return 0;
 }
 
-static void measure(const struct particles *ps, const struct bed_options *b,
-                    const struct dem_options *o, struct bed_report *r)
+/* First with settling_e, for at least the time in which a sphere falls its
+ * diameter, since nobody moves at the start; then with the real material. */
+static int settle(struct particles *ps, const struct bed_options *bed,
+                  const struct dem_options *o, struct bed_report *r,
+                  struct bed_springs *springs)
 {
-    int from_high;
-    const int up = upward(b->gravity, &from_high);
-    const double *const x = up == 0 ? ps->x : up == 1 ? ps->y : ps->z;
-    double section = 1.0, solids = 0.0;
+    const double g = length(bed->gravity);
+    const double fall = sqrt(2.0 * bed->diameter / g);
+    const double weight_d = ps->n * ps->m[0] * g * bed->diameter;
+    struct dem_options settling = *o;
 
-    r->height = 0.0;
-    for (int i = 0; i < ps->n; i++) {
-        const double h = from_high ? o->high[up] - x[i] : x[i] - o->low[up];
-        r->height = fmax(r->height, h + 0.5 * ps->d[i]);
+    settling.material.restitution = fmin(settling_e, o->material.restitution);
+    settling.step = limits_step(o->law, &o->material, bed->diameter,
+                                bed->density, settling_speed);
+    struct dem *const run = dem_create(ps, &settling);
+    if (run == NULL) return 1;
+    hold_weight(ps, bed->gravity);
+    int lost = run_to_rest(run, settling.step, fall, bed, weight_d, r);
+    if (!lost && r->settled) {
+        dem_change_material(run, &o->material);
+        lost = run_to_rest(run, settling.step, 0.0, bed, weight_d, r);
     }
-    for (int i = 0; i < ps->n; i++) {
-        const double h = from_high ? o->high[up] - x[i] : x[i] - o->low[up];
-        if (h < 0.5 * r->height) solids += particles_volume(ps, i);
-    }
-    for (int a = 0; a < 3; a++)
-        if (a != up) section *= o->high[a] - o->low[a];
-    r->fraction = r->height > 0.0 ? solids / (0.5 * r->height * section) : 0.0;
+    springs->list = dem_springs(run, &springs->n);
+    dem_free(run);
+    hold_weight(ps, (const double[3]){0.0, 0.0, 0.0});
+    return lost;
 }
 
-/* At rest: a particle has a millionth of the energy that lifts it by d. */
-int bed_settle(struct particles *ps, const struct bed_options *b,
-               const struct dem_options *o, struct bed_report *r)
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_springs *springs)
 {
-    enum { LOOK = 100 }; /* steps between two looks */
-    const double g = size_of(b->gravity), quiet = 1e-6;
-    struct dem_options soft = *o;
-    struct dem_report report = {.lost = 0};
-    long steps = 0;
+    int lost = 0;
 
-    *r = (struct bed_report){0.0, 0.0, 0.0, 0.0};
-    soft.material.restitution = fmin(o->material.restitution, 0.2);
-    struct dem *const dem = dem_create(ps, &soft);
-    weigh(ps, b->gravity);
-    while (g > 0.0 && ps->n > 0 && (double)steps * o->step < b->settle &&
-           report.lost == 0) {
-        dem_run(dem, LOOK, &report);
-        steps += LOOK;
-        r->kinetic_energy =
-            kinetic_energy(ps) / (ps->n * ps->m[0] * g * b->diameter);
-        if (r->kinetic_energy < quiet && (double)steps * o->step > 0.02) break;
+    *springs = (struct bed_springs){0, NULL};
+    *r = (struct bed_report){.settled = 1};
+    if (ps->n > 0 && bed->settle > 0.0 && length(bed->gravity) > 0.0)
+        lost = settle(ps, bed, dem, r, springs);
+    bed_measure(ps, bed, dem, r);
+    return lost;
+}
+
+void bed_measure(const struct particles *ps, const struct bed_options *bed,
+                 const struct dem_options *dem, struct bed_report *r)
+{
+    const struct lattice l = lattice_of(bed, dem);
+    const double *const x = l.up == 0 ? ps->x : l.up == 1 ? ps->y : ps->z;
+    const int a = (l.up + 1) % 3, c = (l.up + 2) % 3;
+    const double base = (dem->hi[a] - dem->lo[a]) * (dem->hi[c] - dem->lo[c]);
+    double volume = 0.0, sum = 0.0;
+
+    r->top = 0.0;
+    for (int i = 0; i < ps->n; i++) {
+        const double h = l.down ? x[i] - dem->lo[l.up] : dem->hi[l.up] - x[i];
+        sum += h;
+        volume += particles_volume(ps, i);
+        r->top = fmax(r->top, h + 0.5 * ps->d[i]);
     }
-    r->time = (double)steps * o->step;
-    dem_free(dem);
-    stop(ps);
-    measure(ps, b, o, r);
-    if (report.lost == 0) return 0;
-    fprintf(stderr,
-            "winnow: %d particles left the box while the bed settled, the "
-            "first with id %d; try a smaller particles.step\n",
-            report.lost, report.lost_id);
-    return 1;
+    r->height = ps->n > 0 ? 2.0 * sum / ps->n : 0.0;
+    r->packing = ps->n > 0 ? volume / (base * r->height) : 0.0;
+}
+
+int bed_make(const char *path, struct particles *ps, struct dem *run,
+             const struct bed_options *bed, const struct dem_options *dem,
+             struct bed_report *r)
+{
+    struct bed_springs springs = {0, NULL};
+    int code = BED_ABSENT;
+
+    *r = (struct bed_report){.settled = 1};
+    if (path != NULL) code = bed_file_load(path, ps, &springs, bed, dem);
+    if (code == BED_MADE) bed_measure(ps, bed, dem, r);
+    if (code == BED_ABSENT) {
+        if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
+        code = bed_settle(ps, bed, dem, r, &springs) != 0 ? BED_LOST : BED_MADE;
+        if (path != NULL && code == BED_MADE &&
+            bed_file_save(path, ps, &springs, bed, dem) != 0)
+            code = BED_REFUSED;
+    }
+    if (code == BED_MADE) dem_recall(run, springs.list, springs.n);
+    free(springs.list);
+    return code;
 }

@@ -1,10 +1,9 @@
-/* bed.h -- a bed of equal spheres at rest, made before time 0.  Chapter 2.
+/* bed.h -- the particles before time 0: a settled bed.  Chapter 2.
  *
- * A lattice with jitter from a seed fills the box from the bottom (where
- * gravity points); then the spheres fall and come to rest as very dissipative
- * ones, which is quick. What remains is positions: at time 0 nothing moves or
- * is strained by friction, so a bed read from a file and one just made run
- * alike, bit for bit.
+ * Equal spheres on a cubic lattice, from the bottom up, each shifted at random
+ * within its free room; then gravity, first with a very dissipative material
+ * so that the bed comes to rest soon, then with the real one. The same
+ * options give the same bed, bit for bit.
  */
 #ifndef BED_H
 #define BED_H
@@ -12,36 +11,60 @@
 #include "particles/dem.h"
 
 struct bed_options {
-    int count;
-    double diameter; /* [m] */
-    double density;  /* [kg/m^3] */
-    int seed;
-    double jitter;     /* [-] of the free room between neighbours, 0 to 1 */
-    double gravity[3]; /* [m/s^2]; zero: the lattice stays as it is */
-    double settle;     /* [s] longest time for settling; 0: not at all */
+    int count;          /* [-] */
+    double diameter;    /* [m] */
+    double density;     /* [kg/m^3] */
+    unsigned long seed; /* [-] of the jitter */
+    double jitter;      /* [-] shift over the free room, 0 ... 1 */
+    double gravity[3];  /* [m/s^2] points to the bottom; the walls of the box
+                           are those of the dem_options */
+    double settle;      /* [s] longest time; 0 leaves the lattice */
 };
 
 struct bed_report {
-    double time;           /* [s] it took */
-    double kinetic_energy; /* [-] left, a particle over m g d */
-    double height;         /* [m] of the highest surface above the bottom */
-    double fraction;       /* [-] solids in the lower half of that */
+    int settled;    /* [-] 1: kinetic is below BED_REST */
+    double kinetic; /* [-] kinetic energy a particle over m g d */
+    double time;    /* [s] that settling took */
+    long steps;     /* [-] */
+    double height;  /* [m] twice the mean height of the centres */
+    double top;     /* [m] highest point of any particle over the bottom */
+    double packing; /* [-] volume of the particles over base times height */
+    struct dem_report dem; /* of the last run */
 };
 
-/* Adds the lattice to ps. Non-zero after a message if the box is too small. */
-int bed_fill(struct particles *ps, const struct bed_options *b,
+/* A bed is settled when a particle has, on average, less kinetic energy than
+ * it gains by falling this part of its diameter [-]. */
+#define BED_REST 1e-5
+
+/* The springs of a settled bed (dem.h). */
+struct bed_springs {
+    int n;
+    struct dem_spring *list; /* released with free() */
+};
+
+/* All of it: the bed from the file, if path is not NULL and the file is there;
+ * else the lattice, settled, and written to the file. ps has room for it; `run`
+ * was made for ps with `dem` and starts with the springs of the bed. A bed
+ * that was read and one that was made go on alike, bit for bit. Non-zero after
+ * a message; BED_LOST without one if a particle is lost (see r->dem). */
+enum { BED_MADE, BED_ABSENT, BED_REFUSED, BED_LOST };
+int bed_make(const char *path, struct particles *ps, struct dem *run,
+             const struct bed_options *bed, const struct dem_options *dem,
+             struct bed_report *r);
+
+/* Its parts. Adds the lattice to ps; non-zero after a message if the box is
+ * too small. */
+int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 
-/* Lets it settle. Non-zero after a message if a particle was lost. */
-int bed_settle(struct particles *ps, const struct bed_options *b,
-               const struct dem_options *dem, struct bed_report *report);
+/* Lets ps settle, with a step of limits.h. Non-zero if a particle is lost. A
+ * bed that is not settled in time is not an error here: see r->settled. */
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_springs *springs);
 
-/* The file: exact, with all that the bed depends on. Writing returns non-zero
- * after a message. Reading returns 0 when ps is filled, 1 if there is no such
- * file, 2 after a message if it belongs to another bed or is damaged. */
-int bed_write(const char *path, const struct particles *ps,
-              const struct bed_options *b, const struct dem_options *dem);
-int bed_read(const char *path, struct particles *ps,
-             const struct bed_options *b, const struct dem_options *dem);
+/* Height and packing of what is in ps. */
+void bed_measure(const struct particles *ps, const struct bed_options *bed,
+                 const struct dem_options *dem, struct bed_report *r);
 
 #endif

@@ -1,89 +1,164 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* bed_file.c -- a settled bed as a file.
- *
- * Text: a line that says what this is, a line with everything the bed depends
- * on, then id and position of each sphere in hexadecimal numbers, which are
- * exact. A file is only read if its second line is the one we would write.
- */
+#include "particles/bed_file.h"
+
+#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "base/file.h"
-#include "particles/bed.h"
 
-static const char *const first_line = "winnow settled bed 1\n";
+enum { LINE = 256, FACTS = 13, COLUMNS = 11 };
 
-enum { LINE = 1024 };
-
-static void describe(char line[LINE], const struct bed_options *b,
-                     const struct dem_options *o)
+/* What the bed was made with; `text` has one line a fact. */
+static void facts(char text[FACTS][LINE], const struct bed_options *bed,
+                  const struct dem_options *o)
 {
     const struct material *const m = &o->material;
+    const double *const g = bed->gravity;
+    int n = 0;
 
-    snprintf(line, LINE,
-             "count %d diameter %.17g density %.17g seed %d jitter %.17g "
-             "gravity %.17g %.17g %.17g settle %.17g box %.17g %.17g %.17g "
-             "%.17g %.17g %.17g periodic %d %d %d law %s step %.17g young "
-             "%.17g poisson %.17g stiffness %.17g restitution %.17g friction "
-             "%.17g\n",
-             b->count, b->diameter, b->density, b->seed, b->jitter,
-             b->gravity[0], b->gravity[1], b->gravity[2], b->settle, o->low[0],
-             o->low[1], o->low[2], o->high[0], o->high[1], o->high[2],
-             o->periodic[0], o->periodic[1], o->periodic[2], o->law->name,
-             o->step, m->young, m->poisson, m->stiffness, m->restitution,
-             m->friction);
+    snprintf(text[n++], LINE, "winnow bed 1\n");
+    snprintf(text[n++], LINE, "count %d\n", bed->count);
+    snprintf(text[n++], LINE, "diameter %.17g\n", bed->diameter);
+    snprintf(text[n++], LINE, "density %.17g\n", bed->density);
+    snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
+    snprintf(text[n++], LINE, "jitter %.17g\n", bed->jitter);
+    snprintf(text[n++], LINE, "settle %.17g\n", bed->settle);
+    snprintf(text[n++], LINE, "gravity %.17g %.17g %.17g\n", g[0], g[1], g[2]);
+    snprintf(text[n++], LINE, "box from %.17g %.17g %.17g\n", o->lo[0],
+             o->lo[1], o->lo[2]);
+    snprintf(text[n++], LINE, "box to %.17g %.17g %.17g\n", o->hi[0], o->hi[1],
+             o->hi[2]);
+    snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
+             o->periodic[1], o->periodic[2]);
+    snprintf(text[n++], LINE, "contact %s young %.17g poisson %.17g\n",
+             o->law->name, m->young, m->poisson);
+    snprintf(text[n++], LINE,
+             "stiffness %.17g %.17g restitution %.17g friction %.17g\n",
+             m->stiffness, m->tangential, m->restitution, m->friction);
 }
 
-int bed_write(const char *path, const struct particles *ps,
-              const struct bed_options *b, const struct dem_options *o)
+/* Where the COLUMNS numbers of a particle are. */
+static void columns(const struct particles *ps, double *column[COLUMNS])
 {
+    double *const all[COLUMNS] = {ps->x,  ps->y,  ps->z,  ps->vx,
+                                  ps->vy, ps->vz, ps->wx, ps->wy,
+                                  ps->wz, ps->d,  ps->m};
+    memcpy(column, all, sizeof all);
+}
+
+static void write_bed(FILE *f, const struct particles *ps,
+                      const struct bed_springs *springs)
+{
+    double *column[COLUMNS];
+
+    columns(ps, column);
+    fprintf(f, "particles %d\n", ps->n);
+    for (int i = 0; i < ps->n; i++) {
+        fprintf(f, "%d", ps->id[i]);
+        for (int k = 0; k < COLUMNS; k++)
+            fprintf(f, " %a", column[k][i]);
+        fprintf(f, "\n");
+    }
+    fprintf(f, "springs %d\n", springs->n);
+    for (int q = 0; q < springs->n; q++) {
+        const struct dem_spring *const s = &springs->list[q];
+        fprintf(f, "%d %d %a %a %a\n", s->id, s->other, s->xi[0], s->xi[1],
+                s->xi[2]);
+    }
+}
+
+int bed_file_save(const char *path, const struct particles *ps,
+                  const struct bed_springs *springs,
+                  const struct bed_options *bed, const struct dem_options *dem)
+{
+    char text[FACTS][LINE];
     struct file *const file = file_create(path);
-    char line[LINE];
 
     if (file == NULL) return 1;
-    FILE *const out = file_stream(file);
-    describe(line, b, o);
-    fprintf(out, "%s%s", first_line, line);
-    for (int i = 0; i < ps->n; i++)
-        fprintf(out, "%d %a %a %a\n", ps->id[i], ps->x[i], ps->y[i], ps->z[i]);
+    facts(text, bed, dem);
+    for (int n = 0; n < FACTS; n++)
+        fputs(text[n], file_stream(file));
+    write_bed(file_stream(file), ps, springs);
     return file_commit(file);
 }
 
-static int wrong(const char *path, const char *what)
+/* The first line that differs says what the bed was made with instead. */
+static int check_facts(FILE *f, const char *path, const struct bed_options *bed,
+                       const struct dem_options *dem)
 {
-    fprintf(stderr, "winnow: %s: %s; remove the file to make the bed anew\n",
-            path, what);
-    return 2;
-}
+    char text[FACTS][LINE], line[LINE];
 
-static int read_spheres(FILE *in, struct particles *ps,
-                        const struct bed_options *b)
-{
-    for (int k = 0; k < b->count; k++) {
-        int id;
-        double x[3];
-        if (fscanf(in, "%d %la %la %la\n", &id, &x[0], &x[1], &x[2]) != 4)
-            return 1;
-        ps->id[particles_add(ps, x, b->diameter, b->density)] = id;
+    facts(text, bed, dem);
+    for (int n = 0; n < FACTS; n++) {
+        if (fgets(line, LINE, f) == NULL) line[0] = 0;
+        if (strcmp(line, text[n]) == 0) continue;
+        line[strcspn(line, "\n")] = 0;
+        text[n][strcspn(text[n], "\n")] = 0;
+        fprintf(stderr,
+                "winnow: %s:%d: this bed was made with \"%s\", not with "
+                "\"%s\"; remove the file to make it anew\n",
+                path, n + 1, line, text[n]);
+        return 1;
     }
-    return fgetc(in) != EOF;
+    return 0;
 }
 
-int bed_read(const char *path, struct particles *ps,
-             const struct bed_options *b, const struct dem_options *o)
+static int read_particles(FILE *f, struct particles *ps, int count)
 {
-    FILE *const in = fopen(path, "r");
-    char line[LINE], expected[LINE];
-    int code = 0;
+    double *column[COLUMNS];
+    int n = -1;
 
-    if (in == NULL) return 1;
-    describe(expected, b, o);
-    if (fgets(line, LINE, in) == NULL || strcmp(line, first_line) != 0)
-        code = wrong(path, "not a settled bed");
-    else if (fgets(line, LINE, in) == NULL || strcmp(line, expected) != 0)
-        code = wrong(path, "this bed was made for another case");
-    else if (read_spheres(in, ps, b) != 0)
-        code = wrong(path, "the file is damaged");
-    fclose(in);
-    return code;
+    columns(ps, column);
+    if (fscanf(f, " particles %d", &n) != 1 || n != count) return 1;
+    for (int i = ps->n; i < ps->n + n; i++) {
+        int ok = fscanf(f, "%d", &ps->id[i]) == 1 && ps->id[i] >= 0;
+        for (int k = 0; k < COLUMNS; k++)
+            ok = ok && fscanf(f, "%la", &column[k][i]) == 1;
+        if (!ok) return 1;
+    }
+    ps->n += n;
+    return 0;
+}
+
+static int read_springs(FILE *f, int count, struct bed_springs *springs)
+{
+    int n = -1;
+
+    if (fscanf(f, " springs %d", &n) != 1 || n < 0 || n > 100 * count + 100)
+        return 1;
+    springs->n = n;
+    springs->list = alloc_zeroed((size_t)n, sizeof *springs->list);
+    for (int q = 0; q < n; q++) {
+        struct dem_spring *const s = &springs->list[q];
+        if (fscanf(f, "%d %d %la %la %la", &s->id, &s->other, &s->xi[0],
+                   &s->xi[1], &s->xi[2]) != 5 ||
+            s->id < 0 || s->id >= count || s->other < -6 || s->other >= count)
+            return 1;
+    }
+    return 0;
+}
+
+int bed_file_load(const char *path, struct particles *ps,
+                  struct bed_springs *springs, const struct bed_options *bed,
+                  const struct dem_options *dem)
+{
+    FILE *const f = fopen(path, "r");
+    int wrong;
+
+    if (f == NULL && errno == ENOENT) return BED_ABSENT;
+    if (f == NULL) {
+        fprintf(stderr, "winnow: %s: %s\n", path, strerror(errno));
+        return BED_REFUSED;
+    }
+    wrong = check_facts(f, path, bed, dem);
+    if (!wrong && (read_particles(f, ps, bed->count) != 0 ||
+                   read_springs(f, bed->count, springs) != 0)) {
+        fprintf(stderr, "winnow: %s: the bed is not complete\n", path);
+        wrong = 1;
+    }
+    fclose(f);
+    return wrong ? BED_REFUSED : BED_MADE;
 }

@@ -1,113 +1,94 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* contact_hertz.c -- elastic spheres after Hertz and Mindlin [LS 4.7-4.10].
- *
- * The stiffness at overlap delta is S_n = 2 E* sqrt(R* delta), and (2/3) S_n
- * delta is Hertz's force. Damping eta = 2 sqrt(5/6) ratio sqrt(S m*), with S_n
- * in the normal and S_t = k_t in the tangential direction, gives the same
- * restitution e at any speed.
- */
-#include <gsl/gsl_math.h>
-#include <gsl/gsl_sf_gamma.h>
+#include "particles/contact_hertz.h"
 
-#include "particles/contact_loop.h"
+#include "particles/contact_sweep.h"
 
-double contact_effective_young(double E_i, double E_j, double nu_i, double nu_j)
+double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
 {
     return 1.0 / ((1.0 - nu_i * nu_i) / E_i + (1.0 - nu_j * nu_j) / E_j);
 }
 
-double contact_effective_shear(double E_i, double E_j, double nu_i, double nu_j)
+double contact_hertz_shear(double E_i, double nu_i, double E_j, double nu_j)
 {
     const double G_i = E_i / (2.0 * (1.0 + nu_i));
     const double G_j = E_j / (2.0 * (1.0 + nu_j));
+
     return 1.0 / ((2.0 - nu_i) / G_i + (2.0 - nu_j) / G_j);
 }
 
-double contact_hertz_stiffness(double E, double R)
+double contact_hertz_radius(double R_i, double R_j)
 {
-    return 4.0 / 3.0 * E * sqrt(R); /* [LS 4.9] */
+    return R_i * R_j / (R_i + R_j);
 }
 
-double contact_hertz_force(double E, double R, double delta)
+double contact_hertz_stiffness(double E_star, double R_star)
 {
-    return contact_hertz_stiffness(E, R) * delta * sqrt(delta); /* [LS 4.7] */
+    return 4.0 / 3.0 * E_star * sqrt(R_star); /* [LS 4.9] */
 }
 
-double contact_mindlin_stiffness(double G, double R, double delta)
+/* The largest overlap turns the whole energy m* v^2 / 2 into (2/5) k_n
+ * delta^(5/2); the duration over delta / v is 2 int_0^1 dx/sqrt(1 - x^(5/2)).
+ */
+double contact_hertz_time(double E_star, double R_star, double m_star, double v)
 {
-    return 8.0 * G * sqrt(R * delta); /* [LS 4.10] */
+    const double k_n = contact_hertz_stiffness(E_star, R_star);
+    const double delta = pow(1.25 * m_star * v * v / k_n, 0.4);
+
+    return 2.9432750 * delta / v;
 }
 
-double contact_hertz_overlap(double E, double R, double m, double v)
+static struct contact_constants constants(const struct material *m)
 {
-    return pow(15.0 * m * v * v / (16.0 * E * sqrt(R)), 0.4);
+    const double E_star =
+        contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
+    const double G_star =
+        contact_hertz_shear(m->young, m->poisson, m->young, m->poisson);
+    return (struct contact_constants){
+        .normal = E_star,
+        .tangential = G_star,
+        .damping_n = contact_damping_ratio(m->restitution),
+        .damping_t = sqrt(4.0 * G_star / E_star), /* sqrt(S_t / S_n) */
+        .friction = m->friction,
+    };
 }
 
-/* t = 2 (delta/v) int_0^1 dx / sqrt(1 - x^2.5), the integral being
- * sqrt(pi) Gamma(7/5) / Gamma(9/10) = 1.4716. */
-double contact_hertz_time(double E, double R, double m, double v)
+static double duration(const struct material *m, double R_star, double m_star,
+                       double v)
 {
-    const double integral = sqrt(M_PI) * gsl_sf_gamma(1.4) / gsl_sf_gamma(0.9);
-    return 2.0 * integral * contact_hertz_overlap(E, R, m, v) / v;
+    const double E_star =
+        contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
+    return contact_hertz_time(E_star, R_star, m_star, v);
 }
 
-static struct contact_constants hertz_constants(const struct material *m)
+SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
+                                           double delta, double inverse_R,
+                                           double inverse_m)
 {
-    const struct contact_constants c = {
-        .E =
-            contact_effective_young(m->young, m->young, m->poisson, m->poisson),
-        .G =
-            contact_effective_shear(m->young, m->young, m->poisson, m->poisson),
-        .damping =
-            2.0 * sqrt(5.0 / 6.0) * contact_damping_ratio(m->restitution),
-        .friction = m->friction};
-    return c;
+    const double R_star = 1.0 / inverse_R, m_star = 1.0 / inverse_m;
+    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
+    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
+
+    return (struct sweep_response){
+        .elastic = contact_hertz_force(k->normal, R_star, delta),
+        .eta_n = eta,
+        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
+        .eta_t = k->damping_t * eta,
+    };
 }
 
-static inline void hertz_springs(const struct contact_constants *c,
-                                 double delta, double R, double m,
-                                 struct springs *s)
+static void sweep(struct strip *s, const struct bodies *b,
+                  const struct contact_constants *k, double dt)
 {
-    const double root = sqrt(R * delta);
-    const double S_n = 2.0 * c->E * root;
-
-    s->elastic = 2.0 / 3.0 * S_n * delta; /* [LS 4.7, 4.9] */
-    s->eta_n = c->damping * sqrt(S_n * m);
-    s->k_t = 8.0 * c->G * root; /* [LS 4.10] */
-    s->eta_t = c->damping * sqrt(s->k_t * m);
+    sweep_contacts(s, b, k, dt, respond, 0);
 }
 
-static void hertz_pairs(const struct contact_constants *c, double dt,
-                        const struct particles *ps, struct pair_list *list,
-                        int strip, struct strip_forces *f)
+static void sweep_periodic(struct strip *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt)
 {
-    contact_pairs(hertz_springs, 0, c, dt, ps, list, strip, f);
-}
-
-static void hertz_pairs_periodic(const struct contact_constants *c, double dt,
-                                 const struct particles *ps,
-                                 struct pair_list *list, int strip,
-                                 struct strip_forces *f)
-{
-    contact_pairs(hertz_springs, 1, c, dt, ps, list, strip, f);
-}
-
-static void hertz_walls(const struct contact_constants *c, double dt,
-                        const struct particles *ps, struct pair_list *list,
-                        int strip, struct strip_forces *f)
-{
-    contact_walls(hertz_springs, c, dt, ps, list, strip, f);
-}
-
-static double hertz_time(const struct material *m, double d, double v)
-{
-    const double mass = m->density * M_PI / 6.0 * d * d * d;
-    const double E =
-        contact_effective_young(m->young, m->young, m->poisson, m->poisson);
-    return contact_hertz_time(E, 0.25 * d, 0.5 * mass, v);
+    sweep_contacts(s, b, k, dt, respond, 1);
 }
 
 const struct contact_law contact_hertz = {
-    "hertz",         "LS 4.7-4.12", "elastic spheres after Hertz and Mindlin",
-    hertz_constants, hertz_pairs,   hertz_pairs_periodic,
-    hertz_walls,     hertz_time};
+    "hertz",       "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
+    constants,     duration,      sweep,
+    sweep_periodic};

@@ -1,88 +1,74 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* contact_linear.c -- spring and dashpot [LS 4.4].
- *
- * m* x'' + eta x' + k x = 0 for the overlap: every collision takes the same
- * time and gives back the same share e of the speed. In the tangential
- * direction a sphere resists with (2/7) m*; with k_t = (2/7) k and eta_t =
- * (2/7) eta both directions swing with one period.
- */
+#include "particles/contact_linear.h"
+
 #include <gsl/gsl_math.h>
 
-#include "particles/contact_loop.h"
+#include "particles/contact_sweep.h"
 
-double contact_effective_mass(double m_i, double m_j)
-{
-    return m_i * m_j / (m_i + m_j);
-}
-
-double contact_damping_ratio(double e)
-{
-    const double l = log(e);
-    return -l / sqrt(M_PI * M_PI + l * l);
-}
+static const double sticking_mass = 2.0 / 7.0; /* [-] of m*, for a sphere */
 
 double contact_linear_damping(double k, double e, double m_i, double m_j)
 {
-    return 2.0 * contact_damping_ratio(e) *
-           sqrt(contact_effective_mass(m_i, m_j) * k); /* [LS 4.4] */
+    return contact_linear_dashpot(contact_damping_ratio(e), k,
+                                  contact_linear_mass(m_i, m_j));
 }
 
-double contact_linear_time(double k, double e, double m_i, double m_j)
+double contact_linear_time(double k, double e, double m_star)
 {
-    const double m = contact_effective_mass(m_i, m_j);
-    const double half = contact_linear_damping(k, e, m_i, m_j) / (2.0 * m);
-    return M_PI / sqrt(k / m - half * half);
+    const double eta = contact_linear_damping(k, e, 2 * m_star, 2 * m_star);
+    const double decay = eta / (2.0 * m_star);
+    const double w2 = k / m_star - decay * decay;
+
+    return w2 > 0.0 ? M_PI / sqrt(w2) : HUGE_VAL; /* [LS 4.4] */
 }
 
-static struct contact_constants linear_constants(const struct material *m)
+static struct contact_constants constants(const struct material *m)
 {
-    const struct contact_constants c = {
-        .k = m->stiffness,
-        .damping = 2.0 * contact_damping_ratio(m->restitution),
-        .friction = m->friction};
-    return c;
+    const double ratio = m->tangential > 0.0 ? m->tangential : sticking_mass;
+    return (struct contact_constants){
+        .normal = m->stiffness,
+        .tangential = ratio * m->stiffness,
+        .damping_n = contact_damping_ratio(m->restitution),
+        .damping_t = sqrt(sticking_mass * ratio),
+        .friction = m->friction,
+    };
 }
 
-static inline void linear_springs(const struct contact_constants *c,
-                                  double delta, double R, double m,
-                                  struct springs *s)
+static double duration(const struct material *m, double R_star, double m_star,
+                       double v)
 {
-    (void)R;
-    s->elastic = c->k * delta;
-    s->eta_n = c->damping * sqrt(c->k * m);
-    s->k_t = 2.0 / 7.0 * c->k;
-    s->eta_t = 2.0 / 7.0 * s->eta_n;
+    (void)R_star, (void)v; /* a linear spring takes its time at any speed */
+    return contact_linear_time(m->stiffness, m->restitution, m_star);
 }
 
-static void linear_pairs(const struct contact_constants *c, double dt,
-                         const struct particles *ps, struct pair_list *list,
-                         int strip, struct strip_forces *f)
+SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
+                                           double delta, double inverse_R,
+                                           double inverse_m)
 {
-    contact_pairs(linear_springs, 0, c, dt, ps, list, strip, f);
+    const double eta =
+        contact_linear_dashpot(k->damping_n, k->normal, 1.0 / inverse_m);
+
+    (void)inverse_R;
+    return (struct sweep_response){
+        .elastic = contact_linear_force(k->normal, delta),
+        .eta_n = eta,
+        .k_t = k->tangential,
+        .eta_t = k->damping_t * eta,
+    };
 }
 
-static void linear_pairs_periodic(const struct contact_constants *c, double dt,
-                                  const struct particles *ps,
-                                  struct pair_list *list, int strip,
-                                  struct strip_forces *f)
+static void sweep(struct strip *s, const struct bodies *b,
+                  const struct contact_constants *k, double dt)
 {
-    contact_pairs(linear_springs, 1, c, dt, ps, list, strip, f);
+    sweep_contacts(s, b, k, dt, respond, 0);
 }
 
-static void linear_walls(const struct contact_constants *c, double dt,
-                         const struct particles *ps, struct pair_list *list,
-                         int strip, struct strip_forces *f)
+static void sweep_periodic(struct strip *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt)
 {
-    contact_walls(linear_springs, c, dt, ps, list, strip, f);
-}
-
-static double linear_time(const struct material *m, double d, double v)
-{
-    const double mass = m->density * M_PI / 6.0 * d * d * d;
-    (void)v;
-    return contact_linear_time(m->stiffness, m->restitution, mass, mass);
+    sweep_contacts(s, b, k, dt, respond, 1);
 }
 
 const struct contact_law contact_linear = {
-    "linear",     "LS 4.4, 4.8",         "spring and dashpot", linear_constants,
-    linear_pairs, linear_pairs_periodic, linear_walls,         linear_time};
+    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
+    duration, sweep,         sweep_periodic};

@@ -2,264 +2,281 @@
 #include "particles/dem.h"
 
 #include <math.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
 
+/* The contacts are chosen for about so many steps ahead, and with a margin of
+ * at least d / MARGIN_PARTS: the optimum is flat. */
+static const double steps_ahead = 12.0;
+enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
+
 struct dem {
-    struct particles *ps;
     struct dem_options options;
     struct contact_constants constants;
+    contact_sweep *sweep;
     struct neighbours *neighbours;
-    double *load[6];  /* [N], [N m] contact forces and torques, attached */
-    double *spill[6]; /* the same, from the strip before */
-    double *ones;     /* [m/s] fastest of each strip */
-    double travel;    /* [m] nobody has moved further since the last look */
-    int listed;       /* 0: no list yet */
-    struct dem_report report;
+    double least_margin; /* [m] */
+    long done;           /* [-] steps of the run at hand */
+    double overlap;      /* [-] largest of the last run */
 };
 
-static double largest(const struct particles *ps)
+static double mean_diameter(const struct particles *ps)
 {
-    double d = 0.0;
+    double sum = 0.0;
 
     for (int i = 0; i < ps->n; i++)
-        d = fmax(d, ps->d[i]);
-    return d > 0.0 ? d : 1.0;
+        sum += ps->d[i];
+    return ps->n > 0 ? sum / ps->n : 0.0;
+}
+
+static double skin_of(const struct dem_options *o, const struct particles *ps)
+{
+    return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
+}
+
+static int options_wrong(const struct dem_options *o,
+                         const struct particles *ps)
+{
+    const double skin = skin_of(o, ps);
+    double widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    for (int k = 0; k < 3; k++)
+        if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {
+            fprintf(stderr,
+                    "winnow: the box is %g m long in the periodic direction "
+                    "%c; particles of %g m with a skin of %g m need %g m\n",
+                    o->hi[k] - o->lo[k], 'x' + k, widest, skin,
+                    2.0 * (widest + skin));
+            return 1;
+        }
+    return 0;
 }
 
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
-    struct dem *const dem = alloc_zeroed(1, sizeof *dem);
-    const double d_max = largest(ps);
+    const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const struct domain box = domain_create(o->lo, o->hi, o->periodic);
 
-    dem->ps = ps;
+    if (options_wrong(o, ps)) return NULL;
+    struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
-    if (o->skin <= 0.0) dem->options.skin = 0.3 * d_max;
     dem->constants = o->law->constants(&o->material);
-    dem->neighbours = neighbours_create(ps, o->low, o->high, o->periodic,
-                                        dem->options.skin, d_max);
-    for (int a = 0; a < 6; a++) {
-        dem->load[a] = alloc_doubles(ps->capacity);
-        dem->spill[a] = alloc_doubles(ps->capacity);
-        particles_attach(ps, dem->load[a], 1);
-    }
-    dem->ones = alloc_doubles(MOST_STRIPS);
-    dem->report.lost_id = -1;
+    dem->sweep = any ? o->law->sweep_periodic : o->law->sweep;
+    dem->neighbours = neighbours_create(ps, &box);
     return dem;
 }
 
 void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
-    for (int a = 0; a < 6; a++) {
-        particles_detach(dem->ps, dem->load[a]);
-        free(dem->load[a]);
-        free(dem->spill[a]);
-    }
     neighbours_free(dem->neighbours);
-    free(dem->ones);
     free(dem);
 }
 
-void dem_forget(struct dem *dem)
+void dem_changed(struct dem *dem)
 {
-    dem->listed = 0;
-    for (int e = 0; e < dem->neighbours->pairs.n; e++)
-        pair_list_forget(&dem->neighbours->pairs, e);
-    for (int e = 0; e < dem->neighbours->walls.n; e++)
-        pair_list_forget(&dem->neighbours->walls, e);
+    dem->neighbours->stale = 1;
 }
 
-/* --- integration -----------------------------------------------------------
- */
-
-/* Velocities of particles first .. last - 1 by the present forces for dt; I =
- * m d^2 / 10 [LS 4.1]. */
-static void kick(struct dem *dem, int first, int last, double dt)
+struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
-    struct particles *const ps = dem->ps;
-    double *const *const F = dem->load;
+    const int *const id = dem->neighbours->ps->id;
+    const struct kept *const kept = neighbours_keep(dem->neighbours, n);
+    struct dem_spring *const list = alloc_zeroed((size_t)*n, sizeof *list);
 
-    for (int i = first; i < last; i++) {
-        const double per_m = dt / ps->m[i];
-        const double per_I = 10.0 * per_m / (ps->d[i] * ps->d[i]);
-        ps->vx[i] += (F[0][i] + ps->ex[i]) * per_m;
-        ps->vy[i] += (F[1][i] + ps->ey[i]) * per_m;
-        ps->vz[i] += (F[2][i] + ps->ez[i]) * per_m;
-        ps->wx[i] += F[3][i] * per_I;
-        ps->wy[i] += F[4][i] * per_I;
-        ps->wz[i] += F[5][i] * per_I;
+    for (int q = 0; q < *n; q++) {
+        list[q].id = id[kept[q].owner];
+        list[q].other =
+            kept[q].partner < 0 ? kept[q].partner : id[kept[q].partner];
+        for (int k = 0; k < 3; k++)
+            list[q].xi[k] = kept[q].spring[k];
+    }
+    return list;
+}
+
+/* Where each id is now. */
+static int *places(const struct particles *ps)
+{
+    int highest = -1;
+
+    for (int i = 0; i < ps->n; i++)
+        highest = ps->id[i] > highest ? ps->id[i] : highest;
+    int *const place = alloc_ints(highest + 1);
+    for (int i = 0; i < ps->n; i++)
+        place[ps->id[i]] = i;
+    return place;
+}
+
+void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
+{
+    int *const place = places(dem->neighbours->ps);
+    struct kept *const kept = neighbours_recall(dem->neighbours, n);
+
+    for (int q = 0; q < n; q++) {
+        kept[q].owner = place[list[q].id];
+        kept[q].partner =
+            list[q].other < 0 ? list[q].other : place[list[q].other];
+        for (int k = 0; k < 3; k++)
+            kept[q].spring[k] = list[q].xi[k];
+    }
+    free(place);
+}
+
+void dem_change_material(struct dem *dem, const struct material *m)
+{
+    dem->options.material = *m;
+    dem->constants = dem->options.law->constants(m);
+}
+
+/* The functions down to move() are called by every thread of the team. */
+
+static void advance(const struct dem *dem, double kick, double drift)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
+                       own->fastest);
     }
 }
 
-/* Positions; returns the square of the highest speed. */
-static double drift(struct particles *ps, int first, int last, double dt)
+static void forces(const struct dem *dem, double dt)
 {
-    double most = 0.0;
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
 
-    for (int i = first; i < last; i++) {
-        const double v2 = ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                          ps->vz[i] * ps->vz[i];
-        ps->x[i] += ps->vx[i] * dt;
-        ps->y[i] += ps->vy[i] * dt;
-        ps->z[i] += ps->vz[i] * dt;
-        most = v2 > most ? v2 : most;
-    }
-    return most;
+    for (int s = mine.first; s < mine.last; s++)
+        dem->sweep(&nb->strips[s], nb->bodies, &dem->constants, dt);
+#pragma omp barrier
+    for (int s = mine.first; s < mine.last; s++)
+        strip_fold(nb->strips, nb->count, s, nb->bodies->n);
 }
 
-/* Kick and drift of all strips; nobody has then moved further than the fastest
- * times dt. */
-static void move(struct dem *dem, double kick_time)
+/* Lists and forces for particles that were changed from outside; no time
+ * passes. */
+static int start(struct dem *dem, double *margin)
 {
-    const struct pair_list *const l = &dem->neighbours->pairs;
-    const double dt = dem->options.step;
-    double most = 0.0;
-
-#pragma omp parallel for schedule(static) if (l->n_strips > 1)
-    for (int s = 0; s < l->n_strips; s++) {
-        const int first = l->particle_start[s], last = l->particle_start[s + 1];
-        kick(dem, first, last, kick_time);
-        dem->ones[s] = drift(dem->ps, first, last, dt);
-    }
-    for (int s = 0; s < l->n_strips; s++)
-        most = fmax(most, dem->ones[s]);
-    dem->report.max_speed = sqrt(most);
-    dem->travel += dem->report.max_speed * dt;
-}
-
-/* --- forces ------------------------------------------------------------------
- */
-
-static void clear_loads(struct dem *dem, int first, int last)
-{
-    const size_t size = (size_t)(last - first) * sizeof(double);
-
-    for (int a = 0; a < 6; a++) {
-        memset(&dem->load[a][first], 0, size);
-        memset(&dem->spill[a][first], 0, size);
-    }
-}
-
-/* The forces within a strip and on the next one. */
-static void strip_force(struct dem *dem, int s, struct strip_forces *f)
-{
-    const struct contact_law *const law = dem->options.law;
-    const int *const periodic = dem->options.periodic;
-
-    for (int a = 0; a < 6; a++) {
-        f->own[a] = dem->load[a];
-        f->spill[a] = dem->spill[a];
-    }
-    f->contacts = 0;
-    f->max_overlap = 0.0;
-    (periodic[0] || periodic[1] || periodic[2]
-         ? law->pairs_periodic
-         : law->pairs)(&dem->constants, dem->options.step, dem->ps,
-                       &dem->neighbours->pairs, s, f);
-    law->walls(&dem->constants, dem->options.step, dem->ps,
-               &dem->neighbours->walls, s, f);
-}
-
-static void add_spill(struct dem *dem, int first, int last)
-{
-    for (int a = 0; a < 6; a++)
-        for (int i = first; i < last; i++)
-            dem->load[a][i] += dem->spill[a][i];
-}
-
-static void forces(struct dem *dem)
-{
-    const struct pair_list *const l = &dem->neighbours->pairs;
-    struct strip_forces f[MOST_STRIPS];
-
-#pragma omp parallel if (l->n_strips > 1)
-    {
-#pragma omp for schedule(static)
-        for (int s = 0; s < l->n_strips; s++)
-            clear_loads(dem, l->particle_start[s], l->particle_start[s + 1]);
-#pragma omp for schedule(static)
-        for (int s = 0; s < l->n_strips; s++)
-            strip_force(dem, s, &f[s]);
-#pragma omp for schedule(static)
-        for (int s = 0; s < l->n_strips; s++)
-            add_spill(dem, l->particle_start[s], l->particle_start[s + 1]);
-    }
-    dem->report.contacts = 0;
-    for (int s = 0; s < l->n_strips; s++) {
-        dem->report.contacts += f[s].contacts;
-        dem->report.max_overlap =
-            fmax(dem->report.max_overlap, f[s].max_overlap);
-    }
-}
-
-/* --- the list
- * ------------------------------------------------------------------ */
-
-/* Lost: the centre further outside than its radius, or nowhere. */
-static int count_lost(struct dem *dem)
-{
-    const struct particles *const ps = dem->ps;
-    const struct dem_options *const o = &dem->options;
-    const double *const x[3] = {ps->x, ps->y, ps->z};
-    struct dem_report *const r = &dem->report;
-
-    r->lost = 0;
-    for (int i = 0; i < ps->n; i++) {
-        int inside = 1;
-        for (int a = 0; a < 3; a++)
-            inside &=
-                isfinite(x[a][i]) &&
-                (o->periodic[a] || (x[a][i] > o->low[a] - 0.5 * ps->d[i] &&
-                                    x[a][i] < o->high[a] + 0.5 * ps->d[i]));
-        if (inside) continue;
-        if (r->lost++ > 0) continue;
-        r->lost_id = ps->id[i];
-        for (int a = 0; a < 3; a++)
-            r->lost_at[a] = x[a][i];
-    }
-    return r->lost;
-}
-
-/* The list is good until somebody has moved half the skin. The fastest times
- * dt, added up, bounds that; when the bound is used up we measure. */
-static int keep_list(struct dem *dem)
-{
-    const double most = 0.5 * dem->options.skin;
-
-    if (dem->listed && dem->travel < most) return 0;
-    if (count_lost(dem) > 0) return 1;
-    if (dem->listed) {
-        dem->travel = neighbours_moved(dem->neighbours, dem->ps);
-        if (dem->travel + 2.0 * dem->report.max_speed * dem->options.step <
-            most)
-            return 0;
-    }
-    neighbours_rebuild(dem->neighbours, dem->ps);
-    dem->report.rebuilds++;
-    dem->travel = 0.0;
-    dem->listed = 1;
+    *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
+    if (*margin < 0.0) return 1;
+    forces(dem, 0.0);
     return 0;
 }
 
-int dem_run(struct dem *dem, int steps, struct dem_report *report)
+static void finish(struct dem *dem)
 {
-    const double dt = dem->options.step;
-    int failed = dem->listed ? 0 : keep_list(dem);
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
 
-    dem->report.max_overlap = 0.0;
-    for (int k = 0; k < steps && !failed; k++) {
-        move(dem, k == 0 ? 0.5 * dt : dt); /* two half kicks are one */
-        failed = keep_list(dem);
-        if (failed) break;
-        forces(dem);
-        dem->report.steps++;
+    neighbours_look(nb);
+    for (int s = mine.first; s < mine.last; s++)
+        strip_measure(&nb->strips[s], nb->bodies);
+}
+
+/* The first drift follows half a kick, each later one a whole kick, and the
+ * last half kick brings the velocities to the time of the places. Each thread
+ * counts for itself what all of them see: margin, spent. */
+static void move(struct dem *dem, int steps)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const double dt = dem->options.step;
+    double margin = nb->margin, spent = nb->spent;
+    int k = 0;
+
+    if (nb->stale && start(dem, &margin) != 0) return;
+    if (steps > 0) advance(dem, 0.5 * dt, dt);
+    for (; k < steps; k++) {
+        const int last = k + 1 == steps;
+#pragma omp barrier
+        const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
+        spent += closer;
+        if (spent > margin) {
+            margin = neighbours_refresh(
+                nb, fmax(dem->least_margin, steps_ahead * closer));
+            spent = 0.0;
+        }
+        if (margin < 0.0) break;
+        forces(dem, dt);
+        advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
     }
-    if (!failed && steps > 0) kick(dem, 0, dem->ps->n, 0.5 * dt);
-    if (!failed) failed = count_lost(dem) > 0;
-    *report = dem->report;
-    return failed;
+    finish(dem);
+#pragma omp barrier
+#pragma omp master
+    {
+        nb->margin = margin;
+        nb->spent = spent;
+        nb->stale = 0;
+        dem->done = k;
+    }
+}
+
+static void report_lost(const struct neighbours *nb, struct dem_report *r)
+{
+    r->lost_id = -1;
+    for (int s = 0; s < nb->count; s++) {
+        const struct bodies_survey *const found = &nb->strips[s].survey;
+        if (found->lost > 0 && r->lost == 0) {
+            r->lost_id = nb->ps->id[found->first];
+            for (int k = 0; k < 3; k++)
+                r->lost_at[k] = nb->bodies->place[found->first][k];
+        }
+        r->lost += found->lost;
+    }
+}
+
+static void report(struct dem *dem, long rebuilds, struct dem_report *r)
+{
+    const struct neighbours *const nb = dem->neighbours;
+
+    *r = (struct dem_report){.steps = dem->done, .rebuilds = rebuilds};
+    for (int s = 0; s < nb->count; s++) {
+        const struct strip *const own = &nb->strips[s];
+        r->contacts += own->measures.contacts;
+        r->max_overlap = fmax(r->max_overlap, own->deepest);
+        r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
+        r->translation += own->measures.translation;
+        r->rotation += own->measures.rotation;
+    }
+    report_lost(nb, r);
+    /* who is lost was too deep in something before this run saw it */
+    const double now = r->max_overlap;
+    if (r->lost > 0) r->max_overlap = fmax(now, dem->overlap);
+    dem->overlap = now;
+}
+
+static int team_size(const struct neighbours *nb)
+{
+#ifdef _OPENMP
+    const int most = omp_get_max_threads();
+    return most < nb->count ? most : nb->count;
+#else
+    (void)nb;
+    return 1;
+#endif
+}
+
+int dem_run(struct dem *dem, int steps, struct dem_report *r)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const long before = nb->rebuilds;
+
+    if (nb->stale) {
+        nb->skin = skin_of(&dem->options, nb->ps);
+        dem->least_margin = mean_diameter(nb->ps) / MARGIN_PARTS;
+    }
+    neighbours_open(nb);
+#pragma omp parallel num_threads(team_size(nb))
+    move(dem, steps);
+    neighbours_close(nb);
+    report(dem, nb->rebuilds - before, r);
+    return r->lost > 0;
 }

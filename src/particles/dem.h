@@ -1,7 +1,15 @@
-/* dem.h -- the particles' own steps.  Chapter 2.
+/* dem.h -- the motion of the particles.  Chapter 2.
  *
- * Velocity Verlet: half a kick, a drift, new forces, half a kick. The outside
- * forces ex, ey, ez stay the same during one dem_run.
+ *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
+ *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
+ *
+ * with the contact forces F_c and torques T_c of contact.h and an outside
+ * force F (gravity, the fluid) that is constant during a run. Velocity Verlet;
+ * the force is taken with the velocity of half a step before, which keeps one
+ * evaluation a step and second order for what does not damp.
+ *
+ * The same bits for any number of threads. Nothing is allocated in a run but
+ * lists that grow until they fit.
  */
 #ifndef DEM_H
 #define DEM_H
@@ -12,36 +20,58 @@
 struct dem_options {
     const struct contact_law *law;
     struct material material;
-    double step;     /* [s] */
-    double skin;     /* [m] of the neighbour list; 0: 0.3 of the largest d */
-    double low[3];   /* [m] the box; its sides are walls ... */
-    double high[3];  /* [m] */
-    int periodic[3]; /* ... unless the direction is periodic */
+    double step;         /* [s] */
+    double skin;         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3]; /* [m] walls of the box */
+    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
+                            least 2 (d + skin) long there */
 };
 
-/* What the last dem_run did. */
 struct dem_report {
-    long steps;    /* [-] so far, over all runs */
-    long rebuilds; /* [-] of the neighbour list, so far */
-    int contacts;  /* [-] touching pairs and walls at the last step */
-    double
-        max_overlap;   /* [-] over the mean diameter of the pair, in any step */
-    double max_speed;  /* [m/s] at the last step */
-    int lost;          /* [-] particles outside the box, or not finite */
-    int lost_id;       /* [-] the first of them; -1 */
-    double lost_at[3]; /* [m] where it is */
+    long steps;         /* [-] of this run, that were done */
+    long rebuilds;      /* [-] of the neighbour list, in this run */
+    int contacts;       /* [-] touching at the end, walls included */
+    double max_overlap; /* [-] largest of the run, over the mean diameter
+                           of the two */
+    double max_speed;   /* [m/s] at the end */
+    double translation; /* [J] kinetic energy at the end, (1/2) m v^2 */
+    double rotation;    /* [J] and (1/2) I omega^2 */
+    int lost;           /* [-] particles that left the box by more than
+                           their radius or are nowhere */
+    int lost_id;        /* [-] the first of them; -1: none */
+    double lost_at[3];  /* [m] where it was found */
 };
 
 struct dem;
 
-/* The particles are borrowed; they may be added to only before. */
+/* ps is borrowed. NULL after a message if the options do not fit. */
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
 void dem_free(struct dem *dem);
 
-/* `steps` steps. Non-zero if a particle was lost; the report says which. */
-int dem_run(struct dem *dem, int steps, struct dem_report *report);
+/* Moves the particles by so many steps. Non-zero if one is lost: then the run
+ * ended where this was seen. The particles may have changed places. */
+int dem_run(struct dem *dem, int steps, struct dem_report *r);
 
-/* Forgets all contacts: the next contact begins without a spring. */
-void dem_forget(struct dem *dem);
+/* To be called when particles were moved or added from outside. Springs stay
+ * with their pairs as long as the indices do. */
+void dem_changed(struct dem *dem);
+
+/* The tangential springs of all touching pairs: what a state consists of
+ * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
+ * the lower and 2 k + 1 the upper wall of direction k. */
+struct dem_spring {
+    int id, other;
+    double xi[3]; /* [m] of id against other */
+};
+
+/* A new list of them, released with free(). */
+struct dem_spring *dem_springs(struct dem *dem, int *n);
+
+/* Starts the next run with these springs and no others. */
+void dem_recall(struct dem *dem, const struct dem_spring *list, int n);
+
+/* Another restitution or friction from now on; the springs stay as they are.
+ */
+void dem_change_material(struct dem *dem, const struct material *m);
 
 #endif

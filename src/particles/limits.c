@@ -2,21 +2,40 @@
 #include "particles/limits.h"
 
 #include <gsl/gsl_math.h>
-#include <math.h>
+
+#include "particles/contact_hertz.h"
+
+static const double steps_a_contact = 25.0, least_steps_a_contact = 15.0;
+static const double share_of_rayleigh = 0.1;
 
 double limits_rayleigh(double r, double rho, double G, double nu)
 {
-    return M_PI * r * sqrt(rho / G) / (0.1631 * nu + 0.8766);
+    return M_PI * r * sqrt(rho / G) / (0.1631 * nu + 0.8766); /* [LS 5.11] */
 }
 
-/* At 15 steps a collision, velocity Verlet with damping misses the rebound
- * speed by half a per cent; at 25 by a fifth. */
-double limits_safe_step(double collision_time)
+double limits_contact_time(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v)
 {
-    return collision_time / 15.0;
+    const double mass = rho * M_PI / 6.0 * d * d * d;
+    return law->duration(m, 0.25 * d, 0.5 * mass, v);
 }
 
-double limits_suggested_step(double collision_time)
+double limits_step(const struct contact_law *law, const struct material *m,
+                   double d, double rho, double v)
 {
-    return collision_time / 25.0;
+    const double contact = limits_contact_time(law, m, d, rho, v);
+    const double step = contact / steps_a_contact;
+
+    if (law != &contact_hertz) return step;
+    const double G = m->young / (2.0 * (1.0 + m->poisson));
+    const double T_R = limits_rayleigh(0.5 * d, rho, G, m->poisson);
+    return fmin(step, share_of_rayleigh * T_R);
+}
+
+double limits_longest_step(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v)
+{
+    return limits_contact_time(law, m, d, rho, v) / least_steps_a_contact;
 }

@@ -1,15 +1,35 @@
-/* limits.h -- how long a particle step may be.  Chapter 2. */
+/* limits.h -- how long a step of the particles may be.  Chapter 2.
+ *
+ * Two measures of the same thing, the time in which a grain answers a push:
+ * the duration of an impact, and the Rayleigh time in which a surface wave
+ * runs over a sphere [LS 5.11]. A step must be a small part of either.
+ */
 #ifndef LIMITS_H
 #define LIMITS_H
 
-/* T_R = pi r sqrt(rho / G) / (0.1631 nu + 0.8766) [s] [LS 5.11]: the time in
- * which a wave runs over the surface of a sphere. r [m], rho [kg/m^3], G
- * [Pa]. */
+#include "particles/contact.h"
+
+/* T_R = pi r sqrt(rho / G) / (0.1631 nu + 0.8766) [s] [LS 5.11]; r [m], rho
+ * [kg/m^3], G [Pa]. */
 double limits_rayleigh(double r, double rho, double G, double nu);
 
-/* Steps that resolve a collision of this length [s]: one fifteenth of it is
- * safe, one twenty-fifth is what we suggest. */
-double limits_safe_step(double collision_time);
-double limits_suggested_step(double collision_time);
+/* Duration [s] of the impact of two equal spheres, the shortest that spheres
+ * of at least d [m] and rho [kg/m^3] can have; relative speed v [m/s]. */
+double limits_contact_time(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v);
+
+/* What we suggest: 1/25 of the contact time, and for law "hertz" at most 1/10
+ * of the Rayleigh time, which holds for any speed. With 25 steps a contact the
+ * rebound keeps e to about 1 % (test_limits), and a sphere amid twelve others,
+ * whose springs act together on it, still has about 12 steps in its fastest
+ * oscillation. */
+double limits_step(const struct contact_law *law, const struct material *m,
+                   double d, double rho, double v);
+
+/* The longest that still resolves a contact: 1/15 of its time. */
+double limits_longest_step(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v);
 
 #endif

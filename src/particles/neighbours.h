@@ -1,35 +1,66 @@
-/* neighbours.h -- makes the lists of pairs, and makes them anew.  Chapter 2. */
+/* neighbours.h -- when the lists are made anew, and how.  Chapter 2.
+ *
+ * Particles that move at most v come closer by at most 2 v dt in a step
+ * [LS 5.16]. The contacts were chosen with a margin; while the sum of 2 v dt
+ * stays below it, no pair that is not among them can touch. Then they are
+ * chosen again from the vicinity, which is complete for gaps up to the skin
+ * less twice the largest distance anybody moved since it was made (measured,
+ * not estimated). When that is too little, the particles are sorted and the
+ * vicinity is made anew; the springs go with their pairs.
+ *
+ * The functions are called by every thread of a team together; each works on
+ * its share of the strips.
+ */
 #ifndef NEIGHBOURS_H
 #define NEIGHBOURS_H
 
-#include "particles/bins.h"
-#include "particles/pair_list.h"
-#include "particles/particles.h"
+#include "particles/grid.h"
+#include "particles/strip.h"
 
 struct neighbours {
-    double skin; /* [m] */
-    int periodic[3];
-    struct pair_list pairs, walls;
-    struct bins *bins;
-    int *row;             /* [-] capacity + 1; first pair of particle i */
-    int *place;           /* [-] where the sort has put a particle */
-    struct pair_list old; /* touching contacts carried over */
-    double *x0, *y0, *z0; /* [m] where the particles were then */
+    struct particles *ps; /* borrowed */
+    struct bodies *bodies;
+    struct grid *grid;
+    struct strip *strips;
+    int count;     /* [-] strips */
+    int *rank;     /* [-] new place of each particle after a sort */
+    double skin;   /* [m] set by the caller before neighbours_open */
+    double margin; /* [m] of the contacts */
+    double spent;  /* [m] of it since they were chosen */
+    int stale;     /* [-] 1: the particles were changed from outside */
+    int recalled;  /* [-] 1: the kept springs are given, not taken */
+    long rebuilds;
 };
 
-/* Lists for spheres up to diameter d_max [m] in the box low .. high. */
-struct neighbours *neighbours_create(const struct particles *ps,
-                                     const double low[3], const double high[3],
-                                     const int periodic[3], double skin,
-                                     double d_max);
+struct neighbours *neighbours_create(struct particles *ps,
+                                     const struct domain *box);
 void neighbours_free(struct neighbours *nb);
 
-/* Wraps the particles into periodic directions, sorts them, and lists all
- * pairs closer than touching plus skin. Touching pairs keep their springs. */
-void neighbours_rebuild(struct neighbours *nb, struct particles *ps);
+/* Strips first ... last - 1 are this thread's. */
+struct neighbours_share {
+    int first, last;
+};
+struct neighbours_share neighbours_share(const struct neighbours *nb);
 
-/* How far a particle has moved at most since then [m]. */
-double neighbours_moved(const struct neighbours *nb,
-                        const struct particles *ps);
+/* The springs of all touching pairs, collected from the strips; or room for
+ * `n` that the next run starts with. Borrowed. */
+const struct kept *neighbours_keep(struct neighbours *nb, int *n);
+struct kept *neighbours_recall(struct neighbours *nb, int n);
+
+/* Before a team starts: from the particles to the bodies; after it ended:
+ * back. */
+void neighbours_open(struct neighbours *nb);
+void neighbours_close(struct neighbours *nb);
+
+/* Largest speed that the last bodies_advance of any strip bounds [m/s]. */
+double neighbours_speed(const struct neighbours *nb);
+
+/* Chooses the contacts, with a margin of `wanted` [m] or what the skin allows,
+ * from a vicinity that is made anew where needed. Gives the margin, or -1 if
+ * a particle is lost. */
+double neighbours_refresh(struct neighbours *nb, double wanted);
+
+/* Looks for lost particles in this thread's share. */
+void neighbours_look(struct neighbours *nb);
 
 #endif

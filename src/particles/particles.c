@@ -8,8 +8,9 @@
 
 #include "base/alloc.h"
 
-enum { MOST_ATTACHED = 64, MOST_WIDTH = 8 };
+enum { MOST_ATTACHED = 64, MOST_WIDTH = 8, OWN = 17 };
 
+/* Every array that follows the particles; the first OWN are their own. */
 struct attachments {
     int n;
     double *array[MOST_ATTACHED];
@@ -21,16 +22,17 @@ struct attachments {
 struct particles *particles_create(int capacity)
 {
     struct particles *const ps = alloc_zeroed(1, sizeof *ps);
-    double **const own[] = {&ps->x,  &ps->y,  &ps->z,  &ps->vx, &ps->vy,
-                            &ps->vz, &ps->wx, &ps->wy, &ps->wz, &ps->d,
-                            &ps->m,  &ps->ex, &ps->ey, &ps->ez};
+    double **const own[OWN] = {&ps->x,   &ps->y,  &ps->z,  &ps->vx, &ps->vy,
+                               &ps->vz,  &ps->wx, &ps->wy, &ps->wz, &ps->d,
+                               &ps->m,   &ps->ex, &ps->ey, &ps->ez, &ps->cfx,
+                               &ps->cfy, &ps->cfz};
 
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
     ps->attached = alloc_zeroed(1, sizeof *ps->attached);
     ps->attached->room = alloc_doubles(MOST_WIDTH * capacity);
     ps->attached->id_room = alloc_ints(capacity);
-    for (size_t a = 0; a < sizeof own / sizeof *own; a++) {
+    for (int a = 0; a < OWN; a++) {
         *own[a] = alloc_doubles(capacity);
         particles_attach(ps, *own[a], 1);
     }
@@ -40,11 +42,8 @@ struct particles *particles_create(int capacity)
 void particles_free(struct particles *ps)
 {
     if (ps == NULL) return;
-    double *const own[] = {ps->x,  ps->y,  ps->z,  ps->vx, ps->vy,
-                           ps->vz, ps->wx, ps->wy, ps->wz, ps->d,
-                           ps->m,  ps->ex, ps->ey, ps->ez};
-    for (size_t a = 0; a < sizeof own / sizeof *own; a++)
-        free(own[a]);
+    for (int a = 0; a < OWN; a++)
+        free(ps->attached->array[a]);
     free(ps->id);
     free(ps->attached->room);
     free(ps->attached->id_room);
@@ -80,7 +79,7 @@ void particles_detach(struct particles *ps, const double *array)
 {
     struct attachments *const a = ps->attached;
 
-    for (int k = 0; k < a->n; k++)
+    for (int k = OWN; k < a->n; k++)
         if (a->array[k] == array) {
             a->n--;
             a->array[k] = a->array[a->n];
@@ -92,7 +91,7 @@ void particles_detach(struct particles *ps, const double *array)
 static void permute_array(double *array, int width, const int *order, int n,
                           double *room)
 {
-    memcpy(room, array, (size_t)(n * width) * sizeof *room);
+    memcpy(room, array, (size_t)n * (size_t)width * sizeof *room);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < width; k++)
             array[width * i + k] = room[width * order[i] + k];

@@ -9,13 +9,14 @@
 
 struct particles {
     int n, capacity;
-    double *x, *y, *z;    /* [m] centre */
-    double *vx, *vy, *vz; /* [m/s] velocity */
-    double *wx, *wy, *wz; /* [rad/s] angular velocity */
-    double *d;            /* [m] diameter */
-    double *m;            /* [kg] mass */
-    double *ex, *ey, *ez; /* [N] outside force, constant during dem_run */
-    int *id;              /* [-] 0, 1, ... in the order of creation */
+    double *x, *y, *z;       /* [m] centre */
+    double *vx, *vy, *vz;    /* [m/s] velocity */
+    double *wx, *wy, *wz;    /* [rad/s] angular velocity */
+    double *d;               /* [m] diameter */
+    double *m;               /* [kg] mass */
+    double *ex, *ey, *ez;    /* [N] outside force, constant during dem_run */
+    double *cfx, *cfy, *cfz; /* [N] contact force at the end of dem_run */
+    int *id;                 /* [-] 0, 1, ... in the order of creation */
     struct attachments *attached;
 };
 

@@ -14,7 +14,6 @@ static double real_or_zero(const struct settings *s, const char *path)
 struct material build_material(const struct settings *s)
 {
     const struct material m = {
-        .density = settings_real(s, "particles.grains.density"),
         .young = real_or_zero(s, "particles.grains.young"),
         .poisson = real_or_zero(s, "particles.grains.poisson"),
         .stiffness = real_or_zero(s, "particles.grains.stiffness"),
@@ -35,7 +34,7 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     settings_vector(s, "mesh.size", size);
     settings_flags(s, "mesh.periodic", o.periodic);
     for (int k = 0; k < 3; k++)
-        o.high[k] = size[k];
+        o.hi[k] = size[k];
     return o;
 }
 
@@ -45,12 +44,21 @@ struct bed_options build_bed_options(const struct settings *s)
         .count = settings_int(s, "particles.bed.count"),
         .diameter = settings_real(s, "particles.bed.diameter"),
         .density = settings_real(s, "particles.grains.density"),
-        .seed = settings_int(s, "particles.bed.seed"),
+        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),
         .settle = settings_real(s, "particles.bed.settle")};
 
     build_gravity(s, b.gravity);
     return b;
+}
+
+static int bed_lost(const struct bed_report *r)
+{
+    fprintf(stderr,
+            "winnow: %d particles left the box while the bed settled, the "
+            "first with id %d; is the box too small for its bed?\n",
+            r->dem.lost, r->dem.lost_id);
+    return 3;
 }
 
 /* The bed from its file, or made anew and kept there. */
@@ -61,25 +69,25 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     const char *const path = settings_has(s, "particles.bed.file")
                                  ? settings_text(s, "particles.bed.file")
                                  : NULL;
-    struct bed_report report;
+    struct bed_report r;
 
     sim->particles = particles_create(b.count);
-    const int found = path == NULL ? 1 : bed_read(path, sim->particles, &b, o);
-    if (found != 1) return found;
-    if (bed_fill(sim->particles, &b, o) != 0) return 2;
-    if (b.settle > 0.0 && b.count > 0) {
-        if (bed_settle(sim->particles, &b, o, &report) != 0) return 3;
+    sim->dem = dem_create(sim->particles, o);
+    if (sim->dem == NULL) return 2;
+    const int found = bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    if (found == BED_LOST) return bed_lost(&r);
+    if (found != BED_MADE) return 2;
+    if (r.steps > 0)
         fprintf(stderr,
                 "settled in %.3g s: height %.4g m, solid fraction %.3f, "
-                "kinetic energy %.1g m g d\n",
-                report.time, report.height, report.fraction,
-                report.kinetic_energy);
-    }
-    if (path != NULL && bed_write(path, sim->particles, &b, o) != 0) return 4;
+                "kinetic energy %.1g m g d%s\n",
+                r.time, r.height, r.packing, r.kinetic,
+                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
     return 0;
 }
 
-static void place_spheres(const struct settings *s, struct simulation *sim)
+static int place_spheres(const struct settings *s, struct simulation *sim,
+                         const struct dem_options *o)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
@@ -101,6 +109,8 @@ static void place_spheres(const struct settings *s, struct simulation *sim)
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
 }
 
 int build_particles(const struct settings *s, struct simulation *sim)
@@ -111,10 +121,9 @@ int build_particles(const struct settings *s, struct simulation *sim)
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);
     else
-        place_spheres(s, sim);
+        code = place_spheres(s, sim, &o);
     if (code != 0) return code;
     sim->held = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held, 3);
-    sim->dem = dem_create(sim->particles, &o);
     return 0;
 }

@@ -29,6 +29,7 @@ struct scales {
     double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
     double dx;         /* [m] smallest cell width along the flow */
     double d, d_most;  /* [m] smallest and largest diameter */
+    double density;    /* [kg/m^3] of the particles */
     double dt, dem_dt; /* [s] of the loop, of the particles */
     int dem_steps;     /* [-] in one step of the loop */
     double inlet;      /* [m/s] largest superficial velocity of an inlet */
@@ -46,6 +47,7 @@ static void particle_scales(const struct settings *s, struct scales *k)
 {
     const char *const list = "particles.place";
 
+    k->density = settings_real(s, "particles.grains.density");
     if (settings_has(s, "particles.bed")) {
         k->particles = settings_int(s, "particles.bed.count");
         k->d = k->d_most = settings_real(s, "particles.bed.diameter");
@@ -117,7 +119,7 @@ static void print_resolution(const struct scales *k)
 static void print_rayleigh(const struct scales *k, const struct material *m)
 {
     const double G = m->young / (2.0 * (1.0 + m->poisson));
-    const double T_R = limits_rayleigh(0.5 * k->d, m->density, G, m->poisson);
+    const double T_R = limits_rayleigh(0.5 * k->d, k->density, G, m->poisson);
 
     line("T_R", T_R, "s", "Rayleigh's wave around the smallest particle");
     line("particles.step / T_R", k->dem_dt / T_R, "-", "");
@@ -128,14 +130,17 @@ static void print_contacts(const struct settings *s, const struct scales *k)
     const struct material m = build_material(s);
     const struct contact_law *const law =
         contact_law_named(settings_text(s, "particles.contact"));
-    const double t_c = law->time(&m, k->d, k->impact);
-    const double safe = limits_safe_step(t_c);
+    const double t_c =
+        limits_contact_time(law, &m, k->d, k->density, k->impact);
+    const double safe =
+        limits_longest_step(law, &m, k->d, k->density, k->impact);
 
     puts("Contacts");
     line("impact speed", k->impact, "m/s", "assumed for what follows");
     if (m.young > 0.0) print_rayleigh(k, &m);
     line("contact time", t_c, "s", "of two of the smallest particles");
-    line("suggested step", limits_suggested_step(t_c), "s", "");
+    line("suggested step", limits_step(law, &m, k->d, k->density, k->impact),
+         "s", "");
     line("safe step", safe, "s", "");
     line("particle step", k->dem_dt, "s",
          k->dem_dt <= safe ? "safe" : "NOT SAFE: collisions are not resolved");

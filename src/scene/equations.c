@@ -5,7 +5,8 @@
 #include "averaging/kernel.h"
 #include "effects/time_average.h"
 #include "exchange/drag.h"
-#include "particles/contact.h"
+#include "particles/contact_hertz.h"
+#include "particles/contact_linear.h"
 #include "particles/limits.h"
 
 #include <stdio.h>
@@ -64,25 +65,25 @@ static double linear_damping(const double *x)
 /* The next three begin with E_i E_j nu_i nu_j R_i R_j. */
 static double mean_radius(const double *x)
 {
-    return x[4] * x[5] / (x[4] + x[5]); /* R* [LS 4.9] */
+    return contact_hertz_radius(x[4], x[5]);
 }
 
 static double hertz_force(const double *x)
 {
-    const double E = contact_effective_young(x[0], x[1], x[2], x[3]);
+    const double E = contact_hertz_modulus(x[0], x[2], x[1], x[3]);
     return contact_hertz_force(E, mean_radius(x), x[6]);
 }
 
 static double hertz_stiffness(const double *x)
 {
-    const double E = contact_effective_young(x[0], x[1], x[2], x[3]);
+    const double E = contact_hertz_modulus(x[0], x[2], x[1], x[3]);
     return contact_hertz_stiffness(E, mean_radius(x));
 }
 
 static double mindlin_stiffness(const double *x)
 {
-    const double G = contact_effective_shear(x[0], x[1], x[2], x[3]);
-    return contact_mindlin_stiffness(G, mean_radius(x), x[6]);
+    const double G = contact_hertz_shear(x[0], x[2], x[1], x[3]);
+    return contact_hertz_tangential(G, mean_radius(x), x[6]);
 }
 
 static double rayleigh(const double *x)
@@ -148,7 +149,7 @@ const struct equation equations_all[] = {
      "N/m^1.5", "contact_hertz_stiffness", hertz_stiffness},
     {"LS:4.10", "tangential stiffness of two spheres, Mindlin",
      "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
-     "k_t", "N/m", "contact_mindlin_stiffness", mindlin_stiffness},
+     "k_t", "N/m", "contact_hertz_tangential", mindlin_stiffness},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},

@@ -5,7 +5,7 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
-#include "particles/contact.h"
+#include "particles/contact_hertz.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static int contact(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k] == NULL) return 0;
     *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
-    m->function = all[i] == &contact_hertz ? "hertz_springs" : "linear_springs";
+    m->function = "respond";
     m->keys = all[i] == &contact_hertz
                   ? "particles.grains.young particles.grains.poisson"
                   : "particles.grains.stiffness";

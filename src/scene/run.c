@@ -3,8 +3,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <unistd.h>
 
 #include "base/clock.h"
+#include "base/file.h"
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
@@ -88,9 +90,13 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
 int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
-    struct simulation *const sim = build_simulation(s, &code);
 
-    if (sim == NULL) return code;
+    if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
+    struct simulation *const sim = build_simulation(s, &code);
+    if (sim == NULL) {
+        rmdir(o->dir); /* only if there is nothing in it */
+        return code;
+    }
     code = run_simulation(s, sim, o);
     build_free(sim);
     return code;

@@ -1,0 +1,24 @@
+/* bed_file.h -- a settled bed as a file.  Chapter 2.
+ *
+ * Text: what the bed was made with, line by line; then the particles and the
+ * springs of their contacts in hexadecimal numbers, which read back to the
+ * same bits. A file that was made with anything else than what is asked for
+ * now is refused.
+ */
+#ifndef BED_FILE_H
+#define BED_FILE_H
+
+#include "particles/bed.h"
+
+/* Whole or not at all; non-zero after a message. */
+int bed_file_save(const char *path, const struct particles *ps,
+                  const struct bed_springs *springs,
+                  const struct bed_options *bed, const struct dem_options *dem);
+
+/* Adds the bed to ps. BED_MADE, BED_ABSENT if there is no such file, or
+ * BED_REFUSED after a message. */
+int bed_file_load(const char *path, struct particles *ps,
+                  struct bed_springs *springs, const struct bed_options *bed,
+                  const struct dem_options *dem);
+
+#endif

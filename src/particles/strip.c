@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/strip.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+/* Strips of at least STRIP_LEAST particles, so that what a strip lays on the
+ * next ones stays a small part of its work; a power of two, which most
+ * machines can share out evenly; slots are kept free for a last block of the
+ * contact loop (contact_sweep.h: SWEEP_LANES). */
+enum { STRIP_LEAST = 1000, STRIP_MOST = 64, STRIP_SPARE = 64 };
+
+int strip_count(int n)
+{
+    int count = 1;
+
+    while (count < STRIP_MOST && 2 * count * STRIP_LEAST <= n)
+        count *= 2;
+    return count;
+}
+
+void strip_release(struct strip *s)
+{
+    struct vicinity *const lists[] = {&s->pairs, &s->walls};
+
+    for (int l = 0; l < 2; l++) {
+        free(lists[l]->start);
+        free(lists[l]->partner);
+        free(lists[l]->spring);
+    }
+    for (int k = 0; k < 3; k++)
+        free(s->contacts.spring[k]);
+    free(s->contacts.owner);
+    free(s->contacts.partner);
+    free(s->contacts.source);
+    free(s->load);
+    free(s->kept);
+}
+
+/* A larger array with the `used` first items of the old one, which is freed. */
+static void *grown(void *old, int used, int capacity, size_t size)
+{
+    void *const larger = alloc_zeroed((size_t)capacity, size);
+
+    if (used > 0) memcpy(larger, old, (size_t)used * size);
+    free(old);
+    return larger;
+}
+
+/* Half as much again as is needed: growing ends after a few rebuilds. */
+static int roomy(int needed)
+{
+    return needed + needed / 2 + 64;
+}
+
+void strip_cut(struct strip *s, int number, int count, int n)
+{
+    const int had = s->end - s->begin;
+
+    s->begin = (int)((long)n * number / count);
+    s->end = (int)((long)n * (number + 1) / count);
+    if (s->pairs.start != NULL && s->end - s->begin <= had) return;
+    for (int l = 0; l < 2; l++) {
+        struct vicinity *const v = l == 0 ? &s->pairs : &s->walls;
+        free(v->start);
+        v->start = alloc_ints(s->end - s->begin + 1);
+    }
+}
+
+void strip_clear(struct strip *s)
+{
+    s->pairs.n = s->walls.n = 0;
+    s->window = s->end - s->begin;
+}
+
+void strip_begin_owner(struct strip *s, int i)
+{
+    s->pairs.start[i - s->begin] = s->pairs.n;
+    s->walls.start[i - s->begin] = s->walls.n;
+}
+
+static void vicinity_add(struct vicinity *v, int partner)
+{
+    if (v->n == v->capacity) {
+        v->capacity = roomy(v->n + 1);
+        v->partner = grown(v->partner, v->n, v->capacity, sizeof *v->partner);
+        v->spring = grown(v->spring, v->n, v->capacity, sizeof *v->spring);
+    }
+    memset(v->spring[v->n], 0, sizeof v->spring[v->n]);
+    v->partner[v->n++] = partner;
+}
+
+void strip_add_pair(struct strip *s, int partner)
+{
+    vicinity_add(&s->pairs, partner);
+}
+
+void strip_add_wall(struct strip *s, int wall)
+{
+    vicinity_add(&s->walls, wall);
+}
+
+/* The loads reach as far as the farthest partner after the strip's first. */
+void strip_close(struct strip *s, int n)
+{
+    struct contacts *const c = &s->contacts;
+    const int most = s->pairs.n + s->walls.n + STRIP_SPARE;
+
+    strip_begin_owner(s, s->end);
+    for (int q = 0; q < s->pairs.n; q++) {
+        const int at = s->pairs.partner[q] - s->begin;
+        const int reach = (at < 0 ? at + n : at) + 1;
+        if (reach > s->window) s->window = reach;
+    }
+    if (s->window > s->load_capacity) {
+        free(s->load);
+        s->load_capacity = roomy(s->window);
+        s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);
+    }
+    c->n_pairs = c->n_walls = 0;
+    if (most <= c->capacity) return;
+    c->capacity = roomy(most);
+    c->owner = grown(c->owner, 0, c->capacity, sizeof *c->owner);
+    c->partner = grown(c->partner, 0, c->capacity, sizeof *c->partner);
+    c->source = grown(c->source, 0, c->capacity, sizeof *c->source);
+    for (int k = 0; k < 3; k++)
+        c->spring[k] = grown(c->spring[k], 0, c->capacity, sizeof(double));
+}
+
+static void springs_home(struct strip *s)
+{
+    const struct contacts *const c = &s->contacts;
+
+    for (int q = 0; q < c->n_pairs + c->n_walls; q++) {
+        struct vicinity *const v = q < c->n_pairs ? &s->pairs : &s->walls;
+        for (int k = 0; k < 3; k++)
+            v->spring[c->source[q]][k] = c->spring[k][q];
+    }
+}
+
+/* Gap of particles i and j, nearest image [m]. */
+static double pair_gap(const struct bodies *b, int i, int j)
+{
+    const double *const x = b->place[i], *const y = b->place[j];
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        const double dx = x[k] - y[k];
+        const double L = b->box.length[k];
+        const double near = dx - L * rint(dx * b->box.inverse[k]);
+        r2 += near * near;
+    }
+    return sqrt(r2) - x[3] - y[3];
+}
+
+static double wall_gap(const struct bodies *b, int i, int wall)
+{
+    const double *const x = b->place[i];
+    const int k = wall / 2;
+
+    return (wall % 2 ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
+}
+
+static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
+                   double (*gap)(const struct bodies *, int, int),
+                   double margin, int *n)
+{
+    struct contacts *const c = &s->contacts;
+    int slot = *n;
+
+    for (int i = s->begin; i < s->end; i++)
+        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
+             q++) {
+            if (gap(b, i, v->partner[q]) < margin) {
+                c->owner[slot] = i;
+                c->partner[slot] = v->partner[q];
+                c->source[slot] = q;
+                for (int k = 0; k < 3; k++)
+                    c->spring[k][slot] = v->spring[q][k];
+                slot++;
+            } else /* they have parted */
+                memset(v->spring[q], 0, sizeof v->spring[q]);
+        }
+    *n = slot;
+}
+
+void strip_choose(struct strip *s, const struct bodies *b, double margin)
+{
+    int n = 0;
+
+    springs_home(s);
+    choose(s, b, &s->pairs, pair_gap, margin, &n);
+    s->contacts.n_pairs = n;
+    choose(s, b, &s->walls, wall_gap, margin, &n);
+    s->contacts.n_walls = n - s->contacts.n_pairs;
+}
+
+void strip_reserve_kept(struct strip *s, int n)
+{
+    if (n > s->kept_capacity) {
+        s->kept_capacity = roomy(n);
+        s->kept = grown(s->kept, s->n_kept, s->kept_capacity, sizeof *s->kept);
+    }
+    s->n_kept = n;
+}
+
+/* A pair that touches has drawn its spring, if ever so little; a pair whose
+ * spring is 0 has nothing to remember. */
+void strip_keep(struct strip *s)
+{
+    const struct contacts *const c = &s->contacts;
+    const int n = c->n_pairs + c->n_walls;
+
+    s->n_kept = 0;
+    strip_reserve_kept(s, n);
+    s->n_kept = 0;
+    for (int q = 0; q < n; q++) {
+        const double x = c->spring[0][q], y = c->spring[1][q];
+        const double z = c->spring[2][q];
+
+        if (x == 0.0 && y == 0.0 && z == 0.0) continue;
+        s->kept[s->n_kept++] = (struct kept){
+            .owner = c->owner[q],
+            .partner = q < c->n_pairs ? c->partner[q] : -1 - c->partner[q],
+            .spring = {x, y, z},
+        };
+    }
+}
+
+void strip_restore(struct strip *s, const struct kept *k)
+{
+    struct vicinity *const v = k->partner < 0 ? &s->walls : &s->pairs;
+    const int partner = k->partner < 0 ? -1 - k->partner : k->partner;
+    const int a = k->owner - s->begin;
+    int q = v->start[a];
+
+    while (q < v->start[a + 1] && v->partner[q] != partner)
+        q++;
+    if (q < v->start[a + 1]) /* else they have parted since */
+        memcpy(v->spring[q], k->spring, sizeof k->spring);
+}
+
+void strip_fold(struct strip *strips, int count, int s, int n)
+{
+    struct strip *const own = &strips[s];
+
+    if (own->begin == own->end) return;
+    for (int back = 1; back < count; back++) {
+        const struct strip *const t = &strips[(s - back + count) % count];
+        const int offset = (own->begin - t->begin + n) % n;
+        const int end = t->window < offset + own->end - own->begin
+                            ? t->window
+                            : offset + own->end - own->begin;
+        for (int q = offset; q < end; q++)
+            for (int k = 0; k < 8; k++)
+                own->load[q - offset][k] += t->load[q][k];
+    }
+}
+
+static int touching(const struct strip *s, const struct bodies *b)
+{
+    const struct contacts *const c = &s->contacts;
+    int n = 0;
+
+    for (int q = 0; q < c->n_pairs + c->n_walls; q++)
+        n += (q < c->n_pairs ? pair_gap : wall_gap)(b, c->owner[q],
+                                                    c->partner[q]) < 0.0;
+    return n;
+}
+
+void strip_measure(struct strip *s, const struct bodies *b)
+{
+    struct strip_measures *const m = &s->measures;
+
+    *m = (struct strip_measures){touching(s, b), 0.0, 0.0, 0.0};
+    for (int i = s->begin; i < s->end; i++) {
+        const double *const v = b->motion[i];
+        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        const double s2 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
+
+        m->translation += 0.5 * v2 / v[7];
+        m->rotation += 0.2 * s2 / v[7]; /* I = (2/5) m R^2 */
+        m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
+    }
+}

@@ -1,0 +1,98 @@
+/* strip.h -- the particles in strips, and who is near whom.  Chapter 2.
+ *
+ * The particles, sorted in space, are cut into strips. How many depends on the
+ * number of particles alone and never on the number of threads: each strip is
+ * one thread's work, sums its own loads, and the loads that it lays on
+ * particles of the next strips are added there in a fixed order. So the result
+ * has the same bits for any number of threads.
+ *
+ * A strip keeps two lists. Its vicinity has every pair closer than the skin,
+ * gap <= s [LS 5.15], and holds for as long as nobody moved s/2. Its contacts
+ * are the few of them closer than a small margin: they are what each step
+ * computes, without asking again who touches whom, until the particles may
+ * have moved that margin. A pair belongs to the strip of its first particle.
+ */
+#ifndef STRIP_H
+#define STRIP_H
+
+#include "particles/bodies.h"
+
+/* Partners of the particles begin, begin + 1, ... of a strip: those of the
+ * a-th are partner[start[a]] ... partner[start[a + 1] - 1]. */
+struct vicinity {
+    int *start, *partner;
+    double (*spring)[3]; /* [m] xi of the pair while it is no contact */
+    int n, capacity;
+};
+
+/* Pairs first, then walls. The partner of a wall contact is the wall, 2 k for
+ * the lower and 2 k + 1 for the upper one of direction k. */
+struct contacts {
+    int n_pairs, n_walls, capacity;
+    int *owner, *partner;
+    int *source;       /* [-] its place in the vicinity */
+    double *spring[3]; /* [m] xi, x y z */
+};
+
+/* A touching pair while the lists are made anew; wall: partner = -1 - wall. */
+struct kept {
+    int owner, partner;
+    double spring[3]; /* [m] */
+};
+
+/* What a report says of a strip. */
+struct strip_measures {
+    int contacts;                 /* [-] that touch */
+    double translation, rotation; /* [J] kinetic energy */
+    double speed2;                /* [m^2/s^2] largest v^2 */
+};
+
+struct strip {
+    int begin, end;    /* its particles */
+    int window;        /* its loads reach begin ... begin + window - 1, modulo
+                          the number of particles */
+    double (*load)[8]; /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
+    int load_capacity;
+    struct vicinity pairs, walls;
+    struct contacts contacts;
+    struct kept *kept;
+    int n_kept, kept_capacity;
+    double deepest;    /* [-] largest overlap over the mean diameter */
+    double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
+    struct bodies_survey survey;
+    struct strip_measures measures;
+};
+
+/* How many strips n particles are cut into. */
+int strip_count(int n);
+
+void strip_release(struct strip *s);
+
+/* Sets begin and end for strip number s of `count`. */
+void strip_cut(struct strip *s, int number, int count, int n);
+
+/* Empties the vicinity; adds to it, owner after owner in ascending order. */
+void strip_clear(struct strip *s);
+void strip_begin_owner(struct strip *s, int i);
+void strip_add_pair(struct strip *s, int partner);
+void strip_add_wall(struct strip *s, int wall);
+void strip_close(struct strip *s, int n);
+
+/* Chooses the contacts from the vicinity: gap < margin [m]. The springs go
+ * from the old contacts to the vicinity and from there to the new contacts. */
+void strip_choose(struct strip *s, const struct bodies *b, double margin);
+
+/* Room for n remembered pairs; those that there are stay. */
+void strip_reserve_kept(struct strip *s, int n);
+
+/* Remembers the touching pairs; puts one back that strip s owns now. */
+void strip_keep(struct strip *s);
+void strip_restore(struct strip *s, const struct kept *k);
+
+/* Adds the loads that the other strips laid on the particles of strip s. */
+void strip_fold(struct strip *strips, int count, int s, int n);
+
+/* Fills in the measures. */
+void strip_measure(struct strip *s, const struct bodies *b);
+
+#endif
