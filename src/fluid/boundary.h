@@ -1,4 +1,4 @@
-/* boundary.h -- what happens on a patch of the fluid's boundary.  Chapter 4.
+/* boundary.h -- what happens on a patch of the fluid's boundary.  Chapter 5.
  *
  * no-slip: u = 0.  slip: no flux, no tangential stress.  inlet: a superficial
  * velocity normal to the patch, which may vary in time.  outlet: a pressure;

@@ -1,4 +1,4 @@
-/* convection.h -- the velocity with which a face carries momentum.  Chapter 4.
+/* convection.h -- the velocity with which a face carries momentum.  Chapter 5.
  *
  * u_f = share u_owner + (1 - share) u_neighbour: a scheme is a way to choose
  * the share from the flux and the linear weight of the face.

@@ -1,4 +1,4 @@
-/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 4.
+/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 5.
  *
  *   d(eps rho u)/dt + div(eps rho u u) = -gamma grad p + mu lap u + F - K u
  *
