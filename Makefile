@@ -32,6 +32,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/style.sh $B
 	sh tests/cli.sh $B/winnow
 	sh tests/vtk.sh $B
+	sh tests/book.sh
 	sh chapters/tools/check.sh $B/winnow
 
 weave: ## refresh what the chapters quote from source and results
@@ -41,6 +42,7 @@ weave: ## refresh what the chapters quote from source and results
 book: ## the chapters as pages: build/book/index.html
 	sh .ci/install book
 	sh chapters/tools/book.sh $B/book
+	sh chapters/tools/browser.sh $B/book
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* bench_dem [law] [threads] [copies] -- particle-steps a second in the settled
  * Mueller bed, 9240 spheres of 1.2 mm in 44 x 120 x 10 mm [SX15 Table 1], or
- * in `copies` of it side by side in x. Not a test: run it on a quiet machine. */
+ * in `copies` of it side by side in x. Not a test: run it on a quiet machine.
+ */
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,13 +60,15 @@ int main(int argc, char **argv)
                                     .jitter = 0.5,
                                     .gravity = {0.0, -9.81, 0.0},
                                     .settle = 1.0};
-    const struct dem_options o = {
-        .law = contact_law_named(name),
-        .material = {.young = 1.2e5, .poisson = 0.33, .stiffness = 100.0,
-                     .restitution = 0.98, .friction = 0.1},
-        .step = 4e-6,
-        .skin = 0.2e-3,
-        .hi = {0.044 * copies, 0.12, 0.01}};
+    const struct dem_options o = {.law = contact_law_named(name),
+                                  .material = {.young = 1.2e5,
+                                               .poisson = 0.33,
+                                               .stiffness = 100.0,
+                                               .restitution = 0.98,
+                                               .friction = 0.1},
+                                  .step = 4e-6,
+                                  .skin = 0.2e-3,
+                                  .hi = {0.044 * copies, 0.12, 0.01}};
     struct particles *const ps = particles_create(bed.count);
     struct bed_report r;
 

@@ -66,11 +66,12 @@ static inline void links_free(struct links *b)
     free(b->at);
 }
 
-/* Numbers in [-1, 1) that are the same on every machine. */
+/* Numbers in [-1, 1] that are the same on every machine, with digits to the
+ * last: sums of short numbers would be exact in any order. */
 static inline double noise(unsigned *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) / 8388608.0 - 1.0;
+    return (double)(*seed >> 8) / 8388607.5 - 1.0;
 }
 
 static inline double *noise_vector(int n, unsigned seed)
@@ -91,7 +92,7 @@ static inline void links_shuffle(struct links *b, unsigned seed)
     for (int i = 0; i < b->n; i++)
         p[i] = i;
     for (int i = b->n - 1; i > 0; i--) {
-        const int j = (int)((noise(&seed) + 1.0) * 0.5 * (i + 1));
+        const int j = (int)((noise(&seed) + 1.0) * 0.4999 * (i + 1));
         const int t = p[i];
 
         p[i] = p[j];
@@ -106,6 +107,58 @@ static inline void links_shuffle(struct links *b, unsigned seed)
     free(b->at);
     free(p);
     b->at = at;
+}
+
+/* exp of sines: a range of 7 in two dimensions, of 50 in three. */
+static inline double *smooth_coefficients(const struct links *b)
+{
+    double *const k = alloc_doubles(b->n);
+
+    for (int i = 0; i < b->n; i++) {
+        const double x = b->at[3 * i] / b->cells[0];
+        const double y = b->at[3 * i + 1] / b->cells[1];
+        const double z = b->at[3 * i + 2] / b->cells[2];
+
+        k[i] = exp(sin(6.28 * x) * cos(6.28 * y) +
+                   (b->cells[2] > 1 ? cos(6.28 * z) : 0.0));
+    }
+    return k;
+}
+
+/* Blocks of 8 cells a side, each 1 or 1000 at random. */
+static inline double *jumping_coefficients(const struct links *b)
+{
+    double *const k = alloc_doubles(b->n);
+
+    for (int i = 0; i < b->n; i++) {
+        unsigned seed = 0;
+
+        for (int d = 0; d < 3; d++) {
+            seed =
+                (seed + (unsigned)(b->at[3 * i + d] / 8.0) + 1) * 2654435761u;
+            seed ^= seed >> 15;
+        }
+        k[i] = noise(&seed) > 0.0 ? 1000.0 : 1.0;
+    }
+    return k;
+}
+
+/* Widths that grow by a ratio from one end of the box to the other. */
+static inline void links_stretch(struct links *b, int k, double ratio)
+{
+    const int last = b->cells[k] - 1;
+
+    for (int l = 0; l < b->n_links; l++) {
+        const double at = b->at[3 * b->owner[l] + k] - 0.5;
+        const double here = pow(ratio, at / last);
+        const double next = pow(ratio, (at + 1.0) / last);
+        double *const d = &b->link[3 * l + k];
+
+        b->strength[l] *= *d > 0.0 ? 2.0 / (here + next) : here;
+        if (*d > 0.0) *d = 0.5 * (here + next);
+    }
+    for (int i = 0; i < b->n; i++)
+        b->V[i] *= pow(ratio, (b->at[3 * i + k] - 0.5) / last);
 }
 
 /* The matrix of diffusion without flux out. k[c] is the conductivity of a

@@ -245,6 +245,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, each_component_is_solved_as_by_elimination);
     tcase_add_test(t, the_worst_true_residual_is_the_one_reported);
     tcase_add_test(t, a_good_guess_costs_nothing);

@@ -70,6 +70,8 @@ START_TEST(each_field_is_solved_as_by_cg_alone)
         struct cg_work *const w = cg_work_create(n);
         double *const b = alloc_doubles(n), *const x = alloc_doubles(n);
 
+        int most = 0;
+
         ck_assert(r.converged);
         for (int k = 0; k < m; k++) {
             for (int i = 0; i < n; i++)
@@ -80,10 +82,12 @@ START_TEST(each_field_is_solved_as_by_cg_alone)
             const struct solve_report one =
                 cg_solve(s.A, NULL, b, x, 1e-12, 0.0, 200, w);
 
-            ck_assert_int_ge(r.iterations, one.iterations);
+            most = one.iterations > most ? one.iterations : most;
             for (int i = 0; i < n; i++)
                 ck_assert_double_eq_tol(s.x[m * i + k], x[i], 1e-9);
         }
+        ck_assert_int_ge(r.iterations, most);
+        ck_assert_int_le(r.iterations, most + 1);
         free(b);
         free(x);
         cg_work_free(w);
@@ -159,7 +163,10 @@ START_TEST(a_number_that_is_none_is_reported)
     struct setting s = diffusion_step(4, 4, 4, 3);
 
     s.rhs[10] = NAN;
-    ck_assert(!solve(&s, NULL, 1e-6, 50).converged);
+
+    const struct solve_report r = solve(&s, NULL, 1e-6, 50);
+
+    ck_assert(!r.converged && isnan(r.after));
     release(&s);
 }
 END_TEST
@@ -192,6 +199,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, each_field_is_solved_as_by_cg_alone);
     tcase_add_test(t, preconditioned_by_volume_mass_is_kept_to_rounding);
     tcase_add_test(t, a_field_without_right_hand_side_becomes_zero);

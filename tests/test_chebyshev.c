@@ -241,6 +241,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, the_series_is_the_exponential_up_to_its_tail);
     tcase_add_test(t, mass_is_kept_to_rounding);
     tcase_add_test(t, a_constant_stays);

@@ -263,7 +263,7 @@ END_TEST
 
 /* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms asks for 9 to 10 drag
  * updates, and 20 particle steps allow them. */
-START_TEST(xs11_3_3_auto_takes_as_many_sub_steps_as_tau_asks_for)
+START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for)
 {
     struct scene s = air;
     s.rho = 1000.0;
@@ -382,7 +382,7 @@ static Suite *suite(void)
     tcase_add_test(t, without_the_debt_algorithm_3_1_loses_momentum);
     tcase_add_test(
         t, xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
-    tcase_add_test(t, xs11_3_3_auto_takes_as_many_sub_steps_as_tau_asks_for);
+    tcase_add_test(t, xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
     tcase_add_test(t, ls_5_1_a_neutral_sphere_floats);
     tcase_add_test(t, ls_5_one_way_leaves_the_fluid_alone);
     tcase_add_loop_test(t, xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau,

@@ -129,6 +129,11 @@ START_TEST(each_field_may_have_its_own_diagonal)
                 ck_assert_double_eq_tol(y[m * i + k], z[m * i + k] + more,
                                         1e-14);
             }
+        memset(d, 0, (size_t)(m * A->n) * sizeof *d);
+        csr_multiply_each(A, m, d, x, y);
+        csr_multiply_each(A, m, NULL, x, z); /* as with none but zeros */
+        for (int i = 0; i < m * A->n; i++)
+            ck_assert_double_eq(y[i], z[i]);
         free(x);
         free(d);
         free(y);
@@ -168,6 +173,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, every_entry_has_a_place_of_its_own);
     tcase_add_test(t, columns_ascend_in_a_row);
     tcase_add_test(t, product_is_that_of_the_full_matrix);

@@ -40,7 +40,7 @@ static void release(struct step *s)
 START_TEST(a_box_becomes_the_box_of_half_as_many_cells)
 {
     struct step s = coarsen(links_cube(8, 6, 4));
-    const struct links half = links_cube(4, 3, 2);
+    struct links half = links_cube(4, 3, 2);
 
     ck_assert_int_eq(s.coarse->n, half.n);
     ck_assert_int_eq(s.coarse->n_links, half.n_links);
@@ -55,6 +55,7 @@ START_TEST(a_box_becomes_the_box_of_half_as_many_cells)
         ck_assert_double_eq(graph_length(s.coarse, l), 2.0);
         ck_assert_double_eq(s.coarse->strength[l], 2.0);
     }
+    links_free(&half);
     release(&s);
 }
 END_TEST
@@ -143,6 +144,7 @@ int main(void)
     SRunner *r = srunner_create(s);
 
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, a_box_becomes_the_box_of_half_as_many_cells);
     tcase_add_test(t, a_cell_left_over_joins_the_pair_beside_it);
     tcase_add_test(t, flat_cells_are_joined_across_their_flat_sides_only);

@@ -91,6 +91,7 @@ int main(void)
 
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, strips_cover_every_unknown_once);
     tcase_add_test(t, a_dot_product_counts_every_unknown_once);
     tcase_add_test(t, fields_side_by_side_have_their_own_dot_products);

@@ -9,7 +9,7 @@ static const double unit[3] = {1, 1, 1};
 
 /* Boxes whose links are all in bands, partly, not at all; with two links
  * between the same cells; with links of a cell to itself. */
-enum { BOXES = 6 };
+enum { BOXES = 7 };
 static struct links box(int which)
 {
     switch (which) {
@@ -23,6 +23,8 @@ static struct links box(int which)
         return links_box(40, 1, 1, unit, (int[3]){1, 1, 1});
     case 4:
         return links_cube(1, 1, 1);
+    case 5: /* six distances */
+        return links_box(5, 5, 5, unit, (int[3]){1, 1, 1});
     default: {
         struct links b = links_box(13, 11, 9, unit, (int[3]){0, 1, 0});
 
@@ -145,6 +147,7 @@ int main(void)
     SRunner *r = srunner_create(s);
 
     suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, a_box_needs_no_list_of_columns);
     tcase_add_test(t, the_product_is_that_of_the_csr);
     tcase_add_test(t, residual_and_relaxation_are_their_formulas);

@@ -1,18 +1,5 @@
--- book.lua -- what pandoc does not do by itself: numbers of equations, links to
--- equations and sources, the place above each listing, links between pages.
---
--- `anchors` is a file with one "(9.1) 09-drag.html" or "Saad03 references.html"
--- a line: everything that may be linked to by its name.
-
-local page_of = {}
-local document = { SX15 = true, XS11 = true, LS = true, EW18 = true }
-
-local function read_anchors(meta)
-  for line in io.lines(pandoc.utils.stringify(meta.anchors)) do
-    local name, page = line:match("^(%S+) (%S+)$")
-    page_of[name] = page
-  end
-end
+-- book.lua -- what pandoc does not do by itself: equations with their number
+-- beside them, the place above each listing, links from page to page.
 
 local function equation_id(number) return "eq-" .. number:gsub("%.", "-") end
 
@@ -20,11 +7,13 @@ local function equation_id(number) return "eq-" .. number:gsub("%.", "-") end
 local function display(math)
   local number = math.text:match("\\tag{([%w.]+)}")
   math.text = math.text:gsub("\\tag{[%w.]+}", "")
-  if not number then return pandoc.Div({ pandoc.Plain({ math }) },
-                                       pandoc.Attr("", { "equation" })) end
+  local formula = pandoc.Span({ math }, pandoc.Attr("", { "formula" }))
+  if not number then
+    return pandoc.Div({ pandoc.Plain({ formula }) }, pandoc.Attr("", { "equation" }))
+  end
   local link = pandoc.Link("(" .. number .. ")", "#" .. equation_id(number), "",
                            pandoc.Attr("", { "number" }))
-  return pandoc.Div({ pandoc.Plain({ math, link }) },
+  return pandoc.Div({ pandoc.Plain({ formula, link }) },
                     pandoc.Attr(equation_id(number), { "equation" }))
 end
 
@@ -49,61 +38,6 @@ local function paragraph(block)
   end
   flush()
   return blocks
-end
-
--- "[XS11 2.13]", "[XS11 (2.11), (2.12)]", "[Saad03, 9.5]": where it leads.
-local function cited(text)
-  local key, place = text:match("^%[([A-Z]%w+)[%s,]*(.-)%]")
-  if document[key] then
-    place = place:gsub("[()]", "")
-    local number = place:match("^[AB]%.%d+%a?") or place:match("^%d[%d.]*%a?")
-    if place:match("^Algorithm") then number = "Algorithm 3.1" end
-    local id = number and (key .. " " .. number):lower():gsub("[ .]", "-")
-    return id and page_of[id] and page_of[id] .. "#" .. id
-      or "references.html#" .. key
-  end
-  return key and page_of[key] and "references.html#" .. key
-end
-
--- Links citations and, outside of them, numbers of equations.
-local function inlines(list)
-  local out, i = pandoc.List(), 1
-  while i <= #list do
-    local item = list[i]
-    local done = false
-    if item.t == "Str" and item.text:match("^%(?%[[A-Z]%w+") then
-      local last = i
-      while last < #list and not (list[last].t == "Str" and list[last].text:find("%]")) do
-        last = last + 1
-      end
-      local words = {}
-      for k = i, last do words[#words + 1] = pandoc.utils.stringify(list[k]) end
-      local text = table.concat(words, ""):gsub("\n", " ")
-      local before, core, after = text:match("^(%(?)(%[.-%])(.*)$")
-      local target = core and cited(core)
-      if target then
-        out:extend({ pandoc.Str(before), pandoc.Link(core, target), pandoc.Str(after) })
-        i = last + 1
-        done = true
-      end
-    end
-    if not done then
-      local before, number, after
-      if item.t == "Str" then
-        before, number, after = item.text:match("^(.-)(%(%d+%.%d+%a?%))([^%]]*)$")
-      end
-      if number and page_of[number] then
-        local id = equation_id(number:sub(2, -2))
-        out:extend({ pandoc.Str(before),
-                     pandoc.Link(number, page_of[number] .. "#" .. id),
-                     pandoc.Str(after) })
-      else
-        out:insert(item)
-      end
-      i = i + 1
-    end
-  end
-  return out
 end
 
 -- The file and line above a listing.
@@ -133,9 +67,13 @@ local function link(item)
   local target = item.target
   if target:match("^%a+:") then return end
   if target:match("%.md") then
-    item.target = target:gsub("README%.md", "index.md"):gsub("%.md", ".html")
+    item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")
+      :gsub("%.md", ".html")
+  elseif target:match("%.patch$") then
+    item.target = "chapters/solutions/" .. target:gsub("^.*/", "") .. ".html"
   elseif target:match("^%.%./") then
-    item.target = target:gsub("^%.%./([^#]+)", "%1.html")
+    while target:match("^%.%./") do target = target:sub(4) end
+    item.target = target:gsub("^([^#]+)", "%1.html")
   end
   return item
 end
@@ -158,9 +96,7 @@ local function code(item)
 end
 
 return {
-  { Meta = read_anchors },
   { Link = link, Image = image, RawInline = raw, Code = code },
   { Blocks = blocks },
-  { Inlines = inlines },
   { Para = paragraph },
 }

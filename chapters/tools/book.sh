@@ -4,9 +4,9 @@
 #   sh chapters/tools/book.sh [build/book]
 set -eu
 out=${1:-build/book}
-tools=$(dirname "$0")
+tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
-pages=$(find chapters -name '[0-9]*.md' | LC_ALL=C sort)
+pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
@@ -31,10 +31,15 @@ for page in $pages; do
 done >"$anchors"
 
 render() { # page, page before, page after
-    awk -v places=1 -f "$tools/c.awk" -f "$tools/weave.awk" "$1" |
+    case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
+    # What cannot be woven, weave.sh has said.
+    awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
+        "$1" 2>/dev/null |
         pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
             --template "$tools/page.html" --toc --toc-depth 2 \
-            --lua-filter "$tools/book.lua" -M anchors="$anchors" \
+            --lua-filter "$tools/book.lua" \
+            --lua-filter "$tools/cite.lua" -M anchors="$anchors" \
+            ${toc:+-V page_toc=1} \
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
@@ -63,6 +68,7 @@ contents >"$out/index.md"
 render "$out/index.md" "" ""
 rm "$out/index.md"
 
+for page in chapters/solutions/*.md; do render "$page" "" ""; done
 before=
 set -- $pages
 while [ $# -gt 0 ]; do
@@ -71,13 +77,13 @@ while [ $# -gt 0 ]; do
     shift
 done
 
-find src tests cases figures \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
-    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \) | while read -r file; do
+find src tests cases figures chapters/solutions \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
+    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' -o -name '*.patch' \) | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     awk -v anchors="$anchors" -f "$tools/c.awk" -f "$tools/source.awk" "$file" \
         >"$out/$file.html"
 done
 rm "$anchors"
 cd "$out"
-find . -type f | awk -f "$OLDPWD/$tools/pages.awk"
+find . -type f | awk -f "$tools/pages.awk"
 echo "book: $out/index.html"

@@ -1,6 +1,6 @@
 # ledger.awk -- where each equation is computed, tested and explained.
 #
-#   awk -f c.awk -f cite.awk -f ledger.awk -v ledger=chapters/ledger.txt \
+#   awk -f c.awk -f cite.awk -f table.awk -f ledger.awk -v ledger=chapters/ledger.txt \
 #       -v pending=chapters/pending.txt [-v left=FILE] FILES >chapters/equations.md
 #
 # FILES are sources, tests and chapters, by their paths. Prints the table for the
@@ -112,45 +112,6 @@ function check_pending(    line, k, w, n, i, s) {
         for (; n > 0; n--)
             if (!index(waits[k] " ", " " w[n] " "))
                 wrong(k " (" title[k] ") is \"" status[k] "\" without a " w[n])
-    }
-}
-
-function cell(s) {
-    gsub(/\n/, "<br>", s)
-    return s
-}
-
-function anchor(k) {
-    k = tolower(k)
-    gsub(/[ .]/, "-", k)
-    return k
-}
-
-function row(k,    b, s) {
-    b = stands_for(k)
-    s = "| <a id=\"" anchor(k) "\"></a>**" k "** " title[k]
-    if (b != k)
-        return s " | as [" b "](#" anchor(b) ") | | | |"
-    return s (status[k] == "done" ? "" : "; *" status[k] "*") " | " \
-        cell(functions[k]) " | " cell(tests[k]) " | " cell(chapters[k]) \
-        " | " evals[k] " |"
-}
-
-function table(    i, doc) {
-    print "# Equations\n"
-    print "Every equation of the four documents: the functions that compute it,"
-    print "the tests that prove it, the sections that explain it, and the command"
-    print "that evaluates it. Made by `make weave`; the documents are among"
-    print "the [references](references.md)."
-    for (i = 1; i <= n_keys; i++) {
-        if (key[i] !~ "^" doc " " || doc == "") {
-            doc = key[i]
-            sub(/ .*/, "", doc)
-            print "\n## " doc "\n"
-            print "| equation | computed by | tested by | explained in | evaluate |"
-            print "| --- | --- | --- | --- | --- |"
-        }
-        print row(key[i])
     }
 }
 

@@ -15,7 +15,7 @@ failed=0
 # shellcheck disable=SC2046 # one word a file
 awk -v ledger=chapters/ledger.txt -v pending=chapters/pending.txt \
     -v left="$left" -f "$tools/c.awk" -f "$tools/cite.awk" \
-    -f "$tools/ledger.awk" \
+    -f "$tools/table.awk" -f "$tools/ledger.awk" \
     $(find src tests -name '*.[ch]' | LC_ALL=C sort) chapters/[0-9]*.md \
     >"$new" || failed=1
 

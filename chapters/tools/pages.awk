@@ -51,7 +51,7 @@ function text(file, s) {
 
 function read_page(file,    whole, line, parts, n, i, p) {
     whole = ""
-    while ((getline line < file) > 0) whole = whole line "\n"
+    while ((getline line < file) > 0) whole = whole line " "
     close(file)
     depth = raw = 0
     n = split(whole, parts, "<")

@@ -89,6 +89,10 @@ line ~ /\$\$/ {
 
 formula && line == "" { wrong("a blank line in a formula") }
 
+formula && line ~ /^ *([-+*>#]|[0-9]+[.)]) / {
+    wrong("a line of a formula begins like a list")
+}
+
 match(line, /\\tag[{][^}]*[}]/) {
     tag = substr(line, RSTART + 5, RLENGTH - 6)
     if (!formula) wrong("\\tag outside of $$")
@@ -101,7 +105,8 @@ match(line, /\\tag[{][^}]*[}]/) {
 !formula {
     n = line
     gsub(/\\\$/, "", n)
-    if (gsub(/\$/, "", n) % 2) wrong("a $ without its pair")
+    if (n == "" && dollars % 2) wrong("a $ without its pair above")
+    dollars = n == "" ? 0 : dollars + gsub(/\$/, "", n)
     sources(line)
     equations(line " ")
     links(line)

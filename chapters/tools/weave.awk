@@ -1,6 +1,6 @@
 # weave.awk -- fills a chapter with what it quotes, and prints it.
 #
-#   awk -f c.awk -f weave.awk chapters/09-drag.md
+#   awk -f c.awk -f show.awk -f weave.awk chapters/09-drag.md
 #
 # Directives stand on a line of their own and own the fence that follows:
 #   <!-- code src/exchange/drag.c drag_beta drag_force -->   definitions by name
@@ -17,85 +17,6 @@
 function wrong(message) {
     print FILENAME ":" FNR ": " message >"/dev/stderr"
     failed = 1
-}
-
-# Lines a to b of a file, without the markers of parts.
-function copy(file, a, b,    k, s) {
-    s = ""
-    for (k = a; k <= b; k++)
-        if (source[file, k] !~ /^ *\/\*[<>] /) s = s source[file, k] "\n"
-    return s
-}
-
-function show_part(file, called,    k, a) {
-    for (k = 1; k <= lines[file]; k++) {
-        if (index(source[file, k], "/*> " called " */")) a = k + 1
-        if (a && index(source[file, k], "/*< " called " */")) {
-            place = place ? place : a
-            return copy(file, a, k - 1)
-        }
-    }
-    wrong("no part " called " in " file)
-    return ""
-}
-
-function show_head(file,    k, a) {
-    for (a = 1; a <= lines[file] && (source[file, a] !~ /^\/\*/ ||
-         source[file, a] ~ /SPDX/); a++) ;
-    for (k = a; k < lines[file] && source[file, k] !~ /\*\//; k++) ;
-    place = place ? place : a
-    return copy(file, a, k)
-}
-
-# The definitions with these names, parted as they are in the file.
-function show_code(file, names, n,    i, k, text, end) {
-    text = ""
-    place = end = 0
-    for (k = 3; k <= n; k++) {
-        if (names[k] == "@head") text = text show_head(file)
-        else if (names[k] ~ /^@/) text = text show_part(file, substr(names[k], 2))
-        else if (!(i = find(file, names[k])))
-            wrong("no " names[k] " in " file)
-        else {
-            if (text != "" && first[file, i] != end + 1) text = text "\n"
-            text = text copy(file, first[file, i], last[file, i])
-            end = last[file, i]
-            place = place ? place : begin[file, i]
-        }
-    }
-    return text
-}
-
-function show_output(file, section,    k, a) {
-    if (section == "") return copy(file, 1, lines[file])
-    for (k = 1; k <= lines[file] && source[file, k] != "## " section; k++) ;
-    if (k > lines[file]) wrong("no part " section " in " file)
-    for (a = ++k; k <= lines[file] && source[file, k] !~ /^## /; k++) ;
-    while (k > a && source[file, k - 1] == "") k--
-    return copy(file, a, k - 1)
-}
-
-function show_tests(file,    i, s) {
-    s = ""
-    for (i = 1; i <= items[file]; i++)
-        if (kind[file, i] == "test") s = s name[file, i] "\n"
-    return s
-}
-
-# The value under a key: the second word of a line `key = value`, `key value`
-# or `"key": value,`.
-function number(file, key, form,    k, words, s) {
-    if (cut(file) < 0) wrong("cannot read " file)
-    for (k = 1; k <= lines[file]; k++) {
-        s = source[file, k]
-        gsub(/["=:,|]/, " ", s)
-        if (split(s, words, /[ \t]+/) && words[1] == "") sub(/^[ \t]+/, "", s)
-        split(s, words, /[ \t]+/)
-        if (words[1] == key)
-            return form == "" ? words[2] : sprintf(form, words[2] + 0)
-    }
-    wrong("no " key " in " file)
-    return "?"
 }
 
 function numbers(s,    done, words, n) {
@@ -131,18 +52,18 @@ function skip(    mark) {
     if ((getline held) <= 0) ended = 1
 }
 
-function directive(line,    words, n, text) {
-    n = split(line, words, / +/) - 1 # "<!--" is dropped, "-->" not counted
-    for (i = 1; i < n; i++) words[i] = words[i + 1]
-    n--
+function directive(line,    words, n, text, mark) {
+    mark = line
+    gsub(/^<!-- | -->$/, "", mark)
+    n = split(mark, words, / +/)
     if (cut(words[2]) < 0) wrong("cannot read " words[2])
     if (words[1] == "code") text = show_code(words[2], words, n)
-    if (words[1] == "output") text = show_output(words[2], words[3])
+    if (words[1] == "output") text = show_output(words[2], n > 2 ? words[3] : "")
     if (words[1] == "tests") text = show_tests(words[2])
     if (words[1] == "code" && places) sub(words[2], "&:" place, line)
     print line
     skip()
-    fence(words[1] == "code" ? "c" : "text", text)
+    fence(words[1] == "code" ? "c" : words[2] ~ /patch$/ ? "diff" : "text", text)
 }
 
 {

@@ -10,10 +10,11 @@ new=$(mktemp)
 trap 'rm -f "$new"' EXIT
 failed=0
 
-for chapter in chapters/*.md; do
+for chapter in chapters/*.md chapters/solutions/*.md; do
     # equations.md is made by ledger.sh, and README.md shows the directives.
     case $chapter in */equations.md | */README.md) continue ;; esac
-    if ! awk -f "$tools/c.awk" -f "$tools/weave.awk" "$chapter" >"$new"; then
+    if ! awk -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
+        "$chapter" >"$new"; then
         failed=1
     elif cmp -s "$chapter" "$new"; then
         :

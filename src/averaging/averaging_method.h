@@ -1,4 +1,4 @@
-/* averaging_method.h -- what a method of averaging consists of.  Chapter 7.
+/* averaging_method.h -- what a method of averaging consists of.  Chapter 8.
  *
  * For the files that are methods (pcm.c, kernel.c, diffusion.c) and for the
  * lists of them; who only averages uses averaging.h.

@@ -1,5 +1,5 @@
 /* diffusion.h -- the particle-centroid field, smoothed by diffusion.
- * Chapter 7.
+ * Chapter 8.
  *
  *     d phi / d tau = lap phi,  phi(0) = the field of pcm,  tau = 0 .. T
  *     no flux through the boundary,  T = b^2 / 4            [SX15 5a-c]

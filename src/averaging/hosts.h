@@ -1,5 +1,5 @@
 /* hosts.h -- which cell each particle is in, and which particles each cell
- * holds.  Chapter 7.
+ * holds.  Chapter 8.
  *
  * The particles are sorted by their host cell (a counting sort, which keeps
  * their order within a cell), so that a sum of particles into cells is a loop

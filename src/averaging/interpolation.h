@@ -1,4 +1,4 @@
-/* interpolation.h -- what a particle sees of a field.  Chapter 7.
+/* interpolation.h -- what a particle sees of a field.  Chapter 8.
  *
  * nearest  the value of its host cell. Exact for constants; jumps from cell to
  *          cell.

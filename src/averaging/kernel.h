@@ -1,4 +1,4 @@
-/* kernel.h -- a particle spread over the cells around it.  Chapter 7.
+/* kernel.h -- a particle spread over the cells around it.  Chapter 8.
  *
  *     w_ic = K(|x_i - x_c| / b) / sum_m K(|x_i - x_m| / b)        [XS11 3.5b]
  *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]

@@ -1,5 +1,5 @@
 /* pcm.h -- the particle-centroid method: the cell takes what is in it.
- * Chapter 7.
+ * Chapter 8.
  *
  *     eps_s,c = (1 / V_c) sum of the V_p of the particles whose centre is in c
  *                                                   [XS11 3.1, SX15 4, 7, 8]

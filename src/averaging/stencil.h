@@ -1,4 +1,4 @@
-/* stencil.h -- for each cell, the cells near it.  Chapter 7.
+/* stencil.h -- for each cell, the cells near it.  Chapter 8.
  *
  * Near means: some point of the host cell is closer than b to the other's
  * centre. Found once, by walking from face to face and adding up the links, so

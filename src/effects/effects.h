@@ -1,4 +1,4 @@
-/* effects.h -- the list of all effects.  Chapter 6. */
+/* effects.h -- the list of all effects.  Chapter 10. */
 #ifndef EFFECTS_H
 #define EFFECTS_H
 

@@ -1,4 +1,4 @@
-/* time_average.h -- fading means of the averaged fields.  Chapter 6.
+/* time_average.h -- fading means of the averaged fields.  Chapter 10.
  *
  *   d<eps>/dt = (eps - <eps>) / b_t                            [SX15 11-13]
  *   <eps>^n = (1 - alpha) eps^n + alpha <eps>^(n-1)            [SX15 14]

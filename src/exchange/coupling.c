@@ -87,8 +87,8 @@ static void apply_held_forces(struct simulation *sim)
     }
 }
 
-/* How many drag updates this step needs: dt / tau_min [XS11 3.3], and no more
- * than there are particle steps. */
+/* How many drag updates this step needs: dt / tau_min [XS11 section 3.3], and
+ * no more than there are particle steps. */
 static int count_substeps(const struct simulation *sim)
 {
     const struct coupling *const cp = sim->coupling;

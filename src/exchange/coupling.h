@@ -1,4 +1,4 @@
-/* coupling.h -- momentum between fluid and particles.  Chapter 6.
+/* coupling.h -- momentum between fluid and particles.  Chapter 10.
  *
  * The force of the fluid on particle i is k_i (u_f - u_p), k_i = eps_f B_i =
  * V_p beta / eps_s [XS11 2.9, 2.10]. What the particles receive, the fluid
@@ -28,7 +28,7 @@ struct coupling_options {
     enum treatment treatment;
     const struct interpolation *interpolation;
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
-                     relaxation time asks for [XS11 3.3] */
+                     relaxation time asks for [XS11 section 3.3] */
     int two_way;  /* 0: the fluid does not feel the particles */
 };
 

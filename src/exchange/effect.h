@@ -1,4 +1,4 @@
-/* effect.h -- what a scene may switch on.  Chapter 6.
+/* effect.h -- what a scene may switch on.  Chapter 10.
  *
  * An effect is one file with one descriptor. A scene that does not name it
  * creates nothing of it, and the loop, which walks the list of created effects,

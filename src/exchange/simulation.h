@@ -1,4 +1,4 @@
-/* simulation.h -- everything that one scene has at work.  Chapter 6.
+/* simulation.h -- everything that one scene has at work.  Chapter 10.
  *
  * A pointer is NULL where the scene does without: no fluid, no particles, no
  * coupling between them. An effect that is not named is not in the list.

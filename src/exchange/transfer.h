@@ -1,4 +1,4 @@
-/* transfer.h -- the moves of the coupled step.  Chapter 6.
+/* transfer.h -- the moves of the coupled step.  Chapter 10.
  *
  * For coupling.c, which puts them in order. All work on sim->coupling.
  */

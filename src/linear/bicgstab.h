@@ -1,5 +1,5 @@
 /* bicgstab.h -- BiCGStab for the three components of a momentum equation.
- * Chapter 4.
+ * Chapter 7.
  *
  * The components lie side by side, x[3 * i + k]. They share the entries off
  * the diagonal; each has its own diagonal, diag3[3 * i + k], which stands in

@@ -1,5 +1,5 @@
 /* cg.h -- conjugate gradients for a symmetric positive definite matrix.
- * Chapter 4.
+ * Chapter 7.
  */
 #ifndef CG_H
 #define CG_H

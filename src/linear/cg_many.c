@@ -2,6 +2,7 @@
 #include "linear/cg_many.h"
 
 #include "base/alloc.h"
+#include "linear/fields.h"
 #include "linear/reduce.h"
 #include "linear/strips.h"
 
@@ -57,67 +58,76 @@ static void invert(int first, int last, const double *weight, double *inverse)
         inverse[i] = 1.0 / weight[i];
 }
 
-/* p = z + beta p with z = r / weight. The loops over fields are inlined with a
- * constant m where it matters, here and below. */
-static inline void turn_rows(int first, int last, int m,
-                             const struct cg_many_work *w,
-                             const struct fields *beta)
+/* p = z + beta p with z = r / weight, for width fields from the k-th on. */
+FIELDS_KERNEL turn_rows(int width, int k, int first, int last,
+                        const struct cg_many_work *w, const struct fields *beta)
 {
-    const double *restrict r = w->r + (long)m * first;
-    double *restrict p = w->p + (long)m * first;
+    double b[FIELDS_WIDTH], p[FIELDS_WIDTH];
 
-    for (int i = first; i < last; i++, r += m, p += m)
-        for (int k = 0; k < m; k++)
-            p[k] = w->inverse[i] * r[k] + beta->at[k] * p[k];
+    for (int f = 0; f < width; f++)
+        b[f] = beta->at[k + f];
+    for (int i = first; i < last; i++) {
+        const long at = (long)w->m * i + k;
+        const double inverse = w->inverse[i];
+
+        for (int f = 0; f < width; f++)
+            p[f] = inverse * w->r[at + f] + b[f] * w->p[at + f];
+        for (int f = 0; f < width; f++)
+            w->p[at + f] = p[f];
+    }
 }
 
 static void turn(int first, int last, const struct cg_many_work *w,
                  const struct fields *beta)
 {
-    if (w->m == 8)
-        turn_rows(first, last, 8, w, beta);
-    else
-        turn_rows(first, last, w->m, w, beta);
+    FIELDS_RUN(w->m, turn_rows, first, last, w, beta);
 }
 
-/* x += alpha p, r -= alpha q; adds up r.z and r.r. */
-static inline void advance_rows(int first, int last, int m,
-                                const struct cg_many_work *w,
-                                const struct fields *alpha, double *restrict x,
-                                struct fields *restrict rz,
-                                struct fields *restrict rr)
-{
-    const double *restrict p = w->p + (long)m * first;
-    const double *restrict q = w->q + (long)m * first;
-    double *restrict r = w->r + (long)m * first;
-
-    x += (long)m * first;
-    for (int i = first; i < last; i++, x += m, p += m, q += m, r += m)
-        for (int k = 0; k < m; k++) {
-            const double s = r[k] - alpha->at[k] * q[k];
-
-            x[k] += alpha->at[k] * p[k];
-            r[k] = s;
-            rr->at[k] += s * s;
-            rz->at[k] += s * s * w->inverse[i];
-        }
-}
-
-/* The sums of a strip: r.z and r.r of each field. */
+/* Sums of each field. */
 struct sums {
-    struct fields rz, rr;
+    struct fields rz, rr; /* r.z, r.r */
 };
+
+/* x += alpha p, r -= alpha q, and what comes of that to the sums. */
+FIELDS_KERNEL advance_rows(int width, int k, int first, int last,
+                           const struct cg_many_work *w,
+                           const struct fields *alpha, double *x,
+                           struct sums *sums)
+{
+    double rr[FIELDS_WIDTH] = {0.0}, rz[FIELDS_WIDTH] = {0.0};
+    double a[FIELDS_WIDTH], s[FIELDS_WIDTH];
+
+    for (int f = 0; f < width; f++)
+        a[f] = alpha->at[k + f];
+    for (int i = first; i < last; i++) {
+        const long at = (long)w->m * i + k;
+        const double inverse = w->inverse[i];
+        double *const r = w->r + at, *const y = x + at;
+
+        for (int f = 0; f < width; f++) {
+            s[f] = r[f] - a[f] * w->q[at + f];
+            rr[f] += s[f] * s[f];
+            rz[f] += s[f] * s[f] * inverse;
+        }
+        for (int f = 0; f < width; f++)
+            r[f] = s[f];
+        for (int f = 0; f < width; f++)
+            s[f] = y[f] + a[f] * w->p[at + f];
+        for (int f = 0; f < width; f++)
+            y[f] = s[f];
+    }
+    for (int f = 0; f < width; f++) {
+        sums->rr.at[k + f] = rr[f];
+        sums->rz.at[k + f] = rz[f];
+    }
+}
 
 static void advance(int first, int last, const struct cg_many_work *w,
                     const struct fields *alpha, double *x, struct sums *strip)
 {
-    struct sums sum = {{{0.0}}, {{0.0}}};
+    struct sums *const sums = strip + strips_of(w->n, first);
 
-    if (w->m == 8)
-        advance_rows(first, last, 8, w, alpha, x, &sum.rz, &sum.rr);
-    else
-        advance_rows(first, last, w->m, w, alpha, x, &sum.rz, &sum.rr);
-    strip[strips_of(w->n, first)] = sum;
+    FIELDS_RUN(w->m, advance_rows, first, last, w, alpha, x, sums);
 }
 
 static struct sums advance_all(const struct cg_many_work *w,

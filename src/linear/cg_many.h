@@ -1,4 +1,4 @@
-/* cg_many.h -- conjugate gradients for several fields at once.  Chapter 4.
+/* cg_many.h -- conjugate gradients for several fields at once.  Chapter 7.
  *
  * The m fields of an unknown lie side by side, x[m * i + k], and share the
  * matrix, so each coefficient is read once for all; each field keeps its own

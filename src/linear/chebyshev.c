@@ -2,7 +2,7 @@
 #include "linear/chebyshev.h"
 
 #include "base/alloc.h"
-#include "linear/reduce.h"
+#include "linear/fields.h"
 #include "linear/strips.h"
 
 #include <assert.h>
@@ -52,13 +52,20 @@ static void find_coefficients(struct chebyshev *s, double z, double tail)
     s->c[0] = 1.0 - sum; /* so that a constant stays as it is */
 }
 
+/* Room for m fields is made for so many: whole groups go fastest, and a few of
+ * less than a whole are as slow. */
+static int padded(int m)
+{
+    return m == 1 ? 1 : (m + FIELDS_WIDTH - 1) / FIELDS_WIDTH * FIELDS_WIDTH;
+}
+
 struct chebyshev *chebyshev_create(const struct csr *K, const double *V,
                                    double T, double tail, int m)
 {
     struct chebyshev *const s = alloc_zeroed(1, sizeof *s);
     double lambda = 0.0; /* [1/m^2] Gershgorin's bound */
 
-    assert(m >= 1 && m <= REDUCE_FIELDS && T >= 0.0 && tail > 0.0);
+    assert(m >= 1 && T >= 0.0 && tail > 0.0);
     s->K = K;
     s->m = m;
     for (int i = 0; i < K->n; i++)
@@ -68,8 +75,8 @@ struct chebyshev *chebyshev_create(const struct csr *K, const double *V,
         s->factor[i] = lambda > 0.0 ? 2.0 / (lambda * V[i]) : 0.0;
     find_coefficients(s, lambda * T, tail);
     for (int j = 0; j < 2; j++)
-        s->y[j] = alloc_doubles(K->n * m);
-    s->sum = alloc_doubles(K->n * m);
+        s->y[j] = alloc_doubles(K->n * padded(m));
+    s->sum = alloc_doubles(K->n * padded(m));
     return s;
 }
 
@@ -89,68 +96,109 @@ int chebyshev_products(const struct chebyshev *s)
     return s->products;
 }
 
-/* One term for the rows of a range: next = a (y - factor K y) - b next, where
- * next holds the term before y; sum = c next, added to d times what the sum
- * was of y: the first term begins it, the others continue it. */
-static inline void term_rows(int first, int last, int m,
-                             const struct chebyshev *s, int k, const double *y,
-                             double *restrict next)
+/* Ly = (2 / lambda) L y in row i, for width fields from the g-th of m on. */
+FIELDS_KERNEL row(int width, int g, int i, int m, const struct chebyshev *s,
+                  const double *y, double *Ly)
 {
     const struct csr *const K = s->K;
-    const double c = s->c[k], c0 = s->c[0];
+    const double diag = K->diag[i], factor = s->factor[i];
+    const double *const yi = y + (long)m * i + g;
+
+    for (int f = 0; f < width; f++)
+        Ly[f] = diag * yi[f];
+    for (int e = K->start[i]; e < K->start[i + 1]; e++) {
+        const double a = K->a[e];
+        const double *const yj = y + (long)m * K->col[e] + g;
+
+        for (int f = 0; f < width; f++)
+            Ly[f] += a * yj[f];
+    }
+    for (int f = 0; f < width; f++)
+        Ly[f] *= factor;
+}
+
+/* y_1 = u - Ly and the first two terms of the sum. */
+FIELDS_KERNEL begin_rows(int width, int g, int first, int last, int m,
+                         const struct chebyshev *s, const double *u,
+                         double *restrict next)
+{
+    const double c0 = s->c[0], c1 = s->c[1];
+    double *restrict sum = s->sum;
 
     for (int i = first; i < last; i++) {
-        const double *const yi = y + (long)m * i;
-        double *const ni = next + (long)m * i, *const ui = s->sum + (long)m * i;
-        double Ky[REDUCE_FIELDS];
+        const long at = (long)m * i + g;
+        double Ly[FIELDS_WIDTH], n[FIELDS_WIDTH], S[FIELDS_WIDTH];
 
-        for (int f = 0; f < m; f++)
-            Ky[f] = K->diag[i] * yi[f];
-        for (int e = K->start[i]; e < K->start[i + 1]; e++)
-            for (int f = 0; f < m; f++)
-                Ky[f] += K->a[e] * y[(long)m * K->col[e] + f];
-        for (int f = 0; f < m; f++) {
-            const double t = yi[f] - s->factor[i] * Ky[f];
-
-            ni[f] = k == 1 ? t : 2.0 * t - ni[f];
-            ui[f] = (k == 1 ? c0 * yi[f] : ui[f]) + c * ni[f];
+        row(width, g, i, m, s, u, Ly);
+        for (int f = 0; f < width; f++) {
+            n[f] = u[at + f] - Ly[f];
+            S[f] = c0 * u[at + f] + c1 * n[f];
         }
+        for (int f = 0; f < width; f++)
+            next[at + f] = n[f];
+        for (int f = 0; f < width; f++)
+            sum[at + f] = S[f];
     }
 }
 
-/* Loops of known length for the frequent numbers of fields. */
-static void term(int first, int last, int m, const struct chebyshev *s, int k,
-                 const double *y, double *next)
+/* y_(k+1) = 2 (y_k - Ly) - y_(k-1), in the place of y_(k-1), and its term. */
+FIELDS_KERNEL term_rows(int width, int g, int first, int last, int m,
+                        const struct chebyshev *s, double c, const double *y,
+                        double *restrict next)
 {
-    switch (m) {
-    case 4:
-        term_rows(first, last, 4, s, k, y, next);
-        break;
-    case 8:
-        term_rows(first, last, 8, s, k, y, next);
-        break;
-    default:
-        term_rows(first, last, m, s, k, y, next);
+    double *restrict sum = s->sum;
+
+    for (int i = first; i < last; i++) {
+        const long at = (long)m * i + g;
+        double Ly[FIELDS_WIDTH], n[FIELDS_WIDTH], S[FIELDS_WIDTH];
+
+        row(width, g, i, m, s, y, Ly);
+        for (int f = 0; f < width; f++) {
+            n[f] = 2.0 * (y[at + f] - Ly[f]) - next[at + f];
+            S[f] = sum[at + f] + c * n[f];
+        }
+        for (int f = 0; f < width; f++)
+            next[at + f] = n[f];
+        for (int f = 0; f < width; f++)
+            sum[at + f] = S[f];
     }
 }
 
-static void copy(int first, int last, int m, const double *from, double *to)
+static void begin(int first, int last, int m, const struct chebyshev *s,
+                  const double *u, double *next)
 {
-    for (long i = (long)m * first; i < (long)m * last; i++)
-        to[i] = from[i];
+    FIELDS_RUN(m, begin_rows, first, last, m, s, u, next);
+}
+
+static void term(int first, int last, int m, const struct chebyshev *s,
+                 double c, const double *y, double *next)
+{
+    FIELDS_RUN(m, term_rows, first, last, m, s, c, y, next);
+}
+
+/* Copies m fields of each row from rows of one length to rows of another. */
+static void copy(int first, int last, int m, const double *from,
+                 int from_length, double *to, int to_length)
+{
+    for (int i = first; i < last; i++)
+        for (int f = 0; f < m; f++)
+            to[(long)to_length * i + f] = from[(long)from_length * i + f];
 }
 
 void chebyshev_apply(struct chebyshev *s, int m, double *u)
 {
-    const double *y = u;
+    const int n = s->K->n, length = padded(m);
+    double *y = s->y[0], *next = s->y[1];
 
     assert(m >= 1 && m <= s->m);
-    for (int k = 1; k <= s->products; k++) {
-        double *const next = s->y[k % 2];
+    STRIPS_RUN(n, m, copy, m, u, m, y, length);
+    STRIPS_RUN(n, 4 * length, begin, length, s, y, next);
+    for (int k = 2; k <= s->products; k++) {
+        double *const newest = next;
 
-        if (k == 2) STRIPS_RUN(s->K->n, m, copy, m, u, next);
-        STRIPS_RUN(s->K->n, 4 * m, term, m, s, k, y, next);
-        y = next;
+        next = y;
+        y = newest;
+        STRIPS_RUN(n, 4 * length, term, length, s, s->c[k], y, next);
     }
-    STRIPS_RUN(s->K->n, m, copy, m, s->sum, u);
+    STRIPS_RUN(n, m, copy, m, s->sum, length, u, m);
 }

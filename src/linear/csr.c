@@ -2,7 +2,7 @@
 #include "linear/csr.h"
 
 #include "base/alloc.h"
-#include "linear/reduce.h"
+#include "linear/fields.h"
 #include "linear/strips.h"
 
 #include <assert.h>
@@ -111,69 +111,50 @@ void csr_multiply(const struct csr *A, const double *x, double *y)
     STRIPS_RUN(A->n, 4, rows, A, x, y);
 }
 
-/* Rows for m fields. Called with a constant m where it matters, so that the
- * sums stay in registers. The diagonal is one number a row (step = 0) or one a
- * field (step = 1). */
-static inline void rows_of(int first, int last, const struct csr *A, int m,
-                           const double *diag, int step, const double *x,
-                           double *y)
+/* Rows for width fields from the k-th of m on. The diagonal is one number a row
+ * (step = 0) or one a field (step = 1), or none (NULL). */
+FIELDS_KERNEL rows_of(int width, int k, int first, int last,
+                      const struct csr *A, int m, const double *diag, int step,
+                      const double *x, double *y)
 {
     for (int i = first; i < last; i++) {
-        const double *const xi = x + (long)m * i;
-        double sum[REDUCE_FIELDS] = {0.0};
+        const double *const xi = x + (long)m * i + k;
+        const long at = step ? (long)m * i + k : i;
+        double sum[FIELDS_WIDTH] = {0.0};
 
-        for (int k = 0; k < m && diag != NULL; k++)
-            sum[k] = diag[step ? (long)m * i + k : i] * xi[k];
+        for (int f = 0; f < width && diag != NULL; f++)
+            sum[f] = diag[at + f * step] * xi[f];
         for (int e = A->start[i]; e < A->start[i + 1]; e++) {
             const double a = A->a[e];
-            const double *const xj = x + (long)m * A->col[e];
+            const double *const xj = x + (long)m * A->col[e] + k;
 
-            for (int k = 0; k < m; k++)
-                sum[k] += a * xj[k];
+            for (int f = 0; f < width; f++)
+                sum[f] += a * xj[f];
         }
-        for (int k = 0; k < m; k++)
-            y[(long)m * i + k] = sum[k];
+        for (int f = 0; f < width; f++)
+            y[(long)m * i + k + f] = sum[f];
     }
 }
 
 static void rows_many(int first, int last, const struct csr *A, int m,
                       const double *x, double *y)
 {
-    const double *const d = A->diag;
-
-    switch (m) {
-    case 3:
-        rows_of(first, last, A, 3, d, 0, x, y);
-        break;
-    case 4:
-        rows_of(first, last, A, 4, d, 0, x, y);
-        break;
-    case 8:
-        rows_of(first, last, A, 8, d, 0, x, y);
-        break;
-    default:
-        rows_of(first, last, A, m, d, 0, x, y);
-    }
+    FIELDS_RUN(m, rows_of, first, last, A, m, A->diag, 0, x, y);
 }
 
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
 {
-    assert(m >= 1 && m <= REDUCE_FIELDS);
     STRIPS_RUN(A->n, 4 * m, rows_many, A, m, x, y);
 }
 
 static void rows_each(int first, int last, const struct csr *A, int m,
                       const double *diag, const double *x, double *y)
 {
-    if (m == 3)
-        rows_of(first, last, A, 3, diag, 1, x, y);
-    else
-        rows_of(first, last, A, m, diag, 1, x, y);
+    FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
 
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y)
 {
-    assert(m >= 1 && m <= REDUCE_FIELDS);
     STRIPS_RUN(A->n, 4 * m, rows_each, A, m, diag, x, y);
 }

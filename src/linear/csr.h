@@ -1,4 +1,4 @@
-/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 4.
+/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 7.
  *
  * Link l joins two unknowns, owner[l] and neighbour[l], and stands for the two
  * entries (owner, neighbour) and (neighbour, owner). The rows are stored one
@@ -38,7 +38,7 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
 /* The same, but each field has its own diagonal, diag[m * i + k], which stands
- * in for A->diag; all zero for the part off the diagonal alone. */
+ * in for A->diag; NULL: the part off the diagonal alone. */
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y);
 

@@ -3,8 +3,12 @@
 
 #include "base/alloc.h"
 
-#include <float.h>
+#include <math.h>
 #include <stdlib.h>
+
+/* Of the largest diagonal entry: a pivot below is what rounding left of a sum
+ * over millions of cells. */
+static const double rounding = 1e-12;
 
 struct dense {
     int n;
@@ -38,13 +42,13 @@ double *dense_matrix(struct dense *D)
 void dense_factor(struct dense *D)
 {
     const int n = D->n;
+    double most = 0.0;
 
     for (int j = 0; j < n; j++)
-        D->inverse[j] = D->a[j * n + j]; /* for scale */
+        most = fmax(most, D->a[j * n + j]);
     for (int j = 0; j < n; j++) {
         double *const column = D->a + j * n;
-        const double rounding = n * DBL_EPSILON * D->inverse[j];
-        const int regular = column[j] > rounding;
+        const int regular = column[j] > rounding * most;
 
         D->inverse[j] = regular ? 1.0 / column[j] : 0.0;
         for (int k = j + 1; k < n; k++) {

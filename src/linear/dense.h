@@ -1,4 +1,4 @@
-/* dense.h -- direct solution of a small symmetric system.  Chapter 4.
+/* dense.h -- direct solution of a small symmetric system.  Chapter 7.
  *
  * A = L D L^T, L with a unit diagonal. A pivot that vanishes within rounding
  * (a system that is singular, as that of pressure between walls) leaves its

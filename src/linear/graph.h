@@ -1,5 +1,5 @@
 /* graph.h -- cells and the links between them, and the same seen from farther
- * away, with aggregates for cells.  Chapter 4.
+ * away, with aggregates for cells.  Chapter 7.
  */
 #ifndef GRAPH_H
 #define GRAPH_H

@@ -1,5 +1,5 @@
 /* level.h -- one level of multigrid: its matrix, its vectors, and how its
- * unknowns and links are made of those of the finer level.  Chapter 4.
+ * unknowns and links are made of those of the finer level.  Chapter 7.
  */
 #ifndef LEVEL_H
 #define LEVEL_H

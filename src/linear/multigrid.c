@@ -25,6 +25,7 @@ struct multigrid {
     int n_levels;
     struct level level[LEVELS]; /* the finest first */
     struct dense *coarsest;     /* NULL if too many unknowns are left */
+    struct graph *links;        /* of the coarsest level, for its matrix */
     double *unknown;            /* of the coarsest level */
     double unit;                /* one over the typical entry of the matrix */
 };
@@ -33,8 +34,8 @@ struct multigrid {
 static struct graph *add_level(struct multigrid *mg, struct graph *g)
 {
     struct level *const v = &mg->level[mg->n_levels];
-    int *const parent = alloc_ints(g->n), *const bundle =
-                                              alloc_ints(g->n_links);
+    int *const parent = alloc_ints(g->n);
+    int *const bundle = alloc_ints(g->n_links);
     struct graph *coarse = pairs_coarser(g, parent, bundle);
 
     if (coarse->n > 0.8 * g->n) {
@@ -66,7 +67,7 @@ struct multigrid *multigrid_create(int n, int n_links, const int *owner,
         g = add_level(mg, fine);
         graph_free(fine);
     }
-    graph_free(g);
+    mg->links = g;
 
     const int left = mg->level[mg->n_levels - 1].n;
 
@@ -81,24 +82,30 @@ void multigrid_free(struct multigrid *mg)
     for (int k = 0; k < mg->n_levels; k++)
         level_release(&mg->level[k]);
     dense_free(mg->coarsest);
+    graph_free(mg->links);
     free(mg->unknown);
     free(mg);
 }
 
-/* The coarsest matrix, column by column: its rows times unit vectors. */
+/* The coarsest matrix in double, from the coefficients of its links. */
 static void factor_coarsest(struct multigrid *mg)
 {
-    struct level *const v = &mg->level[mg->n_levels - 1];
+    const struct level *const v = &mg->level[mg->n_levels - 1];
     double *const a = dense_matrix(mg->coarsest);
+    const int n = v->n;
 
-    for (int i = 0; i < v->n; i++)
-        v->b[i] = v->x[i] = 0.0F;
-    for (int j = 0; j < v->n; j++) {
-        v->x[j] = -1.0F;
-        symmetric_residual(v->A, v->b, v->x, v->r);
-        v->x[j] = 0.0F;
-        for (int i = 0; i < v->n; i++)
-            a[j * v->n + i] = (double)v->r[i];
+    for (int i = 0; i < n * n; i++)
+        a[i] = 0.0;
+    for (int i = 0; i < n; i++)
+        a[i * n + i] = mg->unit * v->sums[i];
+    for (int l = 0; l < v->n_links; l++) {
+        const int i = mg->links->owner[l], j = mg->links->neighbour[l];
+        const double g = mg->unit * v->g[l];
+
+        a[i * n + i] += g;
+        a[j * n + j] += g;
+        a[i * n + j] -= g;
+        a[j * n + i] -= g;
     }
     dense_factor(mg->coarsest);
 }

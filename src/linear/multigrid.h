@@ -1,4 +1,4 @@
-/* multigrid.h -- the pressure solver's preconditioner.  Chapter 4.
+/* multigrid.h -- the pressure solver's preconditioner.  Chapter 7.
  *
  * Cells are joined in aggregates, aggregates in larger ones, until a few are
  * left. The aggregates come from the geometry alone and are made once; each

@@ -1,4 +1,4 @@
-/* pairs.h -- which cells to join, by geometry alone.  Chapter 4.
+/* pairs.h -- which cells to join, by geometry alone.  Chapter 7.
  *
  * One coarsening takes the directions x, y, z in turn and joins cells in pairs
  * along the links closest to that direction, in the order of their numbers; a

@@ -12,6 +12,7 @@
 static const double closest = 1.02;   /* [-] lattice spacing over d */
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
 static const double settling_speed = 1.0; /* [m/s] that the step is made for */
+static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
 enum { STEPS_A_LOOK = 50 };
 
 struct lattice {
@@ -117,44 +118,58 @@ static void hold_weight(struct particles *ps, const double g[3])
     }
 }
 
-/* Runs until the bed is at rest, at the earliest after `least` [s]. */
-static int run_to_rest(struct dem *run, double dt, double least,
-                       const struct bed_options *bed, double weight_d,
+static void slow_down(struct particles *ps, double factor)
+{
+    double *const all[] = {ps->vx, ps->vy, ps->vz, ps->wx, ps->wy, ps->wz};
+
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < ps->n; i++)
+            all[k][i] *= factor;
+}
+
+/* Runs until the bed is at rest, at the earliest after `least` [s]; keeps the
+ * share `kept` of all velocities at each look. */
+static int run_to_rest(struct dem *run, double dt, double least, double kept,
+                       const struct bed_options *bed, struct particles *ps,
                        struct bed_report *r)
 {
+    const double weight = ps->n * ps->m[0] * length(bed->gravity);
     const double end = r->time + least;
 
     do {
         if (dem_run(run, STEPS_A_LOOK, &r->dem) != 0) return 1;
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * dt;
-        r->kinetic = (r->dem.translation + r->dem.rotation) / weight_d;
+        r->kinetic =
+            (r->dem.translation + r->dem.rotation) / (weight * bed->diameter);
         r->settled = r->kinetic < BED_REST && r->time >= end;
+        if (kept < 1.0) slow_down(ps, kept);
     } while (!r->settled && r->time < bed->settle);
     return 0;
 }
 
-/* First with settling_e, for at least the time in which a sphere falls its
- * diameter, since nobody moves at the start; then with the real material. */
+/* First with settling_e and as in a thick fluid, without which a sphere that
+ * rolls would roll forever; for at least the time in which one falls its
+ * diameter, since nobody moves at the start. Then as it really is. */
 static int settle(struct particles *ps, const struct bed_options *bed,
                   const struct dem_options *o, struct bed_report *r,
                   struct bed_springs *springs)
 {
-    const double g = length(bed->gravity);
-    const double fall = sqrt(2.0 * bed->diameter / g);
-    const double weight_d = ps->n * ps->m[0] * g * bed->diameter;
+    const double fall = sqrt(bed->diameter / length(bed->gravity));
     struct dem_options settling = *o;
 
     settling.material.restitution = fmin(settling_e, o->material.restitution);
     settling.step = limits_step(o->law, &o->material, bed->diameter,
                                 bed->density, settling_speed);
+    const double look = STEPS_A_LOOK * settling.step;
+    const double kept = exp(-look / (settling_drag * fall));
     struct dem *const run = dem_create(ps, &settling);
     if (run == NULL) return 1;
     hold_weight(ps, bed->gravity);
-    int lost = run_to_rest(run, settling.step, fall, bed, weight_d, r);
+    int lost = run_to_rest(run, settling.step, 1.5 * fall, kept, bed, ps, r);
     if (!lost && r->settled) {
         dem_change_material(run, &o->material);
-        lost = run_to_rest(run, settling.step, 0.0, bed, weight_d, r);
+        lost = run_to_rest(run, settling.step, 0.0, 1.0, bed, ps, r);
     }
     springs->list = dem_springs(run, &springs->n);
     dem_free(run);

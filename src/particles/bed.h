@@ -2,8 +2,8 @@
  *
  * Equal spheres on a cubic lattice, from the bottom up, each shifted at random
  * within its free room; then gravity, first with a very dissipative material
- * so that the bed comes to rest soon, then with the real one. The same
- * options give the same bed, bit for bit.
+ * and a drag, so that the bed comes to rest soon, then with the real material.
+ * The same options give the same bed, bit for bit.
  */
 #ifndef BED_H
 #define BED_H

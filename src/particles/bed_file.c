@@ -8,36 +8,47 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/number.h"
 
-enum { LINE = 256, FACTS = 13, COLUMNS = 11 };
+enum { LINE = 256, FACTS = 17, COLUMNS = 11 };
 
-/* What the bed was made with; `text` has one line a fact. */
+/* "name a b c" with numbers that read back exactly. */
+static void fact(char line[LINE], const char *name, int n, const double *value)
+{
+    char number[NUMBER_LENGTH];
+    int at = snprintf(line, LINE, "%s", name);
+
+    for (int k = 0; k < n; k++)
+        at += snprintf(line + at, (size_t)(LINE - at), " %s",
+                       number_text(value[k], number));
+    snprintf(line + at, (size_t)(LINE - at), "\n");
+}
+
+/* What the bed was made with, a line a fact. */
 static void facts(char text[FACTS][LINE], const struct bed_options *bed,
                   const struct dem_options *o)
 {
     const struct material *const m = &o->material;
-    const double *const g = bed->gravity;
     int n = 0;
 
-    snprintf(text[n++], LINE, "winnow bed 1\n");
+    snprintf(text[n++], LINE, "winnow bed 1, contact %s\n", o->law->name);
     snprintf(text[n++], LINE, "count %d\n", bed->count);
-    snprintf(text[n++], LINE, "diameter %.17g\n", bed->diameter);
-    snprintf(text[n++], LINE, "density %.17g\n", bed->density);
     snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
-    snprintf(text[n++], LINE, "jitter %.17g\n", bed->jitter);
-    snprintf(text[n++], LINE, "settle %.17g\n", bed->settle);
-    snprintf(text[n++], LINE, "gravity %.17g %.17g %.17g\n", g[0], g[1], g[2]);
-    snprintf(text[n++], LINE, "box from %.17g %.17g %.17g\n", o->lo[0],
-             o->lo[1], o->lo[2]);
-    snprintf(text[n++], LINE, "box to %.17g %.17g %.17g\n", o->hi[0], o->hi[1],
-             o->hi[2]);
     snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
              o->periodic[1], o->periodic[2]);
-    snprintf(text[n++], LINE, "contact %s young %.17g poisson %.17g\n",
-             o->law->name, m->young, m->poisson);
-    snprintf(text[n++], LINE,
-             "stiffness %.17g %.17g restitution %.17g friction %.17g\n",
-             m->stiffness, m->tangential, m->restitution, m->friction);
+    fact(text[n++], "diameter", 1, &bed->diameter);
+    fact(text[n++], "density", 1, &bed->density);
+    fact(text[n++], "jitter", 1, &bed->jitter);
+    fact(text[n++], "settle", 1, &bed->settle);
+    fact(text[n++], "gravity", 3, bed->gravity);
+    fact(text[n++], "box from", 3, o->lo);
+    fact(text[n++], "box to", 3, o->hi);
+    fact(text[n++], "young", 1, &m->young);
+    fact(text[n++], "poisson", 1, &m->poisson);
+    fact(text[n++], "stiffness", 1, &m->stiffness);
+    fact(text[n++], "tangential", 1, &m->tangential);
+    fact(text[n++], "restitution", 1, &m->restitution);
+    fact(text[n++], "friction", 1, &m->friction);
 }
 
 /* Where the COLUMNS numbers of a particle are. */

@@ -6,7 +6,7 @@
 
 #include "base/alloc.h"
 
-struct domain domain_create(const double lo[3], const double hi[3],
+struct domain bodies_domain(const double lo[3], const double hi[3],
                             const int periodic[3])
 {
     struct domain box;

@@ -18,7 +18,7 @@ struct domain {
     double inverse[3];   /* [1/m] 1 / (hi - lo) if periodic, else 0 */
 };
 
-struct domain domain_create(const double lo[3], const double hi[3],
+struct domain bodies_domain(const double lo[3], const double hi[3],
                             const int periodic[3]);
 
 struct bodies {

@@ -34,7 +34,7 @@ double contact_hertz_time(double E_star, double R_star, double m_star, double v)
     const double k_n = contact_hertz_stiffness(E_star, R_star);
     const double delta = pow(1.25 * m_star * v * v / k_n, 0.4);
 
-    return 2.9432750 * delta / v;
+    return 2.94327518 * delta / v;
 }
 
 static struct contact_constants constants(const struct material *m)

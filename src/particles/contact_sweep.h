@@ -46,6 +46,7 @@ struct sweep_buffers {
     double vx[SWEEP_LANES], vy[SWEEP_LANES], vz[SWEEP_LANES]; /* [m/s] v_t */
     double Fx[SWEEP_LANES], Fy[SWEEP_LANES], Fz[SWEEP_LANES]; /* [N] F_t */
     double load[SWEEP_LANES][8]; /* [N] as struct strip has it */
+    double deepest[SWEEP_LANES]; /* [-] largest delta / (R_i + R_j) so far */
 };
 
 /* Particle j against i: differences of what points, sums of what does not. */
@@ -177,15 +178,12 @@ SWEEP_INLINE void sweep_springs(struct sweep_buffers *restrict c,
 }
 
 /* Coulomb's cap [LS 4.8]: where it cuts the force it cuts the spring as well,
- * to what gives that force. Then the loads, and nothing where none touch.
- * Returns the largest overlap over R_i + R_j. */
-SWEEP_INLINE double sweep_loads(struct sweep_buffers *restrict c,
-                                double *restrict xi_x, double *restrict xi_y,
-                                double *restrict xi_z, double mu)
+ * to what gives that force. Then the loads, and nothing where none touch. */
+SWEEP_INLINE void sweep_loads(struct sweep_buffers *restrict c,
+                              double *restrict xi_x, double *restrict xi_y,
+                              double *restrict xi_z, double mu)
 {
-    double deepest = 0.0;
-
-#pragma omp simd reduction(max : deepest)
+#pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const double F2 =
             c->Fx[p] * c->Fx[p] + c->Fy[p] * c->Fy[p] + c->Fz[p] * c->Fz[p];
@@ -212,9 +210,8 @@ SWEEP_INLINE double sweep_loads(struct sweep_buffers *restrict c,
         c->load[p][5] = touch ? a * (nz * Fx - nx * Fz) : 0.0;
         c->load[p][6] = touch ? a * (nx * Fy - ny * Fx) : 0.0;
         c->load[p][7] = 0.0;
-        deepest = 1.0 - a > deepest ? 1.0 - a : deepest;
+        c->deepest[p] = 1.0 - a > c->deepest[p] ? 1.0 - a : c->deepest[p];
     }
-    return deepest;
 }
 
 /* Both of a pair have their load: equal and opposite forces, equal torques
@@ -247,6 +244,7 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
     const int n = s->contacts.n_pairs + s->contacts.n_walls;
     struct sweep_buffers c;
 
+    memset(c.deepest, 0, sizeof c.deepest);
     memset(s->load, 0, (size_t)s->window * sizeof *s->load);
     for (int first = 0; first < n; first += SWEEP_LANES) {
         const int left = n - first;
@@ -259,10 +257,11 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         sweep_frames(&c, &b->box, periodic);
         sweep_law(&c, k, respond);
         sweep_springs(&c, xi_x, xi_y, xi_z, dt);
-        const double d = sweep_loads(&c, xi_x, xi_y, xi_z, k->friction);
-        s->deepest = d > s->deepest ? d : s->deepest;
+        sweep_loads(&c, xi_x, xi_y, xi_z, k->friction);
         sweep_scatter(&c, s, first, count, b->n);
     }
+    for (int p = 0; p < SWEEP_LANES; p++)
+        s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }
 
 #endif

@@ -2,9 +2,7 @@
 #include "particles/dem.h"
 
 #include <math.h>
-#ifdef _OPENMP
 #include <omp.h>
-#endif
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -63,7 +61,7 @@ static int options_wrong(const struct dem_options *o,
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
     const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
-    const struct domain box = domain_create(o->lo, o->hi, o->periodic);
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
@@ -157,7 +155,7 @@ static void forces(const struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++)
         dem->sweep(&nb->strips[s], nb->bodies, &dem->constants, dt);
-#pragma omp barrier
+    neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         strip_fold(nb->strips, nb->count, s, nb->bodies->n);
 }
@@ -196,7 +194,7 @@ static void move(struct dem *dem, int steps)
     if (steps > 0) advance(dem, 0.5 * dt, dt);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
-#pragma omp barrier
+        neighbours_meet(nb);
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         spent += closer;
         if (spent > margin) {
@@ -209,12 +207,10 @@ static void move(struct dem *dem, int steps)
         advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
     }
     finish(dem);
-#pragma omp barrier
-#pragma omp master
-    {
+    neighbours_meet(nb);
+    if (omp_get_thread_num() == 0) {
         nb->margin = margin;
         nb->spent = spent;
-        nb->stale = 0;
         dem->done = k;
     }
 }
@@ -255,13 +251,8 @@ static void report(struct dem *dem, long rebuilds, struct dem_report *r)
 
 static int team_size(const struct neighbours *nb)
 {
-#ifdef _OPENMP
     const int most = omp_get_max_threads();
     return most < nb->count ? most : nb->count;
-#else
-    (void)nb;
-    return 1;
-#endif
 }
 
 int dem_run(struct dem *dem, int steps, struct dem_report *r)

@@ -1,4 +1,4 @@
-/* grid.h -- particles sorted into cells, and the pairs found there.  Chapter 2.
+/* grid.h -- particles sorted into cells, and the pairs found there.  Chapter 3.
  *
  * The cells are as wide as the farthest pair of the vicinity, so that a
  * particle's partners are in its own cell and the 26 around. The particles are

@@ -1,4 +1,4 @@
-/* limits.h -- how long a step of the particles may be.  Chapter 2.
+/* limits.h -- how long a step of the particles may be.  Chapter 11.
  *
  * Two measures of the same thing, the time in which a grain answers a push:
  * the duration of an impact, and the Rayleigh time in which a surface wave
@@ -20,10 +20,10 @@ double limits_contact_time(const struct contact_law *law,
                            double v);
 
 /* What we suggest: 1/25 of the contact time, and for law "hertz" at most 1/10
- * of the Rayleigh time, which holds for any speed. With 25 steps a contact the
- * rebound keeps e to about 1 % (test_limits), and a sphere amid twelve others,
- * whose springs act together on it, still has about 12 steps in its fastest
- * oscillation. */
+ * of the Rayleigh time, which holds for any speed. With 25 steps a contact a
+ * rebound has e to 0.01 where e >= 0.6, and to 0.03 below (test_limits); and a
+ * sphere amid twelve others, whose springs act on it together, still has about
+ * 25 steps in a period of its fastest oscillation. */
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v);
 

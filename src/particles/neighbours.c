@@ -2,9 +2,7 @@
 #include "particles/neighbours.h"
 
 #include <math.h>
-#ifdef _OPENMP
 #include <omp.h>
-#endif
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -19,6 +17,7 @@ struct neighbours *neighbours_create(struct particles *ps,
     nb->grid = grid_create(ps->capacity, box);
     nb->count = strip_count(ps->capacity);
     nb->strips = alloc_zeroed((size_t)nb->count, sizeof *nb->strips);
+    nb->barrier = barrier_create();
     nb->rank = alloc_ints(ps->capacity);
     nb->stale = 1;
     return nb;
@@ -32,20 +31,22 @@ void neighbours_free(struct neighbours *nb)
     free(nb->strips);
     bodies_free(nb->bodies);
     grid_free(nb->grid);
+    barrier_free(nb->barrier);
     free(nb->rank);
     free(nb);
 }
 
 struct neighbours_share neighbours_share(const struct neighbours *nb)
 {
-    int thread = 0, threads = 1;
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
 
-#ifdef _OPENMP
-    thread = omp_get_thread_num();
-    threads = omp_get_num_threads();
-#endif
     return (struct neighbours_share){nb->count * thread / threads,
                                      nb->count * (thread + 1) / threads};
+}
+
+void neighbours_meet(const struct neighbours *nb)
+{
+    barrier_wait(nb->barrier, omp_get_num_threads());
 }
 
 void neighbours_open(struct neighbours *nb)
@@ -191,33 +192,34 @@ static void rebuild(struct neighbours *nb)
         if (!nb->stale) strip_keep(own);
         bodies_park(b, nb->ps, own->begin, own->end);
     }
-#pragma omp barrier
-#pragma omp single
-    sort(nb);
+    neighbours_meet(nb);
+    if (mine.first == 0) sort(nb);
+    neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
         bodies_fetch(b, nb->ps, own->begin, own->end);
         bodies_mark(b, own->begin, own->end);
     }
-#pragma omp barrier
+    neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         grid_find(nb->grid, &nb->strips[s], b, nb->skin);
-#pragma omp barrier
+    neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         for (int q = 0; q < nb->strips[s].n_kept; q++)
             restore(nb, &nb->strips[s].kept[q]);
-#pragma omp barrier
+    neighbours_meet(nb);
+    if (mine.first == 0) nb->stale = 0;
 }
 
 double neighbours_refresh(struct neighbours *nb, double wanted)
 {
     const struct neighbours_share mine = neighbours_share(nb);
-    const double margin = fmin(wanted, 0.5 * nb->skin);
+    const double margin = fmin(wanted, 0.25 * nb->skin);
 
     neighbours_look(nb);
-#pragma omp barrier
+    neighbours_meet(nb);
     const double moved = farthest(nb);
-#pragma omp barrier
+    neighbours_meet(nb);
     if (moved < 0.0) return -1.0;
     if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
     for (int s = mine.first; s < mine.last; s++)

@@ -1,4 +1,4 @@
-/* neighbours.h -- when the lists are made anew, and how.  Chapter 2.
+/* neighbours.h -- when the lists are made anew, and how.  Chapter 3.
  *
  * Particles that move at most v come closer by at most 2 v dt in a step
  * [LS 5.16]. The contacts were chosen with a margin; while the sum of 2 v dt
@@ -14,6 +14,7 @@
 #ifndef NEIGHBOURS_H
 #define NEIGHBOURS_H
 
+#include "particles/barrier.h"
 #include "particles/grid.h"
 #include "particles/strip.h"
 
@@ -22,7 +23,8 @@ struct neighbours {
     struct bodies *bodies;
     struct grid *grid;
     struct strip *strips;
-    int count;     /* [-] strips */
+    int count; /* [-] strips */
+    struct barrier *barrier;
     int *rank;     /* [-] new place of each particle after a sort */
     double skin;   /* [m] set by the caller before neighbours_open */
     double margin; /* [m] of the contacts */
@@ -41,6 +43,9 @@ struct neighbours_share {
     int first, last;
 };
 struct neighbours_share neighbours_share(const struct neighbours *nb);
+
+/* Waits until every thread of the team is here. */
+void neighbours_meet(const struct neighbours *nb);
 
 /* The springs of all touching pairs, collected from the strips; or room for
  * `n` that the next run starts with. Borrowed. */

@@ -115,7 +115,7 @@ void strip_close(struct strip *s, int n)
         const int reach = (at < 0 ? at + n : at) + 1;
         if (reach > s->window) s->window = reach;
     }
-    if (s->window > s->load_capacity) {
+    if (s->load == NULL || s->window > s->load_capacity) {
         free(s->load);
         s->load_capacity = roomy(s->window);
         s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);

@@ -1,4 +1,4 @@
-/* strip.h -- the particles in strips, and who is near whom.  Chapter 2.
+/* strip.h -- the particles in strips, and who is near whom.  Chapter 3.
  *
  * The particles, sorted in space, are cut into strips. How many depends on the
  * number of particles alone and never on the number of threads: each strip is

@@ -132,7 +132,7 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
 
 /* --- coupling ----------------------------------------------------------- */
 
-static int create_averaging(const struct settings *s, struct simulation *sim)
+struct averaging_options build_averaging_options(const struct settings *s)
 {
     const struct averaging_options o = {
         .bandwidth = settings_has(s, "averaging.bandwidth")
@@ -145,6 +145,12 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
                    ? settings_real(s, "averaging.cap")
                    : 0.0,
         .fields = 4};
+    return o;
+}
+
+static int create_averaging(const struct settings *s, struct simulation *sim)
+{
+    const struct averaging_options o = build_averaging_options(s);
     sim->averaging = averaging_create(
         averaging_method_named(settings_text(s, "averaging.method")), sim->mesh,
         sim->particles, &o);

@@ -17,6 +17,7 @@ int build_steps(const struct settings *s, double *dt);
 
 /* What the case says about parts, for `check` too. */
 struct mesh *build_mesh(const struct settings *s);
+struct averaging_options build_averaging_options(const struct settings *s);
 int build_gravity(const struct settings *s, double g[3]);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/check.h"
 
+#include "averaging/averaging.h"
 #include "exchange/drag.h"
 #include "mesh/mesh.h"
 #include "particles/contact.h"
@@ -162,6 +163,23 @@ static void print_flow(const struct scales *k)
                             : "the step is above: stable, not accurate");
 }
 
+/* Crank-Nicolson needs so many steps not to undershoot. */
+static void print_averaging(const struct settings *s)
+{
+    struct mesh *const m = build_mesh(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const int steps = averaging_check(
+        averaging_method_named(settings_text(s, "averaging.method")), m, &o);
+
+    puts("Averaging");
+    if (o.bandwidth > 0.0)
+        line("bandwidth / S_c", o.bandwidth / cbrt(m->V[0]), "-", "");
+    if (steps > 0)
+        line("averaging.steps", steps, "-",
+             "needed: with fewer the fields undershoot");
+    mesh_free(m);
+}
+
 static void print_drag(const struct settings *s, const struct scales *k)
 {
     const struct drag_law *const law =
@@ -222,6 +240,7 @@ int check_case(const struct settings *s)
     print_resolution(&k);
     if (k.particles > 0) print_contacts(s, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
+    if (settings_has(s, "averaging")) print_averaging(s);
     if (settings_has(s, "exchange") && k.particles > 0) print_drag(s, &k);
     if (k.particles > 0) print_weight(s, &k);
     print_cost(s, &k);

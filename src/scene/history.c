@@ -173,6 +173,28 @@ static double momentum_z(const struct simulation *sim)
     return total_momentum(sim, 2);
 }
 
+static double owed(const struct simulation *sim, int k)
+{
+    double sum[3];
+    coupling_owed(sim, sum);
+    return sum[k];
+}
+
+static double owed_x(const struct simulation *sim)
+{
+    return owed(sim, 0);
+}
+
+static double owed_y(const struct simulation *sim)
+{
+    return owed(sim, 1);
+}
+
+static double owed_z(const struct simulation *sim)
+{
+    return owed(sim, 2);
+}
+
 /* --- numerics ----------------------------------------------------------- */
 
 static double cfl(const struct simulation *sim)
@@ -273,6 +295,9 @@ const struct history_column history_columns[] = {
     {"momentum_x [N s]", momentum_x, 0},
     {"momentum_y [N s]", momentum_y, 0},
     {"momentum_z [N s]", momentum_z, 0},
+    {"owed_x [N s]", owed_x, C},
+    {"owed_y [N s]", owed_y, C},
+    {"owed_z [N s]", owed_z, C},
     {"max_cfl [-]", cfl, F},
     {"max_overlap [-]", max_overlap, P},
     {"contacts [-]", contacts, P},

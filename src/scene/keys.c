@@ -48,7 +48,7 @@ const struct key keys_core[] = {
 
     {"particles", KEY_GROUP, "", "", "", "spheres, all of one material",
      "LS 4.1-4.3", ""},
-    {"particles.contact", KEY_NAME, "", "linear | hertz", NULL, "contact law",
+    {"particles.contact", KEY_NAME, "", "hertz | linear", NULL, "contact law",
      "LS 4.4, 4.7-4.10", ""},
     {"particles.step", KEY_REAL, "s", "> 0", NULL, "time step of the contacts",
      "LS 5.11", ""},

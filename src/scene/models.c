@@ -26,7 +26,8 @@ static int contact(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k] == NULL) return 0;
     *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
-    m->function = "respond";
+    m->function = all[i] == &contact_hertz ? "contact_hertz_force"
+                                           : "contact_linear_force";
     m->keys = all[i] == &contact_hertz
                   ? "particles.grains.young particles.grains.poisson"
                   : "particles.grains.stiffness";

@@ -1,0 +1,72 @@
+#!/bin/sh
+# Opens every page of the book in a browser, as wide as a phone and as a desk:
+# nothing may be wider than the window, every image must load, every formula must
+# take up room. Left out with a word where there is no Chromium.
+#
+#   sh chapters/tools/browser.sh build/book
+set -eu
+book=$(cd "$1" && pwd)
+check=$book-check.html
+browser=
+for name in chromium chromium-browser google-chrome; do
+    command -v $name >/dev/null && browser=$name && break
+done
+[ -n "$browser" ] || { echo "book: without Chromium no page is opened"; exit 0; }
+trap 'rm -rf "$check" "$check.profile"' EXIT
+
+{
+    cat <<'END'
+<!DOCTYPE html>
+<iframe></iframe>
+<pre></pre>
+<script>
+const say = s => document.querySelector('pre').append(s + '\n');
+const frame = document.querySelector('iframe');
+frame.style.height = '800px';
+function look(page, width) {
+  const doc = frame.contentDocument;
+  const wrong = s => say('WRONG ' + page + ' at ' + width + ': ' + s);
+  const root = doc.documentElement;
+  if (!doc.querySelector('main')) wrong('no text');
+  if (root.scrollWidth > width + 1) {
+    const wide = [...doc.querySelectorAll('main *')].find(
+      e => e.getBoundingClientRect().right > width + 1);
+    wrong('wider than the window: ' + (wide ? wide.textContent.slice(0, 40) : ''));
+  }
+  for (const image of doc.images)
+    if (!image.naturalWidth) wrong('no image ' + image.getAttribute('src'));
+  for (const formula of doc.querySelectorAll('math'))
+    if (!formula.closest('details') &&
+        !formula.getBoundingClientRect().width) wrong('a formula is empty');
+}
+async function open(page, width) {
+  frame.style.width = width + 'px';
+  frame.src = page;
+  await new Promise(done => frame.onload = done);
+  look(page, width);
+}
+(async () => {
+  for (const page of pages)
+    for (const width of [360, 1200]) await open(page, width);
+  say('opened ' + pages.length);
+})();
+</script>
+END
+} >"$check"
+# A frame has no border, so that its width is that of a window.
+pages=$(cd "$book/.." && find "$(basename "$book")" -name '*.html' | sort |
+    sed "s/.*/'&',/")
+{ echo "<style>iframe { border: 0 }</style><script>const pages = [$pages];</script>"
+    cat "$check"; } >"$check.new"
+mv "$check.new" "$check"
+
+"$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars \
+    --user-data-dir="$check.profile" --allow-file-access-from-files \
+    --virtual-time-budget=600000 --dump-dom "file://$check" 2>/dev/null |
+    sed -n '/^WRONG/p; /<pre>WRONG/s/.*<pre>//p; s/.*\(opened [0-9]*\)$/\1/p' \
+        >"$check.said"
+grep -v '^opened' "$check.said" && failed=1 || failed=0
+grep -q '^opened' "$check.said" || { echo "book: the browser gave up"; failed=1; }
+echo "book: $(sed -n 's/^opened/pages opened:/p' "$check.said")"
+rm -f "$check.said"
+exit $failed

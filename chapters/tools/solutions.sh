@@ -1,0 +1,70 @@
+#!/bin/sh
+# Applies each solution of an exercise to a copy of the source, and runs the tests
+# that it names.
+#
+#   sh chapters/tools/solutions.sh build [PATCH...]
+#
+# A solution is a patch, chapters/solutions/09-3.patch. Above its first "diff" or
+# "---" stand the program and the facts that tell whether it is right:
+#   test_drag holds gidaspow_smooth_has_no_jump           (a test of the solution)
+#   test_drag fails xs11_2_11_beta_is_the_printed_product (damage on purpose)
+# With "fails", these facts and no others of the program may fail.
+set -u
+build=$1
+shift
+[ $# -gt 0 ] || set -- chapters/solutions/*.patch
+tree=$build/solution
+facts=$build/solution.facts
+failed=0
+count=0
+
+# The build goes along, so that only what the patch touches is compiled anew.
+copy() {
+    rm -rf "$tree"
+    mkdir -p "$tree/build"
+    cp -rp src tests cases Makefile "$tree"
+    cp -rp "$build/src" "$build/libwinnow.a" "$tree/build"
+}
+
+wanted() { # program, holds or fails
+    sed -n "/^diff\|^---/q; s/^$1 $2 //p" "$patch" | LC_ALL=C sort
+}
+
+try() { # program
+    make -s -C "$tree" B=build "build/tests/$1" >"$facts.make" 2>&1 || {
+        tail -5 "$facts.make"
+        echo "$patch: $1 does not build"
+        return 1
+    }
+    (cd "$tree" && CK_LOG_FILE_NAME=facts.log "build/tests/$1") >/dev/null 2>&1
+    sed -n 's/^[^:]*:[0-9]*:[FE]:[^:]*:\([^:]*\):.*/\1/p' "$tree/facts.log" |
+        LC_ALL=C sort -u >"$facts"
+    wanted "$1" fails | diff - "$facts" >"$facts.diff" || {
+        sed -n 's/^< \(.*\)/holds, and should fail: \1/p
+            s/^> \(.*\)/fails, and should hold: \1/p' "$facts.diff"
+        echo "$patch: $1 does not do what is said"
+        return 1
+    }
+    for fact in $(wanted "$1" holds); do
+        grep -q ":P:[^:]*:$fact:" "$tree/facts.log" ||
+            { echo "$patch: $1 has no fact $fact"; return 1; }
+    done
+}
+
+for patch in "$@"; do
+    [ -f "$patch" ] || continue
+    count=$((count + 1))
+    copy
+    if ! patch -s -p1 -d "$tree" <"$patch"; then
+        echo "$patch: does not apply"
+        failed=1
+        continue
+    fi
+    programs=$(sed -n '/^diff\|^---/q; s/^\(test_[a-z_0-9]*\) .*/\1/p' "$patch" |
+        sort -u)
+    [ -n "$programs" ] || { echo "$patch: names no test"; failed=1; }
+    for program in $programs; do try "$program" || failed=1; done
+done
+rm -rf "$tree" "$facts" "$facts".*
+[ $failed = 0 ] && echo "solutions: $count are right"
+exit $failed

@@ -1,0 +1,178 @@
+#!/bin/sh
+# The tools of the book, on a book of one page. Each fact damages something and
+# looks whether the tool says what and where.
+#
+#   sh tests/book.sh
+set -u
+tools=$PWD/chapters/tools
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+facts=0
+
+# fact NAME CODE PART COMMAND...: the command ends with the code, and what it
+# prints, on either stream, holds the part.
+fact() {
+    name=$1 code=$2 part=$3
+    shift 3
+    "$@" >"$work/said" 2>&1
+    found=$?
+    if [ $found -ne "$code" ] || { [ -n "$part" ] && ! grep -qF -- "$part" "$work/said"; }; then
+        echo "FAILED $name: exit code $found, not $code, or no \"$part\" in:"
+        cat "$work/said"
+        failed=$((failed + 1))
+    else
+        facts=$((facts + 1)) && echo "    $name"
+    fi
+}
+
+# The little book, as it should be.
+fresh() {
+    rm -rf "$work/book" && mkdir -p "$work/book" && cd "$work/book" || exit 1
+    mkdir -p src/base tests cases chapters/solutions figures
+    cat >src/base/fall.c <<'END'
+/* Speed after a fall from h, no air: [XS11 2.11, 2.12]. */
+static double fall_speed(double g, double h)
+{
+    return pow(2.0 * g * h, 0.5); /* not "}" nor '{' */
+}
+
+static const int fall_tries[] = {1, 2};
+END
+    cat >tests/test_fall.c <<'END'
+START_TEST(xs11_2_11_speed_grows_as_the_root) {
+}
+END_TEST
+
+/* Both limits [XS11 2.12]. */
+START_TEST(limits_are_right) {
+}
+END_TEST
+END
+    printf 'XS11 2.11 | speed | done\nXS11 2.12 | time | done\nXS11 2.13 | %s\n' \
+        'heat | not yet: air' >chapters/ledger.txt
+    printf '# waits\n' >chapters/pending.txt
+    : >chapters/unshown.txt
+    echo '# The book' >chapters/README.md
+    printf '# References\n\n<a id="Newton87"></a>**Newton87**\n' >chapters/references.md
+    printf '# Notation\n\n| symbol | code | meaning |\n| --- | --- | --- |\n%s\n' \
+        '| $g$ | `g` | gravity |' >chapters/notation.md
+    printf '## part\nspeed = 4.429 [m/s]\n\n## other\nspeed = 7\n' >figures/fall.txt
+    echo '# 1 Solutions' >chapters/solutions/01-fall-solutions.md
+    cat >chapters/01-fall.md <<'END'
+# 1 Fall
+
+A stone falls [Newton87]. Its speed is [XS11 (2.11), (2.12)]
+
+$$
+v = \sqrt{2 g h}. \tag{1.1}
+$$
+
+<!-- code src/base/fall.c fall_speed -->
+
+From (1.1) it is <!-- number figures/fall.txt speed %.1f -->0<!-- --> m/s.
+
+<!-- output figures/fall.txt part -->
+
+<!-- tests tests/test_fall.c -->
+
+```text
+<!-- code src/none.c this is text -->
+```
+END
+    sh "$tools/weave.sh" >/dev/null && sh "$tools/ledger.sh"
+}
+edit() { sed -i "$1" "$2"; }
+weave() { sh "$tools/weave.sh" "$@"; }
+ledger() { sh "$tools/ledger.sh" check; }
+text() { awk -f "$tools/text.awk" chapters/*.md src/*/*.c; }
+chapter=chapters/01-fall.md
+
+echo "weaving:"
+fresh
+fact a_fresh_book_is_as_the_source_says 0 "" weave check
+fact a_listing_is_the_definition_with_its_comment 0 "/* Speed after" cat $chapter
+fact a_number_goes_through_its_format 0 "%.1f -->4.4<!-- -->" cat $chapter
+fact only_the_part_is_put_out 1 "" grep "speed = 7" $chapter
+fact names_of_tests_are_listed 0 "limits_are_right" cat $chapter
+edit 's/0\.5)/0.6)/' src/base/fall.c
+fact a_changed_exponent_names_the_chapter 1 "$chapter is not what the source says" weave check
+fact a_changed_exponent_is_shown 1 "+    return pow(2.0 * g * h, 0.6)" weave check
+fact weaving_refreshes_it 0 "wove $chapter" weave
+fact and_then_it_is_right 0 "" weave check
+fresh && edit 's/fall_speed -->/fal_speed -->/' $chapter
+fact a_misspelt_name_is_told_with_chapter_and_line 1 "$chapter:9: no fal_speed in src/base/fall.c" weave
+fresh && edit 's/^From (1.1) it is //' $chapter
+fact a_number_cannot_begin_a_line 1 "$chapter:18: a number cannot begin a line" weave
+fresh && edit 's/speed = 4.429/speed = 5.2/' figures/fall.txt
+fact a_changed_result_is_shown 1 "-->5.2<!-- -->" weave check
+
+echo "text:"
+fresh
+fact a_fresh_text_is_right 0 "" text
+edit 's/ \\tag{1.1}//; s/^A stone/\\tag{1.1} A stone/' $chapter
+fact a_tag_in_prose_is_told 1 "$chapter:3: \\tag outside of \$\$" text
+fresh && edit 's/^v = .*/&\n/' $chapter
+fact a_blank_line_in_a_formula_is_told 1 "$chapter:7: a blank line in a formula" text
+fresh && edit 's/^v = .*/a\n+ b/' $chapter
+fact a_line_like_a_list_in_a_formula_is_told 1 "$chapter:7: a line of a formula begins like a list" text
+fresh && edit 's/(1.1)/(1.2)/' $chapter
+fact an_equation_that_is_not_there_is_told 1 "there is no equation (1.2)" text
+fresh && edit 's/Newton87/Newton88/' src/base/fall.c && edit 's/XS11 2.11, 2.12/Kepler09/' src/base/fall.c
+fact an_unknown_source_is_told 1 "src/base/fall.c:1: [Kepler09] is not in references.md" text
+fresh && edit 's/`g`/`gg`/' chapters/notation.md
+fact a_symbol_without_code_is_told 1 "chapters/notation.md:5: no gg in src" text
+
+echo "ledger:"
+fresh
+fact a_fresh_ledger_agrees 0 "" ledger
+fact the_table_links_function_test_and_section 0 "(../src/base/fall.c#fall_speed) | [\`xs11_2_11" cat chapters/equations.md
+edit 's/2\.11, 2\.12/2.11, 2.21/' src/base/fall.c
+fact an_unknown_key_is_told_with_its_line 1 "src/base/fall.c:1: no such equation: [XS11 2.21]" ledger
+fresh && edit 's/2\.11, 2\.12/2.11-2.13/' src/base/fall.c
+fact computed_but_untested_is_told 1 "XS11 2.13 (heat) is \"not yet: air\" without a test" ledger
+fresh && edit '/START_TEST(xs11/,/END_TEST/d' tests/test_fall.c
+fact a_removed_test_is_told 1 "XS11 2.11 (speed) is \"done\" without a test" ledger
+fresh && edit 's/ \[XS11 (2.11), (2.12)\]//' $chapter
+fact an_unexplained_equation_is_told 1 "XS11 2.12 (time) is \"done\" without a chapter" ledger
+echo 'XS11 2.11: chapter' >>chapters/pending.txt && echo 'XS11 2.12: chapter' >>chapters/pending.txt
+sh "$tools/ledger.sh"
+fact what_is_pending_is_only_counted 0 "2 equations still wait" ledger
+edit 's/^A stone/[XS11 2.11] &/' $chapter && sh "$tools/ledger.sh"
+fact what_has_come_is_taken_off 1 "" grep 2.11 chapters/pending.txt
+fresh && edit 's/xs11_2_11_/xs11_2_99_/' tests/test_fall.c
+fact an_unknown_key_in_a_name_is_told 1 "tests/test_fall.c:1: no such equation" ledger
+fresh && edit 's/not yet: air/done/' chapters/ledger.txt
+fact claimed_done_without_anything_is_told 1 "XS11 2.13 (heat) is \"done\" without a function" ledger
+
+echo "functions, results, pages:"
+fresh
+fact every_function_is_shown 0 "0 of 1" sh "$tools/unshown.sh"
+edit '/^<!-- code/d' $chapter
+fact a_hidden_function_is_named 0 "src/base/fall.c: fall_speed" sh "$tools/unshown.sh" names
+echo 'src/base/fall.c fall_up' >chapters/unshown.txt
+fact a_useless_exemption_is_told 1 "exempts nothing" sh "$tools/unshown.sh" check
+printf '$ echo v = 4.42900000001\nv = 4.429\n' >figures/run.txt
+fact last_digits_may_differ 0 "" sh "$tools/transcript.sh" check figures/run.txt
+printf '$ echo v = 4.4291\nv = 4.429\n' >figures/run.txt
+fact other_digits_may_not 1 "+v = 4.4291" sh "$tools/transcript.sh" check figures/run.txt
+if command -v pandoc >/dev/null; then
+    fresh
+    fact the_book_is_rendered 0 "book: 9 pages" sh "$tools/book.sh" out
+    fact equations_have_a_place 0 'id="eq-1-1"' cat out/01-fall.html
+    fact they_are_linked_to 0 'href="01-fall.html#eq-1-1">(1.1)</a>' cat out/01-fall.html
+    fact those_of_the_papers_lead_to_the_table 0 'href="equations.html#xs11-2-11"' cat out/01-fall.html
+    fact a_listing_tells_file_and_line 0 ">src/base/fall.c, line 2</a>" cat out/01-fall.html
+    edit 's/^From/$x From/' $chapter
+    fact raw_tex_is_told 1 "01-fall.html: raw TeX" sh "$tools/book.sh" out
+    fresh && edit 's/^From/[here](02-none.md) &/' $chapter
+    fact a_broken_link_is_told 1 "broken link: 02-none.html" sh "$tools/book.sh" out
+    fresh && edit 's/^From/<b> &/' $chapter
+    fact an_open_tag_is_told 1 "closes <b>" sh "$tools/book.sh" out
+fi
+
+if [ $failed -gt 0 ]; then
+    echo "$failed facts of the book's tools do not hold"
+    exit 1
+fi
+echo "$facts facts hold (tools of the book)"

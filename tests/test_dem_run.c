@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What dem_run does with whole particle sets: none and one of them, those that
+ * are lost, periodic boxes, springs taken out and put back, and its report. */
+#include <omp.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "capture.h"
+#include "spheres.h"
+
+START_TEST(no_particle_at_all_is_no_trouble)
+{
+    struct particles *const ps = particles_create(0);
+    const struct dem_options o = spheres_options(&contact_hertz, 1e-5, 0.1);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+
+    ck_assert_int_eq(dem_run(dem, 10, &r), 0);
+    ck_assert_int_eq(r.contacts, 0);
+    ck_assert_int_eq(r.lost, 0);
+    ck_assert_int_eq(r.lost_id, -1);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Velocity Verlet is exact for a parabola: rounding only. */
+START_TEST(xs11_2_1_one_particle_flies_a_parabola_in_any_direction)
+{
+    struct particles *const ps = particles_create(1);
+    const struct dem_options o = spheres_options(&contact_linear, 1e-4, 1.0);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+
+    spheres_add(ps, 0.1, 0.2, 0.3, 0.01);
+    spheres_throw(ps, 0, 0.4, -0.5, 0.6);
+    ps->ex[0] = 3.0 * ps->m[0];
+    ps->ey[0] = 2.0 * ps->m[0];
+    ps->ez[0] = -1.0 * ps->m[0];
+    dem_changed(dem);
+    for (int k = 0; k < 30; k++)
+        ck_assert_int_eq(dem_run(dem, 100, &r), 0);
+    ck_assert_int_eq(r.steps, 100);
+    ck_assert_double_eq_tol(ps->x[0], 0.1 + 0.12 + 0.5 * 3.0 * 0.09, 1e-13);
+    ck_assert_double_eq_tol(ps->y[0], 0.2 - 0.15 + 0.5 * 2.0 * 0.09, 1e-13);
+    ck_assert_double_eq_tol(ps->z[0], 0.3 + 0.18 - 0.5 * 1.0 * 0.09, 1e-13);
+    ck_assert_double_eq_tol(ps->vx[0], 0.4 + 0.9, 1e-13);
+    ck_assert_double_eq_tol(
+        r.translation, 0.5 * ps->m[0] * (1.3 * 1.3 + 0.1 * 0.1 + 0.3 * 0.3),
+        1e-12 * ps->m[0]);
+    ck_assert_double_eq_tol(r.max_speed, sqrt(1.69 + 0.01 + 0.09), 1e-12);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* --- lost -------------------------------------------------------------------
+ */
+
+/* A cloud of 27 in which number 11 does something foolish. */
+static int run_with_a_fool(double x, double v, double force,
+                           struct dem_report *r)
+{
+    struct particles *const ps = spheres_cloud(3, 0.01, 0.5, 0.03, 0.5, 2);
+    const struct dem_options o = spheres_options(&contact_hertz, 1e-5, 0.1);
+    struct dem *const dem = dem_create(ps, &o);
+
+    ck_assert_int_eq(dem_run(dem, 20, r), 0);
+    const int i = spheres_place(ps, 11);
+    ps->x[i] += x;
+    ps->vx[i] += v;
+    ps->ex[i] += force;
+    const int code = dem_run(dem, 200, r);
+    dem_free(dem);
+    particles_free(ps);
+    return code;
+}
+
+START_TEST(a_particle_that_shoots_through_a_wall_is_reported_with_its_id)
+{
+    struct dem_report r;
+
+    ck_assert_int_ne(run_with_a_fool(0.0, 1e7, 0.0, &r), 0);
+    ck_assert_int_eq(r.lost, 1);
+    ck_assert_int_eq(r.lost_id, 11);
+    ck_assert_double_gt(r.lost_at[0], 0.105);
+    ck_assert_int_lt(r.steps, 200); /* it does not go on without it */
+}
+END_TEST
+
+START_TEST(a_particle_that_is_not_a_number_is_reported_with_its_id)
+{
+    const double bad = _i % 2 == 0 ? NAN : HUGE_VAL;
+    struct dem_report r;
+
+    ck_assert_int_ne(run_with_a_fool(_i / 2 == 0 ? bad : 0.0,
+                                     _i / 2 == 1 ? bad : 0.0,
+                                     _i / 2 == 2 ? bad : 0.0, &r),
+                     0);
+    ck_assert_int_eq(r.lost, 1);
+    ck_assert_int_eq(r.lost_id, 11);
+}
+END_TEST
+
+/* --- periodic boxes
+ * ------------------------------------------------------------ */
+
+/* All particles shifted along a periodic box, by parts that put its seams
+ * elsewhere, move alike; a few collisions let 1e-17 m grow. */
+START_TEST(a_periodic_box_has_no_seam)
+{
+    static const double shift[3] = {0.3 * 0.12, 0.55 * 0.12, 0.7 * 0.12};
+    struct particles *here, *there;
+    struct dem_options o = spheres_options(contact_laws[_i], 2e-5, 0.06);
+    struct particles **const both[2] = {&here, &there};
+
+    o.material.friction = 0.3;
+    o.material.restitution = 0.9;
+    o.skin = 0.001;
+    for (int k = 0; k < 3; k++)
+        o.periodic[k] = 1;
+    for (int k = 0; k < 2; k++) {
+        struct particles *const ps =
+            spheres_cloud(6, 0.008, 1.0, 0.0199, 2.0, 8);
+        struct dem_report r;
+        *both[k] = ps;
+        for (int i = 0; i < ps->n && k == 1; i++) {
+            ps->x[i] += shift[0];
+            ps->y[i] += shift[1];
+            ps->z[i] += shift[2];
+        }
+        struct dem *const dem = dem_create(ps, &o);
+        ck_assert_int_eq(dem_run(dem, 400, &r), 0);
+        ck_assert_int_gt(r.contacts, 5);
+        dem_free(dem);
+    }
+    for (int id = 0; id < here->n; id++) {
+        const int i = spheres_place(here, id), j = spheres_place(there, id);
+        const double dx = there->x[j] - here->x[i] - shift[0];
+        ck_assert_double_eq_tol(dx, 0.12 * rint(dx / 0.12), 1e-9);
+        ck_assert_double_eq_tol(there->vz[j], here->vz[i], 1e-7);
+        ck_assert_double_eq_tol(there->wx[j], here->wx[i], 1e-4);
+        ck_assert(fabs(there->x[j]) <= 0.06 && fabs(here->z[i]) <= 0.06);
+    }
+    particles_free(here);
+    particles_free(there);
+}
+END_TEST
+
+/* 216 particles, 400 steps, each rounding 2 m/s. */
+START_TEST(a_periodic_box_keeps_its_momentum)
+{
+    struct particles *const ps = spheres_cloud(6, 0.008, 1.0, 0.0199, 2.0, 8);
+    struct dem_options o = spheres_options(contact_laws[_i], 2e-5, 0.06);
+    struct dem_report r;
+    double p[2] = {0.0, 0.0}, mass = 0.0;
+
+    o.material.friction = 0.3;
+    for (int k = 0; k < 3; k++)
+        o.periodic[k] = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < ps->n; i++)
+            p[k] += ps->m[i] * ps->vy[i];
+        if (k == 0) ck_assert_int_eq(dem_run(dem, 400, &r), 0);
+    }
+    for (int i = 0; i < ps->n; i++)
+        mass += ps->m[i];
+    ck_assert_double_eq_tol(p[0], p[1], 1e-13 * mass);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Else two spheres could touch on both sides, and only one would count. */
+START_TEST(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message)
+{
+    static char said[CAPTURE_TEXT];
+    struct particles *const ps = spheres_cloud(2, 0.01, 0.0, 0.02, 0.0, 1);
+    struct dem_options o = spheres_options(&contact_hertz, 1e-5, 0.05);
+
+    o.periodic[1] = 1;
+    o.hi[1] = o.lo[1] + 0.018;
+    struct capture c = capture_begin(STDERR_FILENO);
+    struct dem *const dem = dem_create(ps, &o);
+    capture_end(&c, said);
+    ck_assert_ptr_null(dem);
+    ck_assert_ptr_nonnull(strstr(said, "periodic direction y"));
+    ck_assert_ptr_nonnull(strstr(said, "0.018 m"));
+    particles_free(ps);
+}
+END_TEST
+
+/* --- the report and the pieces of a run
+ * ------------------------------------------ */
+
+/* 5 % of the mean diameter of 10 and 14 mm, and of the wall's one sphere. */
+START_TEST(overlaps_are_reported_over_the_mean_diameter)
+{
+    const int wall = _i;
+    struct particles *const ps = particles_create(2);
+    const struct dem_options o = spheres_options(&contact_linear, 1e-9, 0.1);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+
+    spheres_add(ps, 0.0, 0.0, wall ? -0.1 + 0.45 * 0.01 : 0.0, 0.01);
+    if (!wall) spheres_add(ps, 0.0, 0.95 * 0.012, 0.0, 0.014);
+    dem_changed(dem);
+    ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+    ck_assert_double_eq_tol(r.max_overlap, 0.05, 1e-9);
+    ck_assert_int_eq(r.contacts, 1);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* cfx is what moved it: a sphere at rest in the air above a spring's end. */
+START_TEST(ls_4_4_the_contact_force_of_the_last_step_can_be_seen)
+{
+    struct particles *const ps = particles_create(1);
+    const struct dem_options o = spheres_options(&contact_linear, 1e-9, 0.1);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+
+    spheres_add(ps, 0.0, 0.096, 0.0, 0.01); /* 1 mm in a wall of 1e4 N/m */
+    dem_changed(dem);
+    ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+    ck_assert_double_eq_tol(ps->cfy[0], -10.0, 1e-6);
+    ck_assert_double_eq(ps->cfx[0], 0.0);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+static struct particles *pressed_heap(void)
+{
+    struct particles *const ps = spheres_cloud(4, 0.01, 0.6, 0.013, 1.0, 4);
+
+    for (int i = 0; i < ps->n; i++) {
+        ps->ey[i] = -50.0 * ps->m[i];
+        spheres_spin(ps, i, 20.0 * (i % 3), 10.0, -15.0 * (i % 2));
+    }
+    return ps;
+}
+
+static struct dem_options heap_options(void)
+{
+    struct dem_options o = spheres_options(&contact_hertz, 2e-5, 0.04);
+
+    o.material.friction = 0.5;
+    o.material.restitution = 0.6;
+    return o;
+}
+
+static double farthest_apart(const struct particles *a,
+                             const struct particles *b)
+{
+    double most = 0.0;
+
+    for (int id = 0; id < a->n; id++) {
+        const int i = spheres_place(a, id), j = spheres_place(b, id);
+        most = fmax(most, fabs(a->x[i] - b->x[j]));
+        most = fmax(most, fabs(a->y[i] - b->y[j]));
+        most = fmax(most, fabs(a->z[i] - b->z[j]));
+    }
+    return most;
+}
+
+/* Two half kicks are one but for rounding, which 300 steps of a heap amplify.
+ * A spring forgotten between two runs would move them by more than 1e-6. */
+START_TEST(a_run_may_be_cut_into_pieces)
+{
+    struct particles *whole = pressed_heap(), *cut = pressed_heap();
+    const struct dem_options o = heap_options();
+    struct dem *const one = dem_create(whole, &o);
+    struct dem *const many = dem_create(cut, &o);
+    struct dem_report r;
+
+    ck_assert_int_eq(dem_run(one, 300, &r), 0);
+    ck_assert_int_gt(r.contacts, 10);
+    for (int k = 0; k < 60; k++)
+        ck_assert_int_eq(dem_run(many, 5, &r), 0);
+    ck_assert_double_lt(farthest_apart(whole, cut), 1e-11);
+    dem_free(one);
+    dem_free(many);
+    particles_free(whole);
+    particles_free(cut);
+}
+END_TEST
+
+static void copy_state(struct particles *to, const struct particles *from)
+{
+    double *const t[] = {to->x,  to->y,  to->z,  to->vx, to->vy, to->vz, to->wx,
+                         to->wy, to->wz, to->ex, to->ey, to->ez, to->d,  to->m};
+    const double *const f[] = {from->x,  from->y,  from->z,  from->vx, from->vy,
+                               from->vz, from->wx, from->wy, from->wz, from->ex,
+                               from->ey, from->ez, from->d,  from->m};
+
+    memcpy(to->id, from->id, (size_t)from->n * sizeof *to->id);
+    for (size_t a = 0; a < sizeof t / sizeof *t; a++)
+        memcpy(t[a], f[a], (size_t)from->n * sizeof *t[a]);
+}
+
+/* A state is the particles and the springs of their contacts: from both, a new
+ * dem goes on as the old one would have. Elastic spheres, because a dashpot
+ * would feel in the first half kick that velocities are half a step newer. */
+START_TEST(springs_taken_out_and_put_back_continue_a_run)
+{
+    struct particles *const ps = pressed_heap();
+    struct particles *const copy = pressed_heap();
+    struct dem_options o = heap_options();
+    struct dem_report r;
+    int n;
+
+    o.material.restitution = 1.0;
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 2000, &r), 0);
+    struct dem_spring *const springs = dem_springs(dem, &n);
+    ck_assert_int_eq(n, r.contacts);
+    copy_state(copy, ps);
+    struct dem *const next = dem_create(copy, &o);
+    if (_i == 0) dem_recall(next, springs, n);
+    ck_assert_int_eq(dem_run(dem, 200, &r), 0);
+    ck_assert_int_eq(dem_run(next, 200, &r), 0);
+    if (_i == 0) ck_assert_double_lt(farthest_apart(ps, copy), 1e-11);
+    /* without them it does not: here springs do matter */
+    if (_i == 1) ck_assert_double_gt(farthest_apart(ps, copy), 1e-7);
+    dem_free(dem);
+    dem_free(next);
+    free(springs);
+    particles_free(ps);
+    particles_free(copy);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("dem_run");
+    TCase *const t = tcase_create("runs");
+
+    omp_set_num_threads(1);
+    suite_add_tcase(s, t);
+    tcase_add_test(t, no_particle_at_all_is_no_trouble);
+    tcase_add_test(t, xs11_2_1_one_particle_flies_a_parabola_in_any_direction);
+    tcase_add_test(
+        t, a_particle_that_shoots_through_a_wall_is_reported_with_its_id);
+    tcase_add_loop_test(
+        t, a_particle_that_is_not_a_number_is_reported_with_its_id, 0, 6);
+    tcase_add_loop_test(t, a_periodic_box_has_no_seam, 0, 2);
+    tcase_add_loop_test(t, a_periodic_box_keeps_its_momentum, 0, 2);
+    tcase_add_test(
+        t, a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);
+    tcase_add_loop_test(t, overlaps_are_reported_over_the_mean_diameter, 0, 2);
+    tcase_add_test(t, ls_4_4_the_contact_force_of_the_last_step_can_be_seen);
+    tcase_add_test(t, a_run_may_be_cut_into_pieces);
+    tcase_add_loop_test(t, springs_taken_out_and_put_back_continue_a_run, 0, 2);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How long a step may be, and what the suggested one is good for. */
+#include <check.h>
+#include <gsl/gsl_math.h>
+
+#include "grains.h"
+#include "particles/limits.h"
+
+/* E 1.2e5 Pa, nu 0.33, rho 1000, d 1.2 mm [SX15 Table 1]; worked out apart. */
+START_TEST(ls_5_11_rayleigh_time_of_the_mueller_bed)
+{
+    const double G = 1.2e5 / (2.0 * 1.33);
+    ck_assert_double_eq_tol(
+        limits_rayleigh(6e-4, 1000.0, G, 0.33) / 3.016274626753e-4, 1.0, 1e-12);
+}
+END_TEST
+
+START_TEST(linear_contact_time_does_not_know_the_speed)
+{
+    const struct contact_law *const law = contact_law_named("linear");
+    const struct material m = {.stiffness = 1000.0, .restitution = 1.0};
+    const double mass = 1000.0 * M_PI / 6.0 * 1e-9;
+    const double t = limits_contact_time(law, &m, 1e-3, 1000.0, 1.0);
+
+    ck_assert_double_eq_tol(t / (M_PI * sqrt(0.5 * mass / 1000.0)), 1.0, 1e-14);
+    ck_assert_double_eq(t, limits_contact_time(law, &m, 1e-3, 1000.0, 0.1));
+}
+END_TEST
+
+/* t_c goes as v^(-1/5), and very slow impacts are bounded by Rayleigh. */
+START_TEST(hertz_step_grows_with_slowness_up_to_rayleigh)
+{
+    const struct contact_law *const law = contact_law_named("hertz");
+    const struct material m = {
+        .young = 1.2e5, .poisson = 0.33, .restitution = 0.9};
+    const double fast = limits_contact_time(law, &m, 1.2e-3, 1000.0, 3.2);
+    const double slow = limits_contact_time(law, &m, 1.2e-3, 1000.0, 0.1);
+    ck_assert_double_eq_tol(slow / fast, 2.0, 1e-12);
+    ck_assert_double_eq_tol(
+        limits_step(law, &m, 1.2e-3, 1000.0, 1.0),
+        limits_contact_time(law, &m, 1.2e-3, 1000.0, 1.0) / 25.0, 1e-18);
+    ck_assert_double_eq_tol(limits_step(law, &m, 1.2e-3, 1000.0, 1e-6),
+                            3.016274626753e-5, 1e-15);
+}
+END_TEST
+
+static double rebound(const char *law, double e, double v)
+{
+    struct dem_options o = grains_in_space(law, 0.0);
+    struct particles *const ps = particles_create(2);
+    struct dem_report r;
+    int touched = 0;
+
+    o.material.restitution = e;
+    o.step = limits_step(o.law, &o.material, 0.01, 2000.0, v);
+    particles_add(ps, (const double[3]){-0.0051, 0.0, 0.0}, 0.01, 2000.0);
+    particles_add(ps, (const double[3]){0.0051, 0.0, 0.0}, 0.01, 2000.0);
+    ps->vx[0] = 0.5 * v;
+    ps->vx[1] = -0.5 * v;
+    struct dem *const dem = dem_create(ps, &o);
+    do {
+        dem_run(dem, 1, &r);
+        touched |= r.contacts > 0;
+    } while (!touched || r.contacts > 0);
+    const double kept = fabs(ps->vx[1] - ps->vx[0]) / v;
+    dem_free(dem);
+    particles_free(ps);
+    return kept;
+}
+
+/* The error that limits.h states; four times the step breaks it. */
+START_TEST(suggested_step_keeps_restitution)
+{
+    for (int fifth = 1; fifth <= 5; fifth++)
+        for (int law = 0; law < 2; law++)
+            ck_assert_double_eq_tol(
+                rebound(contact_laws[law]->name, 0.2 * fifth, 0.7), 0.2 * fifth,
+                fifth < 3 ? 0.03 : 0.0101);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("limits");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60);
+    tcase_add_test(t, ls_5_11_rayleigh_time_of_the_mueller_bed);
+    tcase_add_test(t, linear_contact_time_does_not_know_the_speed);
+    tcase_add_test(t, hertz_step_grows_with_slowness_up_to_rayleigh);
+    tcase_add_test(t, suggested_step_keeps_restitution);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
