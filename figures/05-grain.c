@@ -14,10 +14,10 @@
 #include "averaging/kernel.h"
 #include "fluid/fluid.h"
 
-enum { CELLS = 12, FACE = 5, STEPS = 480 };
+enum { CELLS = 12, FACE = 5 };
 static const double U = 0.9, v = 0.1;       /* [m/s] of air and grain */
 static const double h = 2.4e-3, d = 1.2e-3; /* [m] cell, grain */
-static const double dt = 2e-4;              /* [s] */
+static const double dt = 2e-4, end = 0.096; /* [s] */
 
 struct view {
     enum continuity form;
@@ -102,7 +102,7 @@ int main(void)
         w[k].fluid = create(m, w[k].form);
     printf(
         "# time [s], what the face lacks [m/s]: mixture, void-rate, spread\n");
-    for (int n = 0; n < STEPS; n++) {
+    for (int n = 0; n < (int)(end / dt + 0.5); n++) {
         for (int k = 0; k < 3; k++)
             step(&w[k], n);
         if (n % 4 == 0 || w[1].short_by > 1e-3)
