@@ -149,6 +149,7 @@ static void add_boundaries(struct fluid *fl)
     }
 }
 
+/* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;

@@ -45,7 +45,8 @@ struct piso {
 struct piso *piso_create(const struct fluid *fl);
 void piso_free(struct piso *ps);
 
-/* gamma: the fluid's share of the pressure gradient. */
+/* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
+ * [XS11 2.4]. */
 static inline double piso_gamma(const struct fluid *fl, int c)
 {
     return fl->options.pressure_shared ? fl->eps[c] : 1.0;

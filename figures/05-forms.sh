@@ -1,0 +1,34 @@
+#!/bin/sh
+# The small bed with both forms of continuity and three ways of averaging: how
+# far the pressure drop jumps from one step to the next, after the start; how
+# much momentum is relabelled; and the worst residual of the momentum balance.
+set -eu
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+echo 'form      averaging   jump of p [Pa]  relabelled [N s]  residual [-]'
+for form in mixture void-rate; do
+    for method in pcm kernel diffusion; do
+        winnow run cases/small-bed.cfg --quiet -o "$out" \
+            -s fluid.continuity=$form -s averaging.method=$method \
+            -s output.end=0.1 >/dev/null 2>&1
+        awk -F, -v form=$form -v method=$method -v worst="$(sed -n \
+            's/.*"momentum_residual": \(.*\),/\1/p' "$out/summary.json")" '
+            NR == 1 {
+                for (i = 1; i <= NF; i++) {
+                    sub(/ .*/, "", $i)
+                    column[$i] = i
+                }
+            }
+            NR > 250 {
+                d = $column["pressure_drop"] - before
+                sum += d * d * (n++ > 0)
+            }
+            { before = $column["pressure_drop"] }
+            END {
+                r = $column["relabelled_momentum"]
+                printf "%-9s %-9s %16.2f %17.1e %13.1e\n", form, method,
+                    sqrt(sum / (n - 1)), r, worst
+            }' "$out/history.csv"
+    done
+done

@@ -1,0 +1,29 @@
+#!/bin/sh
+# Air through the surface of a bed, with Winnow's faces and with plain linear
+# interpolation (the three patches of chapters/solutions), together and alone.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+patches=chapters/solutions/06-
+
+surface() { sh figures/run.sh figures/06-surface.c "$@"; }
+
+numbers() { # file, name: what is wrong, under names of its own
+    sed -n "s/^\\(most\\|least\\|rise\\)\\( = .*\\)/$2_\\1\\2/p" "$1"
+}
+
+surface >"$work/ours"
+surface "$patches"*.patch >"$work/plain"
+echo "# height, u over U / eps with our faces and with plain ones, p with both"
+paste -d ' ' "$work/ours" "$work/plain" |
+    awk '$1 ~ /^[0-9]/ { print $1, $2, $5, $3, $6 }'
+grep -v '^[0-9]' "$work/ours"
+numbers "$work/plain" plain
+for one in linear-flux linear-pressure no-step; do
+    surface "$patches$one.patch" >"$work/$one"
+    numbers "$work/$one" "$(echo "$one" | tr - _)"
+done
+surface -- upwind 1.8e-5 >"$work/air"
+numbers "$work/air" viscous
+surface -- linear 0 | awk '$1 == "most" {
+    if ($3 > 1000) print "linear convection: the velocities grew a thousandfold" }'
