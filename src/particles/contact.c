@@ -21,5 +21,6 @@ const struct contact_law *contact_law_named(const char *name)
 double contact_damping_ratio(double e)
 {
     const double ln_e = log(e);
+    /* e = 0 is critical damping [LS 4.11, 4.12] */
     return e > 0.0 ? -ln_e / sqrt(M_PI * M_PI + ln_e * ln_e) : 1.0;
 }
