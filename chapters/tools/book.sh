@@ -7,6 +7,7 @@ out=${1:-build/book}
 tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
+[ ! -f chapters/course.md ] || pages="$pages chapters/course.md"
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
@@ -60,6 +61,8 @@ contents() {
             print "- " s "<br>" $3
         }' chapters/README.md
     printf '\n- [Equations](equations.md)<br>Where is it computed and tested?\n'
+    [ ! -f chapters/course.md ] ||
+        printf -- '- [Course](course.md)<br>How does one teach this in eight weeks?\n'
     printf -- '- [Notation](notation.md)<br>What does this symbol mean?\n'
     printf -- '- [References](references.md)<br>Who found it?\n'
 }
