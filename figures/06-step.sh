@@ -7,5 +7,5 @@ one() {
     sh figures/run.sh figures/06-step.c $2 | sed "s/difference/$1/"
 }
 one winnow ''
-one cell_storage chapters/solutions/06-cell-storage.patch
+one cell_storage chapters/solutions/06-3.patch
 one linear_flux chapters/solutions/06-linear-flux.patch
