@@ -98,6 +98,7 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
         const double *restrict const f = load[i - begin];
         const double per_mass = kick * v[7];
 
+#pragma omp simd
         for (int k = 0; k < 8; k++)
             v[k] += gain[k] * per_mass * f[k];
         for (int k = 0; k < 4; k++)

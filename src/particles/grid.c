@@ -171,7 +171,10 @@ static int close_by(const struct bodies *b, int i, int j, double skin)
 static void find_in_cell(const struct grid *g, int cell, struct strip *s,
                          const struct bodies *b, int i, double skin)
 {
-    for (int j = g->start[cell]; j < g->start[cell + 1]; j++)
+    const int ring = b->box.periodic[g->axis[2]];
+    const int first = !ring && g->start[cell] <= i ? i + 1 : g->start[cell];
+
+    for (int j = first; j < g->start[cell + 1]; j++)
         if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin))
             strip_add_pair(s, j);
 }

@@ -164,6 +164,8 @@ static double wall_gap(const struct bodies *b, int i, int wall)
     return (wall % 2 ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
 }
 
+/* Writes every pair and keeps the near ones by moving on: no branch to guess.
+ * Who is not chosen has parted, and its spring is gone. */
 static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
                    double (*gap)(const struct bodies *, int, int),
                    double margin, int *n)
@@ -174,15 +176,15 @@ static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
     for (int i = s->begin; i < s->end; i++)
         for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
              q++) {
-            if (gap(b, i, v->partner[q]) < margin) {
-                c->owner[slot] = i;
-                c->partner[slot] = v->partner[q];
-                c->source[slot] = q;
-                for (int k = 0; k < 3; k++)
-                    c->spring[k][slot] = v->spring[q][k];
-                slot++;
-            } else /* they have parted */
-                memset(v->spring[q], 0, sizeof v->spring[q]);
+            const int j = v->partner[q], near = gap(b, i, j) < margin;
+            c->owner[slot] = i;
+            c->partner[slot] = j;
+            c->source[slot] = q;
+            for (int k = 0; k < 3; k++) {
+                c->spring[k][slot] = v->spring[q][k];
+                v->spring[q][k] = 0.0;
+            }
+            slot += near;
         }
     *n = slot;
 }
