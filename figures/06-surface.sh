@@ -13,7 +13,7 @@ numbers() { # file, name: what is wrong, under names of its own
 }
 
 surface >"$work/ours"
-surface "$patches"*.patch >"$work/plain"
+surface "$patches"[a-z]*.patch >"$work/plain"
 echo "# height, u over U / eps with our faces and with plain ones, p with both"
 paste -d ' ' "$work/ours" "$work/plain" |
     awk '$1 ~ /^[0-9]/ { print $1, $2, $5, $3, $6 }'
