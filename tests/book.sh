@@ -156,6 +156,9 @@ printf '$ echo v = 4.42900000001\nv = 4.429\n' >figures/run.txt
 fact last_digits_may_differ 0 "" sh "$tools/transcript.sh" check figures/run.txt
 printf '$ echo v = 4.4291\nv = 4.429\n' >figures/run.txt
 fact other_digits_may_not 1 "+v = 4.4291" sh "$tools/transcript.sh" check figures/run.txt
+printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
+fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
+    sh -c "echo x.html | awk -f '$tools/pages.awk'"
 if command -v pandoc >/dev/null; then
     fresh
     fact the_book_is_rendered 0 "book: 9 pages" sh "$tools/book.sh" out

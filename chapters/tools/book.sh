@@ -37,8 +37,8 @@ render() { # page, page before, page after
         "$1" 2>/dev/null |
         pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
             --template "$tools/page.html" --toc --toc-depth 2 \
-            --lua-filter "$tools/book.lua" \
-            --lua-filter "$tools/cite.lua" -M anchors="$anchors" \
+            --lua-filter "$tools/cite.lua" \
+            --lua-filter "$tools/book.lua" -M anchors="$anchors" \
             ${toc:+-V page_toc=1} \
             -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \

@@ -76,7 +76,13 @@ local function inlines(list)
   return out
 end
 
+-- A link that the text makes itself holds no other.
+local function only(item)
+  return pandoc.walk_inline(item, { Link = function(inner) return inner.content end })
+end
+
 return {
   { Meta = read_anchors },
   { Inlines = inlines },
+  { Link = only },
 }

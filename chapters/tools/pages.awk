@@ -22,6 +22,10 @@ function tag(file, s,    called, v) {
     sub(/^[\/!?]*/, "", called)
     match(called, /^[A-Za-z0-9]+/)
     called = substr(called, 1, RLENGTH)
+    if (called == "a") {
+        if (s !~ /^\// && linked) wrong(file ": a link within a link")
+        linked = s !~ /^\//
+    }
     if (s ~ /^[!?]/ || s ~ /\/$/) ;
     else if (s ~ /^\//) {
         if (depth == 0 || open[depth] != called)

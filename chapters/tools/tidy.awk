@@ -2,7 +2,33 @@
 #
 # The TeX source beside each formula is left out; upright words such as Re,
 # which pandoc writes letter by letter in a way that MathML Core has dropped,
-# become one word again; and parentheses in a line of text do not grow.
+# become one word again; and parentheses grow only around something tall.
+
+# The formula, with parentheses that grow only around something tall.
+function small(s,    n, part, k, depth, mark, out) {
+    mark = "<mo stretchy=\"true\" form=\""
+    n = split(s, part, mark)
+    depth = 0
+    for (k = 1; k <= n; k++) {
+        grows[k] = 1
+        if (part[k] ~ /^(pre|post)fix">[{}]/) # alone in cases
+            continue
+        if (part[k] ~ /^prefix/) {
+            open[++depth] = k
+            tall[depth] = 0
+        } else if (part[k] ~ /^postfix/ && depth > 0) {
+            grows[k] = grows[open[depth]] = tall[depth]
+            if (tall[depth--] && depth) tall[depth] = 1
+        }
+        if (depth && s ~ /display="block"/ &&
+            part[k] ~ /<mfrac|<mtable|<munder|<mover|<msqrt|>∑<|>∫</)
+            tall[depth] = 1
+    }
+    out = part[1]
+    for (k = 2; k <= n; k++)
+        out = out (grows[k] == 0 ? "<mo stretchy=\"false\" form=\"" : mark) part[k]
+    return out
+}
 
 {
     while (match($0, /<annotation[^>]*>/)) {
@@ -19,13 +45,11 @@
              "</mi>" substr($0, RSTART + RLENGTH)
     }
     done = ""
-    while ((a = index($0, "<math display=\"inline\"")) > 0) {
+    while ((a = index($0, "<math display=")) > 0) {
         done = done substr($0, 1, a - 1)
         $0 = substr($0, a)
         a = index($0, "</math>") + 7
-        formula = substr($0, 1, a - 1)
-        gsub(/stretchy="true"/, "stretchy=\"false\"", formula)
-        done = done formula
+        done = done small(substr($0, 1, a - 1))
         $0 = substr($0, a)
     }
     print done $0
