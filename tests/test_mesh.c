@@ -111,6 +111,45 @@ START_TEST(every_point_of_the_box_has_exactly_one_owner)
 }
 END_TEST
 
+/* The point x along direction k, elsewhere in the middle of the first cell. */
+static int index_at(const struct mesh *m, int k, double x)
+{
+    double point[3];
+    for (int a = 0; a < 3; a++)
+        point[a] = a == k ? x : 0.5 * m->box.edge[a][1];
+    const int c = mesh_cell_at(m, point[0], point[1], point[2]);
+    const int at[3] = {c % m->box.n[0], c / m->box.n[0] % m->box.n[1],
+                       c / m->box.n[0] / m->box.n[1]};
+    return at[k];
+}
+
+static void check_interval(const struct mesh *m, int k, int i)
+{
+    const double lo = m->box.edge[k][i], hi = m->box.edge[k][i + 1];
+    ck_assert_int_eq(index_at(m, k, lo), i);
+    ck_assert_int_eq(index_at(m, k, 0.5 * (lo + hi)), i);
+    ck_assert_int_eq(index_at(m, k, nextafter(hi, lo)), i);
+}
+
+/* To the last bit: at its lower edge, within, and just below its upper edge.
+ * On graded cells a division alone is wrong by whole cells, on equal ones for
+ * many an edge, because an edge is a rounded number. */
+START_TEST(a_cell_owns_the_points_between_its_edges_to_the_last_bit)
+{
+    struct mesh *const m = shape(_i);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < m->box.n[k]; i++)
+            check_interval(m, k, i);
+    mesh_free(m);
+    for (int n = 10 * _i + 1; n <= 10 * _i + 10; n++) {
+        struct mesh *const line = box(1, n, 1, 1.0, 0);
+        for (int i = 0; i < n; i++)
+            check_interval(line, 1, i);
+        mesh_free(line);
+    }
+}
+END_TEST
+
 START_TEST(a_point_on_a_face_belongs_to_the_cell_above_it)
 {
     struct mesh *const m = box(4, 5, 1, 1.0, 0);
@@ -174,6 +213,9 @@ int main(void)
     tcase_add_test(t, grading_is_the_ratio_of_the_last_cell_to_the_first);
     tcase_add_loop_test(t, every_point_of_the_box_has_exactly_one_owner, 0,
                         N_SHAPES);
+    tcase_add_loop_test(
+        t, a_cell_owns_the_points_between_its_edges_to_the_last_bit, 0,
+        N_SHAPES);
     tcase_add_test(t, a_point_on_a_face_belongs_to_the_cell_above_it);
     tcase_add_test(t, a_periodic_direction_wraps_points);
     tcase_add_test(t, patches_stand_where_their_names_say);

@@ -145,7 +145,7 @@ static void note_worst(struct solve_report *worst, struct solve_report now)
     if (now.iterations > worst->iterations || !now.converged) *worst = now;
 }
 
-/* PISO as [XS11 3.2] lists it: predict the velocity with the old pressure,
+/* PISO as [XS11 section 3.2] lists it: predict the velocity with the old pressure,
  * then correct pressure, fluxes and velocity in turn. */
 int fluid_step(struct fluid *fl)
 {
