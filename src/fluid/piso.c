@@ -145,8 +145,8 @@ static void note_worst(struct solve_report *worst, struct solve_report now)
     if (now.iterations > worst->iterations || !now.converged) *worst = now;
 }
 
-/* PISO as [XS11 section 3.2] lists it: predict the velocity with the old pressure,
- * then correct pressure, fluxes and velocity in turn. */
+/* PISO as [XS11 section 3.2] lists it: predict the velocity with the old
+ * pressure, then correct pressure, fluxes and velocity in turn. */
 int fluid_step(struct fluid *fl)
 {
     struct fluid_report *const report = &fl->report;

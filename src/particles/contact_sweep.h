@@ -14,7 +14,7 @@
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
 
-#define SWEEP_INLINE static inline __attribute__((always_inline))
+#define SWEEP_INLINE static inline __attribute__((always_inline, unused))
 
 /* What a law answers for one contact (contact.h). */
 struct sweep_response {

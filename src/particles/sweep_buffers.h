@@ -16,7 +16,7 @@
 
 #include "particles/strip.h"
 
-#define SWEEP_STAGE static __attribute__((noinline))
+#define SWEEP_STAGE static __attribute__((noinline, unused))
 
 enum { SWEEP_LANES = 64 };
 
