@@ -19,6 +19,7 @@
 
 #include "averaging/interpolation.h"
 #include "exchange/drag.h"
+#include "exchange/relaxation.h"
 #include "exchange/simulation.h"
 
 enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
@@ -26,6 +27,7 @@ enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
 struct coupling_options {
     const struct drag_law *law;
     enum treatment treatment;
+    const struct relaxation *relaxation; /* of a particle in a sub-step */
     const struct interpolation *interpolation;
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
                      relaxation time asks for [XS11 section 3.3] */

@@ -201,17 +201,21 @@ void transfer_apply_drag(struct simulation *sim, int steps)
     struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
     const double share = (double)steps / sim->dem_steps;
-    const double time = cp->options.two_way ? share * sim->dt : 0.0;
+    const double T = share * sim->dt, time = cp->options.two_way ? T : 0.0;
 
 #pragma omp parallel for schedule(static) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
-        const double k = drag_rate(sim, i);
+        const double k = drag_rate(sim, i), x = k * T / ps->m[i];
+        const double lag = cp->options.relaxation->lag(x);
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double held[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
         double f[3];
-        for (int a = 0; a < 3; a++) {
-            f[a] = k * (cp->u_f[3 * i + a] - v[a]);
+        for (int a = 0; a < 3; a++) { /* relaxation.h */
+            const double pull = k * (cp->u_f[3 * i + a] - v[a]);
+            const double behind = lag * (pull + held[a]);
+            f[a] = pull - x * behind;
             cp->owed[3 * i + a] += f[a] * time;
-            cp->u_mean[3 * i + a] += v[a] * share;
+            cp->u_mean[3 * i + a] += (v[a] + behind * T / ps->m[i]) * share;
         }
         ps->ex[i] += f[0];
         ps->ey[i] += f[1];

@@ -22,8 +22,9 @@ void transfer_fluid(struct simulation *sim);
 /* Starts the sums over the sub-steps. */
 void transfer_open_account(struct simulation *sim);
 
-/* Adds the drag of now to the outside force of each particle, to act for
- * `steps` particle steps, and its impulse to what is owed [XS11 3.18]. */
+/* Adds the drag (relaxation.h) to the outside force of each particle, to act
+ * for `steps` particle steps, and its impulse to what is owed [XS11 3.18].
+ * The outside force so far is the held one. */
 void transfer_apply_drag(struct simulation *sim, int steps);
 
 #endif

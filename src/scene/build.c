@@ -165,6 +165,7 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
         .treatment = strcmp(treatment, "explicit") == 0
                          ? TREATMENT_EXPLICIT
                          : TREATMENT_SEMI_IMPLICIT,
+        .relaxation = relaxation_named(settings_text(s, "exchange.relaxation")),
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),

@@ -120,6 +120,8 @@ const struct key keys_core[] = {
      "XS11 2.11, LS 5.25-5.27", ""},
     {"exchange.treatment", KEY_NAME, "", "semi-implicit | explicit",
      "semi-implicit", "how the fluid takes the drag", "XS11 3.14", ""},
+    {"exchange.relaxation", KEY_NAME, "", "frozen | exponential", "frozen",
+     "how the drag on a particle goes on during a sub-step", "XS11 3.18", ""},
     {"exchange.substeps", KEY_INT, "-", "auto | >= 1", "auto",
      "drag updates in a fluid step, N_s", "XS11 3.18-3.20", ""},
     {"exchange.coupling", KEY_NAME, "", "two-way | one-way", "two-way",

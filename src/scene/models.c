@@ -5,6 +5,7 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
+#include "exchange/relaxation.h"
 #include "particles/contact_hertz.h"
 
 #include <stddef.h>
@@ -115,6 +116,16 @@ static int treatment(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int relaxation(int i, struct model *m)
+{
+    const struct relaxation *const r = &relaxations[i];
+
+    for (int k = 0; k <= i; k++)
+        if (relaxations[k].name == NULL) return 0;
+    *m = (struct model){r->name, r->what, r->cite, "transfer_apply_drag", ""};
+    return 1;
+}
+
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
@@ -183,6 +194,8 @@ const struct kind models_kinds[] = {
     {"drag", "drag laws", "exchange.drag", drag},
     {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
      treatment},
+    {"relaxation", "courses of the drag during a sub-step",
+     "exchange.relaxation", relaxation},
     {"coupling", "directions of the coupling", "exchange.coupling", coupling},
     {"convection", "convection schemes", "fluid.convection", convection},
     {"continuity", "forms of the mass balance", "fluid.continuity", continuity},
