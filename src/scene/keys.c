@@ -151,4 +151,13 @@ const struct key keys_core[] = {
      ""},
     {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
      "time at which the average begins; later than the end: none", "", ""},
+    {"output.probes", KEY_LIST, "", "", "",
+     "fields at points, each { field, position }, a row of probes.csv with "
+     "each of history.csv",
+     "XS11 Fig. 3", ""},
+    {"output.probes.field", KEY_NAME, "",
+     "eps_f | eps_s | p | u_x | u_y | u_z | us_x | us_y | us_z", NULL,
+     "as for profiles", "", ""},
+    {"output.probes.position", KEY_VECTOR, "m", "", NULL,
+     "the point, inside the box", "", ""},
     {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
