@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-struct profile_field field_named(const struct snapshot *s, const char *name)
+struct profile_field fields_named(const struct snapshot *s, const char *name)
 {
     const struct profile_field fields[] = {
         {"eps_f", "-", s->eps, 1, 0, NULL},

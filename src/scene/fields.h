@@ -7,6 +7,6 @@
 
 /* The field that a case calls `name`; values NULL if the scene has none. Mean
  * velocities of the particles are weighted by how much of them there is. */
-struct profile_field field_named(const struct snapshot *s, const char *name);
+struct profile_field fields_named(const struct snapshot *s, const char *name);
 
 #endif

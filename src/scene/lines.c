@@ -30,7 +30,7 @@ static int create_line(const struct settings *s, const struct simulation *sim,
         .height = settings_item_real(s, list, i, "height"),
         .from = settings_item_real(s, list, i, "from")};
     const struct profile_field field =
-        field_named(look, settings_item_text(s, list, i, "field"));
+        fields_named(look, settings_item_text(s, list, i, "field"));
 
     if (field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s", field.name);

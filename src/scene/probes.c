@@ -33,7 +33,7 @@ static int create_sensor(const struct settings *s, const struct simulation *sim,
     double x[3];
 
     settings_item_vector(s, list, i, "position", x);
-    sensor->field = field_named(look, settings_item_text(s, list, i, "field"));
+    sensor->field = fields_named(look, settings_item_text(s, list, i, "field"));
     if (sensor->field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s",
                               sensor->field.name);
