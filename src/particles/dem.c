@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
+#include "particles/response.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -69,6 +70,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     dem->constants = o->law->constants(&o->material);
     dem->sweep = any ? o->law->sweep_periodic : o->law->sweep;
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->step = o->step;
     return dem;
 }
 
@@ -143,8 +145,12 @@ static void advance(const struct dem *dem, double kick, double drift)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
-        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
-                       own->fastest);
+        if (nb->bodies->response == NULL)
+            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                           drift, own->fastest);
+        else
+            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                             drift, own->fastest);
     }
 }
 

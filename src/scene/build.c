@@ -160,12 +160,15 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
 static void create_coupling(const struct settings *s, struct simulation *sim)
 {
     const char *const treatment = settings_text(s, "exchange.treatment");
+    const char *const relaxation = settings_text(s, "exchange.relaxation");
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
         .treatment = strcmp(treatment, "explicit") == 0
                          ? TREATMENT_EXPLICIT
                          : TREATMENT_SEMI_IMPLICIT,
-        .relaxation = relaxation_named(settings_text(s, "exchange.relaxation")),
+        .relaxation = strcmp(relaxation, "exponential") == 0
+                          ? RELAXATION_EXPONENTIAL
+                          : RELAXATION_FROZEN,
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),

@@ -5,7 +5,6 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
-#include "exchange/relaxation.h"
 #include "particles/contact_hertz.h"
 
 #include <stddef.h>
@@ -118,12 +117,13 @@ static int treatment(int i, struct model *m)
 
 static int relaxation(int i, struct model *m)
 {
-    const struct relaxation *const r = &relaxations[i];
-
-    for (int k = 0; k <= i; k++)
-        if (relaxations[k].name == NULL) return 0;
-    *m = (struct model){r->name, r->what, r->cite, "transfer_apply_drag", ""};
-    return 1;
+    static const struct model table[] = {
+        {"frozen", "the drag of the sub-step's start, throughout it",
+         "XS11 3.18", "apply_frozen", ""},
+        {"exponential", "the drag that relaxes as the particle gives in to it",
+         "XS11 3.16", "response_advance", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
 }
 
 static int coupling(int i, struct model *m)
