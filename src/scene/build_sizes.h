@@ -1,0 +1,19 @@
+/* build_sizes.h -- distributions of diameters, out of the settings. */
+#ifndef BUILD_SIZES_H
+#define BUILD_SIZES_H
+
+#include "particles/sizes.h"
+#include "scene/settings.h"
+
+/* Are the distributions of the case possible, and their names its own? 0, or 2
+ * after a message. */
+int build_sizes_check(const struct settings *s);
+
+/* Is there one of the name that the key has? 0, or 2 after a message. */
+int build_sizes_named(const struct settings *s, const char *key,
+                      const char *name);
+
+/* The distribution of that name, which is there. */
+struct sizes *build_sizes(const struct settings *s, const char *name);
+
+#endif
