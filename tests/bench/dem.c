@@ -143,7 +143,7 @@ static void give_up(const char *path)
 static struct particles *read_bed(const char *path, double hi[3])
 {
     FILE *const f = fopen(path, "r");
-    int n, id;
+    int n = 0, id;
 
     if (f == NULL ||
         fscanf(f,
