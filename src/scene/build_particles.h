@@ -12,7 +12,6 @@ int build_particles(const struct settings *s, struct simulation *sim);
 
 /* The same in numbers, for `check`. The sizes of the bed are to be released;
  * NULL where all are equal. */
-struct material build_material(const struct settings *s);
 struct dem_options build_dem_options(const struct settings *s, double step);
 struct bed_options build_bed_options(const struct settings *s,
                                      struct sizes **sizes);

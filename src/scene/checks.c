@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "scene/build_particles.h"
-#include "scene/build_sizes.h"
+#include "scene/case_sizes.h"
+#include "scene/case_materials.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -104,8 +105,8 @@ static int check_bed_sizes(const struct settings *s)
                               "sizes%s",
                               one ? ", not both" : "");
     if (one) return 0;
-    return build_sizes_named(s, "particles.bed.sizes",
-                             settings_text(s, "particles.bed.sizes"));
+    return case_sizes_check_name(s, "particles.bed.sizes",
+                                 settings_text(s, "particles.bed.sizes"));
 }
 
 /* Spheres in a box reach about 0.64 of its volume at the densest when poured;
@@ -171,7 +172,8 @@ static int check_particles(const struct settings *s)
     const int place = settings_has(s, "particles.place");
     int code = check_contact(s);
 
-    if (code == 0) code = build_sizes_check(s);
+    if (code == 0) code = case_sizes_check(s);
+    if (code == 0) code = case_materials_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/build_sizes.h"
+#include "scene/case_sizes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +49,7 @@ static int index_of(const struct settings *s, const char *name)
     return i < n ? i : -1;
 }
 
-int build_sizes_check(const struct settings *s)
+int case_sizes_check(const struct settings *s)
 {
     for (int i = 0; i < settings_length(s, list); i++) {
         const char *const name = settings_item_text(s, list, i, "name");
@@ -66,8 +66,8 @@ int build_sizes_check(const struct settings *s)
     return 0;
 }
 
-int build_sizes_named(const struct settings *s, const char *key,
-                      const char *name)
+int case_sizes_check_name(const struct settings *s, const char *key,
+                          const char *name)
 {
     struct nearest n;
 
@@ -81,7 +81,7 @@ int build_sizes_named(const struct settings *s, const char *key,
                           best != NULL ? best : "");
 }
 
-struct sizes *build_sizes(const struct settings *s, const char *name)
+struct sizes *case_sizes_create(const struct settings *s, const char *name)
 {
     const struct sizes_options o = options(s, index_of(s, name));
     struct sizes *const made = sizes_create(&o);
