@@ -26,7 +26,7 @@ static struct particles *held_back(double x, double added, double dt)
 /* v(t) = v_end + (v_0 - v_end) exp(-k t/(m + m_a)), v_end = F/k, to rounding,
  * however long the step is; in two runs, so that half steps meet; and
  * (m + m_a) times the change of v is what F and the drag have given. */
-START_TEST(ls_5_3_an_added_mass_and_a_drag_are_solved_exactly)
+START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
 {
     static const double rate[] = {0.0, 1e-9, 0.01, 1.0, 30.0, 1e5};
     static const double added[] = {0.0, 0.5, 10.0};
@@ -120,8 +120,7 @@ int main(void)
     TCase *const t = tcase_create("response");
 
     suite_add_tcase(s, t);
-    tcase_add_loop_test(t, ls_5_3_an_added_mass_and_a_drag_are_solved_exactly,
-                        0, 18);
+    tcase_add_loop_test(t, an_added_mass_and_a_drag_are_solved_exactly, 0, 18);
     tcase_add_test(t, what_holds_nothing_back_changes_nothing);
     tcase_add_test(t, a_sphere_in_honey_creeps_to_its_balance);
     tcase_add_test(t, the_gain_is_one_at_rest_and_falls_like_one_over_x);

@@ -3,7 +3,7 @@
  * Beside its contacts and its outside force F a particle may have a drag -k v
  * on its own velocity and an added mass m_a of fluid that it takes along:
  *
- *   (m + m_a) dv/dt = sum F_c + F - k v          [LS 5.1, 5.3] [XS11 2.1]
+ *   (m + m_a) dv/dt = sum F_c + F - k v                      [XS11 2.1]
  *
  * Over one step, in which the forces stand still, this is solved exactly:
  *
