@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "averaging/averaging.h"
+
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
                                         {"bottom", "top", "bottom_top"},
@@ -155,7 +157,20 @@ static int check_averaging(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
 
-    if (strcmp(method, "pcm") != 0 && !settings_has(s, "averaging.bandwidth"))
+    const int b = settings_has(s, "averaging.bandwidth");
+    const int delta = settings_has(s, "averaging.delta_05");
+    const int gauss =
+        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
+
+    if (delta && !gauss)
+        return settings_wrong(s, "averaging.delta_05",
+                              "only images and diffusion have a width at half "
+                              "the height, %s has not",
+                              method);
+    if (b && delta)
+        return settings_wrong(s, "averaging.delta_05",
+                              "give either bandwidth or delta_05, not both");
+    if (averaging_method_named(method)->wide && !b && !delta)
         return settings_wrong(s, "averaging.method",
                               "%s asks for averaging.bandwidth", method);
     return 0;
