@@ -6,6 +6,7 @@
 #include "effects/effects.h"
 #include "exchange/drag.h"
 #include "particles/contact_hertz.h"
+#include "particles/sizes.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -31,6 +32,32 @@ static int contact(int i, struct model *m)
     m->keys = all[i] == &contact_hertz
                   ? "particles.grains.young particles.grains.poisson"
                   : "particles.grains.stiffness";
+    return 1;
+}
+
+/* The keys of a law of sizes: sizes_laws has their names alone. */
+static const char *sizes_keys(const char *law)
+{
+    if (strcmp(law, "normal") == 0)
+        return "particles.sizes.mean particles.sizes.deviation "
+               "particles.sizes.least particles.sizes.most";
+    if (strcmp(law, "lognormal") == 0)
+        return "particles.sizes.median particles.sizes.ratio "
+               "particles.sizes.least particles.sizes.most "
+               "particles.sizes.by";
+    if (strcmp(law, "uniform") == 0)
+        return "particles.sizes.least particles.sizes.most particles.sizes.by";
+    return "particles.sizes.points particles.sizes.by";
+}
+
+static int sizes(int i, struct model *m)
+{
+    const struct sizes_law *const all = sizes_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k].name == NULL) return 0;
+    *m = (struct model){all[i].name, all[i].what, all[i].cite, "sizes_quantile",
+                        sizes_keys(all[i].name)};
     return 1;
 }
 
@@ -169,6 +196,8 @@ static int effect(int i, struct model *m)
 
 const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
+    {"sizes", "distributions of diameters", "particles.sizes.distribution",
+     sizes},
     {"averaging", "ways from particles to fields", "averaging.method",
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
