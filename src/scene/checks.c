@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "averaging/averaging.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
 #include "scene/case_materials.h"
@@ -185,7 +186,20 @@ static int check_averaging(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
 
-    if (strcmp(method, "pcm") != 0 && !settings_has(s, "averaging.bandwidth"))
+    const int b = settings_has(s, "averaging.bandwidth");
+    const int delta = settings_has(s, "averaging.delta_05");
+    const int gauss =
+        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
+
+    if (delta && !gauss)
+        return settings_wrong(s, "averaging.delta_05",
+                              "only images and diffusion have a width at half "
+                              "the height, %s has not",
+                              method);
+    if (b && delta)
+        return settings_wrong(s, "averaging.delta_05",
+                              "give either bandwidth or delta_05, not both");
+    if (averaging_method_named(method)->wide && !b && !delta)
         return settings_wrong(s, "averaging.method",
                               "%s asks for averaging.bandwidth", method);
     return 0;

@@ -62,19 +62,15 @@ static int sizes(int i, struct model *m)
 }
 
 /* Which keys a method of averaging reads. */
-static const char *averaging_keys(const char *method)
+static const char *averaging_keys(const struct averaging_method *method)
 {
-    if (strcmp(method, "pcm") == 0) return "averaging.cap";
-    if (strcmp(method, "diffusion") == 0)
-        return "averaging.bandwidth averaging.scheme averaging.steps "
-               "averaging.tolerance";
-    return "averaging.bandwidth";
-}
-
-static const char *averaging_function(const char *method)
-{
-    if (strcmp(method, "pcm") == 0) return "pcm_spread";
-    return strcmp(method, "kernel") == 0 ? "kernel_spread" : "diffusion_spread";
+    if (strcmp(method->name, "pcm") == 0) return "averaging.cap";
+    if (strcmp(method->name, "diffusion") == 0)
+        return "averaging.bandwidth averaging.delta_05 averaging.scheme "
+               "averaging.steps averaging.tolerance";
+    if (strcmp(method->name, "images") == 0)
+        return "averaging.bandwidth averaging.delta_05";
+    return method->wide ? "averaging.bandwidth" : "";
 }
 
 static int averaging(int i, struct model *m)
@@ -84,8 +80,7 @@ static int averaging(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k] == NULL) return 0;
     *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
-                        averaging_function(all[i]->name),
-                        averaging_keys(all[i]->name)};
+                        all[i]->function, averaging_keys(all[i])};
     return 1;
 }
 
