@@ -82,14 +82,11 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     materials_table(o->law, &o->material, o->materials, dem->constants);
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
-<<<<<<< HEAD
     dem->neighbours->bodies->step = o->step;
-=======
     dem->neighbours->bodies->n_materials = n;
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
     if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
->>>>>>> main
     return dem;
 }
 
