@@ -235,6 +235,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->boundaries);

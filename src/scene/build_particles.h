@@ -11,7 +11,6 @@
 int build_particles(const struct settings *s, struct simulation *sim);
 
 /* The same in numbers, for `check`. */
-struct material build_material(const struct settings *s);
 struct dem_options build_dem_options(const struct settings *s, double step);
 struct bed_options build_bed_options(const struct settings *s);
 

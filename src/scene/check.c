@@ -7,7 +7,7 @@
 #include "particles/contact.h"
 #include "particles/limits.h"
 #include "scene/build.h"
-#include "scene/build_particles.h"
+#include "scene/case_materials.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -128,7 +128,7 @@ static void print_rayleigh(const struct scales *k, const struct material *m)
 
 static void print_contacts(const struct settings *s, const struct scales *k)
 {
-    const struct material m = build_material(s);
+    const struct material m = case_materials_one(s, 0);
     const struct contact_law *const law =
         contact_law_named(settings_text(s, "particles.contact"));
     const double t_c =

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/case_materials.h"
+
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
                                         {"bottom", "top", "bottom_top"},
@@ -142,8 +144,9 @@ static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
     const int place = settings_has(s, "particles.place");
-    const int code = check_contact(s);
+    int code = check_contact(s);
 
+    if (code == 0) code = case_materials_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",

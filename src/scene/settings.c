@@ -218,7 +218,13 @@ double settings_item_real(const struct settings *s, const char *list, int i,
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key)
 {
-    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
+    char path[ROWS_TEXT];
+
+    snprintf(path, sizeof path, "%s.%s", list, key);
+    const struct key *const row = rows_find(s->tables, path);
+    const int free = row != NULL && row->type == KEY_TEXT;
+    return config_setting_get_string(
+        find_in(s, list, i, key, free ? KEY_TEXT : KEY_NAME));
 }
 
 void settings_item_vector(const struct settings *s, const char *list, int i,
