@@ -73,6 +73,8 @@ static const struct {
      110458.333333333, "kg/(m^3 s)"},
     {"LS:5.27", "alpha=0.9 rho_f=1.2 mu=1.8e-5 d=1e-3 u_r=1.5", "beta",
      184.238223650342, "kg/(m^3 s)"},
+    {"EW18:19", "r=1e-3 sigma_k=2e-3", "W", 7004117.13072521, "1/m^3"},
+    {"EW18:20", "delta_05=1e-3", "sigma_k", 0.000424660900144010, "m"},
 };
 
 START_TEST(every_equation_has_its_independent_value)

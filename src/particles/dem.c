@@ -16,7 +16,7 @@ enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
 
 struct dem {
     struct dem_options options;
-    struct contact_constants constants;
+    struct contact_constants *constants; /* of each pair of materials */
     contact_sweep *sweep;
     struct neighbours *neighbours;
     double least_margin; /* [m] */
@@ -58,17 +58,33 @@ static int options_wrong(const struct dem_options *o,
     return 0;
 }
 
+/* What the loop over the contacts must know of (contact.h). */
+static int loop_of(const struct dem_options *o)
+{
+    const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int rolls = materials_roll(&o->material, o->materials);
+    const int many = materials_count(o->materials) > 1 || rolls;
+
+    return periodic * CONTACT_PERIODIC + many * CONTACT_MANY +
+           rolls * CONTACT_ROLLING;
+}
+
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
-    const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int loop = loop_of(o), n = materials_count(o->materials);
     const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
-    dem->constants = o->law->constants(&o->material);
-    dem->sweep = any ? o->law->sweep_periodic : o->law->sweep;
+    dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
+    materials_table(o->law, &o->material, o->materials, dem->constants);
+    dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->n_materials = n;
+    if (o->materials != NULL)
+        dem->neighbours->bodies->wall_material = o->materials->wall;
+    if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
     return dem;
 }
 
@@ -76,6 +92,7 @@ void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
     neighbours_free(dem->neighbours);
+    free(dem->constants);
     free(dem);
 }
 
@@ -94,8 +111,10 @@ struct dem_spring *dem_springs(struct dem *dem, int *n)
         list[q].id = id[kept[q].owner];
         list[q].other =
             kept[q].partner < 0 ? kept[q].partner : id[kept[q].partner];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             list[q].xi[k] = kept[q].spring[k];
+            list[q].roll[k] = kept[q].roll[k];
+        }
     }
     return list;
 }
@@ -122,8 +141,10 @@ void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
         kept[q].owner = place[list[q].id];
         kept[q].partner =
             list[q].other < 0 ? list[q].other : place[list[q].other];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             kept[q].spring[k] = list[q].xi[k];
+            kept[q].roll[k] = list[q].roll[k];
+        }
     }
     free(place);
 }
@@ -131,7 +152,8 @@ void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 void dem_change_material(struct dem *dem, const struct material *m)
 {
     dem->options.material = *m;
-    dem->constants = dem->options.law->constants(m);
+    materials_table(dem->options.law, m, dem->options.materials,
+                    dem->constants);
 }
 
 /* The functions down to move() are called by every thread of the team. */
@@ -154,7 +176,7 @@ static void forces(const struct dem *dem, double dt)
     const struct neighbours_share mine = neighbours_share(nb);
 
     for (int s = mine.first; s < mine.last; s++)
-        dem->sweep(&nb->strips[s], nb->bodies, &dem->constants, dt);
+        dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         strip_fold(nb->strips, nb->count, s, nb->bodies->n);

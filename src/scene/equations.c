@@ -2,6 +2,7 @@
 #include "scene/equations.h"
 
 #include "averaging/diffusion.h"
+#include "averaging/images.h"
 #include "averaging/kernel.h"
 #include "effects/time_average.h"
 #include "exchange/drag.h"
@@ -50,6 +51,16 @@ static double bell(const double *x)
 static double gauss(const double *x)
 {
     return diffusion_kernel(x[0], x[1]);
+}
+
+static double images_sigma_of(const double *x)
+{
+    return images_sigma(x[0]);
+}
+
+static double gauss_sigma(const double *x)
+{
+    return images_kernel(x[0], x[1]);
 }
 
 static double fading_weight(const double *x)
@@ -167,6 +178,10 @@ const struct equation equations_all[] = {
     {"LS:5.27", "drag of a mixture over slip, Ergun and Wen-Yu (Gidaspow)",
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
+    {"EW18:19", "Gaussian kernel", "r [m], sigma_k [m]", "W", "1/m^3",
+     "images_kernel", gauss_sigma},
+    {"EW18:20", "its width from that at half its height", "delta_05 [m]",
+     "sigma_k", "m", "images_sigma", images_sigma_of},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
 
 const struct equation *equations_named(const char *key)
