@@ -76,6 +76,35 @@ START_TEST(each_side_of_the_box_is_described_once)
 }
 END_TEST
 
+START_TEST(sizes_are_possible_and_known_by_their_names)
+{
+    static const char two[] =
+        "particles.sizes=({name=\"sand\";distribution=\"uniform\";"
+        "least=1e-3;most=2e-3;},{name=\"grit\";distribution=\"normal\";"
+        "mean=1e-3;deviation=1e-4;least=5e-4;most=2e-3;})";
+    const char *const overrides[] = {
+        two, "particles.bed={count=2000;sizes=\"sand\";}",
+        "particles.bed.sizes=snad"};
+    int code;
+
+    refused("particles.bed={count=3;}", "give either diameter or sizes");
+    refused("particles.bed.sizes=sand", "not both");
+    refused("particles.sizes=({name=\"a\";distribution=\"normal\";})",
+            "a, which is normal: it asks for mean");
+    refused("particles.sizes=({name=\"a\";distribution=\"gauss\";})",
+            "expected");
+    struct settings *const s =
+        scene_read("cases/mueller-bed.cfg", 2, overrides, &code);
+    ck_assert_ptr_nonnull(s);
+    settings_free(s);
+    struct capture c = capture_begin(2);
+    ck_assert_ptr_null(
+        scene_read("cases/mueller-bed.cfg", 3, overrides, &code));
+    capture_end(&c, said);
+    ck_assert_ptr_nonnull(strstr(said, "did you mean sand"));
+}
+END_TEST
+
 START_TEST(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
@@ -263,6 +292,7 @@ int main(void)
     tcase_add_test(t, the_cases_are_right);
     tcase_add_test(t, something_must_be_there_to_compute);
     tcase_add_test(t, each_side_of_the_box_is_described_once);
+    tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
     tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
     tcase_add_test(t, contact_law_asks_for_its_constants);
     tcase_add_test(t, materials_are_known_by_their_names);

@@ -24,6 +24,20 @@ static void fact(char line[LINE], const char *name, int n, const double *value)
     snprintf(line + at, (size_t)(LINE - at), "\n");
 }
 
+/* Of several sizes, what tells one distribution from another. */
+static void size_fact(char line[LINE], const struct bed_options *bed)
+{
+    const struct sizes *const s = bed->sizes;
+
+    if (s == NULL)
+        fact(line, "diameter", 1, &bed->diameter);
+    else
+        fact(line, "sizes", 5,
+             (const double[5]){sizes_least(s), sizes_most(s),
+                               sizes_moment(s, 1), sizes_moment(s, 2),
+                               sizes_moment(s, 3)});
+}
+
 /* The beds that we keep are of material 0; what the wall is to it. */
 static void wall_fact(char line[LINE], const struct dem_options *o)
 {
@@ -48,7 +62,7 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
     snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
     snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
              o->periodic[1], o->periodic[2]);
-    fact(text[n++], "diameter", 1, &bed->diameter);
+    size_fact(text[n++], bed);
     fact(text[n++], "density", 1, &bed->density);
     fact(text[n++], "jitter", 1, &bed->jitter);
     fact(text[n++], "settle", 1, &bed->settle);

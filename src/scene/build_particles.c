@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "scene/build.h"
+#include "scene/case_sizes.h"
 #include "scene/case_materials.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
@@ -28,11 +29,17 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     return o;
 }
 
-struct bed_options build_bed_options(const struct settings *s)
+struct bed_options build_bed_options(const struct settings *s,
+                                     struct sizes **sizes)
 {
+    *sizes = settings_has(s, "particles.bed.sizes")
+                 ? case_sizes_create(s, settings_text(s, "particles.bed.sizes"))
+                 : NULL;
     struct bed_options b = {
         .count = settings_int(s, "particles.bed.count"),
-        .diameter = settings_real(s, "particles.bed.diameter"),
+        .diameter = *sizes != NULL ? sizes_moment(*sizes, 1)
+                                   : settings_real(s, "particles.bed.diameter"),
+        .sizes = *sizes,
         .density = settings_real(s, "particles.grains.density"),
         .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),
@@ -55,7 +62,8 @@ static int bed_lost(const struct bed_report *r)
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
-    const struct bed_options b = build_bed_options(s);
+    struct sizes *sizes;
+    const struct bed_options b = build_bed_options(s, &sizes);
     const char *const path = settings_has(s, "particles.bed.file")
                                  ? settings_text(s, "particles.bed.file")
                                  : NULL;
@@ -63,8 +71,10 @@ static int create_bed(const struct settings *s, struct simulation *sim,
 
     sim->particles = particles_create(b.count);
     sim->dem = dem_create(sim->particles, o);
-    if (sim->dem == NULL) return 2;
-    const int found = bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    const int found = sim->dem == NULL
+                          ? BED_REFUSED
+                          : bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
     if (found != BED_MADE) return 2;
     if (r.steps > 0)
