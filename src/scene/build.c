@@ -118,6 +118,10 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
         .dt = sim->dt,
         .convection =
             convection_scheme_named(settings_text(s, "fluid.convection")),
+        .time = time_scheme_named(settings_text(s, "fluid.time")),
+        .blend = settings_real(s, "fluid.blend"),
+        .slope = slope_scheme_named(settings_text(s, "fluid.gradient")),
+        .repeats = settings_int(s, "fluid.repeats"),
         .continuity =
             strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
                 ? CONTINUITY_MIXTURE
