@@ -163,7 +163,7 @@ int coupling_step(struct simulation *sim)
         if (sim->coupling != NULL && !failed) {
             failed = transfer_average(sim);
             clock_add(&sim->seconds.averaging, &clock);
-            transfer_drag_terms(sim);
+            if (!failed) transfer_drag_terms(sim);
         }
     }
     if (!failed) finish_step(sim);
