@@ -129,8 +129,9 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
         .correctors = settings_int(s, "fluid.correctors"),
         .tolerance = settings_real(s, "fluid.tolerance"),
         .coupled = two_way(s),
-        .pressure_shared =
-            two_way(s) && settings_has(s, "effects.pressure_gradient"),
+        .pressure_shared = two_way(s) &&
+                           settings_has(s, "effects.pressure_gradient") &&
+                           strcmp(settings_text(s, "exchange.model"), "A") == 0,
         .boundaries = sim->boundaries};
     sim->fluid = fluid_create(sim->mesh, &o);
 }
