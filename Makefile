@@ -13,6 +13,7 @@ LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o)
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
+BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
 # All cores, unless make was told how many.
 CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 
@@ -38,6 +39,11 @@ check: ## install what is missing, build, run every test, also under sanitizers
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
+
+bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour)
+	sh .ci/install run
+	$(MAKE) $(CORES) $(BENCH) WERROR=
+	for subject in tests/bench/*.sh; do sh $$subject $B/tests/bench || exit; done
 
 book: ## the chapters as pages: build/book/index.html
 	sh .ci/install book
@@ -65,6 +71,6 @@ $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wra
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check weave book help clean tests
+.PHONY: all run check bench weave book help clean tests
 .SECONDARY:
--include $(OBJ:.o=.d) $(TESTS:=.d) $B/src/main.d
+-include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

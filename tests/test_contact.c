@@ -3,6 +3,7 @@
  * and symmetries. All go through dem_run, as a simulation does. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
+#include <stdlib.h>
 
 #include "spheres.h"
 
@@ -89,6 +90,90 @@ START_TEST(ls_4_11_critical_damping_lets_nothing_rebound)
     }
     ck_assert_double_eq_tol(measured_restitution(ps, 0.3), 0.0, 1e-5);
     dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* The same with Hertz's law, whose spring hardens: it never pushes the two
+ * apart faster than the dashpot takes in. */
+START_TEST(ls_4_11_critical_damping_lets_hertz_come_to_rest)
+{
+    struct particles *const ps = approaching_pair(0.3);
+    struct dem_options o = spheres_options(&contact_hertz, 1e-7, 0.1);
+    struct dem_report r;
+
+    o.material.restitution = 0.0;
+    struct dem *const dem = dem_create(ps, &o);
+    for (int k = 0; k < 100; k++)
+        ck_assert_int_eq(dem_run(dem, 1000, &r), 0);
+    ck_assert_double_eq_tol(measured_restitution(ps, 0.3), 0.0, 0.01);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* The furthest that the tangential spring of a sphere, pressed on a wall and
+ * pushed along it, swings to the other side, over how far it went at first. */
+static double swing_back(const struct contact_law *law, double e)
+{
+    struct dem_options o = spheres_options(law, 1e-6, 0.1);
+    struct particles *const ps = particles_create(1);
+    struct dem_report r;
+    double most = 0.0, least = 0.0;
+
+    o.material.restitution = e;
+    o.material.friction = 1000.0;
+    spheres_add(ps, 0.0, -0.095 - 2e-5, 0.0, 0.01);
+    ps->ey[0] = law == &contact_linear
+                    ? -1e4 * 2e-5
+                    : -contact_hertz_force(1e7 / 1.875, 0.005, 2e-5);
+    spheres_throw(ps, 0, 1e-3, 0.0, 0.0);
+    struct dem *const dem = dem_create(ps, &o);
+    for (int k = 0; k < 8000; k++) {
+        int n;
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        struct dem_spring *const s = dem_springs(dem, &n);
+        ck_assert_int_eq(n, 1);
+        most = fmax(most, s[0].xi[0]);
+        least = fmin(least, s[0].xi[0]);
+        free(s);
+    }
+    dem_free(dem);
+    particles_free(ps);
+    return -least / most;
+}
+
+/* Critical is what does not cross zero. The mass is that which a sticking
+ * contact moves, (2/7) m, since the sphere turns as well: with [LS 4.12]'s m
+ * it would creep home, with half the dashpot swing to 0.16. Hertz's dashpot is
+ * made of m*, which is 1.7 times critical for the sphere that turns: so it
+ * creeps, and e = 0.7 swings less far than 0.7. */
+START_TEST(ls_4_12_critical_damping_lets_no_tangential_spring_swing_back)
+{
+    for (int law = 0; law < 2; law++) {
+        ck_assert_double_lt(swing_back(contact_laws[law], 0.0), 1e-3);
+        ck_assert_double_gt(swing_back(contact_laws[law], 0.7), 0.2);
+    }
+    ck_assert_double_eq_tol(swing_back(&contact_linear, 0.5), 0.5, 0.02);
+}
+END_TEST
+
+/* No friction, no spin, and nothing changes along the surface: exactly. */
+START_TEST(ls_4_8_without_friction_nothing_turns)
+{
+    struct dem_options o = spheres_options(contact_laws[_i], 1e-6, 0.1);
+    struct particles *const ps = particles_create(1);
+
+    o.material.restitution = 0.8;
+    spheres_add(ps, 0.0, 0.0949, 0.0, 0.01);
+    spheres_throw(ps, 0, 3.0, 1.0, -2.0);
+    spheres_spin(ps, 0, 1.0, 2.0, 3.0);
+    spheres_collide(ps, &o);
+    ck_assert_double_eq(ps->vx[0], 3.0);
+    ck_assert_double_eq(ps->vz[0], -2.0);
+    ck_assert_double_eq_tol(ps->wx[0], 1.0, 1e-15);
+    ck_assert_double_eq_tol(ps->wz[0], 3.0, 1e-15);
+    ck_assert_double_lt(ps->vy[0], 0.0);
     particles_free(ps);
 }
 END_TEST
@@ -277,6 +362,10 @@ int main(void)
         t, ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says, 0,
         N_RESTITUTIONS);
     tcase_add_test(t, ls_4_11_critical_damping_lets_nothing_rebound);
+    tcase_add_test(t, ls_4_11_critical_damping_lets_hertz_come_to_rest);
+    tcase_add_test(
+        t, ls_4_12_critical_damping_lets_no_tangential_spring_swing_back);
+    tcase_add_loop_test(t, ls_4_8_without_friction_nothing_turns, 0, 2);
     tcase_add_loop_test(t, ls_4_7_hertz_collision_returns_e_at_any_speed, 0,
                         N_RESTITUTIONS);
     tcase_add_loop_test(

@@ -89,15 +89,25 @@ static void assert_alike(const struct state *a, const struct state *b,
 
 /* --- planes and cylinders ------------------------------------------------ */
 
-/* The box's own floor, reached by another way: only rounding differs. */
+/* The box's own floor, reached by another way: only rounding differs. With
+ * rolling friction, too, and where the walls are of a material of their own. */
 START_TEST(plane_is_what_a_wall_of_the_box_is)
 {
     const struct contact_law *const law = _i ? &contact_hertz : &contact_linear;
-    const struct surface s = plane(0.4, 0.0, 0.1, 0.0, 1.0, 0.0);
+    const struct material steel = {.young = 1e9,
+                                   .poisson = 0.3,
+                                   .restitution = 0.5,
+                                   .friction = 0.1,
+                                   .rolling = 0.05};
+    const struct materials two = {.n = 2, .further = &steel, .wall = 1};
+    struct surface s = plane(0.4, 0.0, 0.1, 0.0, 1.0, 0.0);
     struct dem_options wall = with(law, 1e-5, NULL, 0);
-    const struct dem_options o = with(law, 1e-5, &s, 1);
+    struct dem_options o = with(law, 1e-5, &s, 1);
 
     wall.lo[1] = 0.0;
+    if (_i >= 2) wall.material.rolling = o.material.rolling = 0.1;
+    if (_i == 3) wall.materials = o.materials = &two;
+    if (_i == 3) s.material = 1; /* else of material 0, with e = 0.8 */
     const struct state a = state_after(&wall, 0.5, -1.0, 20000);
     const struct state b = state_after(&o, 0.5, -1.0, 20000);
     assert_alike(&a, &b, 1e-10);
@@ -528,7 +538,7 @@ static Suite *suite(void)
     Suite *const s = suite_create("surfaces");
     TCase *const t = tcase_create("surfaces");
 
-    tcase_add_loop_test(t, plane_is_what_a_wall_of_the_box_is, 0, 2);
+    tcase_add_loop_test(t, plane_is_what_a_wall_of_the_box_is, 0, 4);
     tcase_add_test(t, sphere_in_a_smooth_cylinder_keeps_its_angular_momentum);
     tcase_add_test(t, sphere_rebounds_from_a_rod_at_its_radius);
     tcase_add_test(t, nearest_point_of_a_triangle_has_no_corner_in_front);

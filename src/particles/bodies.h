@@ -28,6 +28,10 @@ struct bodies {
     double (*motion)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
     double (*push)[4];   /* [m/s^2] of the outside force; 0 */
     double (*mark)[3];   /* [m] x, y, z when the list was last made */
+    const int *material; /* [-] of each, in the particles' own array; NULL if
+                            all are of material 0 */
+    int n_materials;     /* [-] */
+    int wall_material;   /* [-] of the box */
 };
 
 struct bodies *bodies_create(int capacity, const struct domain *box);

@@ -1,10 +1,10 @@
 /* contact_sweep.h -- the loop over the contacts of a strip.  Chapter 2.
  *
- * A law is one inlined function (`respond`), and whether there are periodic
- * directions is a constant, so that each law has loops of its own without a
- * question in them. The loops are short, as long ones would wait for their own
- * roots and divisions. Contacts that do not touch are computed too and masked:
- * cheaper than leaving them out.
+ * A law is one inlined function (`respond`), and what there is in a case
+ * (CONTACT_PERIODIC and so on) is a constant, so that each law has loops of its
+ * own without a question in them. The loops are short, as long ones would wait
+ * for their own roots and divisions. Contacts that do not touch are computed
+ * too and masked: cheaper than leaving them out.
  */
 #ifndef CONTACT_SWEEP_H
 #define CONTACT_SWEEP_H
@@ -13,6 +13,7 @@
 
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
+#include "particles/sweep_rolling.h"
 
 #define SWEEP_INLINE static inline __attribute__((always_inline, unused))
 
@@ -56,12 +57,13 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
 
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
-                            sweep_respond respond)
+                            sweep_respond respond, int many)
 {
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const struct sweep_response a =
-            respond(k, c->delta[p], c->column[3][p], c->column[7][p]);
+            respond(many ? &k[c->kind[p]] : k, c->delta[p], c->column[3][p],
+                    c->column[7][p]);
 
         c->elastic[p] = a.elastic;
         c->eta_n[p] = a.eta_n;
@@ -107,17 +109,20 @@ SWEEP_STAGE void sweep_springs(struct sweep_buffers *restrict c,
 
 /* Coulomb's cap [LS 4.8]: where it cuts the force it cuts the spring as well,
  * to what gives that force. Then the loads; nothing where none touch. */
-SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
-                             double *restrict xi_x, double *restrict xi_y,
-                             double *restrict xi_z, double mu)
+SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
+                            double *restrict xi_x, double *restrict xi_y,
+                            double *restrict xi_z,
+                            const struct contact_constants *k, int many)
 {
+    const double mu = k->friction;
+
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const double tx = c->F_t[0][p], ty = c->F_t[1][p], tz = c->F_t[2][p];
         const double nx = c->n[0][p], ny = c->n[1][p], nz = c->n[2][p];
         const double F_n = c->F_n[p], a = c->arm[p];
         const double F_t = sqrt(tx * tx + ty * ty + tz * tz);
-        const double most = mu * fabs(F_n);
+        const double most = (many ? k[c->kind[p]].friction : mu) * fabs(F_n);
         const int slides = F_t > most, touch = c->delta[p] > 0.0;
         const double cut = slides ? most / F_t : 1.0;
         const double Fx = cut * tx, Fy = cut * ty, Fz = cut * tz;
@@ -141,10 +146,27 @@ SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
     }
 }
 
+SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
+                             double *restrict xi_x, double *restrict xi_y,
+                             double *restrict xi_z,
+                             const struct contact_constants *k)
+{
+    sweep_cap(c, xi_x, xi_y, xi_z, k, 0);
+}
+
+SWEEP_STAGE void sweep_loads_many(struct sweep_buffers *restrict c,
+                                  double *restrict xi_x, double *restrict xi_y,
+                                  double *restrict xi_z,
+                                  const struct contact_constants *k)
+{
+    sweep_cap(c, xi_x, xi_y, xi_z, k, 1);
+}
+
 SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
                                  const struct contact_constants *k, double dt,
-                                 sweep_respond respond, int periodic)
+                                 sweep_respond respond, int loop)
 {
+    const int many = (loop & CONTACT_MANY) != 0;
     const int n = s->contacts.n_pairs + s->contacts.n_walls;
     struct sweep_buffers c;
 
@@ -159,15 +181,37 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
 
         sweep_gather(&c, s, b, first, count);
         sweep_into_columns(&c);
-        sweep_frames(&c, &b->box, periodic);
-        sweep_law(&c, k, respond);
+        sweep_frames(&c, &b->box, loop & CONTACT_PERIODIC);
+        if (many) sweep_kinds(&c, s, b, first, count);
+        sweep_law(&c, k, respond, many);
         sweep_springs(&c, xi_x, xi_y, xi_z, dt);
-        sweep_loads(&c, xi_x, xi_y, xi_z, k->friction);
+        (many ? sweep_loads_many : sweep_loads)(&c, xi_x, xi_y, xi_z, k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
+        if (loop & CONTACT_ROLLING)
+            sweep_rolling(&c, s, b, k, first, count, dt);
     }
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }
+
+/* The loops of a law. */
+#define SWEEP_LOOP(number, respond)                                            \
+    static void sweep_##number(struct strip *s, const struct bodies *b,        \
+                               const struct contact_constants *k, double dt)   \
+    {                                                                          \
+        sweep_contacts(s, b, k, dt, respond, number);                          \
+    }
+#define SWEEP_LOOPS(respond)                                                   \
+    SWEEP_LOOP(0, respond)                                                     \
+    SWEEP_LOOP(1, respond)                                                     \
+    SWEEP_LOOP(2, respond)                                                     \
+    SWEEP_LOOP(3, respond)                                                     \
+    SWEEP_LOOP(6, respond)                                                     \
+    SWEEP_LOOP(7, respond)
+#define SWEEP_LOOPS_TABLE                                                      \
+    {                                                                          \
+        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7       \
+    }
 
 #endif

@@ -9,15 +9,16 @@
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
+#include "particles/surface_springs.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
 static const double steps_ahead = 12.0;
-enum { SKIN_PARTS = 6, MARGIN_PARTS = 600, SURFACE_SPRING = -7 };
+enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
 
 struct dem {
     struct dem_options options;
-    struct contact_constants constants;
+    struct contact_constants *constants; /* of each pair of materials */
     contact_sweep *sweep;
     struct neighbours *neighbours;
     double least_margin; /* [m] */
@@ -61,9 +62,20 @@ static int options_wrong(const struct dem_options *o,
     return 0;
 }
 
+/* What the loop over the contacts must know of (contact.h). */
+static int loop_of(const struct dem_options *o)
+{
+    const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int rolls = materials_roll(&o->material, o->materials);
+    const int many = materials_count(o->materials) > 1 || rolls;
+
+    return periodic * CONTACT_PERIODIC + many * CONTACT_MANY +
+           rolls * CONTACT_ROLLING;
+}
+
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
-    const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int loop = loop_of(o), n = materials_count(o->materials);
     const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
     for (int s = 0; s < o->n_surfaces; s++)
@@ -71,13 +83,18 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
-    dem->constants = o->law->constants(&o->material);
-    dem->sweep = any ? o->law->sweep_periodic : o->law->sweep;
+    dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
+    materials_table(o->law, &o->material, o->materials, dem->constants);
+    dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
     if (o->n_surfaces > 0)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->count);
+    dem->neighbours->bodies->n_materials = n;
+    if (o->materials != NULL)
+        dem->neighbours->bodies->wall_material = o->materials->wall;
+    if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
     return dem;
 }
 
@@ -85,6 +102,7 @@ void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
     neighbours_free(dem->neighbours);
+    free(dem->constants);
     free(dem);
 }
 
@@ -112,31 +130,13 @@ struct dem_surface dem_surface(const struct dem *dem, int k)
     return r;
 }
 
-/* Those of surfaces; only counted where the list is NULL. */
-static int surface_springs(const struct neighbours *nb, struct dem_spring *list)
-{
-    int n = 0;
-
-    if (nb->surfaces == NULL) return 0;
-    for (int s = 0; s < nb->count; s++) {
-        const struct footprints *const f =
-            surfaces_springs(nb->surfaces, s, nb->recalled ? NULL : nb->ps);
-        for (int q = 0; q < f->n; q++, n++) {
-            if (list == NULL) continue;
-            list[n].id = f->list[q].id;
-            list[n].other = SURFACE_SPRING;
-            memcpy(list[n].xi, f->list[q].xi, sizeof list[n].xi);
-            memcpy(list[n].n, f->list[q].n, sizeof list[n].n);
-        }
-    }
-    return n;
-}
-
 struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
-    const int *const id = dem->neighbours->ps->id;
-    const struct kept *const kept = neighbours_keep(dem->neighbours, n);
-    const int more = surface_springs(dem->neighbours, NULL);
+    struct neighbours *const nb = dem->neighbours;
+    const struct particles *const ps = nb->recalled ? NULL : nb->ps;
+    const int *const id = nb->ps->id;
+    const struct kept *const kept = neighbours_keep(nb, n);
+    const int more = surface_springs(nb->surfaces, ps, NULL);
     struct dem_spring *const list =
         alloc_zeroed((size_t)(*n + more), sizeof *list);
 
@@ -144,10 +144,12 @@ struct dem_spring *dem_springs(struct dem *dem, int *n)
         list[q].id = id[kept[q].owner];
         list[q].other =
             kept[q].partner < 0 ? kept[q].partner : id[kept[q].partner];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             list[q].xi[k] = kept[q].spring[k];
+            list[q].roll[k] = kept[q].roll[k];
+        }
     }
-    surface_springs(dem->neighbours, list + *n);
+    surface_springs(nb->surfaces, ps, list + *n);
     *n += more;
     return list;
 }
@@ -165,37 +167,21 @@ static int *places(const struct particles *ps)
     return place;
 }
 
-/* The last of the list are those of surfaces: their number. */
-static int recall_surfaces(struct neighbours *nb, const struct dem_spring *list,
-                           int n)
-{
-    int many = 0;
-
-    if (nb->surfaces != NULL) surfaces_forget(nb->surfaces);
-    while (many < n && list[n - many - 1].other == SURFACE_SPRING)
-        many++;
-    for (int q = n - many; q < n && nb->surfaces != NULL; q++) {
-        struct footprint one = {.id = list[q].id};
-        memcpy(one.n, list[q].n, sizeof one.n);
-        memcpy(one.xi, list[q].xi, sizeof one.xi);
-        surfaces_recall(nb->surfaces, &one);
-    }
-    return many;
-}
-
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 {
     struct neighbours *const nb = dem->neighbours;
     int *const place = places(nb->ps);
-    const int own = n - recall_surfaces(nb, list, n);
+    const int own = n - surface_springs_recall(nb->surfaces, list, n);
     struct kept *const kept = neighbours_recall(nb, own);
 
     for (int q = 0; q < own; q++) {
         kept[q].owner = place[list[q].id];
         kept[q].partner =
             list[q].other < 0 ? list[q].other : place[list[q].other];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             kept[q].spring[k] = list[q].xi[k];
+            kept[q].roll[k] = list[q].roll[k];
+        }
     }
     free(place);
 }
@@ -203,7 +189,8 @@ void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 void dem_change_material(struct dem *dem, const struct material *m)
 {
     dem->options.material = *m;
-    dem->constants = dem->options.law->constants(m);
+    materials_table(dem->options.law, m, dem->options.materials,
+                    dem->constants);
 }
 
 /* The functions down to move() are called by every thread of the team. */
@@ -237,10 +224,10 @@ static void forces(const struct dem *dem, double dt)
     const struct neighbours_share mine = neighbours_share(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
-        dem->sweep(&nb->strips[s], nb->bodies, &dem->constants, dt);
+        dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
         if (nb->surfaces != NULL)
             surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
-                          dem->sweep, &dem->constants, dt);
+                          dem->sweep, dem->constants, dt);
     }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)

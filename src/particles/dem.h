@@ -14,18 +14,20 @@
 #ifndef DEM_H
 #define DEM_H
 
-#include "particles/contact.h"
+#include "particles/materials.h"
 #include "particles/particles.h"
 #include "particles/surface.h"
 
 struct dem_options {
     const struct contact_law *law;
-    struct material material;
-    double step;         /* [s] */
-    double skin;         /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3]; /* [m] walls of the box */
-    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
-                            least 2 (d + skin) long there */
+    struct material material;          /* number 0 */
+    const struct materials *materials; /* with others; NULL: there is no other.
+                                          Borrowed for as long as the dem is */
+    double step;                       /* [s] */
+    double skin;                       /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3];               /* [m] walls of the box */
+    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
+                        least 2 (d + skin) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
 };
@@ -80,8 +82,9 @@ struct dem_surface dem_surface(const struct dem *dem, int k);
  * surface. */
 struct dem_spring {
     int id, other;
-    double xi[3]; /* [m] of id against other */
-    double n[3];  /* [-] of the contact with a surface, to know it again */
+    double xi[3];   /* [m] of id against other */
+    double roll[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3];    /* [-] of the contact with a surface, to know it again */
 };
 
 /* A new list of them, released with free(). */
@@ -90,8 +93,8 @@ struct dem_spring *dem_springs(struct dem *dem, int *n);
 /* Starts the next run with these springs and no others. */
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n);
 
-/* Another restitution or friction from now on; the springs stay as they are.
- */
+/* Another restitution or friction of material 0 from now on; the springs stay
+ * as they are. */
 void dem_change_material(struct dem *dem, const struct material *m);
 
 #endif

@@ -23,6 +23,12 @@ struct neighbours *neighbours_create(struct particles *ps,
     return nb;
 }
 
+void neighbours_keep_rolling(struct neighbours *nb)
+{
+    for (int s = 0; s < nb->count; s++)
+        nb->strips[s].rolls = 1;
+}
+
 void neighbours_free(struct neighbours *nb)
 {
     if (nb == NULL) return;
@@ -62,6 +68,7 @@ void neighbours_open(struct neighbours *nb)
     struct bodies *const b = nb->bodies;
 
     b->n = nb->ps->n;
+    b->material = nb->ps->material;
     for (int s = 0; s < nb->count; s++) {
         struct strip *const own = &nb->strips[s];
         own->deepest = 0.0;
@@ -192,8 +199,10 @@ static void restore(struct neighbours *nb, const struct kept *old)
             const int swap = k.owner;
             k.owner = k.partner;
             k.partner = swap;
-            for (int a = 0; a < 3; a++)
+            for (int a = 0; a < 3; a++) {
                 k.spring[a] = -k.spring[a];
+                k.roll[a] = -k.roll[a];
+            }
         }
     }
     strip_restore(strip_of(nb, k.owner), &k);

@@ -40,6 +40,9 @@ struct neighbours *neighbours_create(struct particles *ps,
                                      const struct domain *box);
 void neighbours_free(struct neighbours *nb);
 
+/* Contacts have a spring of rolling too. Before the first run. */
+void neighbours_keep_rolling(struct neighbours *nb);
+
 /* Strips first ... last - 1 are this thread's. */
 struct neighbours_share {
     int first, last;

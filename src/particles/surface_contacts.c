@@ -32,6 +32,7 @@ static void free_arrays(struct surface_contacts *c)
 {
     free(c->bodies.place);
     free(c->bodies.motion);
+    free(c->material);
     strip_release(&c->pairs);
 }
 
@@ -67,7 +68,7 @@ void surface_contacts_sort(struct footprints *f)
     }
 }
 
-static void make_room(struct surface_contacts *c, int n)
+static void make_room(struct surface_contacts *c, int n, int rolls)
 {
     struct contacts *const k = &c->pairs.contacts;
     const double deepest = c->pairs.deepest;
@@ -79,17 +80,22 @@ static void make_room(struct surface_contacts *c, int n)
     c->bodies.motion = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
     memset(&c->pairs, 0, sizeof c->pairs);
     c->pairs.deepest = deepest;
+    c->pairs.rolls = rolls;
+    c->material = alloc_ints(2 * c->room);
     c->pairs.load = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
     k->capacity = c->room + SPARE;
     k->owner = alloc_ints(k->capacity);
     k->partner = alloc_ints(k->capacity);
     for (int a = 0; a < 3; a++)
         k->spring[a] = alloc_doubles(k->capacity);
+    for (int a = 0; rolls && a < 3; a++)
+        k->roll[a] = alloc_doubles(k->capacity);
 }
 
 /* The particle is at the origin, the sphere behind the surface r + R from it
  * along -n: their overlap is 2 R - (r + R) = R - r, at any r > -R. */
-static void put_spheres(struct surface_contacts *c, int q,
+static void put_spheres(struct surface_contacts *c,
+                        const struct surface_scene *scene, int q,
                         const struct bodies *b)
 {
     const struct touch *const t = &c->touches.list[q];
@@ -106,6 +112,8 @@ static void put_spheres(struct surface_contacts *c, int q,
     memcpy(c->bodies.motion[2 * q], b->motion[t->owner], 8 * sizeof(double));
     memset(moves, 0, 8 * sizeof(double));
     memcpy(moves, t->v, sizeof t->v);
+    c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
+    c->material[2 * q + 1] = scene->surface[t->surface].material;
     c->pairs.contacts.owner[q] = 2 * q;
     c->pairs.contacts.partner[q] = 2 * q + 1;
 }
@@ -114,6 +122,7 @@ static void put_spheres(struct surface_contacts *c, int q,
  * up. *at moves on with the owner. */
 static void put_spring(struct surface_contacts *c, int q, int *at)
 {
+    struct contacts *const k = &c->pairs.contacts;
     const struct touch *const t = &c->touches.list[q];
     struct footprints *const old = &c->before;
     struct footprint *found = NULL;
@@ -128,9 +137,11 @@ static void put_spring(struct surface_contacts *c, int q, int *at)
             found = &old->list[p];
         }
     }
-    for (int k = 0; k < 3; k++) {
-        c->pairs.contacts.spring[k][q] = found != NULL ? found->xi[k] : 0.0;
-        if (found != NULL) found->n[k] = 0.0;
+    for (int a = 0; a < 3; a++) {
+        k->spring[a][q] = found != NULL ? found->xi[a] : 0.0;
+        if (c->pairs.rolls)
+            k->roll[a][q] = found != NULL ? found->roll[a] : 0.0;
+        if (found != NULL) found->n[a] = 0.0;
     }
 }
 
@@ -164,6 +175,7 @@ static void leave_footprint(struct surface_contacts *c, int q)
     for (int k = 0; k < 3; k++) {
         one.n[k] = t->n[k];
         one.xi[k] = c->pairs.contacts.spring[k][q];
+        if (c->pairs.rolls) one.roll[k] = c->pairs.contacts.roll[k][q];
     }
     surface_contacts_remember(&c->now, &one);
 }
@@ -178,14 +190,16 @@ void surface_contacts_push(struct surface_contacts *c,
 
     touches_find(&c->touches, &c->close, scene, c->pose, b);
     const int n = c->touches.n;
-    make_room(c, n);
+    make_room(c, n, s->rolls);
     c->before = c->now;
     c->now = old;
     c->now.n = 0;
     for (int q = 0; q < n; q++) {
-        put_spheres(c, q, b);
+        put_spheres(c, scene, q, b);
         put_spring(c, q, &at);
     }
+    c->bodies.material = c->material;
+    c->bodies.n_materials = b->n_materials;
     c->pairs.contacts.n_pairs = n;
     c->pairs.window = c->pairs.end = c->bodies.n = 2 * n;
     if (n > 0) sweep(&c->pairs, &c->bodies, k, dt);

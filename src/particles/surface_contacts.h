@@ -18,8 +18,9 @@
 /* What a contact leaves to the next step. */
 struct footprint {
     int owner, id;
-    double n[3];  /* [-] */
-    double xi[3]; /* [m] the spring */
+    double n[3];    /* [-] */
+    double xi[3];   /* [m] the spring */
+    double roll[3]; /* [rad] and that of rolling friction, where there is any */
 };
 
 /* Owners in ascending order. */
@@ -41,6 +42,7 @@ struct surface_contacts {
     struct footprints now, before, kept;
     struct bodies bodies; /* the two spheres of contact q: 2 q and 2 q + 1 */
     struct strip pairs;   /* the contacts as the loop wants them */
+    int *material;        /* [-] of these; where there are several */
     int room;             /* [-] contacts that fit in */
     struct pose *pose;    /* of each surface, at `time` [s] */
     struct pose *built;   /* when the vicinity was made, at `built_time` [s] */

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "averaging/images.h"
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
@@ -132,12 +133,19 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
 
 /* --- coupling ----------------------------------------------------------- */
 
+static double bandwidth_of(const struct settings *s)
+{
+    if (settings_has(s, "averaging.delta_05"))
+        return images_bandwidth(settings_real(s, "averaging.delta_05"));
+    return settings_has(s, "averaging.bandwidth")
+               ? settings_real(s, "averaging.bandwidth")
+               : 0.0;
+}
+
 struct averaging_options build_averaging_options(const struct settings *s)
 {
     const struct averaging_options o = {
-        .bandwidth = settings_has(s, "averaging.bandwidth")
-                         ? settings_real(s, "averaging.bandwidth")
-                         : 0.0,
+        .bandwidth = bandwidth_of(s),
         .scheme = settings_text(s, "averaging.scheme"),
         .steps = settings_int(s, "averaging.steps"),
         .tolerance = settings_real(s, "averaging.tolerance"),
@@ -231,6 +239,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->boundaries);

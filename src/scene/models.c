@@ -6,6 +6,7 @@
 #include "effects/effects.h"
 #include "exchange/drag.h"
 #include "particles/contact_hertz.h"
+#include "particles/sizes.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -34,20 +35,42 @@ static int contact(int i, struct model *m)
     return 1;
 }
 
-/* Which keys a method of averaging reads. */
-static const char *averaging_keys(const char *method)
+/* The keys of a law of sizes: sizes_laws has their names alone. */
+static const char *sizes_keys(const char *law)
 {
-    if (strcmp(method, "pcm") == 0) return "averaging.cap";
-    if (strcmp(method, "diffusion") == 0)
-        return "averaging.bandwidth averaging.scheme averaging.steps "
-               "averaging.tolerance";
-    return "averaging.bandwidth";
+    if (strcmp(law, "normal") == 0)
+        return "particles.sizes.mean particles.sizes.deviation "
+               "particles.sizes.least particles.sizes.most";
+    if (strcmp(law, "lognormal") == 0)
+        return "particles.sizes.median particles.sizes.ratio "
+               "particles.sizes.least particles.sizes.most "
+               "particles.sizes.by";
+    if (strcmp(law, "uniform") == 0)
+        return "particles.sizes.least particles.sizes.most particles.sizes.by";
+    return "particles.sizes.points particles.sizes.by";
 }
 
-static const char *averaging_function(const char *method)
+static int sizes(int i, struct model *m)
 {
-    if (strcmp(method, "pcm") == 0) return "pcm_spread";
-    return strcmp(method, "kernel") == 0 ? "kernel_spread" : "diffusion_spread";
+    const struct sizes_law *const all = sizes_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k].name == NULL) return 0;
+    *m = (struct model){all[i].name, all[i].what, all[i].cite, "sizes_quantile",
+                        sizes_keys(all[i].name)};
+    return 1;
+}
+
+/* Which keys a method of averaging reads. */
+static const char *averaging_keys(const struct averaging_method *method)
+{
+    if (strcmp(method->name, "pcm") == 0) return "averaging.cap";
+    if (strcmp(method->name, "diffusion") == 0)
+        return "averaging.bandwidth averaging.delta_05 averaging.scheme "
+               "averaging.steps averaging.tolerance";
+    if (strcmp(method->name, "images") == 0)
+        return "averaging.bandwidth averaging.delta_05";
+    return method->wide ? "averaging.bandwidth" : "";
 }
 
 static int averaging(int i, struct model *m)
@@ -57,8 +80,7 @@ static int averaging(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k] == NULL) return 0;
     *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
-                        averaging_function(all[i]->name),
-                        averaging_keys(all[i]->name)};
+                        all[i]->function, averaging_keys(all[i])};
     return 1;
 }
 
@@ -174,6 +196,8 @@ static int effect(int i, struct model *m)
 
 const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
+    {"sizes", "distributions of diameters", "particles.sizes.distribution",
+     sizes},
     {"averaging", "ways from particles to fields", "averaging.method",
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
