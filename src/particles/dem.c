@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
+#include "particles/response.h"
 #include "particles/surface_springs.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
@@ -87,6 +88,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     materials_table(o->law, &o->material, o->materials, dem->constants);
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->step = o->step;
     if (o->n_surfaces > 0)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
@@ -213,8 +215,12 @@ static void advance(const struct dem *dem, double kick, double drift)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
-        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
-                       own->fastest);
+        if (nb->bodies->response == NULL)
+            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                           drift, own->fastest);
+        else
+            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                             drift, own->fastest);
     }
 }
 

@@ -22,7 +22,6 @@ void surface_contacts_init(struct surface_contacts *c,
     c->pose = alloc_zeroed(n, sizeof *c->pose);
     c->built = alloc_zeroed(n, sizeof *c->built);
     c->account = alloc_zeroed(n, sizeof *c->account);
-    c->bodies.box = *scene->box;
     for (int s = 0; s < scene->n; s++)
         c->pose[s] = motion_pose(&scene->surface[s].motion, 0.0);
 }
@@ -30,8 +29,8 @@ void surface_contacts_init(struct surface_contacts *c,
 /* The arrays of the loop, which hold nothing from step to step. */
 static void free_arrays(struct surface_contacts *c)
 {
-    free(c->bodies.place);
-    free(c->bodies.motion);
+    free(c->place);
+    free(c->motion);
     free(c->material);
     strip_release(&c->pairs);
 }
@@ -76,8 +75,8 @@ static void make_room(struct surface_contacts *c, int n, int rolls)
     if (n <= c->room) return;
     c->room = n + n / 2 + 64;
     free_arrays(c);
-    c->bodies.place = alloc_zeroed(2 * (size_t)c->room, 4 * sizeof(double));
-    c->bodies.motion = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
+    c->place = alloc_zeroed(2 * (size_t)c->room, 4 * sizeof(double));
+    c->motion = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
     memset(&c->pairs, 0, sizeof c->pairs);
     c->pairs.deepest = deepest;
     c->pairs.rolls = rolls;
@@ -99,9 +98,9 @@ static void put_spheres(struct surface_contacts *c,
                         const struct bodies *b)
 {
     const struct touch *const t = &c->touches.list[q];
-    double *const mine = c->bodies.place[2 * q];
-    double *const mirror = c->bodies.place[2 * q + 1];
-    double *const moves = c->bodies.motion[2 * q + 1];
+    double *const mine = c->place[2 * q];
+    double *const mirror = c->place[2 * q + 1];
+    double *const moves = c->motion[2 * q + 1];
     const double R = b->place[t->owner][3];
 
     for (int k = 0; k < 3; k++) {
@@ -109,7 +108,7 @@ static void put_spheres(struct surface_contacts *c,
         mirror[k] = -(t->r + R) * t->n[k];
     }
     mine[3] = mirror[3] = R;
-    memcpy(c->bodies.motion[2 * q], b->motion[t->owner], 8 * sizeof(double));
+    memcpy(c->motion[2 * q], b->motion[t->owner], 8 * sizeof(double));
     memset(moves, 0, 8 * sizeof(double));
     memcpy(moves, t->v, sizeof t->v);
     c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
@@ -186,6 +185,7 @@ void surface_contacts_push(struct surface_contacts *c,
                            const struct contact_constants *k, double dt)
 {
     const struct footprints old = c->before;
+    struct bodies two = *b;
     int at = 0;
 
     touches_find(&c->touches, &c->close, scene, c->pose, b);
@@ -198,11 +198,12 @@ void surface_contacts_push(struct surface_contacts *c,
         put_spheres(c, scene, q, b);
         put_spring(c, q, &at);
     }
-    c->bodies.material = c->material;
-    c->bodies.n_materials = b->n_materials;
     c->pairs.contacts.n_pairs = n;
-    c->pairs.window = c->pairs.end = c->bodies.n = 2 * n;
-    if (n > 0) sweep(&c->pairs, &c->bodies, k, dt);
+    c->pairs.window = c->pairs.end = two.n = 2 * n;
+    two.place = c->place;
+    two.motion = c->motion;
+    two.material = c->material;
+    if (n > 0) sweep(&c->pairs, &two, k, dt);
     for (int q = 0; q < n; q++) {
         settle(c, q, s, c->pose, dt);
         leave_footprint(c, q);

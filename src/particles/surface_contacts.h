@@ -40,12 +40,13 @@ struct surface_contacts {
     struct near_faces vicinity, close;
     struct touches touches;
     struct footprints now, before, kept;
-    struct bodies bodies; /* the two spheres of contact q: 2 q and 2 q + 1 */
-    struct strip pairs;   /* the contacts as the loop wants them */
-    int *material;        /* [-] of these; where there are several */
-    int room;             /* [-] contacts that fit in */
-    struct pose *pose;    /* of each surface, at `time` [s] */
-    struct pose *built;   /* when the vicinity was made, at `built_time` [s] */
+    double (*place)[4];  /* as in struct bodies: the two spheres of contact */
+    double (*motion)[8]; /* q are 2 q and 2 q + 1 */
+    struct strip pairs;  /* the contacts as the loop wants them */
+    int *material;       /* [-] of these; where there are several */
+    int room;            /* [-] contacts that fit in */
+    struct pose *pose;   /* of each surface, at `time` [s] */
+    struct pose *built;  /* when the vicinity was made, at `built_time` [s] */
     double time, built_time;
     struct surface_account *account;
 };
