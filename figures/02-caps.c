@@ -86,6 +86,10 @@ int main(int argc, char **argv)
     const char *const mode = argc == 2 ? argv[1] : "";
     double push;
 
+    if (strcmp(mode, "curve") == 0)
+        puts("# 7/2 mu (1 + e) v_n over slip; slip after over before by the "
+             "four "
+             "rules, and published");
     for (int i = 0; i < POINTS && strcmp(mode, "curve") == 0; i++) {
         printf("%7.3f", theirs[i][0]);
         for (int rule = 0; rule < RULES; rule++)

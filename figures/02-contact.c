@@ -78,7 +78,7 @@ static struct impact collide(const struct contact_law *law,
     struct dem *const dem = dem_create(ps, &o);
     do {
         dem_run(dem, 1, &r);
-        if (show && step++ % 50 == 0)
+        if (show && step++ % 20 == 0)
             printf("%-6s %4.1f %8.3f %9.5f\n", law->name, m->restitution,
                    1e6 * (0.5 * s->d - ps->y[0]), ps->cfy[0]);
         after.fastest = fmax(after.fastest, ps->vy[0]);
