@@ -38,10 +38,20 @@ static double skin_of(const struct dem_options *o, const struct particles *ps)
     return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
 }
 
+/* How far anything acts beyond touching. */
+static double range_of(const struct dem_options *o)
+{
+    double range = 0.0;
+
+    for (int k = 0; k < o->n_attractions; k++)
+        range = fmax(range, o->attractions[k].range);
+    return range;
+}
+
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const double skin = skin_of(o, ps);
+    const double skin = skin_of(o, ps) + range_of(o);
     double widest = 0.0;
 
     for (int i = 0; i < ps->n; i++)
@@ -82,6 +92,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
     dem->neighbours->bodies->n_materials = n;
+    dem->neighbours->range = range_of(o);
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
     if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
@@ -170,6 +181,15 @@ static void advance(const struct dem *dem, double kick, double drift)
     }
 }
 
+static void attract(const struct dem *dem, const struct attraction *a)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++)
+        a->law->sweep(&nb->strips[s], nb->bodies, a);
+}
+
 static void forces(const struct dem *dem, double dt)
 {
     const struct neighbours *const nb = dem->neighbours;
@@ -177,6 +197,8 @@ static void forces(const struct dem *dem, double dt)
 
     for (int s = mine.first; s < mine.last; s++)
         dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
+    for (int k = 0; k < dem->options.n_attractions; k++)
+        attract(dem, &dem->options.attractions[k]);
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         strip_fold(nb->strips, nb->count, s, nb->bodies->n);
