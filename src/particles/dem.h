@@ -18,19 +18,22 @@
 #include "particles/attraction.h"
 #include "particles/materials.h"
 #include "particles/particles.h"
+#include "particles/surface.h"
 
 struct dem_options {
     const struct contact_law *law;
     struct material material;          /* number 0 */
     const struct materials *materials; /* with others; NULL: there is no other.
                                           Borrowed for as long as the dem is */
-    int n_attractions;                 /* [-] 0: only touching counts */
+    double step;                       /* [s] */
+    double skin;                       /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3];               /* [m] walls of the box */
+    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
+                        least 2 (d + skin + range) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
     const struct attraction *attractions; /* borrowed likewise */
-    double step;                          /* [s] */
-    double skin;         /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3]; /* [m] walls of the box */
-    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
-                            least 2 (d + skin + range) long there */
+    int n_attractions;                    /* [-] 0: only touching counts */
 };
 
 struct dem_report {
@@ -46,6 +49,7 @@ struct dem_report {
                            their radius or are nowhere */
     int lost_id;        /* [-] the first of them; -1: none */
     double lost_at[3];  /* [m] where it was found */
+    int lost_through;   /* [-] the surface that it went through; -1: none */
 };
 
 struct dem;
@@ -62,13 +66,29 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
+/* Starts the clock of the surfaces at this number of steps; before that they
+ * rest where they are at time 0. */
+void dem_clock(struct dem *dem, long steps);
+
+/* What the particles did to surface k since the run began (steps of which no
+ * time passed do not count). */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
+
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
- * the lower and 2 k + 1 the upper wall of direction k. */
+ * the lower and 2 k + 1 the upper wall of direction k, 6 any
+ * surface. */
 struct dem_spring {
     int id, other;
     double xi[3];   /* [m] of id against other */
     double roll[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3];    /* [-] of the contact with a surface, to know it again */
 };
 
 /* A new list of them, released with free(). */
