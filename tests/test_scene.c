@@ -187,8 +187,8 @@ END_TEST
 START_TEST(cohesion_of_a_case_reaches_the_particles)
 {
     const char *const overrides[] = {
-        "effects.capillary={tension=0.07;angle=1.0471975511965976;range=1e-4;"
-        "harmonic=true;}",
+        ("effects.capillary={tension=0.07;angle=1.0471975511965976;"
+         "range=1e-4;harmonic=true;}"),
         "effects.electrostatic={range=2e-3;permittivity=3.0;}",
         "particles.grains.charge=-4e-12"};
     int code, n;
