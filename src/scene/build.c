@@ -83,11 +83,15 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
 static void create_coupling(const struct settings *s, struct simulation *sim)
 {
     const char *const treatment = settings_text(s, "exchange.treatment");
+    const char *const relaxation = settings_text(s, "exchange.relaxation");
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
         .treatment = strcmp(treatment, "explicit") == 0
                          ? TREATMENT_EXPLICIT
                          : TREATMENT_SEMI_IMPLICIT,
+        .relaxation = strcmp(relaxation, "exponential") == 0
+                          ? RELAXATION_EXPONENTIAL
+                          : RELAXATION_FROZEN,
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),
@@ -155,6 +159,7 @@ void build_free(struct simulation *sim)
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     free(sim->materials);
+    free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->boundaries);

@@ -7,6 +7,7 @@
 #include "averaging/averaging.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
 /* The two sides of each direction, and the key that names both at once. */
@@ -234,6 +235,7 @@ static int check_particles(const struct settings *s)
 
     if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = case_materials_check(s);
+    if (code == 0) code = case_cohesion_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",
@@ -275,6 +277,16 @@ static int check_output(const struct settings *s)
             return settings_wrong(s, "output.profiles",
                                   "height %g m is above the box, %g m", y,
                                   size[1]);
+    }
+    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
+        double x[3];
+        settings_item_vector(s, "output.probes", i, "position", x);
+        for (int k = 0; k < 3; k++)
+            if (!(x[k] >= 0.0 && x[k] <= size[k]))
+                return settings_wrong(s, "output.probes",
+                                      "the point [%g, %g, %g] m is outside "
+                                      "the box",
+                                      x[0], x[1], x[2]);
     }
     return 0;
 }

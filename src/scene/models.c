@@ -138,6 +138,17 @@ static int treatment(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int relaxation(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"frozen", "the drag of the sub-step's start, throughout it",
+         "XS11 3.18", "apply_frozen", ""},
+        {"exponential", "the drag that relaxes as the particle gives in to it",
+         "XS11 3.16", "response_advance", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
@@ -232,6 +243,8 @@ const struct kind models_kinds[] = {
     {"drag", "drag laws", "exchange.drag", drag},
     {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
      treatment},
+    {"relaxation", "courses of the drag during a sub-step",
+     "exchange.relaxation", relaxation},
     {"coupling", "directions of the coupling", "exchange.coupling", coupling},
     {"time", "time schemes of the fluid", "fluid.time", time_scheme},
     {"convection", "convection schemes", "fluid.convection", convection},
