@@ -86,6 +86,7 @@ static void material_derivative(struct virtual_mass *self,
     memcpy(self->past, fl->u, (size_t)n * sizeof *self->past);
 }
 
+/* [LS 5.3]: its first part as a force, its second as a mass. */
 static void virtual_mass_before_particles(void *memory, struct simulation *sim)
 {
     struct virtual_mass *const self = memory;
