@@ -90,7 +90,7 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
 {
     static const double gain[8] = {1.0, 1.0, 1.0, 0.0, -2.5, -2.5, -2.5, 0.0};
     const double shift[4] = {drift, drift, drift, 0.0};
-    double top[4] = {0.0, 0.0, 0.0, 0.0};
+    double top[4] = {fastest[0], fastest[1], fastest[2], 0.0};
 
     for (int i = begin; i < end; i++) {
         double *restrict const x = b->place[i];
@@ -111,7 +111,7 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
         for (int k = 0; k < 4; k++)
             top[k] = fabs(v[k]) > top[k] ? fabs(v[k]) : top[k];
     }
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 3; k++)
         fastest[k] = top[k];
 }
 

@@ -37,10 +37,12 @@ struct contact_constants {
     double friction;   /* [-] mu */
 };
 
-/* Adds the contact forces of one strip of particles to its loads; the springs
- * move on by dt [s]. One loop a law, none of whose contacts is a call. */
+/* Adds the forces of contacts first ... last - 1 of a strip of particles to its
+ * loads; the springs move on by dt [s]. One loop a law, none of whose contacts
+ * is a call. */
 typedef void contact_sweep(struct strip *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt);
+                           const struct contact_constants *k, double dt,
+                           int first, int last);
 
 struct contact_law {
     const char *name; /* as a case spells it */

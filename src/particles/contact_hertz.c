@@ -77,15 +77,17 @@ SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
 }
 
 static void sweep(struct strip *s, const struct bodies *b,
-                  const struct contact_constants *k, double dt)
+                  const struct contact_constants *k, double dt, int first,
+                  int last)
 {
-    sweep_contacts(s, b, k, dt, respond, 0);
+    sweep_contacts(s, b, k, dt, first, last, respond, 0);
 }
 
 static void sweep_periodic(struct strip *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt)
+                           const struct contact_constants *k, double dt,
+                           int first, int last)
 {
-    sweep_contacts(s, b, k, dt, respond, 1);
+    sweep_contacts(s, b, k, dt, first, last, respond, 1);
 }
 
 const struct contact_law contact_hertz = {

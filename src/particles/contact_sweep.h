@@ -141,30 +141,43 @@ SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
     }
 }
 
+static inline void sweep_copy(double *to, const double *from, int n)
+{
+    memcpy(to, from, (size_t)n * sizeof *to);
+}
+
+/* The contacts first ... last - 1 of a strip, all pairs or all walls. Where
+ * lanes are left over at the end, the springs are copied: those behind them
+ * belong to other contacts. */
 SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
                                  const struct contact_constants *k, double dt,
-                                 sweep_respond respond, int periodic)
+                                 int first, int last, sweep_respond respond,
+                                 int periodic)
 {
-    const int n = s->contacts.n_pairs + s->contacts.n_walls;
+    double spare[3][SWEEP_LANES] = {{0.0}};
     struct sweep_buffers c;
 
     memset(c.deepest, 0, sizeof c.deepest);
-    memset(s->load, 0, (size_t)s->window * sizeof *s->load);
-    for (int first = 0; first < n; first += SWEEP_LANES) {
-        const int left = n - first;
-        const int count = left < SWEEP_LANES ? left : SWEEP_LANES;
-        double *const xi_x = s->contacts.spring[0] + first;
-        double *const xi_y = s->contacts.spring[1] + first;
-        double *const xi_z = s->contacts.spring[2] + first;
+    for (; first < last; first += SWEEP_LANES) {
+        const int left = last - first, short_of = left < SWEEP_LANES;
+        const int count = short_of ? left : SWEEP_LANES;
+        double *xi[3];
 
+        for (int a = 0; a < 3; a++) {
+            xi[a] = short_of ? spare[a] : s->contacts.spring[a] + first;
+            if (short_of)
+                sweep_copy(xi[a], s->contacts.spring[a] + first, count);
+        }
         sweep_gather(&c, s, b, first, count);
         sweep_into_columns(&c);
         sweep_frames(&c, &b->box, periodic);
         sweep_law(&c, k, respond);
-        sweep_springs(&c, xi_x, xi_y, xi_z, dt);
-        sweep_loads(&c, xi_x, xi_y, xi_z, k->friction);
+        sweep_springs(&c, xi[0], xi[1], xi[2], dt);
+        sweep_loads(&c, xi[0], xi[1], xi[2], k->friction);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
+        for (int a = 0; short_of && a < 3; a++)
+            sweep_copy(s->contacts.spring[a] + first, xi[a], count);
     }
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;

@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
@@ -136,38 +137,120 @@ void dem_change_material(struct dem *dem, const struct material *m)
 
 /* The functions down to move() are called by every thread of the team. */
 
-static void advance(const struct dem *dem, double kick, double drift)
+/* From the time of the loads on; dt = 0 makes loads only. */
+struct stride {
+    double dt;          /* [s] springs */
+    double kick, drift; /* [s] velocities, places */
+};
+
+static void advance(const struct dem *dem, struct strip *own, int begin,
+                    int end, const struct stride *by)
+{
+    bodies_advance(dem->neighbours->bodies, begin, end,
+                   own->load + (begin - own->begin), by->kick, by->drift,
+                   own->so_far);
+}
+
+/* Of the first particles of strip s, how many bear loads from strips that this
+ * thread has not done before it. A strip lays loads on later ones; in a
+ * periodic direction the first come after the last, in a lone strip, too. */
+static int reached(const struct neighbours *nb, int s)
+{
+    const int *const around = nb->bodies->box.periodic;
+    const int n = nb->bodies->n, first = neighbours_share(nb).first;
+    int most = 0;
+
+    if (nb->count == 1 && (around[0] || around[1] || around[2])) return n;
+    for (int t = 0; t < nb->count; t++) {
+        const int done = first <= t && t <= s;
+        const int m =
+            done ? 0 : strip_reached(&nb->strips[s], &nb->strips[t], n);
+        most = m > most ? m : most;
+    }
+    return most;
+}
+
+/* The loads of the contacts that end with this block. */
+static void load_block(const struct dem *dem, struct strip *own, int k,
+                       double dt)
+{
+    const struct bodies *const b = dem->neighbours->bodies;
+    const struct contact_constants *const law = &dem->constants;
+    const struct block begin = {own->begin, 0, own->contacts.n_pairs, 0};
+    const struct block *const to = &own->blocks[k];
+    const struct block *const from = k > 0 ? to - 1 : &begin;
+
+    memset(own->load + from->reach, 0,
+           (size_t)(to->reach - from->reach) * sizeof *own->load);
+    dem->sweep(own, b, law, dt, from->pairs, to->pairs);
+    dem->sweep(own, b, law, dt, from->walls, to->walls);
+}
+
+/* Loads, then motion, block by block; those on which other threads may still
+ * lay loads, or whose places these still need, move when all are done. */
+static void step_strip(const struct dem *dem, int s, const struct stride *by,
+                       int waiting)
 {
     const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
+    struct strip *const own = &nb->strips[s];
+    const int late = own->begin + reached(nb, s);
 
-    for (int s = mine.first; s < mine.last; s++) {
-        struct strip *const own = &nb->strips[s];
-        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
-                       own->fastest);
+    for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
+        const int end = own->blocks[k].end;
+        if (!waiting) load_block(dem, own, k, by->dt);
+        if ((begin < late) == waiting) {
+            strip_fold(nb->strips, nb->count, s, nb->bodies->n, begin, end);
+            advance(dem, own, begin, end, by);
+        }
+        begin = end;
     }
 }
 
-static void forces(const struct dem *dem, double dt)
+/* What it found is shown to all when all are done with what was found before.
+ */
+static void show_fastest(struct strip *own)
+{
+    memcpy(own->fastest, own->so_far, sizeof own->fastest);
+    memset(own->so_far, 0, sizeof own->so_far);
+}
+
+static void step(const struct dem *dem, const struct stride *by)
 {
     const struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
 
     for (int s = mine.first; s < mine.last; s++)
-        dem->sweep(&nb->strips[s], nb->bodies, &dem->constants, dt);
+        step_strip(dem, s, by, 0);
     neighbours_meet(nb);
-    for (int s = mine.first; s < mine.last; s++)
-        strip_fold(nb->strips, nb->count, s, nb->bodies->n);
+    for (int s = mine.first; s < mine.last; s++) {
+        step_strip(dem, s, by, 1);
+        show_fastest(&nb->strips[s]);
+    }
 }
 
-/* Lists and forces for particles that were changed from outside; no time
+/* Lists and loads for particles that were changed from outside; no time
  * passes. */
 static int start(struct dem *dem, double *margin)
 {
     *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
     if (*margin < 0.0) return 1;
-    forces(dem, 0.0);
+    step(dem, &(struct stride){0.0, 0.0, 0.0});
     return 0;
+}
+
+/* From the loads that there are. */
+static void begin(const struct dem *dem)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+    const double dt = dem->options.step;
+    const struct stride half = {0.0, 0.5 * dt, dt};
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        advance(dem, own, own->begin, own->end, &half);
+        show_fastest(own);
+    }
 }
 
 static void finish(struct dem *dem)
@@ -187,11 +270,12 @@ static void move(struct dem *dem, int steps)
 {
     struct neighbours *const nb = dem->neighbours;
     const double dt = dem->options.step;
+    const struct stride whole = {dt, dt, dt}, to_the_end = {dt, 0.5 * dt, 0.0};
     double margin = nb->margin, spent = nb->spent;
     int k = 0;
 
     if (nb->stale && start(dem, &margin) != 0) return;
-    if (steps > 0) advance(dem, 0.5 * dt, dt);
+    if (steps > 0) begin(dem);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
         neighbours_meet(nb);
@@ -203,8 +287,7 @@ static void move(struct dem *dem, int steps)
             spent = 0.0;
         }
         if (margin < 0.0) break;
-        forces(dem, dt);
-        advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
+        step(dem, last ? &to_the_end : &whole);
     }
     finish(dem);
     neighbours_meet(nb);
