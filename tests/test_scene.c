@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/case_materials.h"
 #include "scene/list.h"
 #include "scene/models.h"
 #include "scene/rows.h"
@@ -75,6 +76,35 @@ START_TEST(each_side_of_the_box_is_described_once)
 }
 END_TEST
 
+START_TEST(sizes_are_possible_and_known_by_their_names)
+{
+    static const char two[] =
+        "particles.sizes=({name=\"sand\";distribution=\"uniform\";"
+        "least=1e-3;most=2e-3;},{name=\"grit\";distribution=\"normal\";"
+        "mean=1e-3;deviation=1e-4;least=5e-4;most=2e-3;})";
+    const char *const overrides[] = {
+        two, "particles.bed={count=2000;sizes=\"sand\";}",
+        "particles.bed.sizes=snad"};
+    int code;
+
+    refused("particles.bed={count=3;}", "give either diameter or sizes");
+    refused("particles.bed.sizes=sand", "not both");
+    refused("particles.sizes=({name=\"a\";distribution=\"normal\";})",
+            "a, which is normal: it asks for mean");
+    refused("particles.sizes=({name=\"a\";distribution=\"gauss\";})",
+            "expected");
+    struct settings *const s =
+        scene_read("cases/mueller-bed.cfg", 2, overrides, &code);
+    ck_assert_ptr_nonnull(s);
+    settings_free(s);
+    struct capture c = capture_begin(2);
+    ck_assert_ptr_null(
+        scene_read("cases/mueller-bed.cfg", 3, overrides, &code));
+    capture_end(&c, said);
+    ck_assert_ptr_nonnull(strstr(said, "did you mean sand"));
+}
+END_TEST
+
 START_TEST(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
@@ -87,6 +117,51 @@ START_TEST(contact_law_asks_for_its_constants)
             "linear asks for particles.grains.stiffness");
     refused("particles.grains={density=1;restitution=1;friction=0;}",
             "hertz asks for particles.grains.young");
+}
+END_TEST
+
+#define STEEL                                                                  \
+    "{name=\"steel\";young=2e11;poisson=0.3;restitution=0.9;friction=0.3;}"
+
+START_TEST(materials_are_known_by_their_names)
+{
+    refused("particles.walls={material=\"grain\";}", "did you mean grains?");
+    refused("particles.walls={material=\"\";}", "no material");
+    refused("particles.materials=({name=\"steel\";restitution=1;friction=0;})",
+            "hertz asks for the young of steel");
+    refused("particles.materials=(" STEEL "," STEEL ")",
+            "the name steel is given twice");
+    refused("particles.pairs=({between=\"grains\";and=\"grains\";})",
+            "particles.pairs needs particles.materials");
+    refused("particles.materials=({name=\"grains\";young=1.0;poisson=0.3;"
+            "restitution=1;friction=0;})",
+            "the name grains is given twice");
+}
+END_TEST
+
+/* What a case says of its materials is what the particles are made of. */
+START_TEST(materials_of_a_case_reach_the_particles)
+{
+    const char *const overrides[] = {
+        "particles.materials=(" STEEL ")",
+        "particles.walls={material=\"steel\";}",
+        "particles.pairs=({between=\"steel\";and=\"grains\";friction=0.7;})"};
+    int code;
+    struct settings *const s =
+        scene_read("cases/mueller-bed.cfg", 3, overrides, &code);
+
+    ck_assert_ptr_nonnull(s);
+    struct materials *const all = case_materials_create(s);
+    ck_assert_int_eq(all->n, 2);
+    ck_assert_int_eq(all->wall, 1);
+    ck_assert_double_eq(all->further[0].young, 2e11);
+    ck_assert_int_eq(all->n_measured, 1);
+    ck_assert_int_eq(all->measured[0].a, 1);
+    ck_assert_int_eq(all->measured[0].b, 0);
+    ck_assert_double_eq(all->measured[0].friction, 0.7);
+    ck_assert_double_lt(all->measured[0].restitution, 0.0);
+    free(all);
+    settings_free(s);
 }
 END_TEST
 
@@ -108,6 +183,13 @@ END_TEST
 START_TEST(profiles_lie_inside_the_box)
 {
     refused("output.profiles.0.height=0.2", "above the box");
+}
+END_TEST
+
+START_TEST(probes_lie_inside_the_box)
+{
+    refused("output.probes=({field=\"p\"; position=[0.01,0.13,0.0];})",
+            "the point [0.01, 0.13, 0] m is outside the box");
 }
 END_TEST
 
@@ -217,11 +299,15 @@ int main(void)
     tcase_add_test(t, the_cases_are_right);
     tcase_add_test(t, something_must_be_there_to_compute);
     tcase_add_test(t, each_side_of_the_box_is_described_once);
+    tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
     tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
     tcase_add_test(t, contact_law_asks_for_its_constants);
+    tcase_add_test(t, materials_are_known_by_their_names);
+    tcase_add_test(t, materials_of_a_case_reach_the_particles);
     tcase_add_test(t, bed_must_fit_into_the_box);
     tcase_add_test(t, averaging_by_a_width_asks_for_one);
     tcase_add_test(t, profiles_lie_inside_the_box);
+    tcase_add_test(t, probes_lie_inside_the_box);
     tcase_add_test(t, empty_bed_and_missing_inlet_are_allowed);
     tcase_add_test(t, numbers_of_an_effect_come_in_the_order_of_its_keys);
     tcase_add_test(t, models_and_keys_name_the_same);

@@ -66,7 +66,7 @@ START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
 {
     static const double b[] = {0.01, 0.11, 0.23, 0.37};
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 4]);
-    struct stencil *const s = stencil_create(m, b[_i % 4]);
+    struct stencil *const s = stencil_create(m, b[_i % 4], STENCIL_TO_CENTRE);
     int at[3], c = 0;
 
     for (at[2] = 0; at[2] < m->box.n[2]; at[2]++)
@@ -91,7 +91,7 @@ START_TEST(hosts_that_look_alike_share_a_stencil)
     const struct box_spec spec = {
         {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     struct mesh *const m = mesh_create_box(&spec);
-    struct stencil *const s = stencil_create(m, 0.16);
+    struct stencil *const s = stencil_create(m, 0.16, STENCIL_TO_CENTRE);
 
     ck_assert_int_eq(s->n_shapes, 125);
     stencil_free(s);

@@ -76,7 +76,10 @@ shut != "" {
     next
 }
 
+/^    / && before == "" { next } # indented: code
+
 {
+    before = $0
     line = $0
     gsub(/`[^`]*`/, "", line)
 }

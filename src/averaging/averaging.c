@@ -8,9 +8,12 @@
 #include <string.h>
 
 #include "averaging/diffusion.h"
+#include "averaging/dpvm.h"
 #include "averaging/hosts.h"
+#include "averaging/images.h"
 #include "averaging/kernel.h"
 #include "averaging/pcm.h"
+#include "averaging/two_grid.h"
 #include "base/alloc.h"
 
 struct averaging {
@@ -22,7 +25,9 @@ struct averaging {
 };
 
 const struct averaging_method *const averaging_methods[] = {
-    &pcm_method, &kernel_method, &diffusion_method, NULL};
+    &pcm_method,      &dpvm_method,      &dpvm_cube_method,
+    &two_grid_method, &kernel_method,    &kernel_gaussian_method,
+    &images_method,   &diffusion_method, NULL};
 
 const struct averaging_method *averaging_method_named(const char *name)
 {
@@ -50,6 +55,14 @@ struct averaging *averaging_create(const struct averaging_method *method,
                                    const struct averaging_options *o)
 {
     const struct averaging_options full = completed(o);
+
+    if (method->wide && !(full.bandwidth > 0.0)) {
+        fprintf(stderr,
+                "winnow: the bandwidth of the averaging by %s is %g; "
+                "expected a length above 0 [m]\n",
+                method->name, full.bandwidth);
+        return NULL;
+    }
     struct averaging *const a = alloc_zeroed(1, sizeof *a);
 
     a->method = method;

@@ -1,6 +1,6 @@
 /* averaging_method.h -- what a method of averaging consists of.  Chapter 8.
  *
- * For the files that are methods (pcm.c, kernel.c, diffusion.c) and for the
+ * For the files that are methods (pcm.c, kernel.c, ...) and for the
  * lists of them; who only averages uses averaging.h.
  */
 #ifndef AVERAGING_METHOD_H
@@ -14,6 +14,8 @@ struct hosts;
  * message that says which option is wrong. The hosts are borrowed. */
 struct averaging_method {
     const char *name, *cite, *what;
+    const char *function; /* where its weights are computed */
+    int wide;             /* 1: asks for options.bandwidth */
     void *(*create)(const struct hosts *h, const struct averaging_options *o);
     void (*free)(void *state);
     void (*bind)(void *state, struct averaging_report *r); /* or NULL */

@@ -196,11 +196,6 @@ static const struct scheme *scheme_named(const char *name)
 /* 0, or non-zero after a message that says what is wrong. */
 static int wrong_options(const struct averaging_options *o)
 {
-    if (!(o->bandwidth > 0.0))
-        return fprintf(stderr,
-                       "winnow: the bandwidth of the diffusion is %g; "
-                       "expected a length above 0 [m]\n",
-                       o->bandwidth);
     if (scheme_named(o->scheme) == NULL)
         return fprintf(stderr,
                        "winnow: the diffusion has no scheme \"%s\"; expected "
@@ -283,6 +278,8 @@ const struct averaging_method diffusion_method = {
     .name = "diffusion",
     .cite = "SX15 5, 6, 9",
     .what = "the pcm field, smoothed by diffusion",
+    .function = "diffusion_spread",
+    .wide = 1,
     .create = diffusion_create,
     .free = diffusion_free,
     .spread = diffusion_spread,

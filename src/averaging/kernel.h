@@ -7,7 +7,11 @@
  * The weights of a particle sum to one over the cells, so nothing is lost at a
  * wall or anywhere else, whatever K is [XS11 3.4]. A particle with no cell
  * centre within b goes to its host cell. [XS11] advises b of 1.5 to 2.5 mean
- * cell sizes.
+ * cell sizes. As printed, the volume of the cells is not in the weights: where
+ * cells differ in size the small ones seem fuller.
+ *
+ *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
+ *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]
  */
 #ifndef KERNEL_H
 #define KERNEL_H
@@ -15,6 +19,7 @@
 #include "averaging/averaging_method.h"
 
 extern const struct averaging_method kernel_method;
+extern const struct averaging_method kernel_gaussian_method;
 
 /* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
 double kernel_bell(double zeta);

@@ -100,6 +100,7 @@ const struct averaging_method pcm_method = {
     .name = "pcm",
     .cite = "XS11 3.1, SX15 4, 7, 8",
     .what = "a cell takes the particles in it",
+    .function = "pcm_spread",
     .create = pcm_create,
     .free = pcm_free,
     .bind = pcm_bind,

@@ -12,11 +12,36 @@
 enum { LOOK_BACK = 1024 };
 static const double alike = 1e-10; /* [-] of b */
 
+/* Half the extents of cell c: how far its face centres are from its own. The
+ * owner's share of the link d is 1 - w, also at the boundary, where w = 0. */
+static void half_extents(const struct mesh *m, int c, double half[3])
+{
+    half[0] = half[1] = half[2] = 0.0;
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        const double own = m->owner[f] == c ? 1.0 - m->w[f] : 0.0;
+        const double other =
+            f < m->n_internal && m->neighbour[f] == c ? m->w[f] : 0.0;
+        for (int k = 0; k < 3; k++)
+            half[k] = fmax(half[k], fmax(own, other) * fabs(m->d[3 * f + k]));
+    }
+}
+
+double *stencil_extents(const struct mesh *m)
+{
+    double *const half = alloc_doubles(3 * m->n_cells);
+
+    for (int c = 0; c < m->n_cells; c++)
+        half_extents(m, c, &half[3 * c]);
+    return half;
+}
+
 /* The entries found so far from one host. */
 struct walk {
     const struct mesh *m;
-    double b;       /* [m] */
-    double half[3]; /* [m] half extents of the host */
+    double b;     /* [m] */
+    double *half; /* [m] half extents of each cell, 3 */
+    enum stencil_to to;
     int n, room;
     int *cell;    /* [-] */
     int *other;   /* [-] an earlier entry of the same cell, or -1 */
@@ -54,31 +79,18 @@ static void walk_add(struct walk *w, int c, const double link[3])
     w->latest[c] = w->n++;
 }
 
-/* Is the point nearer than b to the host? */
-static int is_near(const struct walk *w, const double link[3])
+/* Is cell c, with its centre at the link, nearer than b to the host? */
+static int is_near(const struct walk *w, int c, const double link[3])
 {
     double r2 = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double beyond = fmax(0.0, fabs(link[k]) - w->half[k]);
+        const double own = w->to == STENCIL_TO_CELL ? w->half[3 * c + k] : 0.0;
+        const double half = w->half[3 * w->cell[0] + k] + own;
+        const double beyond = fmax(0.0, fabs(link[k]) - half);
         r2 += beyond * beyond;
     }
     return r2 < w->b * w->b;
-}
-
-/* Half the extents of cell c: how far its face centres are from its own. The
- * owner's share of the link d is 1 - w, also at the boundary, where w = 0. */
-static void half_extents(const struct mesh *m, int c, double half[3])
-{
-    half[0] = half[1] = half[2] = 0.0;
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-        const int f = m->cell_face[a];
-        const double own = m->owner[f] == c ? 1.0 - m->w[f] : 0.0;
-        const double other =
-            f < m->n_internal && m->neighbour[f] == c ? m->w[f] : 0.0;
-        for (int k = 0; k < 3; k++)
-            half[k] = fmax(half[k], fmax(own, other) * fabs(m->d[3 * f + k]));
-    }
 }
 
 /* Looks through the faces of entry e for cells that are near. */
@@ -98,7 +110,7 @@ static void walk_on(struct walk *w, int e)
             for (int k = 0; k < 3; k++)
                 link[k] = w->link[3 * e + k] +
                           (side == 0 ? m->d[3 * f + k] : -m->d[3 * f + k]);
-            if (is_near(w, link)) walk_add(w, there, link);
+            if (is_near(w, there, link)) walk_add(w, there, link);
         }
     }
 }
@@ -110,7 +122,6 @@ static void walk_from(struct walk *w, int host)
     for (int e = 0; e < w->n; e++)
         w->latest[w->cell[e]] = -1;
     w->n = 0;
-    half_extents(w->m, host, w->half);
     walk_add(w, host, nowhere);
     for (int e = 0; e < w->n; e++) /* n grows as the walk goes on */
         walk_on(w, e);
@@ -163,10 +174,15 @@ static void add_shape(struct stencil *s, const struct walk *w, int *room)
     if (w->n > s->largest) s->largest = w->n;
 }
 
-struct stencil *stencil_create(const struct mesh *m, double b)
+struct stencil *stencil_create(const struct mesh *m, double b,
+                               enum stencil_to to)
 {
     struct stencil *const s = alloc_zeroed(1, sizeof *s);
-    struct walk w = {.m = m, .b = b, .latest = alloc_ints(m->n_cells)};
+    struct walk w = {.m = m,
+                     .b = b,
+                     .half = stencil_extents(m),
+                     .to = to,
+                     .latest = alloc_ints(m->n_cells)};
     int room = 0;
 
     s->shape = alloc_ints(m->n_cells);
@@ -180,6 +196,7 @@ struct stencil *stencil_create(const struct mesh *m, double b)
         s->shape[c] = s->n_shapes;
         add_shape(s, &w, &room);
     }
+    free(w.half);
     free(w.cell);
     free(w.other);
     free(w.link);

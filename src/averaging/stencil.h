@@ -1,10 +1,11 @@
 /* stencil.h -- for each cell, the cells near it.  Chapter 8.
  *
  * Near means: some point of the host cell is closer than b to the other's
- * centre. Found once, by walking from face to face and adding up the links, so
- * graded meshes and periodic directions need nothing special: behind a period
- * one meets the same cells again, at another distance. A cell can therefore
- * occur more than once in a stencil, as several images of itself.
+ * centre, or to some point of the other. Found once, by walking from face to
+ * face and adding up the links, so graded meshes and periodic directions need
+ * nothing special: behind a period one meets the same cells again, at another
+ * distance. A cell can therefore occur more than once in a stencil, as several
+ * images of itself.
  *
  * A stencil is kept as differences of cell numbers and of centres. Hosts that
  * look alike (on an equal mesh: all but those near the walls) share one, which
@@ -24,9 +25,16 @@ struct stencil {
     int largest;          /* [-] entries of the largest shape */
 };
 
+/* What must be nearer than b: the centre of the other cell or any of it. */
+enum stencil_to { STENCIL_TO_CENTRE, STENCIL_TO_CELL };
+
 /* The first entry of each is the host itself. The extent of a cell is taken
  * from its face centres: exact for boxes. */
-struct stencil *stencil_create(const struct mesh *m, double b /* [m] */);
+struct stencil *stencil_create(const struct mesh *m, double b /* [m] */,
+                               enum stencil_to to);
 void stencil_free(struct stencil *s);
+
+/* Half the extents of every cell [m], 3 a cell. */
+double *stencil_extents(const struct mesh *m);
 
 #endif

@@ -20,6 +20,7 @@ enum key_type {
     KEY_COUNTS, /* three whole numbers */
     KEY_FLAGS,  /* three of true or false */
     KEY_SERIES, /* a number, or ((time, number), ...) with time rising */
+    KEY_CURVE,  /* ((x, number), ...) with x rising */
     KEY_PATCH   /* one of the words in allowed, or a group with one key */
 };
 

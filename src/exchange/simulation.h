@@ -25,6 +25,7 @@ struct simulation {
     struct fluid *fluid;
     struct particles *particles;
     struct dem *dem;
+    struct materials *materials; /* NULL: all are of one */
     struct averaging *averaging;
     struct coupling *coupling;
     double dt;         /* [s] of the loop: the fluid's step where there is

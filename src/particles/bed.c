@@ -5,7 +5,9 @@
 #include <gsl/gsl_rng.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/alloc.h"
 #include "particles/bed_file.h"
 #include "particles/limits.h"
 
@@ -81,40 +83,108 @@ static struct lattice lattice_of(const struct bed_options *bed,
     return l;
 }
 
-int bed_fill(struct particles *ps, const struct bed_options *bed,
-             const struct dem_options *dem)
+/* The diameters, drawn with numbers of their own, so that jitter and sizes do
+ * not depend on each other. */
+static double *draw_sizes(const struct bed_options *bed)
 {
-    const struct lattice l = lattice_of(bed, dem);
-    const int a = (l.up + 1) % 3, c = (l.up + 2) % 3;
+    double *const d = alloc_doubles(bed->count);
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
 
-    if (lattice_wrong(&l, bed, dem)) return 1;
+    gsl_rng_set(random, bed->seed);
+    for (int i = 0; i < bed->count; i++)
+        d[i] = bed->sizes == NULL
+                   ? bed->diameter
+                   : sizes_quantile(bed->sizes, gsl_rng_uniform(random));
+    gsl_rng_free(random);
+    return d;
+}
+
+struct bed_range bed_range(const struct bed_options *bed)
+{
+    double *const d = draw_sizes(bed);
+    struct bed_range r = {bed->diameter, bed->diameter, 0.0};
+
+    for (int i = 0; i < bed->count; i++) {
+        r.least = i == 0 ? d[i] : fmin(r.least, d[i]);
+        r.most = i == 0 ? d[i] : fmax(r.most, d[i]);
+        r.volume += M_PI / 6.0 * gsl_pow_3(d[i]);
+    }
+    free(d);
+    return r;
+}
+
+/* Sphere after sphere to the sites of the lattice. */
+static void fill_lattice(struct particles *ps, const struct lattice *l,
+                         const double *d, const struct bed_options *bed,
+                         const struct dem_options *dem)
+{
+    const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, bed->seed);
     for (int i = 0; i < bed->count; i++) {
         int site[3];
         double x[3];
 
-        site[a] = i % l.n[a];
-        site[c] = i / l.n[a] % l.n[c];
-        site[l.up] = i / l.n[a] / l.n[c];
+        site[a] = i % l->n[a];
+        site[c] = i / l->n[a] % l->n[c];
+        site[l->up] = i / l->n[a] / l->n[c];
         for (int k = 0; k < 3; k++) {
-            const double free = bed->jitter * (l.space[k] - bed->diameter);
-            const double shift = free * (gsl_rng_uniform(random) - 0.5);
-            const double at = (site[k] + 0.5) * l.space[k] + shift;
-            x[k] = k == l.up && !l.down ? dem->hi[k] - at : dem->lo[k] + at;
+            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double shift = room * (gsl_rng_uniform(random) - 0.5);
+            const double at = (site[k] + 0.5) * l->space[k] + shift;
+            x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        particles_add(ps, x, bed->diameter, bed->density);
+        particles_add(ps, x, d[i], bed->density);
     }
     gsl_rng_free(random);
+}
+
+int bed_fill(struct particles *ps, const struct bed_options *bed,
+             const struct dem_options *dem)
+{
+    struct bed_options widest = *bed;
+
+    widest.diameter = bed_range(bed).most;
+    const struct lattice l = lattice_of(&widest, dem);
+    if (lattice_wrong(&l, &widest, dem)) return 1;
+    double *const d = draw_sizes(bed);
+    fill_lattice(ps, &l, d, bed, dem);
+    free(d);
     return 0;
 }
 
-static void hold_weight(struct particles *ps, const double g[3])
+/* While a bed of several sizes settles, the small ones have the inertia of the
+ * mean, or they would need steps as short as their impacts; the rest that is
+ * found depends on weights alone. Gives their own masses, in the order of the
+ * particles from now on; NULL with one size. */
+static double *lend_inertia(struct particles *ps, const struct bed_options *bed)
+{
+    const double mean = bed->density * M_PI / 6.0 * gsl_pow_3(bed->diameter);
+
+    if (bed->sizes == NULL) return NULL;
+    double *const own = alloc_doubles(ps->capacity);
+    memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
+    particles_attach(ps, own, 1);
+    for (int i = 0; i < ps->n; i++)
+        ps->m[i] = fmax(own[i], mean);
+    return own;
+}
+
+static void return_inertia(struct particles *ps, double *own)
+{
+    if (own == NULL) return;
+    memcpy(ps->m, own, (size_t)ps->n * sizeof *own);
+    particles_detach(ps, own);
+    free(own);
+}
+
+static void hold_weight(struct particles *ps, const double *m,
+                        const double g[3])
 {
     for (int i = 0; i < ps->n; i++) {
-        ps->ex[i] = ps->m[i] * g[0];
-        ps->ey[i] = ps->m[i] * g[1];
-        ps->ez[i] = ps->m[i] * g[2];
+        ps->ex[i] = m[i] * g[0];
+        ps->ey[i] = m[i] * g[1];
+        ps->ez[i] = m[i] * g[2];
     }
 }
 
@@ -133,8 +203,12 @@ static int run_to_rest(struct dem *run, double dt, double least, double kept,
                        const struct bed_options *bed, struct particles *ps,
                        struct bed_report *r)
 {
-    const double weight = ps->n * ps->m[0] * length(bed->gravity);
     const double end = r->time + least;
+    double mass = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        mass += ps->m[i];
+    const double weight = mass * length(bed->gravity);
 
     do {
         if (dem_run(run, STEPS_A_LOOK, &r->dem) != 0) return 1;
@@ -165,15 +239,18 @@ static int settle(struct particles *ps, const struct bed_options *bed,
     const double kept = exp(-look / (settling_drag * fall));
     struct dem *const run = dem_create(ps, &settling);
     if (run == NULL) return 1;
-    hold_weight(ps, bed->gravity);
+    double *const own = lend_inertia(ps, bed);
+    hold_weight(ps, ps->m, bed->gravity);
     int lost = run_to_rest(run, settling.step, 1.5 * fall, kept, bed, ps, r);
     if (!lost && r->settled) {
         dem_change_material(run, &o->material);
+        if (own != NULL) hold_weight(ps, own, bed->gravity);
         lost = run_to_rest(run, settling.step, 0.0, 1.0, bed, ps, r);
     }
     springs->list = dem_springs(run, &springs->n);
     dem_free(run);
-    hold_weight(ps, (const double[3]){0.0, 0.0, 0.0});
+    return_inertia(ps, own);
+    hold_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});
     return lost;
 }
 

@@ -1,24 +1,27 @@
 /* bed.h -- the particles before time 0: a settled bed.  Chapter 2.
  *
- * Equal spheres on a cubic lattice, from the bottom up, each shifted at random
- * within its free room; then gravity, first with a very dissipative material
- * and a drag, so that the bed comes to rest soon, then with the real material.
- * The same options give the same bed, bit for bit.
+ * Spheres on a cubic lattice, from the bottom up, each shifted at random within
+ * its free room; then gravity, first with a very dissipative material and a
+ * drag, so that the bed comes to rest soon, then with the real material. The
+ * same options give the same bed, bit for bit. Of several sizes, the lattice is
+ * that of the largest, and who stands where is left to chance.
  */
 #ifndef BED_H
 #define BED_H
 
 #include "particles/dem.h"
+#include "particles/sizes.h"
 
 struct bed_options {
-    int count;          /* [-] */
-    double diameter;    /* [m] */
-    double density;     /* [kg/m^3] */
-    unsigned long seed; /* [-] of the jitter */
-    double jitter;      /* [-] shift over the free room, 0 ... 1 */
-    double gravity[3];  /* [m/s^2] points to the bottom; the walls of the box
-                           are those of the dem_options */
-    double settle;      /* [s] longest time; 0 leaves the lattice */
+    int count;                 /* [-] */
+    double diameter;           /* [m] of all, or the mean of sizes */
+    const struct sizes *sizes; /* borrowed; NULL: all have that diameter */
+    double density;            /* [kg/m^3] */
+    unsigned long seed;        /* [-] of the jitter */
+    double jitter;             /* [-] shift over the free room, 0 ... 1 */
+    double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
+                          are those of the dem_options */
+    double settle;     /* [s] longest time; 0 leaves the lattice */
 };
 
 struct bed_report {
@@ -51,6 +54,13 @@ enum { BED_MADE, BED_ABSENT, BED_REFUSED, BED_LOST };
 int bed_make(const char *path, struct particles *ps, struct dem *run,
              const struct bed_options *bed, const struct dem_options *dem,
              struct bed_report *r);
+
+/* Of the diameters that its seed draws: the smallest and the largest [m], and
+ * the volume of all spheres [m^3]. */
+struct bed_range {
+    double least, most, volume;
+};
+struct bed_range bed_range(const struct bed_options *bed);
 
 /* Its parts. Adds the lattice to ps; non-zero after a message if the box is
  * too small. */

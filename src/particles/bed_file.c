@@ -10,7 +10,7 @@
 #include "base/file.h"
 #include "base/number.h"
 
-enum { LINE = 256, FACTS = 17, COLUMNS = 11 };
+enum { LINE = 256, FACTS = 19, COLUMNS = 11 };
 
 /* "name a b c" with numbers that read back exactly. */
 static void fact(char line[LINE], const char *name, int n, const double *value)
@@ -24,9 +24,35 @@ static void fact(char line[LINE], const char *name, int n, const double *value)
     snprintf(line + at, (size_t)(LINE - at), "\n");
 }
 
-/* What the bed was made with, a line a fact. */
-static void facts(char text[FACTS][LINE], const struct bed_options *bed,
-                  const struct dem_options *o)
+/* Of several sizes, what tells one distribution from another. */
+static void size_fact(char line[LINE], const struct bed_options *bed)
+{
+    const struct sizes *const s = bed->sizes;
+
+    if (s == NULL)
+        fact(line, "diameter", 1, &bed->diameter);
+    else
+        fact(line, "sizes", 5,
+             (const double[5]){sizes_least(s), sizes_most(s),
+                               sizes_moment(s, 1), sizes_moment(s, 2),
+                               sizes_moment(s, 3)});
+}
+
+/* The beds that we keep are of material 0; what the wall is to it. */
+static void wall_fact(char line[LINE], const struct dem_options *o)
+{
+    const struct material_pair p =
+        materials_pair(&o->material, o->materials, 0, o->materials->wall);
+    const double known[] = {p.of[1]->young, p.of[1]->poisson, p.stiffness,
+                            p.tangential,   p.restitution,    p.friction,
+                            p.rolling};
+
+    fact(line, "wall", 7, known);
+}
+
+/* What the bed was made with, a line a fact; returns how many. */
+static int facts(char text[FACTS][LINE], const struct bed_options *bed,
+                 const struct dem_options *o)
 {
     const struct material *const m = &o->material;
     int n = 0;
@@ -36,7 +62,7 @@ static void facts(char text[FACTS][LINE], const struct bed_options *bed,
     snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
     snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
              o->periodic[1], o->periodic[2]);
-    fact(text[n++], "diameter", 1, &bed->diameter);
+    size_fact(text[n++], bed);
     fact(text[n++], "density", 1, &bed->density);
     fact(text[n++], "jitter", 1, &bed->jitter);
     fact(text[n++], "settle", 1, &bed->settle);
@@ -49,6 +75,9 @@ static void facts(char text[FACTS][LINE], const struct bed_options *bed,
     fact(text[n++], "tangential", 1, &m->tangential);
     fact(text[n++], "restitution", 1, &m->restitution);
     fact(text[n++], "friction", 1, &m->friction);
+    if (m->rolling > 0.0) fact(text[n++], "rolling", 1, &m->rolling);
+    if (o->materials != NULL) wall_fact(text[n++], o);
+    return n;
 }
 
 /* Where the COLUMNS numbers of a particle are. */
@@ -61,7 +90,7 @@ static void columns(const struct particles *ps, double *column[COLUMNS])
 }
 
 static void write_bed(FILE *f, const struct particles *ps,
-                      const struct bed_springs *springs)
+                      const struct bed_springs *springs, int with_roll)
 {
     double *column[COLUMNS];
 
@@ -76,9 +105,17 @@ static void write_bed(FILE *f, const struct particles *ps,
     fprintf(f, "springs %d\n", springs->n);
     for (int q = 0; q < springs->n; q++) {
         const struct dem_spring *const s = &springs->list[q];
-        fprintf(f, "%d %d %a %a %a\n", s->id, s->other, s->xi[0], s->xi[1],
+        fprintf(f, "%d %d %a %a %a", s->id, s->other, s->xi[0], s->xi[1],
                 s->xi[2]);
+        for (int k = 0; with_roll && k < 3; k++)
+            fprintf(f, " %a", s->roll[k]);
+        fprintf(f, "\n");
     }
+}
+
+static int rolls(const struct dem_options *o)
+{
+    return materials_roll(&o->material, o->materials);
 }
 
 int bed_file_save(const char *path, const struct particles *ps,
@@ -89,10 +126,10 @@ int bed_file_save(const char *path, const struct particles *ps,
     struct file *const file = file_create(path);
 
     if (file == NULL) return 1;
-    facts(text, bed, dem);
-    for (int n = 0; n < FACTS; n++)
+    const int count = facts(text, bed, dem);
+    for (int n = 0; n < count; n++)
         fputs(text[n], file_stream(file));
-    write_bed(file_stream(file), ps, springs);
+    write_bed(file_stream(file), ps, springs, rolls(dem));
     return file_commit(file);
 }
 
@@ -102,8 +139,8 @@ static int check_facts(FILE *f, const char *path, const struct bed_options *bed,
 {
     char text[FACTS][LINE], line[LINE];
 
-    facts(text, bed, dem);
-    for (int n = 0; n < FACTS; n++) {
+    const int count = facts(text, bed, dem);
+    for (int n = 0; n < count; n++) {
         if (fgets(line, LINE, f) == NULL) line[0] = 0;
         if (strcmp(line, text[n]) == 0) continue;
         line[strcspn(line, "\n")] = 0;
@@ -134,7 +171,8 @@ static int read_particles(FILE *f, struct particles *ps, int count)
     return 0;
 }
 
-static int read_springs(FILE *f, int count, struct bed_springs *springs)
+static int read_springs(FILE *f, int count, struct bed_springs *springs,
+                        int with_roll)
 {
     int n = -1;
 
@@ -148,6 +186,8 @@ static int read_springs(FILE *f, int count, struct bed_springs *springs)
                    &s->xi[1], &s->xi[2]) != 5 ||
             s->id < 0 || s->id >= count || s->other < -6 || s->other >= count)
             return 1;
+        for (int k = 0; with_roll && k < 3; k++)
+            if (fscanf(f, "%la", &s->roll[k]) != 1) return 1;
     }
     return 0;
 }
@@ -166,7 +206,7 @@ int bed_file_load(const char *path, struct particles *ps,
     }
     wrong = check_facts(f, path, bed, dem);
     if (!wrong && (read_particles(f, ps, bed->count) != 0 ||
-                   read_springs(f, bed->count, springs) != 0)) {
+                   read_springs(f, bed->count, springs, rolls(dem)) != 0)) {
         fprintf(stderr, "winnow: %s: the bed is not complete\n", path);
         wrong = 1;
     }

@@ -24,8 +24,19 @@ struct material {
     double poisson;     /* [-] nu; law "hertz" */
     double stiffness;   /* [N/m] k; law "linear" */
     double tangential;  /* [-] k_t / k of law "linear"; 0: 2/7 */
-    double restitution; /* [-] e; 0: critical damping [LS 4.11] */
+    double restitution; /* [-] e; 0: critical damping [LS 4.11, 4.12] */
     double friction;    /* [-] mu */
+    double rolling;     /* [-] mu_r: resists M <= mu_r R* F_n; 0: none */
+};
+
+/* What two materials are to each other (materials.h). */
+struct material_pair {
+    const struct material *of[2]; /* each one's elastic constants */
+    double stiffness;             /* [N/m] k; law "linear" */
+    double tangential;            /* [-] k_t / k of law "linear"; 0: 2/7 */
+    double restitution;           /* [-] e */
+    double friction;              /* [-] mu */
+    double rolling;               /* [-] mu_r */
 };
 
 /* What a law needs in the loop, worked out once. */
@@ -35,25 +46,34 @@ struct contact_constants {
     double damping_n;  /* [-] share of critical damping, normal */
     double damping_t;  /* [-] eta_t / eta_n */
     double friction;   /* [-] mu */
+    double rolling;    /* [-] mu_r */
 };
 
 /* Adds the forces of contacts first ... last - 1 of a strip of particles to its
- * loads; the springs move on by dt [s]. One loop a law, none of whose contacts
- * is a call. */
+ * loads; the springs move on by dt [s]. None of the contacts is a call. With
+ * several materials k is a table: row a, column b for materials a and b. */
 typedef void contact_sweep(struct strip *s, const struct bodies *b,
                            const struct contact_constants *k, double dt,
                            int first, int last);
+
+/* What a loop may leave out, so that it costs nothing: each law has a loop for
+ * every sum of these. */
+enum {
+    CONTACT_PERIODIC = 1, /* directions that are */
+    CONTACT_MANY = 2,     /* materials */
+    CONTACT_ROLLING = 4,  /* friction; only with the table of CONTACT_MANY */
+    CONTACT_LOOPS = 8
+};
 
 struct contact_law {
     const char *name; /* as a case spells it */
     const char *cite; /* keys in chapters/references.md */
     const char *what; /* one line */
-    struct contact_constants (*constants)(const struct material *m);
+    struct contact_constants (*constants)(const struct material_pair *p);
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,
                        double v);
-    contact_sweep *sweep;          /* in a box of walls */
-    contact_sweep *sweep_periodic; /* with periodic directions */
+    contact_sweep *sweep[CONTACT_LOOPS];
 };
 
 /* All laws, ended by NULL; contact_law_named: NULL for an unknown name. */

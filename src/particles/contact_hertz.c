@@ -37,18 +37,20 @@ double contact_hertz_time(double E_star, double R_star, double m_star, double v)
     return 2.94327518 * delta / v;
 }
 
-static struct contact_constants constants(const struct material *m)
+static struct contact_constants constants(const struct material_pair *p)
 {
+    const struct material *const i = p->of[0], *const j = p->of[1];
     const double E_star =
-        contact_hertz_modulus(m->young, m->poisson, m->young, m->poisson);
+        contact_hertz_modulus(i->young, i->poisson, j->young, j->poisson);
     const double G_star =
-        contact_hertz_shear(m->young, m->poisson, m->young, m->poisson);
+        contact_hertz_shear(i->young, i->poisson, j->young, j->poisson);
     return (struct contact_constants){
         .normal = E_star,
         .tangential = G_star,
-        .damping_n = contact_damping_ratio(m->restitution),
+        .damping_n = contact_damping_ratio(p->restitution),
         .damping_t = sqrt(4.0 * G_star / E_star), /* sqrt(S_t / S_n) */
-        .friction = m->friction,
+        .friction = p->friction,
+        .rolling = p->rolling,
     };
 }
 
@@ -76,21 +78,8 @@ SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
     };
 }
 
-static void sweep(struct strip *s, const struct bodies *b,
-                  const struct contact_constants *k, double dt, int first,
-                  int last)
-{
-    sweep_contacts(s, b, k, dt, first, last, respond, 0);
-}
-
-static void sweep_periodic(struct strip *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt,
-                           int first, int last)
-{
-    sweep_contacts(s, b, k, dt, first, last, respond, 1);
-}
+SWEEP_LOOPS(respond)
 
 const struct contact_law contact_hertz = {
-    "hertz",       "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
-    constants,     duration,      sweep,
-    sweep_periodic};
+    "hertz",   "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
+    constants, duration,      SWEEP_LOOPS_TABLE};

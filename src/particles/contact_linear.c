@@ -22,15 +22,16 @@ double contact_linear_time(double k, double e, double m_star)
     return w2 > 0.0 ? M_PI / sqrt(w2) : HUGE_VAL; /* [LS 4.4] */
 }
 
-static struct contact_constants constants(const struct material *m)
+static struct contact_constants constants(const struct material_pair *p)
 {
-    const double ratio = m->tangential > 0.0 ? m->tangential : sticking_mass;
+    const double ratio = p->tangential > 0.0 ? p->tangential : sticking_mass;
     return (struct contact_constants){
-        .normal = m->stiffness,
-        .tangential = ratio * m->stiffness,
-        .damping_n = contact_damping_ratio(m->restitution),
+        .normal = p->stiffness,
+        .tangential = ratio * p->stiffness,
+        .damping_n = contact_damping_ratio(p->restitution),
         .damping_t = sqrt(sticking_mass * ratio),
-        .friction = m->friction,
+        .friction = p->friction,
+        .rolling = p->rolling,
     };
 }
 
@@ -57,20 +58,8 @@ SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
     };
 }
 
-static void sweep(struct strip *s, const struct bodies *b,
-                  const struct contact_constants *k, double dt, int first,
-                  int last)
-{
-    sweep_contacts(s, b, k, dt, first, last, respond, 0);
-}
-
-static void sweep_periodic(struct strip *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt,
-                           int first, int last)
-{
-    sweep_contacts(s, b, k, dt, first, last, respond, 1);
-}
+SWEEP_LOOPS(respond)
 
 const struct contact_law contact_linear = {
-    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
-    duration, sweep,         sweep_periodic};
+    "linear",  "LS 4.4, 4.8", "spring and dashpot",
+    constants, duration,      SWEEP_LOOPS_TABLE};

@@ -1,10 +1,10 @@
 /* contact_sweep.h -- the loop over the contacts of a strip.  Chapter 2.
  *
- * A law is one inlined function (`respond`), and whether there are periodic
- * directions is a constant, so that each law has loops of its own without a
- * question in them. The loops are short, as long ones would wait for their own
- * roots and divisions. Contacts that do not touch are computed too and masked:
- * cheaper than leaving them out.
+ * A law is one inlined function (`respond`), and what there is in a case
+ * (CONTACT_PERIODIC and so on) is a constant, so that each law has loops of its
+ * own without a question in them. The loops are short, as long ones would wait
+ * for their own roots and divisions. Contacts that do not touch are computed
+ * too and masked: cheaper than leaving them out.
  */
 #ifndef CONTACT_SWEEP_H
 #define CONTACT_SWEEP_H
@@ -13,6 +13,7 @@
 
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
+#include "particles/sweep_rolling.h"
 
 #define SWEEP_INLINE static inline __attribute__((always_inline, unused))
 
@@ -56,12 +57,13 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
 
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
-                            sweep_respond respond)
+                            sweep_respond respond, int many)
 {
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const struct sweep_response a =
-            respond(k, c->delta[p], c->column[3][p], c->column[7][p]);
+            respond(many ? &k[c->kind[p]] : k, c->delta[p], c->column[3][p],
+                    c->column[7][p]);
 
         c->elastic[p] = a.elastic;
         c->eta_n[p] = a.eta_n;
@@ -96,35 +98,41 @@ SWEEP_STAGE void sweep_springs(struct sweep_buffers *restrict c,
         xi_x[p] += tx * dt - out * nx;
         xi_y[p] += ty * dt - out * ny;
         xi_z[p] += tz * dt - out * nz;
-        c->v_t[0][p] = tx;
-        c->v_t[1][p] = ty;
-        c->v_t[2][p] = tz;
         c->F_t[0][p] = -k_t * xi_x[p] - eta_t * tx; /* [LS 4.8] */
         c->F_t[1][p] = -k_t * xi_y[p] - eta_t * ty;
         c->F_t[2][p] = -k_t * xi_z[p] - eta_t * tz;
     }
 }
 
-/* Coulomb's cap [LS 4.8]: where it cuts the force it cuts the spring as well,
- * to what gives that force. Then the loads; nothing where none touch. */
-SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
-                             double *restrict xi_x, double *restrict xi_y,
-                             double *restrict xi_z, double mu)
+/* Coulomb's cap [LS 4.8]. Where the surfaces slide, the spring gives way as
+ * well, until it bears no more than the cap. It is never drawn by the cap: it
+ * would give back what no slip gave it. Then the loads; nothing where none
+ * touch. */
+SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
+                            double *restrict xi_x, double *restrict xi_y,
+                            double *restrict xi_z,
+                            const struct contact_constants *k, int many)
 {
+    const double mu = k->friction;
+
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
         const double tx = c->F_t[0][p], ty = c->F_t[1][p], tz = c->F_t[2][p];
         const double nx = c->n[0][p], ny = c->n[1][p], nz = c->n[2][p];
         const double F_n = c->F_n[p], a = c->arm[p];
         const double F_t = sqrt(tx * tx + ty * ty + tz * tz);
-        const double most = mu * fabs(F_n);
+        const double most = (many ? k[c->kind[p]].friction : mu) * fabs(F_n);
+        const double k_t = c->k_t[p];
         const int slides = F_t > most, touch = c->delta[p] > 0.0;
         const double cut = slides ? most / F_t : 1.0;
         const double Fx = cut * tx, Fy = cut * ty, Fz = cut * tz;
-        const double per_k = -1.0 / c->k_t[p], eta = c->eta_t[p];
-        const double x = slides ? per_k * (Fx + eta * c->v_t[0][p]) : xi_x[p];
-        const double y = slides ? per_k * (Fy + eta * c->v_t[1][p]) : xi_y[p];
-        const double z = slides ? per_k * (Fz + eta * c->v_t[2][p]) : xi_z[p];
+        const double xi2 =
+            xi_x[p] * xi_x[p] + xi_y[p] * xi_y[p] + xi_z[p] * xi_z[p];
+        const int gives = slides & (k_t * k_t * xi2 > most * most);
+        const double per_k = -1.0 / k_t;
+        const double x = gives ? per_k * Fx : xi_x[p];
+        const double y = gives ? per_k * Fy : xi_y[p];
+        const double z = gives ? per_k * Fz : xi_z[p];
 
         xi_x[p] = touch ? x : 0.0;
         xi_y[p] = touch ? y : 0.0;
@@ -141,6 +149,22 @@ SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
     }
 }
 
+SWEEP_STAGE void sweep_loads(struct sweep_buffers *restrict c,
+                             double *restrict xi_x, double *restrict xi_y,
+                             double *restrict xi_z,
+                             const struct contact_constants *k)
+{
+    sweep_cap(c, xi_x, xi_y, xi_z, k, 0);
+}
+
+SWEEP_STAGE void sweep_loads_many(struct sweep_buffers *restrict c,
+                                  double *restrict xi_x, double *restrict xi_y,
+                                  double *restrict xi_z,
+                                  const struct contact_constants *k)
+{
+    sweep_cap(c, xi_x, xi_y, xi_z, k, 1);
+}
+
 static inline void sweep_copy(double *to, const double *from, int n)
 {
     memcpy(to, from, (size_t)n * sizeof *to);
@@ -152,8 +176,9 @@ static inline void sweep_copy(double *to, const double *from, int n)
 SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
                                  const struct contact_constants *k, double dt,
                                  int first, int last, sweep_respond respond,
-                                 int periodic)
+                                 int loop)
 {
+    const int many = (loop & CONTACT_MANY) != 0;
     double spare[3][SWEEP_LANES] = {{0.0}};
     struct sweep_buffers c;
 
@@ -170,17 +195,40 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         }
         sweep_gather(&c, s, b, first, count);
         sweep_into_columns(&c);
-        sweep_frames(&c, &b->box, periodic);
-        sweep_law(&c, k, respond);
+        sweep_frames(&c, &b->box, loop & CONTACT_PERIODIC);
+        if (many) sweep_kinds(&c, s, b, first, count);
+        sweep_law(&c, k, respond, many);
         sweep_springs(&c, xi[0], xi[1], xi[2], dt);
-        sweep_loads(&c, xi[0], xi[1], xi[2], k->friction);
+        (many ? sweep_loads_many : sweep_loads)(&c, xi[0], xi[1], xi[2], k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
+        if (loop & CONTACT_ROLLING)
+            sweep_rolling(&c, s, b, k, first, count, dt);
         for (int a = 0; short_of && a < 3; a++)
             sweep_copy(s->contacts.spring[a] + first, xi[a], count);
     }
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }
+
+/* The loops of a law. */
+#define SWEEP_LOOP(number, respond)                                            \
+    static void sweep_##number(struct strip *s, const struct bodies *b,        \
+                               const struct contact_constants *k, double dt,   \
+                               int first, int last)                            \
+    {                                                                          \
+        sweep_contacts(s, b, k, dt, first, last, respond, number);             \
+    }
+#define SWEEP_LOOPS(respond)                                                   \
+    SWEEP_LOOP(0, respond)                                                     \
+    SWEEP_LOOP(1, respond)                                                     \
+    SWEEP_LOOP(2, respond)                                                     \
+    SWEEP_LOOP(3, respond)                                                     \
+    SWEEP_LOOP(6, respond)                                                     \
+    SWEEP_LOOP(7, respond)
+#define SWEEP_LOOPS_TABLE                                                      \
+    {                                                                          \
+        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7       \
+    }
 
 #endif

@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "particles/neighbours.h"
+#include "particles/stride.h"
+#include "particles/surface_springs.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -17,11 +18,13 @@ enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
 
 struct dem {
     struct dem_options options;
-    struct contact_constants constants;
+    struct contact_constants *constants; /* of each pair of materials */
     contact_sweep *sweep;
     struct neighbours *neighbours;
     double least_margin; /* [m] */
     long done;           /* [-] steps of the run at hand */
+    long tick;           /* [-] steps of the surfaces' clock */
+    int ticking;         /* [-] 1: it runs */
     double overlap;      /* [-] largest of the last run */
 };
 
@@ -59,17 +62,40 @@ static int options_wrong(const struct dem_options *o,
     return 0;
 }
 
+/* What the loop over the contacts must know of (contact.h). */
+static int loop_of(const struct dem_options *o)
+{
+    const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int rolls = materials_roll(&o->material, o->materials);
+    const int many = materials_count(o->materials) > 1 || rolls;
+
+    return periodic * CONTACT_PERIODIC + many * CONTACT_MANY +
+           rolls * CONTACT_ROLLING;
+}
+
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
-    const int any = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int loop = loop_of(o), n = materials_count(o->materials);
     const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
+    for (int s = 0; s < o->n_surfaces; s++)
+        if (surface_wrong(&o->surfaces[s])) return NULL;
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
-    dem->constants = o->law->constants(&o->material);
-    dem->sweep = any ? o->law->sweep_periodic : o->law->sweep;
+    dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
+    materials_table(o->law, &o->material, o->materials, dem->constants);
+    dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->step = o->step;
+    if (o->n_surfaces > 0)
+        dem->neighbours->surfaces = surfaces_create(
+            o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
+            dem->neighbours->count);
+    dem->neighbours->bodies->n_materials = n;
+    if (o->materials != NULL)
+        dem->neighbours->bodies->wall_material = o->materials->wall;
+    if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
     return dem;
 }
 
@@ -77,6 +103,7 @@ void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
     neighbours_free(dem->neighbours);
+    free(dem->constants);
     free(dem);
 }
 
@@ -85,19 +112,46 @@ void dem_changed(struct dem *dem)
     dem->neighbours->stale = 1;
 }
 
+void dem_clock(struct dem *dem, long steps)
+{
+    dem->tick = steps;
+    dem->ticking = 1;
+}
+
+struct dem_surface dem_surface(const struct dem *dem, int k)
+{
+    const struct surface_account a =
+        surfaces_account(dem->neighbours->surfaces, k);
+    struct dem_surface r = {.work = a.work};
+
+    r.pose = motion_pose(&dem->options.surfaces[k].motion,
+                         (double)dem->tick * dem->options.step);
+    memcpy(r.impulse, a.impulse, sizeof r.impulse);
+    memcpy(r.angular, a.angular, sizeof r.angular);
+    return r;
+}
+
 struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
-    const int *const id = dem->neighbours->ps->id;
-    const struct kept *const kept = neighbours_keep(dem->neighbours, n);
-    struct dem_spring *const list = alloc_zeroed((size_t)*n, sizeof *list);
+    struct neighbours *const nb = dem->neighbours;
+    const struct particles *const ps = nb->recalled ? NULL : nb->ps;
+    const int *const id = nb->ps->id;
+    const struct kept *const kept = neighbours_keep(nb, n);
+    const int more = surface_springs(nb->surfaces, ps, NULL);
+    struct dem_spring *const list =
+        alloc_zeroed((size_t)(*n + more), sizeof *list);
 
     for (int q = 0; q < *n; q++) {
         list[q].id = id[kept[q].owner];
         list[q].other =
             kept[q].partner < 0 ? kept[q].partner : id[kept[q].partner];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             list[q].xi[k] = kept[q].spring[k];
+            list[q].roll[k] = kept[q].roll[k];
+        }
     }
+    surface_springs(nb->surfaces, ps, list + *n);
+    *n += more;
     return list;
 }
 
@@ -116,15 +170,19 @@ static int *places(const struct particles *ps)
 
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 {
-    int *const place = places(dem->neighbours->ps);
-    struct kept *const kept = neighbours_recall(dem->neighbours, n);
+    struct neighbours *const nb = dem->neighbours;
+    int *const place = places(nb->ps);
+    const int own = n - surface_springs_recall(nb->surfaces, list, n);
+    struct kept *const kept = neighbours_recall(nb, own);
 
-    for (int q = 0; q < n; q++) {
+    for (int q = 0; q < own; q++) {
         kept[q].owner = place[list[q].id];
         kept[q].partner =
             list[q].other < 0 ? list[q].other : place[list[q].other];
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             kept[q].spring[k] = list[q].xi[k];
+            kept[q].roll[k] = list[q].roll[k];
+        }
     }
     free(place);
 }
@@ -132,125 +190,39 @@ void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 void dem_change_material(struct dem *dem, const struct material *m)
 {
     dem->options.material = *m;
-    dem->constants = dem->options.law->constants(m);
+    materials_table(dem->options.law, m, dem->options.materials,
+                    dem->constants);
 }
 
 /* The functions down to move() are called by every thread of the team. */
 
-/* From the time of the loads on; dt = 0 makes loads only. */
-struct stride {
-    double dt;          /* [s] springs */
-    double kick, drift; /* [s] velocities, places */
-};
-
-static void advance(const struct dem *dem, struct strip *own, int begin,
-                    int end, const struct stride *by)
-{
-    bodies_advance(dem->neighbours->bodies, begin, end,
-                   own->load + (begin - own->begin), by->kick, by->drift,
-                   own->so_far);
-}
-
-/* Of the first particles of strip s, how many bear loads from strips that this
- * thread has not done before it. A strip lays loads on later ones; in a
- * periodic direction the first come after the last, in a lone strip, too. */
-static int reached(const struct neighbours *nb, int s)
-{
-    const int *const around = nb->bodies->box.periodic;
-    const int n = nb->bodies->n, first = neighbours_share(nb).first;
-    int most = 0;
-
-    if (nb->count == 1 && (around[0] || around[1] || around[2])) return n;
-    for (int t = 0; t < nb->count; t++) {
-        const int done = first <= t && t <= s;
-        const int m =
-            done ? 0 : strip_reached(&nb->strips[s], &nb->strips[t], n);
-        most = m > most ? m : most;
-    }
-    return most;
-}
-
-/* The loads of the contacts that end with this block. */
-static void load_block(const struct dem *dem, struct strip *own, int k,
-                       double dt)
-{
-    const struct bodies *const b = dem->neighbours->bodies;
-    const struct contact_constants *const law = &dem->constants;
-    const struct block begin = {own->begin, 0, own->contacts.n_pairs, 0};
-    const struct block *const to = &own->blocks[k];
-    const struct block *const from = k > 0 ? to - 1 : &begin;
-
-    memset(own->load + from->reach, 0,
-           (size_t)(to->reach - from->reach) * sizeof *own->load);
-    dem->sweep(own, b, law, dt, from->pairs, to->pairs);
-    dem->sweep(own, b, law, dt, from->walls, to->walls);
-}
-
-/* Loads, then motion, block by block; those on which other threads may still
- * lay loads, or whose places these still need, move when all are done. */
-static void step_strip(const struct dem *dem, int s, const struct stride *by,
-                       int waiting)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    struct strip *const own = &nb->strips[s];
-    const int late = own->begin + reached(nb, s);
-
-    for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
-        const int end = own->blocks[k].end;
-        if (!waiting) load_block(dem, own, k, by->dt);
-        if ((begin < late) == waiting) {
-            strip_fold(nb->strips, nb->count, s, nb->bodies->n, begin, end);
-            advance(dem, own, begin, end, by);
-        }
-        begin = end;
-    }
-}
-
-/* What it found is shown to all when all are done with what was found before.
- */
-static void show_fastest(struct strip *own)
-{
-    memcpy(own->fastest, own->so_far, sizeof own->fastest);
-    memset(own->so_far, 0, sizeof own->so_far);
-}
-
-static void step(const struct dem *dem, const struct stride *by)
+/* The surfaces where they are after k steps of this run. */
+static void move_surfaces(const struct dem *dem, int k)
 {
     const struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
+    const double t = (double)(dem->tick + (dem->ticking ? k : 0));
 
     for (int s = mine.first; s < mine.last; s++)
-        step_strip(dem, s, by, 0);
-    neighbours_meet(nb);
-    for (int s = mine.first; s < mine.last; s++) {
-        step_strip(dem, s, by, 1);
-        show_fastest(&nb->strips[s]);
-    }
+        surfaces_move(nb->surfaces, s, t * dem->options.step);
+}
+
+static struct stride stride(const struct dem *dem, double dt, double kick,
+                            double drift)
+{
+    return (struct stride){dem->sweep, dem->constants, dt, kick, drift};
 }
 
 /* Lists and loads for particles that were changed from outside; no time
  * passes. */
 static int start(struct dem *dem, double *margin)
 {
+    const struct stride still = stride(dem, 0.0, 0.0, 0.0);
+
     *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
     if (*margin < 0.0) return 1;
-    step(dem, &(struct stride){0.0, 0.0, 0.0});
+    stride_take(dem->neighbours, &still);
     return 0;
-}
-
-/* From the loads that there are. */
-static void begin(const struct dem *dem)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-    const double dt = dem->options.step;
-    const struct stride half = {0.0, 0.5 * dt, dt};
-
-    for (int s = mine.first; s < mine.last; s++) {
-        struct strip *const own = &nb->strips[s];
-        advance(dem, own, own->begin, own->end, &half);
-        show_fastest(own);
-    }
 }
 
 static void finish(struct dem *dem)
@@ -270,15 +242,18 @@ static void move(struct dem *dem, int steps)
 {
     struct neighbours *const nb = dem->neighbours;
     const double dt = dem->options.step;
-    const struct stride whole = {dt, dt, dt}, to_the_end = {dt, 0.5 * dt, 0.0};
+    const struct stride first = stride(dem, 0.0, 0.5 * dt, dt);
+    const struct stride whole = stride(dem, dt, dt, dt);
+    const struct stride last = stride(dem, dt, 0.5 * dt, 0.0);
     double margin = nb->margin, spent = nb->spent;
     int k = 0;
 
+    if (nb->surfaces != NULL) move_surfaces(dem, 0);
     if (nb->stale && start(dem, &margin) != 0) return;
-    if (steps > 0) begin(dem);
+    if (steps > 0) stride_move(nb, &first);
     for (; k < steps; k++) {
-        const int last = k + 1 == steps;
         neighbours_meet(nb);
+        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         spent += closer;
         if (spent > margin) {
@@ -287,7 +262,7 @@ static void move(struct dem *dem, int steps)
             spent = 0.0;
         }
         if (margin < 0.0) break;
-        step(dem, last ? &to_the_end : &whole);
+        stride_take(nb, k + 1 < steps ? &whole : &last);
     }
     finish(dem);
     neighbours_meet(nb);
@@ -295,16 +270,18 @@ static void move(struct dem *dem, int steps)
         nb->margin = margin;
         nb->spent = spent;
         dem->done = k;
+        dem->tick += dem->ticking ? k : 0;
     }
 }
 
 static void report_lost(const struct neighbours *nb, struct dem_report *r)
 {
-    r->lost_id = -1;
+    r->lost_id = r->lost_through = -1;
     for (int s = 0; s < nb->count; s++) {
         const struct bodies_survey *const found = &nb->strips[s].survey;
         if (found->lost > 0 && r->lost == 0) {
             r->lost_id = nb->ps->id[found->first];
+            r->lost_through = found->through;
             for (int k = 0; k < 3; k++)
                 r->lost_at[k] = nb->bodies->place[found->first][k];
         }
@@ -324,6 +301,10 @@ static void report(struct dem *dem, long rebuilds, struct dem_report *r)
         r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
         r->translation += own->measures.translation;
         r->rotation += own->measures.rotation;
+    }
+    if (nb->surfaces != NULL) {
+        r->contacts += surfaces_contacts(nb->surfaces);
+        r->max_overlap = fmax(r->max_overlap, surfaces_deepest(nb->surfaces));
     }
     report_lost(nb, r);
     /* who is lost was too deep in something before this run saw it */

@@ -14,17 +14,22 @@
 #ifndef DEM_H
 #define DEM_H
 
-#include "particles/contact.h"
+#include "particles/materials.h"
 #include "particles/particles.h"
+#include "particles/surface.h"
 
 struct dem_options {
     const struct contact_law *law;
-    struct material material;
-    double step;         /* [s] */
-    double skin;         /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3]; /* [m] walls of the box */
-    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
-                            least 2 (d + skin) long there */
+    struct material material;          /* number 0 */
+    const struct materials *materials; /* with others; NULL: there is no other.
+                                          Borrowed for as long as the dem is */
+    double step;                       /* [s] */
+    double skin;                       /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3];               /* [m] walls of the box */
+    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
+                        least 2 (d + skin) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
 };
 
 struct dem_report {
@@ -40,6 +45,7 @@ struct dem_report {
                            their radius or are nowhere */
     int lost_id;        /* [-] the first of them; -1: none */
     double lost_at[3];  /* [m] where it was found */
+    int lost_through;   /* [-] the surface that it went through; -1: none */
 };
 
 struct dem;
@@ -56,12 +62,29 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
+/* Starts the clock of the surfaces at this number of steps; before that they
+ * rest where they are at time 0. */
+void dem_clock(struct dem *dem, long steps);
+
+/* What the particles did to surface k since the run began (steps of which no
+ * time passed do not count). */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
+
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
- * the lower and 2 k + 1 the upper wall of direction k. */
+ * the lower and 2 k + 1 the upper wall of direction k, 6 any
+ * surface. */
 struct dem_spring {
     int id, other;
-    double xi[3]; /* [m] of id against other */
+    double xi[3];   /* [m] of id against other */
+    double roll[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3];    /* [-] of the contact with a surface, to know it again */
 };
 
 /* A new list of them, released with free(). */
@@ -70,8 +93,8 @@ struct dem_spring *dem_springs(struct dem *dem, int *n);
 /* Starts the next run with these springs and no others. */
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n);
 
-/* Another restitution or friction from now on; the springs stay as they are.
- */
+/* Another restitution or friction of material 0 from now on; the springs stay
+ * as they are. */
 void dem_change_material(struct dem *dem, const struct material *m);
 
 #endif

@@ -17,13 +17,15 @@
 #include "particles/barrier.h"
 #include "particles/grid.h"
 #include "particles/strip.h"
+#include "particles/surfaces.h"
 
 struct neighbours {
     struct particles *ps; /* borrowed */
     struct bodies *bodies;
     struct grid *grid;
     struct strip *strips;
-    int count; /* [-] strips */
+    int count;                 /* [-] strips */
+    struct surfaces *surfaces; /* besides the box; NULL without any */
     struct barrier *barrier;
     int *rank;     /* [-] new place of each particle after a sort */
     double skin;   /* [m] set by the caller before neighbours_open */
@@ -37,6 +39,9 @@ struct neighbours {
 struct neighbours *neighbours_create(struct particles *ps,
                                      const struct domain *box);
 void neighbours_free(struct neighbours *nb);
+
+/* Contacts have a spring of rolling too. Before the first run. */
+void neighbours_keep_rolling(struct neighbours *nb);
 
 /* Strips first ... last - 1 are this thread's. */
 struct neighbours_share {

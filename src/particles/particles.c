@@ -16,7 +16,7 @@ struct attachments {
     double *array[MOST_ATTACHED];
     int width[MOST_ATTACHED];
     double *room; /* a copy of one array, while it is permuted */
-    int *id_room;
+    int *id_room; /* the same for whole numbers */
 };
 
 struct particles *particles_create(int capacity)
@@ -44,11 +44,26 @@ void particles_free(struct particles *ps)
     if (ps == NULL) return;
     for (int a = 0; a < OWN; a++)
         free(ps->attached->array[a]);
+    free(ps->resistance);
+    free(ps->added_mass);
+    free(ps->resisted);
     free(ps->id);
+    free(ps->material);
     free(ps->attached->room);
     free(ps->attached->id_room);
     free(ps->attached);
     free(ps);
+}
+
+void particles_hold_back(struct particles *ps)
+{
+    if (ps->resistance != NULL) return;
+    ps->resistance = alloc_doubles(ps->capacity);
+    ps->added_mass = alloc_doubles(ps->capacity);
+    ps->resisted = alloc_doubles(3 * ps->capacity);
+    particles_attach(ps, ps->resistance, 1);
+    particles_attach(ps, ps->added_mass, 1);
+    particles_attach(ps, ps->resisted, 3);
 }
 
 int particles_add(struct particles *ps, const double x[3], double d,
@@ -63,7 +78,13 @@ int particles_add(struct particles *ps, const double x[3], double d,
     ps->d[i] = d;
     ps->m[i] = density * particles_volume(ps, i);
     ps->id[i] = i;
+    if (ps->material != NULL) ps->material[i] = 0;
     return i;
+}
+
+void particles_distinguish(struct particles *ps)
+{
+    if (ps->material == NULL) ps->material = alloc_ints(ps->capacity);
 }
 
 void particles_attach(struct particles *ps, double *array, int width)
@@ -97,15 +118,22 @@ static void permute_array(double *array, int width, const int *order, int n,
             array[width * i + k] = room[width * order[i] + k];
 }
 
+static void permute_ints(int *array, const int *order, int n, int *room)
+{
+    memcpy(room, array, (size_t)n * sizeof *room);
+    for (int i = 0; i < n; i++)
+        array[i] = room[order[i]];
+}
+
 void particles_permute(struct particles *ps, const int *order)
 {
     struct attachments *const a = ps->attached;
 
     for (int k = 0; k < a->n; k++)
         permute_array(a->array[k], a->width[k], order, ps->n, a->room);
-    memcpy(a->id_room, ps->id, (size_t)ps->n * sizeof *ps->id);
-    for (int i = 0; i < ps->n; i++)
-        ps->id[i] = a->id_room[order[i]];
+    permute_ints(ps->id, order, ps->n, a->id_room);
+    if (ps->material != NULL)
+        permute_ints(ps->material, order, ps->n, a->id_room);
 }
 
 double particles_volume(const struct particles *ps, int i)

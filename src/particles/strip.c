@@ -36,9 +36,12 @@ void strip_release(struct strip *s)
         free(lists[l]->start);
         free(lists[l]->partner);
         free(lists[l]->spring);
+        free(lists[l]->roll);
     }
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         free(s->contacts.spring[k]);
+        free(s->contacts.roll[k]);
+    }
     free(s->contacts.owner);
     free(s->contacts.partner);
     free(s->contacts.source);
@@ -92,25 +95,27 @@ void strip_begin_owner(struct strip *s, int i)
     s->walls.start[i - s->begin] = s->walls.n;
 }
 
-static void vicinity_add(struct vicinity *v, int partner)
+static void vicinity_add(struct vicinity *v, int partner, int rolls)
 {
     if (v->n == v->capacity) {
         v->capacity = roomy(v->n + 1);
         v->partner = grown(v->partner, v->n, v->capacity, sizeof *v->partner);
         v->spring = grown(v->spring, v->n, v->capacity, sizeof *v->spring);
+        if (rolls) v->roll = grown(v->roll, v->n, v->capacity, sizeof *v->roll);
     }
     memset(v->spring[v->n], 0, sizeof v->spring[v->n]);
+    if (rolls) memset(v->roll[v->n], 0, sizeof v->roll[v->n]);
     v->partner[v->n++] = partner;
 }
 
 void strip_add_pair(struct strip *s, int partner)
 {
-    vicinity_add(&s->pairs, partner);
+    vicinity_add(&s->pairs, partner, s->rolls);
 }
 
 void strip_add_wall(struct strip *s, int wall)
 {
-    vicinity_add(&s->walls, wall);
+    vicinity_add(&s->walls, wall, s->rolls);
 }
 
 /* The load of particle j among those of the strip; an index before the strip's
@@ -146,8 +151,11 @@ void strip_close(struct strip *s, int n)
     c->owner = grown(c->owner, 0, c->capacity, sizeof *c->owner);
     c->partner = grown(c->partner, 0, c->capacity, sizeof *c->partner);
     c->source = grown(c->source, 0, c->capacity, sizeof *c->source);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         c->spring[k] = grown(c->spring[k], 0, c->capacity, sizeof(double));
+        if (s->rolls)
+            c->roll[k] = grown(c->roll[k], 0, c->capacity, sizeof(double));
+    }
 }
 
 static void springs_home(struct strip *s)
@@ -158,6 +166,8 @@ static void springs_home(struct strip *s)
         struct vicinity *const v = q < c->n_pairs ? &s->pairs : &s->walls;
         for (int k = 0; k < 3; k++)
             v->spring[c->source[q]][k] = c->spring[k][q];
+        for (int k = 0; s->rolls && k < 3; k++)
+            v->roll[c->source[q]][k] = c->roll[k][q];
     }
 }
 
@@ -184,11 +194,26 @@ static double wall_gap(const struct bodies *b, int i, int wall)
     return (wall % 2 ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
 }
 
+/* The spring of place q in the vicinity goes to a slot of the contacts. */
+static inline void move_spring(struct contacts *c, struct vicinity *v, int slot,
+                               int q, int rolls)
+{
+    for (int k = 0; k < 3; k++) {
+        c->spring[k][slot] = v->spring[q][k];
+        v->spring[q][k] = 0.0;
+    }
+    for (int k = 0; rolls && k < 3; k++) {
+        c->roll[k][slot] = v->roll[q][k];
+        v->roll[q][k] = 0.0;
+    }
+}
+
 /* Writes every pair and keeps the near ones by moving on: no branch to guess.
  * Who is not chosen has parted, and its spring is gone. */
-static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
-                   double (*gap)(const struct bodies *, int, int),
-                   double margin, int *n)
+static inline void choose(struct strip *s, const struct bodies *b,
+                          struct vicinity *v,
+                          double (*gap)(const struct bodies *, int, int),
+                          double margin, int *n, int rolls)
 {
     struct contacts *const c = &s->contacts;
     int slot = *n;
@@ -200,10 +225,7 @@ static void choose(struct strip *s, const struct bodies *b, struct vicinity *v,
             c->owner[slot] = i;
             c->partner[slot] = j;
             c->source[slot] = q;
-            for (int k = 0; k < 3; k++) {
-                c->spring[k][slot] = v->spring[q][k];
-                v->spring[q][k] = 0.0;
-            }
+            move_spring(c, v, slot, q, rolls);
             slot += near;
         }
     *n = slot;
@@ -247,9 +269,12 @@ void strip_choose(struct strip *s, const struct bodies *b, double margin)
     int n = 0;
 
     springs_home(s);
-    choose(s, b, &s->pairs, pair_gap, margin, &n);
+    if (s->rolls)
+        choose(s, b, &s->pairs, pair_gap, margin, &n, 1);
+    else
+        choose(s, b, &s->pairs, pair_gap, margin, &n, 0);
     s->contacts.n_pairs = n;
-    choose(s, b, &s->walls, wall_gap, margin, &n);
+    choose(s, b, &s->walls, wall_gap, margin, &n, s->rolls);
     s->contacts.n_walls = n - s->contacts.n_pairs;
     divide(s, b->n);
 }
@@ -263,8 +288,14 @@ void strip_reserve_kept(struct strip *s, int n)
     s->n_kept = n;
 }
 
-/* A pair that touches has drawn its spring, if ever so little; a pair whose
- * spring is 0 has nothing to remember. */
+static int is_zero(double *const component[3], int q)
+{
+    return component[0][q] == 0.0 && component[1][q] == 0.0 &&
+           component[2][q] == 0.0;
+}
+
+/* A pair that touches has drawn its springs, if ever so little; a pair whose
+ * springs are 0 has nothing to remember. */
 void strip_keep(struct strip *s)
 {
     const struct contacts *const c = &s->contacts;
@@ -274,15 +305,16 @@ void strip_keep(struct strip *s)
     strip_reserve_kept(s, n);
     s->n_kept = 0;
     for (int q = 0; q < n; q++) {
-        const double x = c->spring[0][q], y = c->spring[1][q];
-        const double z = c->spring[2][q];
-
-        if (x == 0.0 && y == 0.0 && z == 0.0) continue;
-        s->kept[s->n_kept++] = (struct kept){
+        if (is_zero(c->spring, q) && (!s->rolls || is_zero(c->roll, q)))
+            continue;
+        struct kept *const k = &s->kept[s->n_kept++];
+        *k = (struct kept){
             .owner = c->owner[q],
             .partner = q < c->n_pairs ? c->partner[q] : -1 - c->partner[q],
-            .spring = {x, y, z},
+            .spring = {c->spring[0][q], c->spring[1][q], c->spring[2][q]},
         };
+        for (int a = 0; s->rolls && a < 3; a++)
+            k->roll[a] = c->roll[a][q];
     }
 }
 
@@ -295,8 +327,9 @@ void strip_restore(struct strip *s, const struct kept *k)
 
     while (q < v->start[a + 1] && v->partner[q] != partner)
         q++;
-    if (q < v->start[a + 1]) /* else they have parted since */
-        memcpy(v->spring[q], k->spring, sizeof k->spring);
+    if (q == v->start[a + 1]) return; /* they have parted since */
+    memcpy(v->spring[q], k->spring, sizeof k->spring);
+    if (s->rolls) memcpy(v->roll[q], k->roll, sizeof k->roll);
 }
 
 int strip_reached(const struct strip *s, const struct strip *t, int n)

@@ -22,6 +22,7 @@
 struct vicinity {
     int *start, *partner;
     double (*spring)[3]; /* [m] xi of the pair while it is no contact */
+    double (*roll)[3];   /* [rad] theta likewise; NULL without rolling */
     int n, capacity;
 };
 
@@ -32,12 +33,14 @@ struct contacts {
     int *owner, *partner;
     int *source;       /* [-] its place in the vicinity */
     double *spring[3]; /* [m] xi, x y z */
+    double *roll[3];   /* [rad] theta (sweep_rolling.h); NULL without it */
 };
 
 /* A touching pair while the lists are made anew; wall: partner = -1 - wall. */
 struct kept {
     int owner, partner;
     double spring[3]; /* [m] */
+    double roll[3];   /* [rad] */
 };
 
 /* A strip is worked through in blocks of STRIP_BLOCK particles: the contacts
@@ -68,6 +71,7 @@ struct strip {
     int n_blocks;
     struct kept *kept;
     int n_kept, kept_capacity;
+    int rolls;         /* [-] 1: there is rolling friction */
     double deepest;    /* [-] largest overlap over the mean diameter */
     double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double so_far[4];  /* [m/s] the same in the step at hand */

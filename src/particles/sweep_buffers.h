@@ -34,9 +34,10 @@ struct sweep_buffers {
     double F_n[SWEEP_LANES];       /* [N] along n */
     double k_t[SWEEP_LANES];       /* [N/m] */
     double eta_n[SWEEP_LANES], eta_t[SWEEP_LANES]; /* [kg/s] */
-    double v_t[3][SWEEP_LANES];                    /* [m/s] */
     double F_t[3][SWEEP_LANES];  /* [N] before Coulomb's cap */
     double deepest[SWEEP_LANES]; /* [-] largest delta / (R_i + R_j) */
+    int kind[SWEEP_LANES];       /* [-] place of the pair of materials in their
+                                    table; where there are several */
 };
 
 /* to = a + sign * b, and to += sign * a, row by row. */
@@ -146,6 +147,26 @@ SWEEP_STAGE void sweep_scatter(const struct sweep_buffers *restrict c,
     }
     for (int p = pairs; p < count; p++)
         sweep_add(s->load[i[p] - s->begin], own, c->row[p]);
+}
+
+/* The materials of contacts first ... first + count - 1. A wall has its own. */
+SWEEP_STAGE void sweep_kinds(struct sweep_buffers *restrict c,
+                             const struct strip *s, const struct bodies *b,
+                             int first, int count)
+{
+    const int *const i = s->contacts.owner + first;
+    const int *const j = s->contacts.partner + first;
+    const int *const material = b->material;
+    const int pairs = sweep_pairs(s, first, count), n = b->n_materials;
+
+    memset(c->kind, 0, sizeof c->kind);
+    for (int p = pairs; p < count; p++)
+        c->kind[p] = b->wall_material;
+    if (material == NULL) return; /* all are of material 0 */
+    for (int p = 0; p < pairs; p++)
+        c->kind[p] = material[i[p]] * n + material[j[p]];
+    for (int p = pairs; p < count; p++)
+        c->kind[p] += material[i[p]] * n;
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "averaging/images.h"
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
@@ -117,6 +118,10 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
         .dt = sim->dt,
         .convection =
             convection_scheme_named(settings_text(s, "fluid.convection")),
+        .time = time_scheme_named(settings_text(s, "fluid.time")),
+        .blend = settings_real(s, "fluid.blend"),
+        .slope = slope_scheme_named(settings_text(s, "fluid.gradient")),
+        .repeats = settings_int(s, "fluid.repeats"),
         .continuity =
             strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
                 ? CONTINUITY_MIXTURE
@@ -132,12 +137,19 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
 
 /* --- coupling ----------------------------------------------------------- */
 
+static double bandwidth_of(const struct settings *s)
+{
+    if (settings_has(s, "averaging.delta_05"))
+        return images_bandwidth(settings_real(s, "averaging.delta_05"));
+    return settings_has(s, "averaging.bandwidth")
+               ? settings_real(s, "averaging.bandwidth")
+               : 0.0;
+}
+
 struct averaging_options build_averaging_options(const struct settings *s)
 {
     const struct averaging_options o = {
-        .bandwidth = settings_has(s, "averaging.bandwidth")
-                         ? settings_real(s, "averaging.bandwidth")
-                         : 0.0,
+        .bandwidth = bandwidth_of(s),
         .scheme = settings_text(s, "averaging.scheme"),
         .steps = settings_int(s, "averaging.steps"),
         .tolerance = settings_real(s, "averaging.tolerance"),
@@ -160,11 +172,15 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
 static void create_coupling(const struct settings *s, struct simulation *sim)
 {
     const char *const treatment = settings_text(s, "exchange.treatment");
+    const char *const relaxation = settings_text(s, "exchange.relaxation");
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
         .treatment = strcmp(treatment, "explicit") == 0
                          ? TREATMENT_EXPLICIT
                          : TREATMENT_SEMI_IMPLICIT,
+        .relaxation = strcmp(relaxation, "exponential") == 0
+                          ? RELAXATION_EXPONENTIAL
+                          : RELAXATION_FROZEN,
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),
@@ -231,6 +247,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->boundaries);

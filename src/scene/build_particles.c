@@ -5,28 +5,19 @@
 
 #include "base/alloc.h"
 #include "scene/build.h"
+#include "scene/case_sizes.h"
+#include "scene/case_materials.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
 {
     return settings_has(s, path) ? settings_real(s, path) : 0.0;
 }
 
-struct material build_material(const struct settings *s)
-{
-    const struct material m = {
-        .young = real_or_zero(s, "particles.grains.young"),
-        .poisson = real_or_zero(s, "particles.grains.poisson"),
-        .stiffness = real_or_zero(s, "particles.grains.stiffness"),
-        .restitution = settings_real(s, "particles.grains.restitution"),
-        .friction = settings_real(s, "particles.grains.friction")};
-    return m;
-}
-
 struct dem_options build_dem_options(const struct settings *s, double step)
 {
     struct dem_options o = {
         .law = contact_law_named(settings_text(s, "particles.contact")),
-        .material = build_material(s),
+        .material = case_materials_one(s, 0),
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
     double size[3];
@@ -38,11 +29,17 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     return o;
 }
 
-struct bed_options build_bed_options(const struct settings *s)
+struct bed_options build_bed_options(const struct settings *s,
+                                     struct sizes **sizes)
 {
+    *sizes = settings_has(s, "particles.bed.sizes")
+                 ? case_sizes_create(s, settings_text(s, "particles.bed.sizes"))
+                 : NULL;
     struct bed_options b = {
         .count = settings_int(s, "particles.bed.count"),
-        .diameter = settings_real(s, "particles.bed.diameter"),
+        .diameter = *sizes != NULL ? sizes_moment(*sizes, 1)
+                                   : settings_real(s, "particles.bed.diameter"),
+        .sizes = *sizes,
         .density = settings_real(s, "particles.grains.density"),
         .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),
@@ -65,7 +62,8 @@ static int bed_lost(const struct bed_report *r)
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
-    const struct bed_options b = build_bed_options(s);
+    struct sizes *sizes;
+    const struct bed_options b = build_bed_options(s, &sizes);
     const char *const path = settings_has(s, "particles.bed.file")
                                  ? settings_text(s, "particles.bed.file")
                                  : NULL;
@@ -73,8 +71,10 @@ static int create_bed(const struct settings *s, struct simulation *sim,
 
     sim->particles = particles_create(b.count);
     sim->dem = dem_create(sim->particles, o);
-    if (sim->dem == NULL) return 2;
-    const int found = bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    const int found = sim->dem == NULL
+                          ? BED_REFUSED
+                          : bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
     if (found != BED_MADE) return 2;
     if (r.steps > 0)
@@ -86,22 +86,33 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
+/* Of the i-th group of a list: number 0 where it names none. */
+static int material_of(const struct settings *s, const char *list, int i)
+{
+    return settings_item_has(s, list, i, "material")
+               ? case_materials_number(
+                     s, settings_item_text(s, list, i, "material"))
+               : 0;
+}
+
 static int place_spheres(const struct settings *s, struct simulation *sim,
                          const struct dem_options *o)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
-    const double density = settings_real(s, "particles.grains.density");
 
     sim->particles = particles_create(n);
+    if (sim->materials != NULL) particles_distinguish(sim->particles);
     for (int k = 0; k < n; k++) {
+        const int material = material_of(s, list, k);
         double x[3], v[3], w[3];
         settings_item_vector(s, list, k, "position", x);
         settings_item_vector(s, list, k, "velocity", v);
         settings_item_vector(s, list, k, "spin", w);
-        const int i =
-            particles_add(sim->particles, x,
-                          settings_item_real(s, list, k, "diameter"), density);
+        const int i = particles_add(sim->particles, x,
+                                    settings_item_real(s, list, k, "diameter"),
+                                    case_materials_density(s, material));
+        if (material > 0) sim->particles->material[i] = material;
         sim->particles->vx[i] = v[0];
         sim->particles->vy[i] = v[1];
         sim->particles->vz[i] = v[2];
@@ -115,8 +126,10 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 
 int build_particles(const struct settings *s, struct simulation *sim)
 {
-    const struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
+    struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
     int code = 0;
+
+    o.materials = sim->materials = case_materials_create(s);
 
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);

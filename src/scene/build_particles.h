@@ -10,9 +10,10 @@
  * the exit code, after a message if not 0. */
 int build_particles(const struct settings *s, struct simulation *sim);
 
-/* The same in numbers, for `check`. */
-struct material build_material(const struct settings *s);
+/* The same in numbers, for `check`. The sizes of the bed are to be released;
+ * NULL where all are equal. */
 struct dem_options build_dem_options(const struct settings *s, double step);
-struct bed_options build_bed_options(const struct settings *s);
+struct bed_options build_bed_options(const struct settings *s,
+                                     struct sizes **sizes);
 
 #endif

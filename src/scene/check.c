@@ -8,8 +8,8 @@
 #include "particles/limits.h"
 #include "scene/build.h"
 #include "scene/build_particles.h"
+#include "scene/case_materials.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -30,6 +30,7 @@ struct scales {
     double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
     double dx;         /* [m] smallest cell width along the flow */
     double d, d_most;  /* [m] smallest and largest diameter */
+    double volume;     /* [m^3] of the particles of a bed */
     double density;    /* [kg/m^3] of the particles */
     double dt, dem_dt; /* [s] of the loop, of the particles */
     int dem_steps;     /* [-] in one step of the loop */
@@ -50,8 +51,14 @@ static void particle_scales(const struct settings *s, struct scales *k)
 
     k->density = settings_real(s, "particles.grains.density");
     if (settings_has(s, "particles.bed")) {
-        k->particles = settings_int(s, "particles.bed.count");
-        k->d = k->d_most = settings_real(s, "particles.bed.diameter");
+        struct sizes *sizes;
+        const struct bed_options b = build_bed_options(s, &sizes);
+        const struct bed_range range = bed_range(&b);
+        k->particles = b.count;
+        k->d = range.least;
+        k->d_most = range.most;
+        k->volume = range.volume;
+        sizes_free(sizes);
         return;
     }
     k->particles = settings_length(s, list);
@@ -128,7 +135,7 @@ static void print_rayleigh(const struct scales *k, const struct material *m)
 
 static void print_contacts(const struct settings *s, const struct scales *k)
 {
-    const struct material m = build_material(s);
+    const struct material m = case_materials_one(s, 0);
     const struct contact_law *const law =
         contact_law_named(settings_text(s, "particles.contact"));
     const double t_c =
@@ -208,9 +215,8 @@ static void print_weight(const struct settings *s, const struct scales *k)
     settings_vector(s, "mesh.size", size);
     if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
     line("weight of the bed over its area",
-         k->particles * M_PI / 6.0 * gsl_pow_3(k->d) * rho_s * fabs(g[1]) /
-             (size[0] * size[2]),
-         "Pa", "what the pressure drop comes to when it is carried");
+         k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
+         "what the pressure drop comes to when it is carried");
 }
 
 static void print_cost(const struct settings *s, const struct scales *k)

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/checks.h"
 
-#include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "averaging/averaging.h"
+#include "scene/build_particles.h"
+#include "scene/case_sizes.h"
+#include "scene/case_materials.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -91,28 +95,53 @@ static int check_contact(const struct settings *s)
     return 0;
 }
 
+/* One diameter for all, or the name of a distribution. */
+static int check_bed_sizes(const struct settings *s)
+{
+    const int one = settings_has(s, "particles.bed.diameter");
+
+    if (one == settings_has(s, "particles.bed.sizes"))
+        return settings_wrong(s, "particles.bed",
+                              "give either diameter or "
+                              "sizes%s",
+                              one ? ", not both" : "");
+    if (one) return 0;
+    return case_sizes_check_name(s, "particles.bed.sizes",
+                                 settings_text(s, "particles.bed.sizes"));
+}
+
 /* Spheres in a box reach about 0.64 of its volume at the densest when poured;
  * beyond 0.6 none is free to settle. */
-static int check_bed(const struct settings *s)
+static int check_bed_fits(const struct settings *s)
 {
-    const double d = settings_real(s, "particles.bed.diameter");
-    const int n = settings_int(s, "particles.bed.count");
-    double size[3], share;
+    struct sizes *sizes;
+    const struct bed_options b = build_bed_options(s, &sizes);
+    const struct bed_range range = bed_range(&b);
+    const char *const key =
+        sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
+    double size[3];
 
+    sizes_free(sizes);
     settings_vector(s, "mesh.size", size);
     for (int k = 0; k < 3; k++)
-        if (d > size[k] && n > 0)
-            return settings_wrong(s, "particles.bed.diameter",
+        if (range.most > size[k] && b.count > 0)
+            return settings_wrong(s, key,
                                   "%g m is more than the box has room for, "
                                   "%g m",
-                                  d, size[k]);
-    share = n * M_PI / 6.0 * d * d * d / (size[0] * size[1] * size[2]);
+                                  range.most, size[k]);
+    const double share = range.volume / (size[0] * size[1] * size[2]);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
                               "box; at most 60 %% can settle",
-                              n, d, 100.0 * share);
+                              b.count, b.diameter, 100.0 * share);
     return 0;
+}
+
+static int check_bed(const struct settings *s)
+{
+    const int code = check_bed_sizes(s);
+    return code != 0 ? code : check_bed_fits(s);
 }
 
 static int check_place(const struct settings *s)
@@ -142,8 +171,10 @@ static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
     const int place = settings_has(s, "particles.place");
-    const int code = check_contact(s);
+    int code = check_contact(s);
 
+    if (code == 0) code = case_sizes_check(s);
+    if (code == 0) code = case_materials_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",
@@ -155,7 +186,20 @@ static int check_averaging(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
 
-    if (strcmp(method, "pcm") != 0 && !settings_has(s, "averaging.bandwidth"))
+    const int b = settings_has(s, "averaging.bandwidth");
+    const int delta = settings_has(s, "averaging.delta_05");
+    const int gauss =
+        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
+
+    if (delta && !gauss)
+        return settings_wrong(s, "averaging.delta_05",
+                              "only images and diffusion have a width at half "
+                              "the height, %s has not",
+                              method);
+    if (b && delta)
+        return settings_wrong(s, "averaging.delta_05",
+                              "give either bandwidth or delta_05, not both");
+    if (averaging_method_named(method)->wide && !b && !delta)
         return settings_wrong(s, "averaging.method",
                               "%s asks for averaging.bandwidth", method);
     return 0;
@@ -172,6 +216,16 @@ static int check_output(const struct settings *s)
             return settings_wrong(s, "output.profiles",
                                   "height %g m is above the box, %g m", y,
                                   size[1]);
+    }
+    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
+        double x[3];
+        settings_item_vector(s, "output.probes", i, "position", x);
+        for (int k = 0; k < 3; k++)
+            if (!(x[k] >= 0.0 && x[k] <= size[k]))
+                return settings_wrong(s, "output.probes",
+                                      "the point [%g, %g, %g] m is outside "
+                                      "the box",
+                                      x[0], x[1], x[2]);
     }
     return 0;
 }

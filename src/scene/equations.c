@@ -2,6 +2,7 @@
 #include "scene/equations.h"
 
 #include "averaging/diffusion.h"
+#include "averaging/images.h"
 #include "averaging/kernel.h"
 #include "effects/time_average.h"
 #include "exchange/drag.h"
@@ -52,6 +53,16 @@ static double gauss(const double *x)
     return diffusion_kernel(x[0], x[1]);
 }
 
+static double images_sigma_of(const double *x)
+{
+    return images_sigma(x[0]);
+}
+
+static double gauss_sigma(const double *x)
+{
+    return images_kernel(x[0], x[1]);
+}
+
 static double fading_weight(const double *x)
 {
     return time_average_weight(x[0], x[1]);
@@ -84,6 +95,12 @@ static double mindlin_stiffness(const double *x)
 {
     const double G = contact_hertz_shear(x[0], x[2], x[1], x[3]);
     return contact_hertz_tangential(G, mean_radius(x), x[6]);
+}
+
+/* [LS 4.11, 4.12] */
+static double critical_damping(const double *x)
+{
+    return contact_linear_dashpot(1.0, x[1], x[0]);
 }
 
 static double rayleigh(const double *x)
@@ -150,6 +167,12 @@ const struct equation equations_all[] = {
     {"LS:4.10", "tangential stiffness of two spheres, Mindlin",
      "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
      "k_t", "N/m", "contact_hertz_tangential", mindlin_stiffness},
+    {"LS:4.11", "critical normal damping of a spring and a mass",
+     "m [kg], k_n [N/m]", "eta_n", "kg/s", "contact_linear_dashpot",
+     critical_damping},
+    {"LS:4.12", "critical tangential damping of a spring and a mass",
+     "m [kg], k_t [N/m]", "eta_t", "kg/s", "contact_linear_dashpot",
+     critical_damping},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},
@@ -167,6 +190,10 @@ const struct equation equations_all[] = {
     {"LS:5.27", "drag of a mixture over slip, Ergun and Wen-Yu (Gidaspow)",
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
+    {"EW18:19", "Gaussian kernel", "r [m], sigma_k [m]", "W", "1/m^3",
+     "images_kernel", gauss_sigma},
+    {"EW18:20", "its width from that at half its height", "delta_05 [m]",
+     "sigma_k", "m", "images_sigma", images_sigma_of},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
 
 const struct equation *equations_named(const char *key)

@@ -5,7 +5,9 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
+#include "fluid/fluid.h"
 #include "particles/contact_hertz.h"
+#include "particles/sizes.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -34,20 +36,42 @@ static int contact(int i, struct model *m)
     return 1;
 }
 
-/* Which keys a method of averaging reads. */
-static const char *averaging_keys(const char *method)
+/* The keys of a law of sizes: sizes_laws has their names alone. */
+static const char *sizes_keys(const char *law)
 {
-    if (strcmp(method, "pcm") == 0) return "averaging.cap";
-    if (strcmp(method, "diffusion") == 0)
-        return "averaging.bandwidth averaging.scheme averaging.steps "
-               "averaging.tolerance";
-    return "averaging.bandwidth";
+    if (strcmp(law, "normal") == 0)
+        return "particles.sizes.mean particles.sizes.deviation "
+               "particles.sizes.least particles.sizes.most";
+    if (strcmp(law, "lognormal") == 0)
+        return "particles.sizes.median particles.sizes.ratio "
+               "particles.sizes.least particles.sizes.most "
+               "particles.sizes.by";
+    if (strcmp(law, "uniform") == 0)
+        return "particles.sizes.least particles.sizes.most particles.sizes.by";
+    return "particles.sizes.points particles.sizes.by";
 }
 
-static const char *averaging_function(const char *method)
+static int sizes(int i, struct model *m)
 {
-    if (strcmp(method, "pcm") == 0) return "pcm_spread";
-    return strcmp(method, "kernel") == 0 ? "kernel_spread" : "diffusion_spread";
+    const struct sizes_law *const all = sizes_laws;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k].name == NULL) return 0;
+    *m = (struct model){all[i].name, all[i].what, all[i].cite, "sizes_quantile",
+                        sizes_keys(all[i].name)};
+    return 1;
+}
+
+/* Which keys a method of averaging reads. */
+static const char *averaging_keys(const struct averaging_method *method)
+{
+    if (strcmp(method->name, "pcm") == 0) return "averaging.cap";
+    if (strcmp(method->name, "diffusion") == 0)
+        return "averaging.bandwidth averaging.delta_05 averaging.scheme "
+               "averaging.steps averaging.tolerance";
+    if (strcmp(method->name, "images") == 0)
+        return "averaging.bandwidth averaging.delta_05";
+    return method->wide ? "averaging.bandwidth" : "";
 }
 
 static int averaging(int i, struct model *m)
@@ -57,8 +81,7 @@ static int averaging(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k] == NULL) return 0;
     *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
-                        averaging_function(all[i]->name),
-                        averaging_keys(all[i]->name)};
+                        all[i]->function, averaging_keys(all[i])};
     return 1;
 }
 
@@ -115,6 +138,17 @@ static int treatment(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int relaxation(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"frozen", "the drag of the sub-step's start, throughout it",
+         "XS11 3.18", "apply_frozen", ""},
+        {"exponential", "the drag that relaxes as the particle gives in to it",
+         "XS11 3.16", "response_advance", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
@@ -126,15 +160,36 @@ static int coupling(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int time_scheme(int i, struct model *m)
+{
+    const struct time_scheme *const s = &time_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (time_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    return 1;
+}
+
 static int convection(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"upwind", "the value of the cell that the flow comes from", "",
-         "share_upwind", ""},
-        {"linear", "linear between the two cells of a face", "", "share_linear",
-         ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct convection_scheme *const s = &convection_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (convection_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    if (strcmp(s->name, "blended") == 0) m->keys = "fluid.blend";
+    if (s->beyond != NULL) m->keys = "fluid.gradient";
+    return 1;
+}
+
+static int gradient(int i, struct model *m)
+{
+    const struct slope_scheme *const s = &slope_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (slope_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    return 1;
 }
 
 static int continuity(int i, struct model *m)
@@ -174,6 +229,8 @@ static int effect(int i, struct model *m)
 
 const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
+    {"sizes", "distributions of diameters", "particles.sizes.distribution",
+     sizes},
     {"averaging", "ways from particles to fields", "averaging.method",
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
@@ -183,8 +240,12 @@ const struct kind models_kinds[] = {
     {"drag", "drag laws", "exchange.drag", drag},
     {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
      treatment},
+    {"relaxation", "courses of the drag during a sub-step",
+     "exchange.relaxation", relaxation},
     {"coupling", "directions of the coupling", "exchange.coupling", coupling},
+    {"time", "time schemes of the fluid", "fluid.time", time_scheme},
     {"convection", "convection schemes", "fluid.convection", convection},
+    {"gradient", "slopes of the velocity", "fluid.gradient", gradient},
     {"continuity", "forms of the mass balance", "fluid.continuity", continuity},
     {"patch", "what happens on a side of the box", "fluid.<patch>", patch},
     {"effect", "further effects, each on where it is named", "effects", effect},

@@ -160,6 +160,7 @@ void rows_expected(const struct key *key, char text[ROWS_TEXT])
         [KEY_COUNTS] = "three whole numbers [x, y, z], each",
         [KEY_FLAGS] = "three of true or false [x, y, z]",
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
+        [KEY_CURVE] = "((x, number), ...) with x rising, each number",
         [KEY_PATCH] = "{ inlet = ...; } or { outlet = ...; }"};
     char conditions[ROWS_TEXT], words[ROWS_TEXT];
 

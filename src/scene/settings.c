@@ -57,6 +57,13 @@ const char *settings_file(const struct settings *s)
     return s->file;
 }
 
+/* A name may be one of the row's words, or any text. */
+static int type_fits(const struct key *key, enum key_type type)
+{
+    return key != NULL &&
+           (key->type == type || (key->type == KEY_TEXT && type == KEY_NAME));
+}
+
 /* The setting of a path whose row must have the type. The tables say that it
  * is there; if it is not, the caller did not ask settings_has first. */
 static const config_setting_t *find(const struct settings *s, const char *path,
@@ -84,7 +91,7 @@ static const config_setting_t *find_in(const struct settings *s,
 
     snprintf(path, sizeof path, "%s.%s", list, name);
     key = rows_find(s->tables, path);
-    assert(key != NULL && key->type == type);
+    assert(type_fits(key, type));
     assert(i >= 0 && i < config_setting_length(groups));
     found = config_setting_get_member(
         config_setting_get_elem(groups, (unsigned)i), name);
@@ -167,20 +174,18 @@ void settings_flags(const struct settings *s, const char *path, int v[3])
         v[i] = config_setting_get_bool_elem(found, i);
 }
 
-int settings_points(const struct settings *s, const char *path)
+/* A constant is a series of one point, at time 0. */
+static int series_length(const config_setting_t *found)
 {
-    const config_setting_t *const found = find(s, path, KEY_SERIES);
-
     return config_setting_is_list(found) ? config_setting_length(found) : 1;
 }
 
-void settings_point(const struct settings *s, const char *path, int i,
-                    double *time, double *value)
+static void series_point(const config_setting_t *found, int i, double *time,
+                         double *value)
 {
-    const config_setting_t *const found = find(s, path, KEY_SERIES);
     const config_setting_t *point;
 
-    assert(i >= 0 && i < settings_points(s, path));
+    assert(i >= 0 && i < series_length(found));
     if (!config_setting_is_list(found)) {
         *time = 0.0;
         *value = real(found);
@@ -189,6 +194,17 @@ void settings_point(const struct settings *s, const char *path, int i,
     point = config_setting_get_elem(found, (unsigned)i);
     *time = real(config_setting_get_elem(point, 0));
     *value = real(config_setting_get_elem(point, 1));
+}
+
+int settings_points(const struct settings *s, const char *path)
+{
+    return series_length(find(s, path, KEY_SERIES));
+}
+
+void settings_point(const struct settings *s, const char *path, int i,
+                    double *time, double *value)
+{
+    series_point(find(s, path, KEY_SERIES), i, time, value);
 }
 
 int settings_length(const struct settings *s, const char *list)
@@ -218,7 +234,25 @@ double settings_item_real(const struct settings *s, const char *list, int i,
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key)
 {
-    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
+    char path[ROWS_TEXT];
+
+    snprintf(path, sizeof path, "%s.%s", list, key);
+    const struct key *const row = rows_find(s->tables, path);
+    const int free = row != NULL && row->type == KEY_TEXT;
+    return config_setting_get_string(
+        find_in(s, list, i, key, free ? KEY_TEXT : KEY_NAME));
+}
+
+int settings_item_points(const struct settings *s, const char *list, int i,
+                         const char *key)
+{
+    return series_length(find_in(s, list, i, key, KEY_CURVE));
+}
+
+void settings_item_point(const struct settings *s, const char *list, int i,
+                         const char *key, int k, double *x, double *value)
+{
+    series_point(find_in(s, list, i, key, KEY_CURVE), k, x, value);
 }
 
 void settings_item_vector(const struct settings *s, const char *list, int i,

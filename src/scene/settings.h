@@ -55,6 +55,11 @@ double settings_item_real(const struct settings *s, const char *list, int i,
                           const char *key);
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key);
+/* A curve: its number of points, and one of them. */
+int settings_item_points(const struct settings *s, const char *list, int i,
+                         const char *key);
+void settings_item_point(const struct settings *s, const char *list, int i,
+                         const char *key, int k, double *x, double *value);
 void settings_item_vector(const struct settings *s, const char *list, int i,
                           const char *key, double v[3]);
 

@@ -107,6 +107,8 @@ static int fits(const struct key *key, const config_setting_t *s)
         return is_triple(key, s, is_flag);
     case KEY_SERIES:
         return is_series(key, s);
+    case KEY_CURVE:
+        return config_setting_is_list(s) && is_series(key, s);
     case KEY_PATCH:
         return is_patch(key, s);
     }

@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Weights are computed anew at every use: on a cell's ~100 neighbours that is
+ * as cheap as to read them from memory.
+ *
+ * To be independent of the number of threads, the hosts are cut into strips
+ * that never change. A strip adds up its particles in a window of cells of its
+ * own, and each cell then adds the windows it lies in, in their order.
+ */
+#include "averaging/shares.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+enum {
+    SHARES_STRIPS = 16,  /* more windows would take longer to add up */
+    WORTH_A_THREAD = 128 /* particles; fewer are done before it wakes up */
+};
+
+struct strip {
+    int first, last; /* [-] hosts first .. last - 1 */
+    int low, high;   /* [-] window: cells low .. high - 1 */
+    double *sum;     /* window of sums, side by side */
+    double *weight;  /* [-] of one particle */
+};
+
+struct shares {
+    const struct hosts *h; /* borrowed */
+    struct stencil *near;
+    enum stencil_to to;
+    double reach; /* [m] */
+    int fields;   /* [-] most in a call */
+    struct shares_rule rule;
+    struct strip strip[SHARES_STRIPS];
+};
+
+static struct around around_host(const struct shares *s, int c)
+{
+    const struct stencil *const near = s->near;
+    const int first = near->start[near->shape[c]];
+    const int n = near->start[near->shape[c] + 1] - first;
+    return (struct around){c,
+                           n,
+                           first,
+                           &near->step[first],
+                           &near->dx[first],
+                           &near->dy[first],
+                           &near->dz[first]};
+}
+
+/* Adds the weighted amounts q of one particle to the n cells around its host,
+ * whose sums begin at `host`. */
+static inline void add_loop(int m, int n, const int *restrict step,
+                            const double *restrict w, const double *restrict q,
+                            double *host)
+{
+    for (int e = 0; e < n; e++) {
+        double *restrict const to = &host[m * step[e]];
+#pragma omp simd
+        for (int j = 0; j < m; j++)
+            to[j] += w[e] * q[j];
+    }
+}
+
+/* q = the weighted sum of the fields around the host. */
+static inline void take_loop(int m, int n, const int *restrict step,
+                             const double *restrict w, const double *host,
+                             double *restrict q)
+{
+    for (int j = 0; j < m; j++)
+        q[j] = 0.0;
+    for (int e = 0; e < n; e++)
+        for (int j = 0; j < m; j++)
+            q[j] += w[e] * host[m * step[e] + j];
+}
+
+/* Loops of known length for the frequent numbers of fields: up to twice as
+ * fast. */
+static void add_weighted(int m, int n, const int *step, const double *w,
+                         const double *q, double *host)
+{
+    switch (m) {
+    case 3:
+        add_loop(3, n, step, w, q, host);
+        break;
+    case 4:
+        add_loop(4, n, step, w, q, host);
+        break;
+    case 8:
+        add_loop(8, n, step, w, q, host);
+        break;
+    default:
+        add_loop(m, n, step, w, q, host);
+    }
+}
+
+static void take_weighted(int m, int n, const int *step, const double *w,
+                          const double *host, double *q)
+{
+    switch (m) {
+    case 3:
+        take_loop(3, n, step, w, host, q);
+        break;
+    case 4:
+        take_loop(4, n, step, w, host, q);
+        break;
+    case 8:
+        take_loop(8, n, step, w, host, q);
+        break;
+    default:
+        take_loop(m, n, step, w, host, q);
+    }
+}
+
+/* The weights of particle i, and on how many of the entries they are. Counts
+ * those that went to their host alone. */
+static int weigh(const struct shares *s, int i, const struct around *near,
+                 double *w, int *alone)
+{
+    if (s->rule.weigh(s->rule.state, i, near, w)) return near->n;
+    w[0] = 1.0;
+    ++*alone;
+    return 1;
+}
+
+/* Spreads the particles whose hosts are in the strip into its window. Returns
+ * how many have one cell only. */
+static int spread_strip(const struct shares *s, const struct strip *t, int m,
+                        const double *q)
+{
+    const struct hosts *const h = s->h;
+    int alone = 0;
+
+    for (int e = 0; e < m * (t->high - t->low); e++)
+        t->sum[e] = 0.0;
+    for (int c = t->first; c < t->last; c++) {
+        const struct around near = around_host(s, c);
+        double *const host = &t->sum[m * (c - t->low)];
+        for (int a = h->start[c]; a < h->start[c + 1]; a++) {
+            const int i = h->member[a];
+            const int n = weigh(s, i, &near, t->weight, &alone);
+            add_weighted(m, n, near.step, t->weight, &q[m * i], host);
+        }
+    }
+    return alone;
+}
+
+static void gather_strip(const struct shares *s, const struct strip *t, int m,
+                         const double *field, double *q)
+{
+    const struct hosts *const h = s->h;
+    int alone = 0; /* not asked for */
+
+    for (int c = t->first; c < t->last; c++) {
+        const struct around near = around_host(s, c);
+        for (int a = h->start[c]; a < h->start[c + 1]; a++) {
+            const int i = h->member[a];
+            const int n = weigh(s, i, &near, t->weight, &alone);
+            take_weighted(m, n, near.step, t->weight, &field[m * c], &q[m * i]);
+        }
+    }
+}
+
+static int is_empty(const struct shares *s, const struct strip *t)
+{
+    return s->h->start[t->first] == s->h->start[t->last];
+}
+
+/* Adds up the windows that cell c lies in. */
+static void sum_windows(const struct shares *s, int c, int m, double *f)
+{
+    for (int j = 0; j < m; j++)
+        f[j] = 0.0;
+    for (int k = 0; k < SHARES_STRIPS; k++) {
+        const struct strip *const t = &s->strip[k];
+        if (c < t->low || c >= t->high || is_empty(s, t)) continue;
+        for (int j = 0; j < m; j++)
+            f[j] += t->sum[m * (c - t->low) + j];
+    }
+    for (int j = 0; j < m; j++)
+        f[j] /= s->h->mesh->V[c]; /* [XS11 3.5a, 3.7, 3.8] */
+}
+
+int shares_spread(const struct shares *s, int m, const double *q, double *field)
+{
+    const int n_cells = s->h->mesh->n_cells;
+    int alone = 0;
+
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : alone)            \
+    if (s->h->n > WORTH_A_THREAD)
+    for (int t = 0; t < SHARES_STRIPS; t++)
+        if (!is_empty(s, &s->strip[t]))
+            alone += spread_strip(s, &s->strip[t], m, q);
+#pragma omp parallel for schedule(static) if (s->h->n > WORTH_A_THREAD)
+    for (int c = 0; c < n_cells; c++)
+        sum_windows(s, c, m, &field[m * c]);
+    return alone;
+}
+
+void shares_gather(const struct shares *s, int m, const double *field,
+                   double *q)
+{
+#pragma omp parallel for schedule(dynamic, 1) if (s->h->n > WORTH_A_THREAD)
+    for (int t = 0; t < SHARES_STRIPS; t++)
+        gather_strip(s, &s->strip[t], m, field, q);
+}
+
+/* Strip k of the hosts, with the window that its stencils reach. */
+static void cut_strip(struct shares *s, int k)
+{
+    struct strip *const t = &s->strip[k];
+    const long long n = s->h->mesh->n_cells;
+
+    t->first = (int)(n * k / SHARES_STRIPS);
+    t->last = (int)(n * (k + 1) / SHARES_STRIPS);
+    t->low = t->first;
+    t->high = t->last;
+    for (int c = t->first; c < t->last; c++) {
+        const struct around near = around_host(s, c);
+        for (int e = 0; e < near.n; e++) {
+            if (c + near.step[e] < t->low) t->low = c + near.step[e];
+            if (c + near.step[e] >= t->high) t->high = c + near.step[e] + 1;
+        }
+    }
+    t->sum = alloc_doubles(s->fields * (t->high - t->low));
+    t->weight = alloc_doubles(s->near->largest);
+}
+
+/* Finds the cells that are near within the reach. */
+static void look_around(struct shares *s)
+{
+    s->near = stencil_create(s->h->mesh, s->reach, s->to);
+    for (int k = 0; k < SHARES_STRIPS; k++)
+        cut_strip(s, k);
+}
+
+static void forget_around(struct shares *s)
+{
+    for (int k = 0; k < SHARES_STRIPS; k++) {
+        free(s->strip[k].sum);
+        free(s->strip[k].weight);
+    }
+    stencil_free(s->near);
+}
+
+struct shares *shares_create(const struct hosts *h, double reach,
+                             enum stencil_to to, int fields,
+                             struct shares_rule rule)
+{
+    struct shares *const s = alloc_zeroed(1, sizeof *s);
+
+    s->h = h;
+    s->to = to;
+    s->reach = reach;
+    s->fields = fields;
+    s->rule = rule;
+    look_around(s);
+    return s;
+}
+
+void shares_extend(struct shares *s, double reach)
+{
+    if (reach <= s->reach) return;
+    forget_around(s);
+    s->reach = reach;
+    look_around(s);
+}
+
+const struct stencil *shares_stencil(const struct shares *s)
+{
+    return s->near;
+}
+
+void shares_free(struct shares *s)
+{
+    if (s == NULL) return;
+    forget_around(s);
+    free(s);
+}

@@ -1,0 +1,19 @@
+/* two_grid.h -- particles averaged on a coarser grid of their own.  Chapter 8.
+ *
+ *     eps_C = sum of the V_p with their centre in C / sum_c |c and C|
+ *     eps_c = sum_C |c and C| eps_C / V_c                     [LS section 5.4]
+ *
+ * The grid is a box of equal cells C around the mesh, as many as have at least
+ * the bandwidth for their width in each direction (or one). It is chosen for
+ * the particles, the mesh for the flow. A mesh cell c counts as the box of its
+ * extents: exact for boxes. Nothing is lost on any mesh, because the volume of
+ * C is what the cells of the mesh have of it.
+ */
+#ifndef TWO_GRID_H
+#define TWO_GRID_H
+
+#include "averaging/averaging_method.h"
+
+extern const struct averaging_method two_grid_method;
+
+#endif
