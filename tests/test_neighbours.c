@@ -86,6 +86,31 @@ START_TEST(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4)
 }
 END_TEST
 
+/* Two spheres fly apart at 1 m/s each: a list with a skin of 1 mm is good for
+ * N = skin / (2 v dt) = 50 steps. It must not last longer; as up to half of the
+ * skin is spent on margins it may last half as long. Twice the speed, half the
+ * steps. */
+START_TEST(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide)
+{
+    for (int twice = 0; twice < 2; twice++) {
+        struct particles *const ps = particles_create(2);
+        struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.1);
+        struct dem_report r;
+        const double v = twice ? 2.0 : 1.0;
+
+        spheres_throw(ps, spheres_add(ps, 0.0, 0.0, 0.002, 1e-3), v, 0.0, 0.0);
+        spheres_throw(ps, spheres_add(ps, 0.0, 0.0, 0.0, 1e-3), -v, 0.0, 0.0);
+        o.skin = 1e-3;
+        struct dem *const dem = dem_create(ps, &o);
+        ck_assert_int_eq(dem_run(dem, 4000, &r), 0);
+        ck_assert_int_ge((int)r.rebuilds, (twice ? 2 : 1) * 4000 / 50);
+        ck_assert_int_le((int)r.rebuilds, (twice ? 4 : 2) * 4000 / 50);
+        dem_free(dem);
+        particles_free(ps);
+    }
+}
+END_TEST
+
 /* The forces of 30 steps add up in another order, and a few collisions let
  * that grow from 1e-16; one contact overlooked for a step makes 1e-6. */
 START_TEST(ls_5_15_the_skin_changes_nothing_but_the_work)
@@ -333,6 +358,7 @@ int main(void)
     tcase_add_loop_test(
         t, ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4, 0,
         N_HUNTS);
+    tcase_add_test(t, ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide);
     tcase_add_test(t, ls_5_15_the_skin_changes_nothing_but_the_work);
     tcase_add_loop_test(
         t, ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 0, 2);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/case_materials.h"
+#include "scene/check.h"
 #include "scene/list.h"
 #include "scene/models.h"
 #include "scene/rows.h"
@@ -8,6 +9,8 @@
 #include "capture.h"
 
 #include <check.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -288,6 +291,27 @@ START_TEST(list_shows_every_model_and_key)
 }
 END_TEST
 
+/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. They
+ * print S_c / d_p = 2 for it, rounded. */
+START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
+{
+    int code;
+    struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
+    struct capture c = capture_begin(1);
+    double S_c = 0.0;
+
+    ck_assert_int_eq(check_case(s), 0);
+    capture_end(&c, said);
+    const char *const line = strstr(said, "  S_c ");
+    ck_assert_ptr_nonnull(line);
+    ck_assert_int_eq(sscanf(line, " S_c %lf m", &S_c), 1);
+    ck_assert_double_eq_tol(S_c, cbrt(44e-3 / 18 * 120e-3 / 50 * 10e-3 / 4),
+                            1e-6); /* four digits are printed */
+    ck_assert_double_eq_tol(S_c / 1.2e-3, 2.0, 0.05);
+    settings_free(s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("scene");
@@ -297,6 +321,7 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_test(t, the_cases_are_right);
+    tcase_add_test(t, sx15_10_the_size_of_a_cell_is_the_root_of_its_volume);
     tcase_add_test(t, something_must_be_there_to_compute);
     tcase_add_test(t, each_side_of_the_box_is_described_once);
     tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
