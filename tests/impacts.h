@@ -47,9 +47,8 @@ static inline struct dem_options impact_options(const struct impact *c)
     const double R_star = c->partner == EQUAL_SPHERE ? 0.5 * c->R : c->R;
     const double m_star = c->partner == EQUAL_SPHERE ? 0.5 * m : m;
     const double closing = (c->partner == EQUAL_SPHERE ? 2.0 : 1.0) * c->v_n;
-    const double t =
-        contact_hertz_time(contact_hertz_modulus(E, nu, E, nu), R_star, m_star,
-                           closing);
+    const double t = contact_hertz_time(contact_hertz_modulus(E, nu, E, nu),
+                                        R_star, m_star, closing);
 
     return (struct dem_options){.law = &contact_hertz,
                                 .material = {.young = E,
@@ -64,8 +63,7 @@ static inline struct dem_options impact_options(const struct impact *c)
 static inline void impact_add(struct particles *ps, double y, double R,
                               double density, const double v[3])
 {
-    const int i =
-        particles_add(ps, (double[3]){0.0, y, 0.0}, 2.0 * R, density);
+    const int i = particles_add(ps, (double[3]){0.0, y, 0.0}, 2.0 * R, density);
 
     ps->vx[i] = v[0], ps->vy[i] = v[1], ps->wz[i] = v[2];
 }
