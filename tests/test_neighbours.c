@@ -155,7 +155,8 @@ struct pressed_pair {
     long rebuilds;
 };
 
-static struct pressed_pair press(double skin, const int periodic[3])
+static struct pressed_pair press(double skin, const int periodic[3],
+                                 double rolling)
 {
     struct pressed_pair q = {particles_create(4), NULL, 0, 0};
     struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
@@ -165,6 +166,7 @@ static struct pressed_pair press(double skin, const int periodic[3])
     o.skin = skin;
     for (int k = 0; k < 3; k++)
         o.periodic[k] = periodic[k];
+    o.material.rolling = rolling;
     spheres_add(q.ps, 0.0001, 0.0002, 0.0049, 0.01);
     spheres_add(q.ps, 0.0001, 0.0002, -0.0050, 0.01);
     spheres_add(q.ps, 0.09, 0.09, 0.09, 0.01);
@@ -209,13 +211,12 @@ static void release(struct pressed_pair *q)
 /* Without a rebuild the spring never moves. Rounding alone differs; a spring
  * lost, or kept with the wrong sign when the owner changes, shows in the third
  * digit of the spin. */
-START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
+static void survive(int open, double rolling)
 {
-    const int closed[3] = {0, 0, 0}, open[3] = {1, 1, 1};
-    const int *const periodic = _i == 0 ? closed : open;
-    const double period = _i == 0 ? 0.0 : 0.2;
-    struct pressed_pair calm = press(0.085, periodic);
-    struct pressed_pair busy = press(2e-6, periodic);
+    const int periodic[3] = {open, open, open};
+    const double period = open ? 0.2 : 0.0;
+    struct pressed_pair calm = press(0.085, periodic, rolling);
+    struct pressed_pair busy = press(2e-6, periodic, rolling);
 
     whirl(&calm, 500, period);
     whirl(&busy, 500, period);
@@ -232,6 +233,17 @@ START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
     }
     release(&calm);
     release(&busy);
+}
+
+START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
+{
+    survive(_i, 0.0);
+}
+END_TEST
+
+START_TEST(the_spring_of_rolling_survives_them_too)
+{
+    survive(_i, 0.2);
 }
 END_TEST
 
@@ -362,6 +374,7 @@ int main(void)
     tcase_add_test(t, ls_5_15_the_skin_changes_nothing_but_the_work);
     tcase_add_loop_test(
         t, ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 0, 2);
+    tcase_add_loop_test(t, the_spring_of_rolling_survives_them_too, 0, 2);
     tcase_add_test(t, ls_4_8_the_spring_of_a_wall_survives_rebuilds);
     tcase_add_test(
         t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);

@@ -1,4 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/capillary.h"
+#include "particles/electrostatic.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/check.h"
 #include "scene/list.h"
@@ -168,6 +171,49 @@ START_TEST(materials_of_a_case_reach_the_particles)
 }
 END_TEST
 
+START_TEST(cohesion_is_complete_and_possible)
+{
+    refused("effects.electrostatic={range=1e-3;}", "no material has a charge");
+    refused("particles.grains.charge=1e-12",
+            "particles.grains.charge needs effects.electrostatic");
+    refused("effects.van_der_waals={hamaker=1e-19;range=1e-10;}",
+            "longer than the closest gap, 4e-10 m");
+    refused("effects.van_der_waals={hamaker=1e-19;}",
+            "effects.van_der_waals.range is missing");
+    refused("effects.capillary={tension=0.07;angle=2.0;}",
+            "expected a number >= 0, < 1.5707963 [rad]");
+}
+END_TEST
+
+/* What a case says of its cohesion is what acts, in the order of the effects.
+ */
+START_TEST(cohesion_of_a_case_reaches_the_particles)
+{
+    const char *const overrides[] = {
+        ("effects.capillary={tension=0.07;angle=1.0471975511965976;"
+         "range=1e-4;harmonic=true;}"),
+        "effects.electrostatic={range=2e-3;permittivity=3.0;}",
+        "particles.grains.charge=-4e-12"};
+    int code, n;
+    struct settings *const s =
+        scene_read("cases/mueller-bed.cfg", 3, overrides, &code);
+
+    ck_assert_ptr_nonnull(s);
+    struct attraction *const a = case_cohesion_create(s, &n);
+    ck_assert_int_eq(n, 2);
+    ck_assert_ptr_eq(a[0].law, &electrostatic);
+    ck_assert_double_eq(a[0].range, 2e-3);
+    ck_assert_double_eq(a[0].strength, 3.0);
+    ck_assert_double_eq(a[0].charge[0], -4e-12);
+    ck_assert_ptr_eq(a[1].law, &capillary);
+    ck_assert_double_eq_tol(a[1].strength, 0.035, 1e-12);
+    ck_assert_double_eq(a[1].range, 1e-4);
+    ck_assert_int_eq(a[1].harmonic, 1);
+    free(a);
+    settings_free(s);
+}
+END_TEST
+
 START_TEST(bed_must_fit_into_the_box)
 {
     refused("particles.bed.diameter=0.02", "more than the box has room for");
@@ -329,6 +375,8 @@ int main(void)
     tcase_add_test(t, contact_law_asks_for_its_constants);
     tcase_add_test(t, materials_are_known_by_their_names);
     tcase_add_test(t, materials_of_a_case_reach_the_particles);
+    tcase_add_test(t, cohesion_is_complete_and_possible);
+    tcase_add_test(t, cohesion_of_a_case_reaches_the_particles);
     tcase_add_test(t, bed_must_fit_into_the_box);
     tcase_add_test(t, averaging_by_a_width_asks_for_one);
     tcase_add_test(t, profiles_lie_inside_the_box);

@@ -21,14 +21,14 @@ static void advance(const struct neighbours *nb, struct strip *own, int begin,
 /* Of the first particles of strip s, how many bear loads from strips that this
  * thread has not done before it. A strip lays loads on later ones; in a
  * periodic direction the first come after the last, in a lone strip, too.
- * Surfaces lay theirs after the blocks. */
-static int reached(const struct neighbours *nb, int s)
+ * What is not contacts comes after the blocks. */
+static int reached(const struct neighbours *nb, int s, const struct stride *by)
 {
     const int *const around = nb->bodies->box.periodic;
     const int n = nb->bodies->n, first = neighbours_share(nb).first;
     int most = 0;
 
-    if (nb->surfaces != NULL) return n;
+    if (nb->surfaces != NULL || by->n_attractions > 0) return n;
     if (nb->count == 1 && (around[0] || around[1] || around[2])) return n;
     for (int t = 0; t < nb->count; t++) {
         const int done = first <= t && t <= s;
@@ -53,13 +53,25 @@ static void load_block(const struct neighbours *nb, struct strip *own, int k,
     by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
 }
 
+/* What surfaces and attractions lay on a strip. */
+static void load_others(struct neighbours *nb, int s, const struct stride *by)
+{
+    struct strip *const own = &nb->strips[s];
+
+    if (nb->surfaces != NULL)
+        surfaces_push(nb->surfaces, s, own, nb->bodies, by->sweep,
+                      by->constants, by->dt);
+    for (int k = 0; k < by->n_attractions; k++)
+        by->attractions[k].law->sweep(own, nb->bodies, &by->attractions[k]);
+}
+
 /* Loads, then motion, block by block. Waiting are those on which others may
  * still lay loads, or whose places these still need. */
 static void take_strip(struct neighbours *nb, int s, const struct stride *by,
                        int waiting)
 {
     struct strip *const own = &nb->strips[s];
-    const int late = own->begin + reached(nb, s);
+    const int late = own->begin + reached(nb, s, by);
 
     for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
         const int end = own->blocks[k].end;
@@ -70,9 +82,7 @@ static void take_strip(struct neighbours *nb, int s, const struct stride *by,
         }
         begin = end;
     }
-    if (!waiting && nb->surfaces != NULL)
-        surfaces_push(nb->surfaces, s, own, nb->bodies, by->sweep,
-                      by->constants, by->dt);
+    if (!waiting) load_others(nb, s, by);
 }
 
 /* What it found is shown to all when all are done with what was found before.

@@ -8,12 +8,15 @@
 #ifndef STRIDE_H
 #define STRIDE_H
 
+#include "particles/attraction.h"
 #include "particles/contact.h"
 #include "particles/neighbours.h"
 
 struct stride {
     contact_sweep *sweep;
     const struct contact_constants *constants;
+    const struct attraction *attractions;
+    int n_attractions;
     double dt;          /* [s] the springs move on; 0: loads alone */
     double kick, drift; /* [s] the velocities do, and the places */
 };
