@@ -70,6 +70,34 @@ START_TEST(suggested_step_keeps_restitution)
 }
 END_TEST
 
+/* A contact without end must not be given steps without end: at e = 0 what
+ * comes back of the speed, within three undamped contacts, is nothing; with
+ * 1/25 of the contact time at e = 1e-6 the spheres would shoot apart. */
+START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
+{
+    for (int law = 0; law < 2; law++)
+        for (int k = 0; k < 2; k++) {
+            struct dem_options o = spheres_options(contact_laws[law], 0.0, 1.0);
+            struct particles *const ps = particles_create(2);
+            const double v = 0.7;
+            struct dem_report r;
+
+            o.material.restitution = k == 0 ? 0.0 : 1e-6;
+            o.step = limits_step(o.law, &o.material, 0.01, 2000.0, v);
+            spheres_throw(ps, spheres_add(ps, -0.005, 0, 0, 0.01), v, 0, 0);
+            spheres_add(ps, 0.005, 0.0, 0.0, 0.01);
+            struct dem *const dem = dem_create(ps, &o);
+            for (int step = 0; step < 45; step++) {
+                ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+                ck_assert_double_gt(ps->vx[0] - ps->vx[1], -0.25 * v);
+            }
+            ck_assert_double_eq_tol(ps->vx[0] - ps->vx[1], 0.0, 0.05 * v);
+            dem_free(dem);
+            particles_free(ps);
+        }
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("limits");
@@ -81,6 +109,7 @@ int main(void)
     tcase_add_test(t, linear_contact_time_does_not_know_the_speed);
     tcase_add_test(t, hertz_step_grows_with_slowness_up_to_rayleigh);
     tcase_add_test(t, suggested_step_keeps_restitution);
+    tcase_add_test(t, ls_4_11_suggested_step_resolves_critical_damping);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

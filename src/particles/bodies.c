@@ -83,8 +83,9 @@ void bodies_park(const struct bodies *b, struct particles *ps, int begin,
     }
 }
 
-/* dv = (F/m + a) dt; d(R omega) = R T dt/I with I = (2/5) m R^2 and
- * T = -R sum n x F_t [LS 4.1-4.3, 4.16], so -(5/2) (sum n x F_t) dt/m. */
+/* dv = (F/m + a) dt [XS11 2.1]; d(R omega) = R T dt/I [XS11 2.2] with I =
+ * (2/5) m R^2 and T = -R sum n x F_t [LS 4.1-4.3, 4.16], so
+ * -(5/2) (sum n x F_t) dt/m. */
 void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
                     double kick, double drift, double fastest[4])
 {

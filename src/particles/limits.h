@@ -27,7 +27,8 @@ double limits_contact_time(const struct contact_law *law,
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v);
 
-/* The longest that still resolves a contact: 1/15 of its time. */
+/* The longest that still resolves a contact: 1/15 of its time. Both count no
+ * more than 5/3 of the time without damping, which is where e < 0.015. */
 double limits_longest_step(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v);

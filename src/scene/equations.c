@@ -97,6 +97,12 @@ static double mindlin_stiffness(const double *x)
     return contact_hertz_tangential(G, mean_radius(x), x[6]);
 }
 
+/* [LS 4.11, 4.12] */
+static double critical_damping(const double *x)
+{
+    return contact_linear_dashpot(1.0, x[1], x[0]);
+}
+
 static double rayleigh(const double *x)
 {
     return limits_rayleigh(x[0], x[1], x[2], x[3]);
@@ -161,6 +167,12 @@ const struct equation equations_all[] = {
     {"LS:4.10", "tangential stiffness of two spheres, Mindlin",
      "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
      "k_t", "N/m", "contact_hertz_tangential", mindlin_stiffness},
+    {"LS:4.11", "critical normal damping of a spring and a mass",
+     "m [kg], k_n [N/m]", "eta_n", "kg/s", "contact_linear_dashpot",
+     critical_damping},
+    {"LS:4.12", "critical tangential damping of a spring and a mass",
+     "m [kg], k_t [N/m]", "eta_t", "kg/s", "contact_linear_dashpot",
+     critical_damping},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},
