@@ -1,7 +1,7 @@
 /* bandwidth.h -- a bandwidth of the diffusion that varies in space. Chapter 21.
  *
  *     d phi / d tau = div (D grad phi),  D = (b(x) / b)^2 [-]
- *                                           [SX15 sections 2.2.3, 4.1]
+ *                                           [SX15 section 2.2.3]
  *
  * b is the bandwidth that the options name, b(x) the local one:
  *
@@ -13,7 +13,8 @@
  *            of variance beside the b^2 / 2 of the Gaussian. Where cells are
  *            larger than 1.7 b it leaves the pcm field [SX15 2.2.3]
  *   grains   b(x) = b d(x) / d_mean, with the mean diameters by volume of the
- *            cell and of all; d_mean where a cell has no particles [SX15 4.1]
+ *            cell and of all; d_mean where a cell has no particles [SX15
+ * section 4.1]
  *
  * D is symmetric in the two cells of a face, their harmonic mean: so the sum
  * of V phi stays what it is, and a constant stays constant.

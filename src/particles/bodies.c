@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "particles/response.h"
 
 struct domain bodies_domain(const double lo[3], const double hi[3],
                             const int periodic[3])
@@ -41,7 +42,16 @@ void bodies_free(struct bodies *b)
     free(b->motion);
     free(b->push);
     free(b->mark);
+    free(b->response);
     free(b);
+}
+
+void bodies_hold_back(struct bodies *b, const struct particles *ps)
+{
+    if (ps->resistance == NULL) return;
+    if (b->response == NULL)
+        b->response = alloc_zeroed((size_t)ps->capacity, sizeof *b->response);
+    b->resisted = ps->resisted;
 }
 
 void bodies_fetch(struct bodies *b, const struct particles *ps, int begin,
@@ -60,6 +70,7 @@ void bodies_fetch(struct bodies *b, const struct particles *ps, int begin,
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
     }
+    if (b->response != NULL) response_fetch(b, ps, begin, end);
 }
 
 /* x in a periodic direction, brought back between lo and hi. */
@@ -139,7 +150,7 @@ static int finite(const double v[8])
 
 struct bodies_survey bodies_look(const struct bodies *b, int begin, int end)
 {
-    struct bodies_survey found = {0.0, 0, -1};
+    struct bodies_survey found = {0.0, 0, -1, -1};
 
     for (int i = begin; i < end; i++) {
         double moved2 = 0.0;

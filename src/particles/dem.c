@@ -5,9 +5,12 @@
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
+#include "particles/response.h"
+#include "particles/surface_springs.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -21,6 +24,8 @@ struct dem {
     struct neighbours *neighbours;
     double least_margin; /* [m] */
     long done;           /* [-] steps of the run at hand */
+    long tick;           /* [-] steps of the surfaces' clock */
+    int ticking;         /* [-] 1: it runs */
     double overlap;      /* [-] largest of the last run */
 };
 
@@ -38,10 +43,20 @@ static double skin_of(const struct dem_options *o, const struct particles *ps)
     return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
 }
 
+/* How far anything acts beyond touching. */
+static double range_of(const struct dem_options *o)
+{
+    double range = 0.0;
+
+    for (int k = 0; k < o->n_attractions; k++)
+        range = fmax(range, o->attractions[k].range);
+    return range;
+}
+
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const double skin = skin_of(o, ps);
+    const double skin = skin_of(o, ps) + range_of(o);
     double widest = 0.0;
 
     for (int i = 0; i < ps->n; i++)
@@ -74,6 +89,8 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     const int loop = loop_of(o), n = materials_count(o->materials);
     const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
 
+    for (int s = 0; s < o->n_surfaces; s++)
+        if (surface_wrong(&o->surfaces[s])) return NULL;
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
@@ -81,7 +98,13 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     materials_table(o->law, &o->material, o->materials, dem->constants);
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->step = o->step;
+    if (o->n_surfaces > 0)
+        dem->neighbours->surfaces = surfaces_create(
+            o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
+            dem->neighbours->count);
     dem->neighbours->bodies->n_materials = n;
+    dem->neighbours->range = range_of(o);
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
     if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
@@ -101,11 +124,34 @@ void dem_changed(struct dem *dem)
     dem->neighbours->stale = 1;
 }
 
+void dem_clock(struct dem *dem, long steps)
+{
+    dem->tick = steps;
+    dem->ticking = 1;
+}
+
+struct dem_surface dem_surface(const struct dem *dem, int k)
+{
+    const struct surface_account a =
+        surfaces_account(dem->neighbours->surfaces, k);
+    struct dem_surface r = {.work = a.work};
+
+    r.pose = motion_pose(&dem->options.surfaces[k].motion,
+                         (double)dem->tick * dem->options.step);
+    memcpy(r.impulse, a.impulse, sizeof r.impulse);
+    memcpy(r.angular, a.angular, sizeof r.angular);
+    return r;
+}
+
 struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
-    const int *const id = dem->neighbours->ps->id;
-    const struct kept *const kept = neighbours_keep(dem->neighbours, n);
-    struct dem_spring *const list = alloc_zeroed((size_t)*n, sizeof *list);
+    struct neighbours *const nb = dem->neighbours;
+    const struct particles *const ps = nb->recalled ? NULL : nb->ps;
+    const int *const id = nb->ps->id;
+    const struct kept *const kept = neighbours_keep(nb, n);
+    const int more = surface_springs(nb->surfaces, ps, NULL);
+    struct dem_spring *const list =
+        alloc_zeroed((size_t)(*n + more), sizeof *list);
 
     for (int q = 0; q < *n; q++) {
         list[q].id = id[kept[q].owner];
@@ -116,6 +162,8 @@ struct dem_spring *dem_springs(struct dem *dem, int *n)
             list[q].roll[k] = kept[q].roll[k];
         }
     }
+    surface_springs(nb->surfaces, ps, list + *n);
+    *n += more;
     return list;
 }
 
@@ -134,10 +182,12 @@ static int *places(const struct particles *ps)
 
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
 {
-    int *const place = places(dem->neighbours->ps);
-    struct kept *const kept = neighbours_recall(dem->neighbours, n);
+    struct neighbours *const nb = dem->neighbours;
+    int *const place = places(nb->ps);
+    const int own = n - surface_springs_recall(nb->surfaces, list, n);
+    struct kept *const kept = neighbours_recall(nb, own);
 
-    for (int q = 0; q < n; q++) {
+    for (int q = 0; q < own; q++) {
         kept[q].owner = place[list[q].id];
         kept[q].partner =
             list[q].other < 0 ? list[q].other : place[list[q].other];
@@ -158,6 +208,17 @@ void dem_change_material(struct dem *dem, const struct material *m)
 
 /* The functions down to move() are called by every thread of the team. */
 
+/* The surfaces where they are after k steps of this run. */
+static void move_surfaces(const struct dem *dem, int k)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+    const double t = (double)(dem->tick + (dem->ticking ? k : 0));
+
+    for (int s = mine.first; s < mine.last; s++)
+        surfaces_move(nb->surfaces, s, t * dem->options.step);
+}
+
 static void advance(const struct dem *dem, double kick, double drift)
 {
     const struct neighbours *const nb = dem->neighbours;
@@ -165,8 +226,12 @@ static void advance(const struct dem *dem, double kick, double drift)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
-        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
-                       own->fastest);
+        if (nb->bodies->response == NULL)
+            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                           drift, own->fastest);
+        else
+            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                             drift, own->fastest);
     }
 }
 
@@ -174,9 +239,17 @@ static void forces(const struct dem *dem, double dt)
 {
     const struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
+    const struct attraction *const attractions = dem->options.attractions;
 
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
         dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
+        if (nb->surfaces != NULL)
+            surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
+                          dem->sweep, dem->constants, dt);
+        for (int k = 0; k < dem->options.n_attractions; k++)
+            attractions[k].law->sweep(&nb->strips[s], nb->bodies,
+                                      &attractions[k]);
+    }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         strip_fold(nb->strips, nb->count, s, nb->bodies->n);
@@ -212,11 +285,13 @@ static void move(struct dem *dem, int steps)
     double margin = nb->margin, spent = nb->spent;
     int k = 0;
 
+    if (nb->surfaces != NULL) move_surfaces(dem, 0);
     if (nb->stale && start(dem, &margin) != 0) return;
     if (steps > 0) advance(dem, 0.5 * dt, dt);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
         neighbours_meet(nb);
+        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         spent += closer;
         if (spent > margin) {
@@ -234,16 +309,18 @@ static void move(struct dem *dem, int steps)
         nb->margin = margin;
         nb->spent = spent;
         dem->done = k;
+        dem->tick += dem->ticking ? k : 0;
     }
 }
 
 static void report_lost(const struct neighbours *nb, struct dem_report *r)
 {
-    r->lost_id = -1;
+    r->lost_id = r->lost_through = -1;
     for (int s = 0; s < nb->count; s++) {
         const struct bodies_survey *const found = &nb->strips[s].survey;
         if (found->lost > 0 && r->lost == 0) {
             r->lost_id = nb->ps->id[found->first];
+            r->lost_through = found->through;
             for (int k = 0; k < 3; k++)
                 r->lost_at[k] = nb->bodies->place[found->first][k];
         }
@@ -263,6 +340,10 @@ static void report(struct dem *dem, long rebuilds, struct dem_report *r)
         r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
         r->translation += own->measures.translation;
         r->rotation += own->measures.rotation;
+    }
+    if (nb->surfaces != NULL) {
+        r->contacts += surfaces_contacts(nb->surfaces);
+        r->max_overlap = fmax(r->max_overlap, surfaces_deepest(nb->surfaces));
     }
     report_lost(nb, r);
     /* who is lost was too deep in something before this run saw it */

@@ -3,10 +3,11 @@
  *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
  *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
  *
- * with the contact forces F_c and torques T_c of contact.h and an outside
- * force F (gravity, the fluid) that is constant during a run. Velocity Verlet;
- * the force is taken with the velocity of half a step before, which keeps one
- * evaluation a step and second order for what does not damp.
+ * with the contact forces F_c and torques T_c of contact.h, to which the
+ * attractions of attraction.h are added, and an outside force F (gravity, the
+ * fluid) that is constant during a run. Velocity Verlet; the force is taken
+ * with the velocity of half a step before, which keeps one evaluation a step
+ * and second order for what does not damp.
  *
  * The same bits for any number of threads. Nothing is allocated in a run but
  * lists that grow until they fit.
@@ -14,8 +15,10 @@
 #ifndef DEM_H
 #define DEM_H
 
+#include "particles/attraction.h"
 #include "particles/materials.h"
 #include "particles/particles.h"
+#include "particles/surface.h"
 
 struct dem_options {
     const struct contact_law *law;
@@ -26,7 +29,11 @@ struct dem_options {
     double skin;                       /* [m] of the neighbour list; 0: d/6 */
     double lo[3], hi[3];               /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
-                        least 2 (d + skin) long there */
+                        least 2 (d + skin + range) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
+    const struct attraction *attractions; /* borrowed likewise */
+    int n_attractions;                    /* [-] 0: only touching counts */
 };
 
 struct dem_report {
@@ -42,6 +49,7 @@ struct dem_report {
                            their radius or are nowhere */
     int lost_id;        /* [-] the first of them; -1: none */
     double lost_at[3];  /* [m] where it was found */
+    int lost_through;   /* [-] the surface that it went through; -1: none */
 };
 
 struct dem;
@@ -58,13 +66,29 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
+/* Starts the clock of the surfaces at this number of steps; before that they
+ * rest where they are at time 0. */
+void dem_clock(struct dem *dem, long steps);
+
+/* What the particles did to surface k since the run began (steps of which no
+ * time passed do not count). */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
+
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
- * the lower and 2 k + 1 the upper wall of direction k. */
+ * the lower and 2 k + 1 the upper wall of direction k, 6 any
+ * surface. */
 struct dem_spring {
     int id, other;
     double xi[3];   /* [m] of id against other */
     double roll[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3];    /* [-] of the contact with a surface, to know it again */
 };
 
 /* A new list of them, released with free(). */

@@ -8,12 +8,15 @@
 #include "scene/build.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
                                         {"bottom", "top", "bottom_top"},
                                         {"back", "front", "front_back"}};
+
+static const char *const axes[3] = {"x", "y", "z"};
 
 static int has_side(const struct settings *s, const char *patch)
 {
@@ -26,7 +29,6 @@ static int has_side(const struct settings *s, const char *patch)
 /* A periodic direction has no sides; any other has each of its two once. */
 static int check_direction(const struct settings *s, int k)
 {
-    static const char *const axes[3] = {"x", "y", "z"};
     const int both = has_side(s, sides[k][2]);
     int periodic[3];
 
@@ -66,6 +68,62 @@ static int count_sides(const struct settings *s, const char *key)
     return n;
 }
 
+/* A wall may move along itself only: it holds the fluid back, or there would
+ * be a flow through it. */
+static int check_walls(const struct settings *s)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            char path[64];
+            double u[3];
+            snprintf(path, sizeof path, "fluid.%s.wall", sides[k][i]);
+            if (!settings_has(s, path)) continue;
+            settings_vector(s, path, u);
+            if (u[k] != 0.0)
+                return settings_wrong(s, path,
+                                      "the wall would move through itself: "
+                                      "its %s is %g m/s, expected 0",
+                                      axes[k], u[k]);
+        }
+    return 0;
+}
+
+/* What drives a flow from the end of a direction to its beginning. */
+static int check_drive(const struct settings *s)
+{
+    static const char *const paths[] = {"fluid.mean_gradient",
+                                        "fluid.mean_flow"};
+    int periodic[3];
+
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < 2; i++) {
+        double v[3];
+        if (!settings_has(s, paths[i])) continue;
+        settings_vector(s, paths[i], v);
+        for (int k = 0; k < 3; k++)
+            if (v[k] != 0.0 && !periodic[k])
+                return settings_wrong(s, paths[i],
+                                      "%s is not periodic, so nothing can be "
+                                      "driven round it; expected 0 there",
+                                      axes[k]);
+    }
+    if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
+        return settings_wrong(s, paths[1],
+                              "the mean gradient follows from it; leave "
+                              "fluid.mean_gradient out");
+    return 0;
+}
+
+/* The fluid pays the drag with the velocity at the end of a step. */
+static int check_parts(const struct settings *s)
+{
+    if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
+        return settings_wrong(s, "fluid.cfl",
+                              "with exchange all of fluid.step is one step; "
+                              "give a shorter fluid.step instead");
+    return 0;
+}
+
 static int check_fluid(const struct settings *s)
 {
     int code = 0;
@@ -77,7 +135,9 @@ static int check_fluid(const struct settings *s)
         return settings_wrong(s, "fluid",
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
-    return code;
+    if (code == 0) code = check_walls(s);
+    if (code == 0) code = check_drive(s);
+    return code != 0 ? code : check_parts(s);
 }
 
 static int check_contact(const struct settings *s)
@@ -176,6 +236,7 @@ static int check_particles(const struct settings *s)
 
     if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = case_materials_check(s);
+    if (code == 0) code = case_cohesion_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",
@@ -220,6 +281,16 @@ static int check_output(const struct settings *s)
             return settings_wrong(s, "output.profiles",
                                   "height %g m is above the box, %g m", y,
                                   size[1]);
+    }
+    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
+        double x[3];
+        settings_item_vector(s, "output.probes", i, "position", x);
+        for (int k = 0; k < 3; k++)
+            if (!(x[k] >= 0.0 && x[k] <= size[k]))
+                return settings_wrong(s, "output.probes",
+                                      "the point [%g, %g, %g] m is outside "
+                                      "the box",
+                                      x[0], x[1], x[2]);
     }
     return 0;
 }
