@@ -574,17 +574,13 @@ static Suite *suite(void)
     suite_add_tcase(s, t);
     tcase_set_timeout(t, 60.0);
     tcase_add_loop_test(
-<<<<<<< HEAD
-        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0, 120);
+        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0, 240);
     tcase_add_loop_test(t,
                         xs11_3_18_total_momentum_is_constant_for_every_method,
                         FIRST, METHODS);
     tcase_add_test(t,
                    the_void_rate_form_averages_the_solids_velocity_on_demand);
     tcase_add_test(t, looking_at_the_solids_velocity_leaves_the_run_as_it_is);
-=======
-        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0, 240);
->>>>>>> main
     tcase_add_test(t, without_the_debt_algorithm_3_1_loses_momentum);
     tcase_add_test(
         t, xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);

@@ -64,7 +64,7 @@ static void follow_grains(struct bandwidth *w)
 }
 
 /* What a cell of the width of link f adds to the variance of a Gaussian of
- * bandwidth b(x), b(x)^2 = D b^2, is taken off [SX15 2.2.3]. */
+ * bandwidth b(x), b(x)^2 = D b^2, is taken off [SX15 section 2.2.3]. */
 static double less_the_cell(const struct bandwidth *w, int f, double D)
 {
     const double *const d = &w->h->mesh->d[3 * f];

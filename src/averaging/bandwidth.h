@@ -11,7 +11,7 @@
  *            two centres at a face: what has gone to the host and is shown as
  *            even in it is smeared over a cell already, which counts dx^2 / 6
  *            of variance beside the b^2 / 2 of the Gaussian. Where cells are
- *            larger than 1.7 b it leaves the pcm field [SX15 2.2.3]
+ *            larger than 1.7 b it leaves the pcm field [SX15 section 2.2.3]
  *   grains   b(x) = b d(x) / d_mean, with the mean diameters by volume of the
  *            cell and of all; d_mean where a cell has no particles [SX15
  * section 4.1]
