@@ -27,8 +27,9 @@ struct scene {
     double rho, mu, dt;
     double rho_s, d;
     int n, dem_steps;
-    double size; /* [m] of the cube */
-    int cells;   /* a side */
+    double size;  /* [m] of the cube */
+    int cells;    /* a side */
+    double width; /* [-] bandwidth in cells */
     double gravity[3];
 };
 
@@ -47,7 +48,8 @@ static const struct scene air = {.averaging = "diffusion",
                                  .n = 400,
                                  .dem_steps = 10,
                                  .size = 0.012,
-                                 .cells = 6};
+                                 .cells = 6,
+                                 .width = 2.0};
 
 static inline void add_effect(struct simulation *sim, const struct effect *e,
                               const double *numbers)
@@ -101,7 +103,8 @@ static inline void create_fluid(struct simulation *sim, const struct scene *s)
 static inline void create_coupling(struct simulation *sim,
                                    const struct scene *s)
 {
-    const struct averaging_options ao = {.bandwidth = 2.0 * s->size / s->cells,
+    const struct averaging_options ao = {.bandwidth =
+                                             s->width * s->size / s->cells,
                                          .scheme = s->scheme,
                                          .steps = 3,
                                          .tolerance = 1e-13,
