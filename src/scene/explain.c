@@ -23,15 +23,15 @@ static const struct part parts[] = {
     {"fluid", "pressure that meets continuity (PISO)", "XS11 2.7",
      "pressure_correct"},
     {"particles", "motion of each particle", "LS 4.1-4.3", "dem_run"},
-    {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
-     "materials_pair"},
-    {rolling, "rolling friction", "Ai11", "sweep_roll"},
     {"averaging", "solids fraction and velocity of the cells", "SX15 4-9",
      "transfer_average"},
     {"exchange", "drag on each particle", "XS11 2.6, 2.10",
      "transfer_apply_drag"},
     {"exchange", "sub-steps and the mean velocity over them", "XS11 3.18-3.20",
      "move_with_drag"},
+    {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
+     "materials_pair"},
+    {rolling, "rolling friction", "Ai11", "sweep_roll"},
     {NULL, NULL, NULL, NULL}};
 
 static int is_named(const struct settings *s, const struct part *p)
