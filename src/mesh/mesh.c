@@ -20,6 +20,7 @@ void mesh_free(struct mesh *m)
     free(m->patches);
     free(m->cell_start);
     free(m->cell_face);
+    free(m->out);
     for (int k = 0; k < 3; k++)
         free(m->box.edge[k]);
     free(m);
@@ -93,9 +94,8 @@ double mesh_openness(const struct mesh *m)
         double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const double *const S = &m->S[3 * m->cell_face[a]];
-            const double out = m->owner[m->cell_face[a]] == c ? 1.0 : -1.0;
             for (int k = 0; k < 3; k++)
-                sum[k] += out * S[k];
+                sum[k] += m->out[a] * S[k];
             surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
         }
         const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);

@@ -42,6 +42,7 @@ struct mesh {
     struct patch *patches;
     int *cell_start; /* [-] n_cells + 1; faces of cell c are */
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
+    double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
     struct box box;
     int oblique; /* 1: some link is not normal to its face */
 };
