@@ -82,9 +82,8 @@ void fluid_momentum(const struct fluid *fl, double momentum[3])
     momentum[0] = momentum[1] = momentum[2] = 0.0;
     for (int c = 0; c < fl->mesh->n_cells; c++)
         for (int k = 0; k < 3; k++)
-            momentum[k] +=
-                o->rho * eps[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
-                dt * fl->piso->owed[3 * c + k];
+            momentum[k] += o->rho * eps[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
+                           dt * fl->piso->owed[3 * c + k];
     for (int k = 0; k < 3; k++)
         momentum[k] += fl->ahead[k];
 }

@@ -223,8 +223,12 @@ struct solve_report momentum_predict(struct fluid *fl)
 
     STRIPS_RUN(fl->mesh->n_cells, 12, known_rows, fl, ps->b, ps->rhs);
     if (ps->oblique_slip) add_slip_rest(fl, ps->rhs);
-    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u,
-                          fl->options.tolerance, 1e-300, 200, ps->bicgstab);
+    const double tolerance = fl->options.predictor > 0.0
+                                 ? fl->options.predictor
+                                 : fl->options.tolerance;
+
+    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u, tolerance,
+                          1e-300, 200, ps->bicgstab);
 }
 
 /* H = b - slip u - H, where H has sum a_N u_N. */

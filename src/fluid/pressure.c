@@ -276,9 +276,11 @@ struct solve_report pressure_correct(struct fluid *fl)
     if (ps->storage_older != NULL) add_older_fluxes(fl);
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     const double scale = pressure_rhs(fl);
+    const int last = fl->report.correctors >= fl->options.correctors - 1;
     const struct solve_report report =
-        cg_solve(ps->pressure, ps->mg, ps->divergence, fl->p, 0.0,
-                 fl->options.tolerance * scale, 500, ps->cg);
+        cg_reduce(ps->pressure, ps->mg, ps->divergence, fl->p,
+                  last ? 0.0 : fl->options.enough,
+                  fl->options.tolerance * scale, 500, ps->cg);
     add_pressure_fluxes(fl);
     return report;
 }
