@@ -184,6 +184,25 @@ static void add_jumps(int first, int last, struct fluid *fl)
         fl->phi[f] += fl->piso->conductance[f] * jump_pressure(fl, f);
 }
 
+/* The part of grad p . S that an oblique link does not see, from the last
+ * gradient, linear between the cells. */
+static void add_oblique(int first, int last, struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const G = fl->mean_gradient;
+
+    for (int f = first; f < last; f++) {
+        const double *const a = &fl->grad_p[3 * m->owner[f]];
+        const double *const b = &fl->grad_p[3 * m->neighbour[f]];
+        const double w = m->w[f];
+        double rest[3], slope[3];
+        mesh_oblique_part(m, f, rest);
+        for (int k = 0; k < 3; k++)
+            slope[k] = w * a[k] + (1.0 - w) * b[k] - G[k];
+        fl->phi[f] -= fl->piso->m_face[f] * dot3(slope, rest);
+    }
+}
+
 /* phi without the pressure's part. Walls and inlets keep theirs. */
 static void driven_fluxes(struct fluid *fl)
 {
@@ -193,6 +212,7 @@ static void driven_fluxes(struct fluid *fl)
     STRIPS_RUN(m->n_cells, 12, drives, fl);
     STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl);
     if (fl->options.coupled) STRIPS_RUN(m->n_internal, 8, add_jumps, fl);
+    if (m->oblique) STRIPS_RUN(m->n_internal, 16, add_oblique, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
