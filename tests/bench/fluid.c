@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fluid DIMENSIONS CELLS STEPS FIRST [TOLERANCE [KIND]] -- the lid-driven
+/* fluid DIMENSIONS CELLS STEPS FIRST [TOLERANCE [MESH]] -- the lid-driven
  * cavity of OpenFOAM's tutorial, 0.1 m wide, lid 1 m/s, Re = 1000, CELLS a
  * side, step at a Courant number of 0.5: implicit Euler, linear convection, two
  * pressure corrections. Times the steps from FIRST on in three equal parts and
- * prints the median. KIND as in tests/bench/fluid.sh.
+ * prints the median. MESH is a folder with the same in OpenFOAM's format.
  */
 #include <math.h>
 #include <stdio.h>
@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "fluid/fluid.h"
+#include "mesh/poly.h"
 
 /* Processor time of this thread: the machine may have other work. */
 static double now(void)
@@ -57,23 +58,29 @@ int main(int argc, char **argv)
                                   {n, n, dimensions == 3 ? n : 1},
                                   {1.0, 1.0, 1.0},
                                   {0, 0, dimensions == 2}};
-    struct mesh *const m = mesh_create_box(&spec);
+    struct mesh *const m =
+        argc > 6 ? poly_read(argv[6]) : mesh_create_box(&spec);
     struct boundary b[6];
-    for (int i = 0; i < 6; i++)
-        b[i] = (struct boundary){.kind = BOUNDARY_NO_SLIP};
-    b[3].wall[0] = 1.0;
-    const struct fluid_options o = {.rho = 1.0,
-                                    .mu = 1e-4,
-                                    .dt = 0.5 * 0.1 / n,
-                                    .convection =
-                                        convection_scheme_named("linear"),
-                                    .correctors = 2,
-                                    .enough = 0.05, /* icoFoam's, too */
-                                    .predictor = 1e-5,
-                                    .tolerance = argc > 5 ? atof(argv[5])
-                                                 : dimensions == 3 ? 1e-8
-                                                                   : 1e-9,
-                                    .boundaries = b};
+    if (m == NULL) return 2;
+    for (int i = 0; i < m->n_patches; i++) {
+        const char *const name = m->patches[i].name;
+        const int lid = strcmp(name, "lid") == 0 || strcmp(name, "top") == 0;
+        const int free = strcmp(name, "ends") == 0 && dimensions == 2;
+        b[i] = (struct boundary){
+            .kind = free ? BOUNDARY_SLIP : BOUNDARY_NO_SLIP, .wall = {lid}};
+    }
+    const struct fluid_options o = {
+        .rho = 1.0,
+        .mu = 1e-4,
+        .dt = 0.5 * 0.1 / n,
+        .convection = convection_scheme_named("linear"),
+        .correctors = 2,
+        .enough = 0.05, /* icoFoam's, too */
+        .predictor = 1e-5,
+        .tolerance = argc > 5 && argv[5][0] != '-' ? atof(argv[5])
+                     : dimensions == 3             ? 1e-8
+                                                   : 1e-9,
+        .boundaries = b};
     struct fluid *const fl = fluid_create(m, &o);
     double seconds[3], iterations = 0.0, momentum = 0.0, error = 0.0;
 

@@ -2,7 +2,8 @@
 # Our fluid beside OpenFOAM's icoFoam, where that is installed (Debian package
 # openfoam; nothing is installed here): the lid-driven cavity at Re 1000 on 128 x
 # 128 cells and the cubic one on 64^3, the same step, schemes and two pressure
-# corrections a step, in turn, and the median of the ratios of each turn.
+# corrections a step, in turn, and the median of the ratios of each turn; and ours
+# on the same mesh read from OpenFOAM's files, as if it were not a box.
 #
 #   sh tests/bench/fluid.sh build/tests/bench [ROUNDS]      (make bench)
 #
@@ -112,7 +113,7 @@ icofoam() {
 }
 
 ours() {
-    "$fluid" "$dimensions" "$cells" "$steps" "$first" ${kind:-} | sed \
+    "$fluid" "$dimensions" "$cells" "$steps" "$first" "$@" | sed \
         's/.*continuity=\([^ ]*\).*cell_steps_per_second=\(.*\)/\2 \1/'
 }
 
@@ -130,8 +131,11 @@ for scene in cavity-128 box-64; do
     round=0
     while [ $round -lt "$rounds" ]; do
         round=$((round + 1))
-        kind= && echo "$scene winnow $(ours)" >>"$out/rates.txt"
-        [ $there = 0 ] || echo "$scene icoFoam $(icofoam)" >>"$out/rates.txt"
+        echo "$scene winnow $(ours)" >>"$out/rates.txt"
+        [ $there = 0 ] && continue
+        echo "$scene icoFoam $(icofoam)" >>"$out/rates.txt"
+        echo "$scene polyMesh $(ours - "$out/$scene/constant/polyMesh")" \
+            >>"$out/rates.txt"
     done
 done
 awk '
@@ -144,15 +148,18 @@ awk '
     }
     { key = $1 " " $2; n[key]++; rate[key, n[key]] = $3; left[key] = $4; seen[$1] = 1 }
     END {
-        printf "%-12s %14s %14s %8s %12s %12s\n", "fluid", "winnow [/s]",
-               "icoFoam [/s]", "ratio", "left, ours", "theirs"
+        printf "%-12s %12s %12s %7s %12s %7s %11s %11s\n", "fluid",
+               "winnow [/s]", "icoFoam", "ratio", "on polyMesh", "ratio",
+               "left, ours", "theirs"
         for (s in seen) {
-            w = s " winnow"; f = s " icoFoam"
+            w = s " winnow"; f = s " icoFoam"; g = s " polyMesh"
             for (i = 1; i <= n[w]; i++) {
-                a[i] = rate[w, i]; b[i] = rate[f, i]
+                a[i] = rate[w, i]; b[i] = rate[f, i]; p[i] = rate[g, i]
                 r[i] = b[i] > 0 ? a[i] / b[i] : 0
+                q[i] = b[i] > 0 ? p[i] / b[i] : 0
             }
-            printf "%-12s %14.4g %14.4g %8.2f %12s %12s\n", s, median(a, n[w]),
-                   median(b, n[w]), median(r, n[w]), left[w], left[f]
+            printf "%-12s %12.4g %12.4g %7.2f %12.4g %7.2f %11s %11s\n", s,
+                   median(a, n[w]), median(b, n[w]), median(r, n[w]),
+                   median(p, n[w]), median(q, n[w]), left[w], left[f]
         }
     }' "$out/rates.txt"
