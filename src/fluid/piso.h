@@ -33,7 +33,7 @@ struct piso {
     double *mobility;     /* [m^3 s/kg] m_P = eps gamma V / a_P */
     double *drive;        /* [Pa/m] H / (gamma V), 3 a cell */
     struct csr *pressure; /* [m^3/(Pa s)] */
-    double *per_flux;     /* [kg/(m^5 s)] storage per superficial flux */
+    double *per_flux;     /* [kg/(m^3 s)] storage per superficial flux */
     double *SS, *Sd;      /* [m^2], [m^3] S.S and S.d of the faces */
     double *link;         /* [m] S.S / S.d: area over length of the link */
     double *m_face;       /* [m^3 s/kg] mobility of a face */
