@@ -7,12 +7,15 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/simulation.h"
+#include "exchange/transfer.h"
 
 double time_average_weight(double dt, double b_t)
 {
     return 1.0 / (1.0 + dt / b_t);
 }
 
+/* An implicit step [SX15 13] of the mean in which a value of age t weighs
+ * exp(-t / b_t) / b_t [SX15 11]. */
 void time_average_update(double alpha, int n, const double *now, double *mean)
 {
     for (int i = 0; i < n; i++)
@@ -47,6 +50,7 @@ static void time_average_after_step(void *memory, struct simulation *sim)
     const int n = sim->mesh->n_cells;
     const double alpha = sim->steps == 1 ? 0.0 : self->alpha;
 
+    transfer_solids_velocity(sim);
     time_average_update(alpha, n, fl->eps, self->eps);
     time_average_update(alpha, 3 * n, fl->eps_us, self->eps_us);
 }
