@@ -32,6 +32,8 @@ for page in $pages; do
 done >"$anchors"
 
 render() { # page, page before, page after
+    [ ! -f "$out/$(name "$1").html" ] ||
+        { echo "book: $1: a page of this name is there already" >&2; exit 1; }
     case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
     # What cannot be woven, weave.sh has said.
     awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
@@ -46,6 +48,13 @@ render() { # page, page before, page after
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
 }
+
+for page in $pages; do
+    case $(name "$page") in [0-9]*)
+        grep -q "^| $(name "$page") |" chapters/README.md ||
+            { echo "book: $page: no row in chapters/README.md" >&2; exit 1; } ;;
+    esac
+done
 
 # The contents: each chapter that is there, with its question from README.md.
 contents() {
