@@ -93,6 +93,8 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->count);
+    if (o->n_driven > 0)
+        dem->neighbours->drive = driven_create(o->driven, o->n_driven);
     dem->neighbours->bodies->n_materials = n;
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
@@ -197,15 +199,31 @@ void dem_change_material(struct dem *dem, const struct material *m)
 
 /* The functions down to move() are called by every thread of the team. */
 
-/* The surfaces where they are after k steps of this run. */
+/* The time after k steps of this run, as walls and driven particles know it. */
+static double time_after(const struct dem *dem, int k)
+{
+    return (double)(dem->tick + (dem->ticking ? k : 0)) * dem->options.step;
+}
+
+/* The surfaces where they are after k steps. */
 static void move_surfaces(const struct dem *dem, int k)
 {
     const struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
-    const double t = (double)(dem->tick + (dem->ticking ? k : 0));
 
     for (int s = mine.first; s < mine.last; s++)
-        surfaces_move(nb->surfaces, s, t * dem->options.step);
+        surfaces_move(nb->surfaces, s, time_after(dem, k));
+}
+
+/* The driven particles, ready for a drift of dt from there. */
+static void steer(const struct dem *dem, int k, double dt)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last && dem->ticking; s++)
+        driven_steer(nb->drive, nb->bodies, nb->ps, nb->strips[s].begin,
+                     nb->strips[s].end, time_after(dem, k), dt);
 }
 
 static void advance(const struct dem *dem, double kick, double drift)
@@ -256,8 +274,12 @@ static void finish(struct dem *dem)
     const struct neighbours_share mine = neighbours_share(nb);
 
     neighbours_look(nb);
-    for (int s = mine.first; s < mine.last; s++)
-        strip_measure(&nb->strips[s], nb->bodies);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        if (nb->drive != NULL)
+            driven_release(nb->drive, nb->bodies, nb->ps, own->begin, own->end);
+        strip_measure(own, nb->bodies);
+    }
 }
 
 /* The first drift follows half a kick, each later one a whole kick, and the
@@ -271,7 +293,9 @@ static void move(struct dem *dem, int steps)
     int k = 0;
 
     if (nb->surfaces != NULL) move_surfaces(dem, 0);
+    if (nb->drive != NULL) steer(dem, 0, 0.0);
     if (nb->stale && start(dem, &margin) != 0) return;
+    if (nb->drive != NULL) steer(dem, 0, dt);
     if (steps > 0) advance(dem, 0.5 * dt, dt);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
@@ -286,6 +310,7 @@ static void move(struct dem *dem, int steps)
         }
         if (margin < 0.0) break;
         forces(dem, dt);
+        if (nb->drive != NULL) steer(dem, k + 1, last ? 0.0 : dt);
         advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
     }
     finish(dem);

@@ -14,6 +14,7 @@
 #ifndef DEM_H
 #define DEM_H
 
+#include "particles/driven.h"
 #include "particles/materials.h"
 #include "particles/particles.h"
 #include "particles/surface.h"
@@ -30,6 +31,9 @@ struct dem_options {
                         least 2 (d + skin) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
+    const struct driven
+        *driven; /* particles that move as prescribed; borrowed */
+    int n_driven;
 };
 
 struct dem_report {
@@ -62,8 +66,8 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
-/* Starts the clock of the surfaces at this number of steps; before that they
- * rest where they are at time 0. */
+/* Starts the clock of all that moves as prescribed at this number of steps;
+ * before that they rest where they are at time 0. */
 void dem_clock(struct dem *dem, long steps);
 
 /* What the particles did to surface k since the run began (steps of which no
