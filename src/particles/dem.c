@@ -43,10 +43,20 @@ static double skin_of(const struct dem_options *o, const struct particles *ps)
     return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
 }
 
+/* How far anything acts beyond touching. */
+static double range_of(const struct dem_options *o)
+{
+    double range = 0.0;
+
+    for (int k = 0; k < o->n_attractions; k++)
+        range = fmax(range, o->attractions[k].range);
+    return range;
+}
+
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const double skin = skin_of(o, ps);
+    const double skin = skin_of(o, ps) + range_of(o);
     double widest = 0.0;
 
     for (int i = 0; i < ps->n; i++)
@@ -96,6 +106,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     if (o->n_driven > 0)
         dem->neighbours->drive = driven_create(o->driven, o->n_driven);
     dem->neighbours->bodies->n_materials = n;
+    dem->neighbours->range = range_of(o);
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
     if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);
@@ -246,12 +257,16 @@ static void forces(const struct dem *dem, double dt)
 {
     const struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
+    const struct attraction *const attractions = dem->options.attractions;
 
     for (int s = mine.first; s < mine.last; s++) {
         dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
         if (nb->surfaces != NULL)
             surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
                           dem->sweep, dem->constants, dt);
+        for (int k = 0; k < dem->options.n_attractions; k++)
+            attractions[k].law->sweep(&nb->strips[s], nb->bodies,
+                                      &attractions[k]);
     }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
