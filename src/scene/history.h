@@ -16,7 +16,13 @@ struct history_column {
     int needs; /* HISTORY_... */
 };
 
-enum { HISTORY_FLUID = 1, HISTORY_PARTICLES = 2, HISTORY_COUPLING = 4 };
+enum {
+    HISTORY_FLUID = 1,
+    HISTORY_PARTICLES = 2,
+    HISTORY_COUPLING = 4,
+    HISTORY_DRIVEN = 8, /* a flow driven through periodic ends */
+    HISTORY_PARTS = 16  /* a step of the fluid that may be divided */
+};
 
 /* All columns, ended by one without a name. */
 extern const struct history_column history_columns[];
