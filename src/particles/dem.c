@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "particles/neighbours.h"
+#include "particles/prescribed.h"
 #include "particles/response.h"
 #include "particles/surface_springs.h"
 
@@ -216,25 +217,9 @@ static double time_after(const struct dem *dem, int k)
     return (double)(dem->tick + (dem->ticking ? k : 0)) * dem->options.step;
 }
 
-/* The surfaces where they are after k steps. */
-static void move_surfaces(const struct dem *dem, int k)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-
-    for (int s = mine.first; s < mine.last; s++)
-        surfaces_move(nb->surfaces, s, time_after(dem, k));
-}
-
-/* The driven particles, ready for a drift of dt from there. */
 static void steer(const struct dem *dem, int k, double dt)
 {
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-
-    for (int s = mine.first; s < mine.last && dem->ticking; s++)
-        driven_steer(nb->drive, nb->bodies, nb->ps, nb->strips[s].begin,
-                     nb->strips[s].end, time_after(dem, k), dt);
+    if (dem->ticking) prescribed_steer(dem->neighbours, time_after(dem, k), dt);
 }
 
 static void advance(const struct dem *dem, double kick, double drift)
@@ -307,15 +292,15 @@ static void move(struct dem *dem, int steps)
     double margin = nb->margin, spent = nb->spent;
     int k = 0;
 
-    if (nb->surfaces != NULL) move_surfaces(dem, 0);
-    if (nb->drive != NULL) steer(dem, 0, 0.0);
+    prescribed_move(nb, time_after(dem, 0));
+    steer(dem, 0, 0.0);
     if (nb->stale && start(dem, &margin) != 0) return;
-    if (nb->drive != NULL) steer(dem, 0, dt);
+    steer(dem, 0, dt);
     if (steps > 0) advance(dem, 0.5 * dt, dt);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
         neighbours_meet(nb);
-        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
+        prescribed_move(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         spent += closer;
         if (spent > margin) {
@@ -325,7 +310,7 @@ static void move(struct dem *dem, int steps)
         }
         if (margin < 0.0) break;
         forces(dem, dt);
-        if (nb->drive != NULL) steer(dem, k + 1, last ? 0.0 : dt);
+        steer(dem, k + 1, last ? 0.0 : dt);
         advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
     }
     finish(dem);
