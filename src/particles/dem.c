@@ -12,6 +12,7 @@
 #include "particles/prescribed.h"
 #include "particles/response.h"
 #include "particles/surface_springs.h"
+#include "particles/surface_start.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -93,6 +94,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     for (int s = 0; s < o->n_surfaces; s++)
         if (surface_wrong(&o->surfaces[s])) return NULL;
     if (options_wrong(o, ps)) return NULL;
+    if (surface_start_wrong(ps, o->surfaces, o->n_surfaces)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
     dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);

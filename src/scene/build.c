@@ -12,6 +12,7 @@
 #include "exchange/coupling.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_surfaces.h"
 #include "scene/scene.h"
 
 struct mesh *build_mesh(const struct settings *s)
@@ -158,6 +159,8 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    case_surfaces_free(sim->surfaces, sim->n_surfaces);
+    free(sim->driven);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

@@ -10,6 +10,7 @@
 #include "scene/build_particles.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
+#include "scene/case_surfaces.h"
 
 #include <math.h>
 #include <omp.h>
@@ -239,12 +240,28 @@ static void print_cost(const struct settings *s, const struct scales *k)
          "about, after settling, on all cores of this machine");
 }
 
+/* In a step a wall should move a small part of a particle, as particles do. */
+static void print_walls(const struct wall_scales *w, const struct scales *k)
+{
+    puts("Walls besides the box");
+    line("surfaces", w->surfaces, "-", "");
+    line("triangles", w->triangles, "-", "");
+    line("highest speed", w->speed, "m/s", "of any point of them in the box");
+    if (k->particles > 0 && w->speed > 0.0)
+        line("way of it in a particle step / d", w->speed * k->dem_dt / k->d,
+             "-", "of the smallest particle");
+}
+
 int check_case(const struct settings *s)
 {
     const struct scales k = scales_of(s);
+    struct wall_scales walls;
+
+    if (case_surfaces_measure(s, &walls) != 0) return 2;
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
     print_resolution(&k);
+    if (walls.surfaces > 0) print_walls(&walls, &k);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);

@@ -7,6 +7,7 @@
 #include "averaging/averaging.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
+#include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
@@ -236,6 +237,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_surfaces_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",
