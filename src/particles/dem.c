@@ -8,11 +8,9 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "particles/neighbours.h"
 #include "particles/prescribed.h"
-#include "particles/response.h"
+#include "particles/stride.h"
 #include "particles/surface_springs.h"
-#include "particles/surface_start.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -94,7 +92,6 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     for (int s = 0; s < o->n_surfaces; s++)
         if (surface_wrong(&o->surfaces[s])) return NULL;
     if (options_wrong(o, ps)) return NULL;
-    if (surface_start_wrong(ps, o->surfaces, o->n_surfaces)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
     dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
@@ -219,54 +216,29 @@ static double time_after(const struct dem *dem, int k)
     return (double)(dem->tick + (dem->ticking ? k : 0)) * dem->options.step;
 }
 
-static void steer(const struct dem *dem, int k, double dt)
+static struct stride stride(const struct dem *dem, double dt, double kick,
+                            double drift)
 {
-    if (dem->ticking) prescribed_steer(dem->neighbours, time_after(dem, k), dt);
+    return (struct stride){.sweep = dem->sweep,
+                           .constants = dem->constants,
+                           .attractions = dem->options.attractions,
+                           .n_attractions = dem->options.n_attractions,
+                           .driven = dem->ticking,
+                           .t = time_after(dem, 0),
+                           .dt = dt,
+                           .kick = kick,
+                           .drift = drift};
 }
 
-static void advance(const struct dem *dem, double kick, double drift)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-
-    for (int s = mine.first; s < mine.last; s++) {
-        struct strip *const own = &nb->strips[s];
-        if (nb->bodies->response == NULL)
-            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
-                           drift, own->fastest);
-        else
-            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
-                             drift, own->fastest);
-    }
-}
-
-static void forces(const struct dem *dem, double dt)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-    const struct attraction *const attractions = dem->options.attractions;
-
-    for (int s = mine.first; s < mine.last; s++) {
-        dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
-        if (nb->surfaces != NULL)
-            surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
-                          dem->sweep, dem->constants, dt);
-        for (int k = 0; k < dem->options.n_attractions; k++)
-            attractions[k].law->sweep(&nb->strips[s], nb->bodies,
-                                      &attractions[k]);
-    }
-    neighbours_meet(nb);
-    for (int s = mine.first; s < mine.last; s++)
-        strip_fold(nb->strips, nb->count, s, nb->bodies->n);
-}
-
-/* Lists and forces for particles that were changed from outside; no time
+/* Lists and loads for particles that were changed from outside; no time
  * passes. */
 static int start(struct dem *dem, double *margin)
 {
+    const struct stride still = stride(dem, 0.0, 0.0, 0.0);
+
     *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
     if (*margin < 0.0) return 1;
-    forces(dem, 0.0);
+    stride_take(dem->neighbours, &still);
     return 0;
 }
 
@@ -291,16 +263,17 @@ static void move(struct dem *dem, int steps)
 {
     struct neighbours *const nb = dem->neighbours;
     const double dt = dem->options.step;
+    const struct stride first = stride(dem, 0.0, 0.5 * dt, dt);
+    const struct stride whole = stride(dem, dt, dt, dt);
+    const struct stride last = stride(dem, dt, 0.5 * dt, 0.0);
     double margin = nb->margin, spent = nb->spent;
     int k = 0;
 
     prescribed_move(nb, time_after(dem, 0));
-    steer(dem, 0, 0.0);
+    if (dem->ticking) prescribed_steer(nb, time_after(dem, 0), 0.0);
     if (nb->stale && start(dem, &margin) != 0) return;
-    steer(dem, 0, dt);
-    if (steps > 0) advance(dem, 0.5 * dt, dt);
+    if (steps > 0) stride_move(nb, &first);
     for (; k < steps; k++) {
-        const int last = k + 1 == steps;
         neighbours_meet(nb);
         prescribed_move(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
@@ -311,9 +284,9 @@ static void move(struct dem *dem, int steps)
             spent = 0.0;
         }
         if (margin < 0.0) break;
-        forces(dem, dt);
-        steer(dem, k + 1, last ? 0.0 : dt);
-        advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
+        struct stride now = k + 1 < steps ? whole : last;
+        now.t = time_after(dem, k + 1);
+        stride_take(nb, &now);
     }
     finish(dem);
     neighbours_meet(nb);

@@ -203,7 +203,10 @@ void surface_contacts_push(struct surface_contacts *c,
     two.place = c->place;
     two.motion = c->motion;
     two.material = c->material;
-    if (n > 0) sweep(&c->pairs, &two, k, dt);
+    if (n > 0) {
+        memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
+        sweep(&c->pairs, &two, k, dt, 0, n);
+    }
     for (int q = 0; q < n; q++) {
         settle(c, q, s, c->pose, dt);
         leave_footprint(c, q);
