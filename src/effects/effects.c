@@ -4,7 +4,8 @@
 #include <string.h>
 
 const struct effect *const effects_all[] = {
-    &gravity_effect, &pressure_gradient_effect, &time_average_effect, NULL};
+    &gravity_effect, &pressure_gradient_effect, &time_average_effect,
+    &energy_budget_effect, NULL};
 
 const struct effect *effects_named(const char *name)
 {

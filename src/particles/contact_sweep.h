@@ -13,6 +13,7 @@
 
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
+#include "particles/sweep_energy.h"
 #include "particles/sweep_rolling.h"
 
 #define SWEEP_INLINE static inline __attribute__((always_inline, unused))
@@ -172,6 +173,7 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
 
     memset(c.deepest, 0, sizeof c.deepest);
     memset(s->load, 0, (size_t)s->window * sizeof *s->load);
+    if (loop & CONTACT_BUDGET) sweep_open_budget(&s->energy);
     for (int first = 0; first < n; first += SWEEP_LANES) {
         const int left = n - first;
         const int count = left < SWEEP_LANES ? left : SWEEP_LANES;
@@ -185,12 +187,16 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         if (many) sweep_kinds(&c, s, b, first, count);
         sweep_law(&c, k, respond, many);
         sweep_springs(&c, xi_x, xi_y, xi_z, dt);
+        if (loop & CONTACT_BUDGET)
+            sweep_budget(&s->energy, &c, (const double *[3]){xi_x, xi_y, xi_z},
+                         k, dt);
         (many ? sweep_loads_many : sweep_loads)(&c, xi_x, xi_y, xi_z, k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
         if (loop & CONTACT_ROLLING)
-            sweep_rolling(&c, s, b, k, first, count, dt);
+            sweep_rolling(&c, s, b, k, first, count, dt, loop & CONTACT_BUDGET);
     }
+    if (loop & CONTACT_BUDGET) sweep_close_budget(&s->energy, dt);
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }
@@ -208,10 +214,15 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
     SWEEP_LOOP(2, respond)                                                     \
     SWEEP_LOOP(3, respond)                                                     \
     SWEEP_LOOP(6, respond)                                                     \
-    SWEEP_LOOP(7, respond)
+    SWEEP_LOOP(7, respond)                                                     \
+    SWEEP_LOOP(10, respond)                                                    \
+    SWEEP_LOOP(11, respond)                                                    \
+    SWEEP_LOOP(14, respond)                                                    \
+    SWEEP_LOOP(15, respond)
 #define SWEEP_LOOPS_TABLE                                                      \
     {                                                                          \
-        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7       \
+        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7,      \
+            NULL, NULL, sweep_10, sweep_11, NULL, NULL, sweep_14, sweep_15     \
     }
 
 #endif

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "particles/energy.h"
 #include "particles/neighbours.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
@@ -19,9 +20,10 @@ struct dem {
     struct contact_constants *constants; /* of each pair of materials */
     contact_sweep *sweep;
     struct neighbours *neighbours;
-    double least_margin; /* [m] */
-    long done;           /* [-] steps of the run at hand */
-    double overlap;      /* [-] largest of the last run */
+    double least_margin;   /* [m] */
+    long done;             /* [-] steps of the run at hand */
+    double overlap;        /* [-] largest of the last run */
+    struct energy *energy; /* NULL: no budget is kept */
 };
 
 static double mean_diameter(const struct particles *ps)
@@ -93,7 +95,22 @@ void dem_free(struct dem *dem)
     if (dem == NULL) return;
     neighbours_free(dem->neighbours);
     free(dem->constants);
+    free(dem->energy);
     free(dem);
+}
+
+void dem_keep_energy(struct dem *dem)
+{
+    const int loop = loop_of(&dem->options) | CONTACT_MANY | CONTACT_BUDGET;
+
+    dem->sweep = dem->options.law->sweep[loop];
+    if (dem->energy == NULL) dem->energy = alloc_zeroed(1, sizeof *dem->energy);
+    dem->neighbours->stale = 1; /* what the contacts store is to be seen */
+}
+
+const struct energy *dem_energy(const struct dem *dem)
+{
+    return dem->energy;
 }
 
 void dem_changed(struct dem *dem)
@@ -167,6 +184,7 @@ static void advance(const struct dem *dem, double kick, double drift)
         struct strip *const own = &nb->strips[s];
         bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
                        own->fastest);
+        if (dem->energy != NULL) strip_work(own, nb->bodies, drift);
     }
 }
 
@@ -192,14 +210,29 @@ static int start(struct dem *dem, double *margin)
     return 0;
 }
 
-static void finish(struct dem *dem)
+static void measure(struct dem *dem)
 {
     struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
 
-    neighbours_look(nb);
     for (int s = mine.first; s < mine.last; s++)
         strip_measure(&nb->strips[s], nb->bodies);
+}
+
+/* The energy of now, and what has come since the last run. */
+static void open_budget(struct dem *dem)
+{
+    struct energy *const e = dem->energy;
+
+    measure(dem);
+    neighbours_meet(dem->neighbours);
+    if (omp_get_thread_num() == 0) {
+        const struct energy before = *e;
+        *e = energy_collect(dem->neighbours, dem->options.law->stored);
+        e->brought = before.brought;
+        e->brought += energy_residual(e) - energy_residual(&before);
+    }
+    neighbours_meet(dem->neighbours);
 }
 
 /* The first drift follows half a kick, each later one a whole kick, and the
@@ -213,6 +246,7 @@ static void move(struct dem *dem, int steps)
     int k = 0;
 
     if (nb->stale && start(dem, &margin) != 0) return;
+    if (dem->energy != NULL) open_budget(dem);
     if (steps > 0) advance(dem, 0.5 * dt, dt);
     for (; k < steps; k++) {
         const int last = k + 1 == steps;
@@ -228,7 +262,8 @@ static void move(struct dem *dem, int steps)
         forces(dem, dt);
         advance(dem, last ? 0.5 * dt : dt, last ? 0.0 : dt);
     }
-    finish(dem);
+    neighbours_look(nb);
+    measure(dem);
     neighbours_meet(nb);
     if (omp_get_thread_num() == 0) {
         nb->margin = margin;
@@ -251,6 +286,14 @@ static void report_lost(const struct neighbours *nb, struct dem_report *r)
     }
 }
 
+static void close_budget(struct dem *dem)
+{
+    const double brought = dem->energy->brought;
+
+    *dem->energy = energy_collect(dem->neighbours, dem->options.law->stored);
+    dem->energy->brought = brought;
+}
+
 static void report(struct dem *dem, long rebuilds, struct dem_report *r)
 {
     const struct neighbours *const nb = dem->neighbours;
@@ -264,6 +307,7 @@ static void report(struct dem *dem, long rebuilds, struct dem_report *r)
         r->translation += own->measures.translation;
         r->rotation += own->measures.rotation;
     }
+    if (dem->energy != NULL) close_budget(dem);
     report_lost(nb, r);
     /* who is lost was too deep in something before this run saw it */
     const double now = r->max_overlap;

@@ -14,20 +14,8 @@
 #ifndef DEM_H
 #define DEM_H
 
-#include "particles/materials.h"
+#include "particles/dem_options.h"
 #include "particles/particles.h"
-
-struct dem_options {
-    const struct contact_law *law;
-    struct material material;          /* number 0 */
-    const struct materials *materials; /* with others; NULL: there is no other.
-                                          Borrowed for as long as the dem is */
-    double step;                       /* [s] */
-    double skin;                       /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3];               /* [m] walls of the box */
-    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
-                        least 2 (d + skin) long there */
-};
 
 struct dem_report {
     long steps;         /* [-] of this run, that were done */
@@ -45,6 +33,7 @@ struct dem_report {
 };
 
 struct dem;
+struct energy;
 
 /* ps is borrowed. NULL after a message if the options do not fit. */
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
@@ -53,6 +42,11 @@ void dem_free(struct dem *dem);
 /* Moves the particles by so many steps. Non-zero if one is lost: then the run
  * ended where this was seen. The particles may have changed places. */
 int dem_run(struct dem *dem, int steps, struct dem_report *r);
+
+/* Keeps the budget of energy.h from now on. dem_energy: as the last run left
+ * it; NULL if none is kept. */
+void dem_keep_energy(struct dem *dem);
+const struct energy *dem_energy(const struct dem *dem);
 
 /* To be called when particles were moved or added from outside. Springs stay
  * with their pairs as long as the indices do. */

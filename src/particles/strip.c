@@ -321,3 +321,16 @@ void strip_measure(struct strip *s, const struct bodies *b)
         m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
     }
 }
+
+/* push is a force over the mass; v is what the particles have just moved by, so
+ * that the sum is the force times the way, exactly. */
+void strip_work(struct strip *s, const struct bodies *b, double dt)
+{
+    double power = 0.0;
+
+    for (int i = s->begin; i < s->end; i++) {
+        const double *const v = b->motion[i], *const a = b->push[i];
+        power += (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) / v[7];
+    }
+    s->energy.work += power * dt;
+}

@@ -50,6 +50,21 @@ struct strip_measures {
     double speed2;                /* [m^2/s^2] largest v^2 */
 };
 
+/* The energy budget of a strip (energy.h); zero unless it is asked for. */
+struct strip_energy {
+    /* of the last sweep */
+    double normal;     /* [J] sum of elastic(delta) delta */
+    double tangential; /* [J] sum of (1/2) k_t xi^2 */
+    double found;      /* [J] the same before the step, with the k_t of now */
+    double stored;     /* [J] and as the sweep before left it */
+    /* since the first */
+    double damped_n, damped_t; /* [J] by the dashpots */
+    double slid;               /* [J] by friction where it slides */
+    double released;           /* [J] by tangential springs */
+    double rolled;             /* [J] against rolling friction */
+    double work;               /* [J] of the outside forces */
+};
+
 struct strip {
     int begin, end;    /* its particles */
     int window;        /* its loads reach begin ... begin + window - 1, modulo
@@ -65,6 +80,7 @@ struct strip {
     double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
     struct bodies_survey survey;
     struct strip_measures measures;
+    struct strip_energy energy;
 };
 
 /* How many strips n particles are cut into. */
@@ -98,5 +114,8 @@ void strip_fold(struct strip *strips, int count, int s, int n);
 
 /* Fills in the measures. */
 void strip_measure(struct strip *s, const struct bodies *b);
+
+/* Adds to the energy budget what the outside forces did in a drift of dt. */
+void strip_work(struct strip *s, const struct bodies *b, double dt);
 
 #endif

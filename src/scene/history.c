@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "exchange/coupling.h"
+#include "scene/history_energy.h"
 
 static double now(const struct simulation *sim)
 {
@@ -278,7 +279,12 @@ static double rebuilds(const struct simulation *sim)
     return (double)sim->dem_report.rebuilds;
 }
 
-enum { F = HISTORY_FLUID, P = HISTORY_PARTICLES, C = HISTORY_COUPLING };
+enum {
+    F = HISTORY_FLUID,
+    P = HISTORY_PARTICLES,
+    C = HISTORY_COUPLING,
+    E = HISTORY_BUDGET
+};
 
 const struct history_column history_columns[] = {
     {"time [s]", now, 0},
@@ -289,6 +295,16 @@ const struct history_column history_columns[] = {
     {"kinetic_energy_fluid [J]", fluid_energy, F},
     {"kinetic_energy_particles [J]", particle_energy, P},
     {"rotational_energy_particles [J]", spin_energy, P},
+    {"energy_normal_springs [J]", history_energy_normal, E},
+    {"energy_tangential_springs [J]", history_energy_tangential, E},
+    {"lost_in_normal_dashpots [J]", history_energy_damped_n, E},
+    {"lost_in_tangential_dashpots [J]", history_energy_damped_t, E},
+    {"lost_by_sliding [J]", history_energy_slid, E},
+    {"lost_by_tangential_springs [J]", history_energy_released, E},
+    {"lost_by_rolling [J]", history_energy_rolled, E},
+    {"work_of_outside_forces [J]", history_energy_work, E},
+    {"energy_brought [J]", history_energy_brought, E},
+    {"energy_residual [J]", history_energy_residual, E},
     {"granular_temperature [m2/s2]", granular_temperature, P},
     {"mean_height [m]", mean_height, P},
     {"mean_fall_velocity [m/s]", mean_fall, P},
@@ -321,5 +337,7 @@ int history_applies(const struct history_column *c,
 {
     return (!(c->needs & F) || sim->fluid != NULL) &&
            (!(c->needs & P) || sim->particles != NULL) &&
-           (!(c->needs & C) || sim->coupling != NULL);
+           (!(c->needs & C) || sim->coupling != NULL) &&
+           (!(c->needs & E) ||
+            (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -16,7 +16,12 @@ struct history_column {
     int needs; /* HISTORY_... */
 };
 
-enum { HISTORY_FLUID = 1, HISTORY_PARTICLES = 2, HISTORY_COUPLING = 4 };
+enum {
+    HISTORY_FLUID = 1,
+    HISTORY_PARTICLES = 2,
+    HISTORY_COUPLING = 4,
+    HISTORY_BUDGET = 8 /* of the energy of the particles */
+};
 
 /* All columns, ended by one without a name. */
 extern const struct history_column history_columns[];
