@@ -25,7 +25,8 @@ static struct fluid *create(const struct mesh *m, const char *scheme, double mu)
 
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
-    b[2] = (struct boundary){BOUNDARY_INLET, 0.0, 1, &start, &U};
+    b[2] = (struct boundary){
+        .kind = BOUNDARY_INLET, .n_points = 1, .time = &start, .velocity = &U};
     b[3] = (struct boundary){.kind = BOUNDARY_OUTLET};
     const struct fluid_options o = {.rho = rho,
                                     .mu = mu,

@@ -15,7 +15,7 @@ row() { # cells, method, name for the table, further options
                          value[2] }'
 }
 echo "# cells, method, highest eps_s [-], pressure drop [Pa]"
-for cells in "8, 32, 1" "16, 64, 1"; do
+for cells in "8, 32, 1" "24, 96, 1"; do
     row "$cells" pcm "pcm"
     row "$cells" pcm "pcm capped" -s averaging.cap=0.7
     row "$cells" kernel kernel

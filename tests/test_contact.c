@@ -328,6 +328,93 @@ START_TEST(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb)
 }
 END_TEST
 
+/* A sphere slides along a wall faster than friction can stop it, so in every
+ * step friction takes from its speed. A spring that made room for the dashpot
+ * when the force is capped would be drawn to the other side, and push the
+ * sphere on early in a damped Hertzian impact. */
+START_TEST(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip)
+{
+    const struct contact_law *const law = contact_laws[_i];
+    struct dem_options o = spheres_options(law, 2e-6, 0.1);
+    struct particles *const ps = particles_create(1);
+    struct dem_report r;
+
+    o.material.friction = 0.15;
+    o.material.restitution = 0.5;
+    spheres_add(ps, 0.0, -0.095, 0.0, 0.01);
+    spheres_throw(ps, 0, 3.0, -1.0, 0.0);
+    struct dem *const dem = dem_create(ps, &o);
+    do {
+        const double vx = ps->vx[0];
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        ck_assert_double_le(ps->vx[0], vx);
+    } while (r.contacts > 0);
+    ck_assert_double_lt(ps->vx[0], 3.0 - 0.15 * 1.5);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Slip s and spring hold (1/7) m s^2 + (1/2) k_t xi^2 between them, and
+ * friction can only take from that. A damped impact slides where the normal
+ * force passes 0 near its end. If the cap then set the spring to what bears the
+ * force, with or without the dashpot, the sum would jump up by 0.2 or 0.02. The
+ * depth is 2e-4 R, and so is the error of the lever. */
+START_TEST(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it)
+{
+    const double R = 0.005, v_t = 0.003 * (_i + 1), k = 1e7;
+    struct dem_options o = spheres_options(&contact_linear, 5e-8, 0.1);
+    struct particles *const ps = particles_create(1);
+    struct dem_report r;
+    double least = 1.0;
+
+    o.material.stiffness = k;
+    o.material.tangential = 0.8;
+    o.material.friction = 0.3;
+    o.material.restitution = 0.5;
+    spheres_add(ps, 0.0, -0.1 + R, 0.0, 2.0 * R);
+    spheres_throw(ps, 0, v_t, -0.1, 0.0);
+    struct dem *const dem = dem_create(ps, &o);
+    do {
+        int n;
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        struct dem_spring *const spring = dem_springs(dem, &n);
+        const double s = ps->vx[0] + R * ps->wz[0];
+        const double xi = n > 0 ? spring[0].xi[0] : 0.0;
+        const double held = s * s + 3.5 * 0.8 * k / ps->m[0] * xi * xi;
+        ck_assert_double_le(held / (v_t * v_t), least + 1e-3);
+        least = fmin(least, held / (v_t * v_t));
+        free(spring);
+    } while (r.contacts > 0);
+    ck_assert_double_lt(least, 0.1);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* With k_t = (2/7) k the spring swings with the overlap, and spring and dashpot
+ * of either are alike: friction stays the same share of the normal force, never
+ * slides, and gives back e of the slip. 0.4 % is the step, as in LS 4.4. */
+START_TEST(ls_4_8_a_sticking_contact_returns_e_of_its_slip)
+{
+    const double R = 0.005, e = restitutions[_i];
+    const double m = 2000.0 * 4.0 / 3.0 * M_PI * R * R * R;
+    struct particles *const ps = particles_create(1);
+    struct dem_options o = spheres_options(
+        &contact_linear, 1e-3 * contact_linear_time(1e7, e, m), 0.1);
+
+    o.material.stiffness = 1e7;
+    o.material.friction = 0.3;
+    o.material.restitution = e;
+    spheres_add(ps, 0.0, -0.1 + R, 0.0, 2.0 * R);
+    spheres_throw(ps, 0, 0.05, -0.1, 0.0);
+    spheres_collide(ps, &o);
+    const double slip = ps->vx[0] + R * ps->wz[0];
+    ck_assert_double_eq_tol(-slip / 0.05 / e, 1.0, 4e-3);
+    particles_free(ps);
+}
+END_TEST
+
 /* Glass on steel by hand: E* = 1/(0.96/48e9 + 0.91/208e9), G = E/(2 (1 + nu))
  * = 20e9 and 80e9, G* = 1/(1.8/20e9 + 1.7/80e9). */
 START_TEST(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
@@ -340,6 +427,32 @@ START_TEST(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
     ck_assert_double_eq_tol(contact_hertz_force(3e9, 0.01, 1e-4), 400.0, 1e-9);
     ck_assert_double_eq_tol(contact_hertz_tangential(1e9, 0.01, 1e-4), 8e6,
                             1e-6);
+}
+END_TEST
+
+/* Mindlin: a Hertzian contact is 2 (1 - nu)/(2 - nu) times as stiff to shear as
+ * to further pressure, which is 3 F/(2 delta). Measured: what a small shift
+ * along the wall costs. With what LS prints the ratio would be 2/(1 + nu). */
+START_TEST(ls_4_10_a_contact_resists_shear_as_mindlin_found)
+{
+    const double nu = 0.25 * _i, delta = 1e-4;
+    struct dem_options o = spheres_options(&contact_hertz, 1e-9, 0.1);
+    struct particles *const ps = particles_create(1);
+    struct dem_report r;
+
+    o.material.poisson = nu;
+    o.material.friction = 10.0;
+    spheres_add(ps, 0.0, -0.095 - delta, 0.0, 0.01);
+    spheres_throw(ps, 0, 0.1, 0.0, 0.0);
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+    const double shear = -ps->cfx[0] / ps->x[0];
+    const double pressure = 1.5 * ps->cfy[0] / delta;
+    /* In one step of 1 ns the depth does not change by 1e-8 of itself. */
+    ck_assert_double_eq_tol(shear / pressure, 2.0 * (1.0 - nu) / (2.0 - nu),
+                            1e-7);
+    dem_free(dem);
+    particles_free(ps);
 }
 END_TEST
 
@@ -378,7 +491,15 @@ int main(void)
         2);
     tcase_add_loop_test(
         t, ls_4_8_an_impact_that_slides_throughout_obeys_coulomb, 0, 2);
+    tcase_add_loop_test(
+        t, ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip, 0, 2);
+    tcase_add_loop_test(t, ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it,
+                        0, 4);
+    tcase_add_loop_test(t, ls_4_8_a_sticking_contact_returns_e_of_its_slip, 0,
+                        N_RESTITUTIONS);
     tcase_add_test(t, ls_4_9_effective_moduli_follow_hertz_and_mindlin);
+    tcase_add_loop_test(t, ls_4_10_a_contact_resists_shear_as_mindlin_found, 0,
+                        3);
     tcase_add_test(t, laws_are_found_by_name_and_only_by_theirs);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -15,7 +15,8 @@ static struct fluid *column(struct boundary b[6], enum continuity form)
         {h, N * h, h}, {1, N, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
-    b[2] = (struct boundary){BOUNDARY_INLET, 0.0, 1, &zero, &U};
+    b[2] = (struct boundary){
+        .kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U};
     b[3] = (struct boundary){.kind = BOUNDARY_OUTLET};
     const struct fluid_options o = {.rho = 1.0,
                                     .mu = 1e-5,

@@ -263,6 +263,41 @@ START_TEST(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work)
 }
 END_TEST
 
+/* --- a sphere that sticks and swings ----------------------------------------
+ */
+
+/* Pressed on the floor and held by the spring k_t, the slip s = v + R omega
+ * swings: m dv/dt = F and (2/5) m R^2 domega/dt = R F give (2/7) m s'' = -k_t
+ * s. So v = v0 (1 - (2/7) c) and R omega = -(5/7) v0 c with c = 1 - cos(w t),
+ * w^2 = 7 k_t/(2 m). The lever is short by half the overlap, 1e-5 R. With I =
+ * (2/3) m R^2, a hollow sphere's, half a period later R omega would be off by
+ * 0.23 v0. */
+START_TEST(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass)
+{
+    const double R = 0.005, k = 1e4, v0 = 1e-4;
+    struct particles *const ps = particles_create(1);
+    const double m = 2000.0 * 4.0 / 3.0 * M_PI * R * R * R;
+    const double w = sqrt(3.5 * (2.0 / 7.0) * k / m), steps = 1000;
+    struct dem_options o =
+        spheres_options(&contact_linear, 2.0 * M_PI / w / steps, 0.05);
+    struct dem_report r;
+
+    o.material.friction = 1.0;
+    spheres_add(ps, 0.0, -0.05 + R - 1e-7, 0.0, 2.0 * R);
+    ps->ey[0] = -1e-7 * k; /* in balance */
+    ps->vx[0] = v0;
+    struct dem *const dem = dem_create(ps, &o);
+    for (int n = 1; n <= 16; n++) {
+        ck_assert_int_eq(dem_run(dem, 125, &r), 0);
+        const double c = 1.0 - cos(0.25 * M_PI * n);
+        ck_assert_double_eq_tol(ps->vx[0] / v0, 1.0 - 2.0 / 7.0 * c, 1e-4);
+        ck_assert_double_eq_tol(R * ps->wz[0] / v0, -5.0 / 7.0 * c, 1e-4);
+    }
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* --- energy ------------------------------------------------------------------
  */
 
@@ -333,6 +368,8 @@ int main(void)
     tcase_add_test(t, dem03_squeezed_spheres_come_to_rest_where_forces_balance);
     tcase_add_loop_test(
         t, dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work, 0, 5);
+    tcase_add_test(
+        t, xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass);
     tcase_add_test(
         t, energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts);
     SRunner *const r = srunner_create(s);

@@ -17,7 +17,10 @@ static struct fluid *column(struct boundary b[6], int open, double grading,
     for (int i = 0; i < 6; i++)
         b[i] = (struct boundary){.kind = BOUNDARY_SLIP};
     if (open) {
-        b[2] = (struct boundary){BOUNDARY_INLET, 0.0, 1, &zero, &U};
+        b[2] = (struct boundary){.kind = BOUNDARY_INLET,
+                                 .n_points = 1,
+                                 .time = &zero,
+                                 .velocity = &U};
         b[3] = (struct boundary){.kind = BOUNDARY_OUTLET};
     }
     const struct fluid_options o = {

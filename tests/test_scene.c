@@ -186,6 +186,13 @@ START_TEST(profiles_lie_inside_the_box)
 }
 END_TEST
 
+START_TEST(probes_lie_inside_the_box)
+{
+    refused("output.probes=({field=\"p\"; position=[0.01,0.13,0.0];})",
+            "the point [0.01, 0.13, 0] m is outside the box");
+}
+END_TEST
+
 START_TEST(empty_bed_and_missing_inlet_are_allowed)
 {
     int code;
@@ -300,6 +307,7 @@ int main(void)
     tcase_add_test(t, bed_must_fit_into_the_box);
     tcase_add_test(t, averaging_by_a_width_asks_for_one);
     tcase_add_test(t, profiles_lie_inside_the_box);
+    tcase_add_test(t, probes_lie_inside_the_box);
     tcase_add_test(t, empty_bed_and_missing_inlet_are_allowed);
     tcase_add_test(t, numbers_of_an_effect_come_in_the_order_of_its_keys);
     tcase_add_test(t, models_and_keys_name_the_same);

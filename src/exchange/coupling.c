@@ -30,6 +30,7 @@ struct coupling *coupling_create(struct simulation *sim,
     particles_attach(ps, cp->k, 1);
     particles_attach(ps, cp->u_mean, 3);
     particles_attach(ps, cp->owed, 3);
+    if (options->relaxation == RELAXATION_EXPONENTIAL) particles_hold_back(ps);
     return cp;
 }
 
@@ -114,6 +115,7 @@ static int move_with_drag(struct simulation *sim, double *clock)
         clock_add(&sim->seconds.exchange, clock);
         failed = dem_run(sim->dem, steps, &sim->dem_report);
         clock_add(&sim->seconds.dem, clock);
+        transfer_collect_drag(sim, steps);
     }
     return failed;
 }

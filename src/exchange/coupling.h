@@ -23,9 +23,16 @@
 
 enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
 
+/* The drag on a particle during a sub-step, in which k and u_f stand still.
+ * frozen:       k (u_f - u_p) of the start, to the end [XS11 3.18].
+ * exponential:  k (u_f - u_p) with u_p as it changes, contacts and all
+ *               (response.h): no sub-step is too long. */
+enum relaxation { RELAXATION_FROZEN, RELAXATION_EXPONENTIAL };
+
 struct coupling_options {
     const struct drag_law *law;
     enum treatment treatment;
+    enum relaxation relaxation;
     const struct interpolation *interpolation;
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
                      relaxation time asks for [XS11 section 3.3] */

@@ -196,25 +196,80 @@ void transfer_open_account(struct simulation *sim)
            3 * (size_t)sim->particles->n * sizeof(double));
 }
 
-void transfer_apply_drag(struct simulation *sim, int steps)
+/* Mean drag f and mean velocity v of particle i over its share of the step,
+ * into the sums. */
+static void account(struct simulation *sim, int i, const double f[3],
+                    const double v[3], double share)
 {
-    struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
-    const double share = (double)steps / sim->dem_steps;
     const double time = cp->options.two_way ? share * sim->dt : 0.0;
 
+    for (int a = 0; a < 3; a++) {
+        cp->owed[3 * i + a] += f[a] * time;
+        cp->u_mean[3 * i + a] += v[a] * share;
+    }
+}
+
+/* k (u_f - v): known at once, and constant. */
+static void apply_frozen(struct simulation *sim, int i, double share)
+{
+    struct particles *const ps = sim->particles;
+    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    const double f[3] = {k * (u[0] - v[0]), k * (u[1] - v[1]),
+                         k * (u[2] - v[2])};
+
+    account(sim, i, f, v, share);
+    ps->ex[i] += f[0];
+    ps->ey[i] += f[1];
+    ps->ez[i] += f[2];
+}
+
+/* k u_f is constant; -k v comes as it goes. */
+static void apply_exponential(struct simulation *sim, int i)
+{
+    struct particles *const ps = sim->particles;
+    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+
+    ps->resistance[i] = k;
+    ps->ex[i] += k * u[0];
+    ps->ey[i] += k * u[1];
+    ps->ez[i] += k * u[2];
+    for (int a = 0; a < 3; a++)
+        ps->resisted[3 * i + a] = 0.0;
+}
+
+void transfer_apply_drag(struct simulation *sim, int steps)
+{
+    const int n = sim->particles->n;
+    const int frozen = sim->coupling->options.relaxation == RELAXATION_FROZEN;
+    const double share = (double)steps / sim->dem_steps;
+
+#pragma omp parallel for schedule(static) if (n >= MANY)
+    for (int i = 0; i < n; i++)
+        if (frozen)
+            apply_frozen(sim, i, share);
+        else
+            apply_exponential(sim, i);
+}
+
+/* Mean drag f = k (u - v) over the sub-step, and the v that belongs to it. */
+void transfer_collect_drag(struct simulation *sim, int steps)
+{
+    const struct particles *const ps = sim->particles;
+    const double share = (double)steps / sim->dem_steps, T = share * sim->dt;
+
+    if (sim->coupling->options.relaxation == RELAXATION_FROZEN) return;
 #pragma omp parallel for schedule(static) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
-        const double k = drag_rate(sim, i);
-        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        double f[3];
+        const double k = ps->resistance[i];
+        const double *const u = &sim->coupling->u_f[3 * i];
+        double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]}, f[3];
         for (int a = 0; a < 3; a++) {
-            f[a] = k * (cp->u_f[3 * i + a] - v[a]);
-            cp->owed[3 * i + a] += f[a] * time;
-            cp->u_mean[3 * i + a] += v[a] * share;
+            const double held_back = ps->resisted[3 * i + a] / T;
+            f[a] = k * u[a] + held_back;
+            if (k > 0.0) v[a] = -held_back / k;
         }
-        ps->ex[i] += f[0];
-        ps->ey[i] += f[1];
-        ps->ez[i] += f[2];
+        account(sim, i, f, v, share);
     }
 }

@@ -22,8 +22,10 @@ void transfer_fluid(struct simulation *sim);
 /* Starts the sums over the sub-steps. */
 void transfer_open_account(struct simulation *sim);
 
-/* Adds the drag of now to the outside force of each particle, to act for
- * `steps` particle steps, and its impulse to what is owed [XS11 3.18]. */
+/* Adds the drag of a sub-step to the outside force of each particle, and to
+ * what is owed as far as it is known [XS11 3.18]. The outside force so far is
+ * the held one; `steps` particle steps follow, then transfer_collect_drag. */
 void transfer_apply_drag(struct simulation *sim, int steps);
+void transfer_collect_drag(struct simulation *sim, int steps);
 
 #endif

@@ -21,24 +21,9 @@ static void add(struct sum *s, int k, double impulse)
     s->gross += fabs(impulse);
 }
 
-/* Velocity at boundary face f, as the momentum equation took it. */
-static double face_velocity(const struct fluid *fl, enum boundary_kind kind,
-                            int f, int k)
-{
-    const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f];
-    const double phi = fl->piso->phi_old[f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-
-    if (kind == BOUNDARY_INLET) return phi * S[k] / (fl->eps[m->owner[f]] * SS);
-    if (kind == BOUNDARY_OUTLET && phi >= 0.0)
-        return fl->u[3 * m->owner[f] + k];
-    return 0.0;
-}
-
 /* Force of the wall or the inlet by viscosity on the cell at f [N]. */
 static double viscous_force(const struct fluid *fl, enum boundary_kind kind,
-                            int f, int k)
+                            int f, const double edge[3], int k)
 {
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
@@ -47,9 +32,7 @@ static double viscous_force(const struct fluid *fl, enum boundary_kind kind,
     const double D =
         fl->options.mu * SS / (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
 
-    if (kind == BOUNDARY_OUTLET) return 0.0;
-    if (kind == BOUNDARY_SLIP) return -D * S[k] * S[k] / SS * u[k];
-    return D * (face_velocity(fl, kind, f, k) - u[k]);
+    return kind == BOUNDARY_OUTLET ? 0.0 : D * (edge[k] - u[k]);
 }
 
 static void add_boundaries(const struct fluid *fl, struct sum *s)
@@ -60,13 +43,16 @@ static void add_boundaries(const struct fluid *fl, struct sum *s)
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         const enum boundary_kind kind = fl->options.boundaries[i].kind;
-        for (int f = p->first; f < p->first + p->n; f++)
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double flow = rho * fl->piso->carry[f];
+            double u[3];
+            edge_velocity(fl, &fl->options.boundaries[i], f, u);
             for (int k = 0; k < 3; k++) {
-                const double flow = rho * fl->piso->phi_old[f];
-                add(s, k, -dt * flow * face_velocity(fl, kind, f, k));
-                add(s, k, dt * viscous_force(fl, kind, f, k));
+                add(s, k, -dt * flow * u[k]);
+                add(s, k, dt * viscous_force(fl, kind, f, u, k));
                 add(s, k, -dt * fl->p_face[f] * m->S[3 * f + k]);
             }
+        }
     }
 }
 
@@ -84,6 +70,18 @@ static void add_particles(const struct fluid *fl, struct sum *s)
         }
 }
 
+/* The mean gradient of the pressure, which no face stands for. */
+static void add_mean_gradient(const struct fluid *fl, struct sum *s)
+{
+    for (int k = 0; k < 3; k++) {
+        double V = 0.0;
+        if (fl->mean_gradient[k] == 0.0) continue;
+        for (int c = 0; c < fl->mesh->n_cells; c++)
+            V += fl->mesh->V[c];
+        add(s, k, -fl->options.dt * V * fl->mean_gradient[k]);
+    }
+}
+
 double balance_residual(const struct fluid *fl, const double before[3],
                         const double relabelled[3])
 {
@@ -91,6 +89,7 @@ double balance_residual(const struct fluid *fl, const double before[3],
     double after[3], worst = 0.0;
 
     add_boundaries(fl, &s);
+    add_mean_gradient(fl, &s);
     if (fl->options.coupled) add_particles(fl, &s);
     fluid_momentum(fl, after);
     for (int k = 0; k < 3; k++) {

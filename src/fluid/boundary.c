@@ -12,3 +12,10 @@ double boundary_inlet_velocity(const struct boundary *b, double t)
     if (i == b->n_points - 1) return U[i];
     return U[i] + (U[i + 1] - U[i]) * (t - x[i]) / (x[i + 1] - x[i]);
 }
+
+double boundary_parabola(double a, double b)
+{
+    const double square = a * a + a * b + b * b; /* (b^3 - a^3) / (b - a) */
+
+    return 3.0 * (a + b) - 2.0 * square; /* mean of 6 s (1 - s) */
+}

@@ -1,8 +1,9 @@
 /* boundary.h -- what happens on a patch of the fluid's boundary.  Chapter 5.
  *
- * no-slip: u = 0.  slip: no flux, no tangential stress.  inlet: a superficial
- * velocity normal to the patch, which may vary in time.  outlet: a pressure;
- * the velocity leaves unchanged, and what flows back in enters at rest.
+ * no-slip: u is that of the wall, which may move along itself.  slip: no flux,
+ * no tangential stress.  inlet: a superficial velocity normal to the patch,
+ * which may vary in time and over the patch.  outlet: a pressure; the velocity
+ * leaves unchanged, and what flows back in enters at rest.
  */
 #ifndef BOUNDARY_H
 #define BOUNDARY_H
@@ -21,9 +22,16 @@ struct boundary {
     const double *time; /* [s] ascending, borrowed */
     const double *velocity; /* [m/s] superficial, inward; linear in between,
                                constant before the first and after the last */
+    const double *profile;  /* [-] of an inlet: velocity over its mean, one a
+                               face of the patch, borrowed; NULL: uniform */
+    double wall[3];         /* [m/s] of a no-slip wall, no part of it normal */
 };
 
-/* The superficial velocity of an inlet at time t [m/s]. */
+/* The mean superficial velocity of an inlet at time t [m/s]. */
 double boundary_inlet_velocity(const struct boundary *b, double t);
+
+/* What a stretch a .. b of a channel 0 .. 1 gets of a parabola that vanishes
+ * at both ends: mean over the stretch, over that of the channel [-]. */
+double boundary_parabola(double a, double b);
 
 #endif

@@ -19,6 +19,15 @@ static double solid_flux(const struct fluid *fl, int f)
     return flux;
 }
 
+/* dt d eps/dt by the time scheme [-]. */
+static double void_change(const struct fluid *fl, int c)
+{
+    const struct time_weights *const w = &fl->piso->weights;
+    const double change = w->now * fl->eps[c] - w->old * fl->eps_phi[c];
+
+    return w->older == 0.0 ? change : change + w->older * fl->eps_start[c];
+}
+
 void continuity_source(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -26,7 +35,7 @@ void continuity_source(struct fluid *fl)
     for (int c = 0; c < m->n_cells && fl->options.coupled; c++) {
         double source = 0.0;
         if (fl->options.continuity == CONTINUITY_VOID_RATE) /* [XS11 2.3] */
-            source = (fl->eps[c] - fl->eps_phi[c]) * m->V[c] / fl->options.dt;
+            source = void_change(fl, c) * m->V[c] / fl->options.dt;
         else /* [XS11 2.7] */
             for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
                 const int f = m->cell_face[a];

@@ -4,22 +4,58 @@
 #include <stddef.h>
 #include <string.h>
 
-static double share_upwind(double phi, double w)
+static void shares_upwind(const struct convection_faces *faces, double *share)
 {
-    (void)w;
-    return phi >= 0.0 ? 1.0 : 0.0;
+    for (int f = 0; f < faces->n; f++)
+        share[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
 }
 
-static double share_linear(double phi, double w)
+static void shares_linear(const struct convection_faces *faces, double *share)
 {
-    (void)phi;
-    return w;
+    for (int f = 0; f < faces->n; f++)
+        share[f] = faces->w[f];
+}
+
+static void shares_blended(const struct convection_faces *faces, double *share)
+{
+    const double b = faces->blend;
+
+    for (int f = 0; f < faces->n; f++)
+        share[f] =
+            b * faces->w[f] + (1.0 - b) * (faces->phi[f] >= 0.0 ? 1.0 : 0.0);
+}
+
+/* The line through C with the slope of C, followed to the face. */
+static double beyond_second_upwind(double step, double rise, double reach)
+{
+    (void)step;
+    return reach * rise;
+}
+
+/* The slope of C and that of the link limit each other [VanLeer74]: with r =
+ * (u_C - u_B) / (u_D - u_C) seen from C, B being as far upstream as D is
+ * downstream, psi = (r + |r|) / (1 + r) of the linear step is taken. */
+static double beyond_van_leer(double step, double rise, double reach)
+{
+    const double back = 2.0 * rise - step; /* u_C - u_B */
+
+    if (back * step <= 0.0) return 0.0; /* C is an extremum */
+    return reach * 2.0 * back * step / (back + step);
 }
 
 const struct convection_scheme convection_schemes[] = {
-    {"upwind", "XS11", "first order, bounded at any step", share_upwind},
-    {"linear", "XS11", "second order (central), may overshoot", share_linear},
-    {NULL, NULL, NULL, NULL}};
+    {"upwind", "XS11", "first order, bounded at any step", "shares_upwind",
+     shares_upwind, NULL},
+    {"linear", "XS11", "second order (central), may overshoot", "shares_linear",
+     shares_linear, NULL},
+    {"blended", "", "fluid.blend of linear, the rest upwind", "shares_blended",
+     shares_blended, NULL},
+    {"second-upwind", "SX15",
+     "second order, looks upstream only; may overshoot", "beyond_second_upwind",
+     shares_upwind, beyond_second_upwind},
+    {"van-leer", "VanLeer74", "second order where smooth, bounded where not",
+     "beyond_van_leer", shares_upwind, beyond_van_leer},
+    {NULL, NULL, NULL, NULL, NULL, NULL}};
 
 const struct convection_scheme *convection_scheme_named(const char *name)
 {

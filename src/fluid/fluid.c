@@ -37,6 +37,11 @@ struct fluid *fluid_create(const struct mesh *mesh,
         fl->K = alloc_doubles(n);
         fl->eps_us = alloc_doubles(3 * n);
     }
+    if (options->time != NULL && options->time->steps > 1) {
+        fl->u_older = alloc_doubles(3 * n);
+        fl->phi_older = alloc_doubles(mesh->n_faces);
+    }
+    memcpy(fl->mean_gradient, options->mean_gradient, sizeof fl->mean_gradient);
     fl->piso = piso_create(fl);
     return fl;
 }
@@ -56,6 +61,8 @@ void fluid_free(struct fluid *fl)
     free(fl->F);
     free(fl->K);
     free(fl->eps_us);
+    free(fl->u_older);
+    free(fl->phi_older);
     free(fl);
 }
 
@@ -69,14 +76,31 @@ void fluid_settle_eps(struct fluid *fl)
 void fluid_momentum(const struct fluid *fl, double momentum[3])
 {
     const struct fluid_options *const o = &fl->options;
+    const double *const eps = storage_is_new(o) ? fl->eps_phi : fl->eps_start;
+    const double dt = fl->dt_older; /* owed is a force in the last step */
 
     for (int k = 0; k < 3; k++) {
         momentum[k] = 0.0;
         for (int c = 0; c < fl->mesh->n_cells; c++)
-            momentum[k] +=
-                o->rho * fl->eps_start[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
-                o->dt * fl->piso->owed[3 * c + k];
+            momentum[k] += o->rho * eps[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
+                           dt * fl->piso->owed[3 * c + k];
+        momentum[k] += fl->ahead[k];
     }
+}
+
+void fluid_mean_flow(const struct fluid *fl, double flow[3])
+{
+    const struct mesh *const m = fl->mesh;
+    double V = 0.0;
+
+    flow[0] = flow[1] = flow[2] = 0.0;
+    for (int c = 0; c < m->n_cells; c++) {
+        V += m->V[c];
+        for (int k = 0; k < 3; k++)
+            flow[k] += fl->eps[c] * m->V[c] * fl->u[3 * c + k];
+    }
+    for (int k = 0; k < 3; k++)
+        flow[k] /= V;
 }
 
 double fluid_kinetic_energy(const struct fluid *fl)

@@ -16,28 +16,40 @@
  *
  * The unknowns live in the cells; phi, the volume of fluid through each face
  * per second, is a state of its own and meets continuity to solver tolerance.
+ * In a periodic direction the pressure may have a mean gradient beside p.
  */
 #ifndef FLUID_H
 #define FLUID_H
 
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
+#include "fluid/slope.h"
+#include "fluid/time_scheme.h"
 #include "linear/report.h"
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
 
 struct fluid_options {
-    double rho; /* [kg/m^3] */
-    double mu;  /* [Pa s] */
-    double dt;  /* [s] */
+    double rho;                     /* [kg/m^3] */
+    double mu;                      /* [Pa s] */
+    double dt;                      /* [s] may change from step to step */
+    const struct time_scheme *time; /* NULL: euler */
     const struct convection_scheme *convection;
+    double blend; /* [-] of linear, in the scheme `blended` */
+    const struct slope_scheme *slope; /* of u, where a face asks for it; NULL:
+                                         gauss */
     enum continuity continuity;
     int correctors;      /* [-] pressure corrections a step */
+    int repeats;         /* [-] times that a step is done again with what it
+                            found: outer iterations after the first */
     double tolerance;    /* [-] residuals, relative */
     int coupled;         /* 1: there are particles, F and K exist */
     int pressure_shared; /* 1: gamma = eps */
     const struct boundary *boundaries; /* one a patch of the mesh, borrowed */
+    double mean_gradient[3]; /* [Pa/m] of the pressure, beside that of p */
+    int keeps_flow[3]; /* 1: the mean gradient in this direction adapts, for */
+    double mean_flow[3]; /* [m/s] this superficial velocity on average */
 };
 
 /* How well the last step was solved. */
@@ -68,9 +80,15 @@ struct fluid {
     double *eps;       /* [-] fluid fraction now; the coupling writes it */
     double *eps_phi;   /* [-] fluid fraction at the end of phi's step */
     double *eps_start; /* [-] ... and at its start: the mass that u carries */
-    double *F;         /* [N/m^3] explicit force on the fluid, 3 a cell */
-    double *K;         /* [kg/(m^3 s)] implicit friction */
-    double *eps_us;    /* [m/s] eps_s u_s, 3 a cell */
+    double mean_gradient[3]; /* [Pa/m] now; a part of grad_p */
+    double *F;               /* [N/m^3] explicit force on the fluid, 3 a cell */
+    double *K;               /* [kg/(m^3 s)] implicit friction */
+    double *eps_us;          /* [m/s] eps_s u_s, 3 a cell */
+    double dt_older;         /* [s] the step before, 0 before the first */
+    /* What a scheme that looks at two steps keeps of the one before the last,
+     * else NULL; and what the momentum has in advance of the forces. */
+    double *u_older, *phi_older; /* [m/s], [m^3/s] */
+    double gained[3], ahead[3];  /* [N s] */
     double relabelled[3]; /* [N s] momentum that averaging moved between cells
                              by itself: see fluid_momentum */
     struct fluid_report report;
@@ -91,8 +109,12 @@ int fluid_step(struct fluid *fl);
 
 /* Momentum of the fluid [N s], with what the last step left unsolved and so
  * still owes. With the void-rate form it changes only by forces and boundary
- * fluxes; with the mixture form also by `relabelled`. */
+ * fluxes; with the mixture form also by `relabelled`. (BDF2 spreads an impulse
+ * over several steps; what it has still to give is counted in.) */
 void fluid_momentum(const struct fluid *fl, double momentum[3]);
+
+/* Mean superficial velocity [m/s], over all of the mesh. */
+void fluid_mean_flow(const struct fluid *fl, double flow[3]);
 
 /* Kinetic energy of the fluid [J]. */
 double fluid_kinetic_energy(const struct fluid *fl);

@@ -86,6 +86,6 @@ void gradient_update(struct fluid *fl)
                 sum[k] += p * m->S[3 * f + k];
         }
         for (int k = 0; k < 3; k++)
-            fl->grad_p[3 * c + k] = sum[k] / m->V[c];
+            fl->grad_p[3 * c + k] = sum[k] / m->V[c] + fl->mean_gradient[k];
     }
 }

@@ -28,7 +28,7 @@ void jump_update(struct fluid *fl)
         const double *const S = &m->S[3 * f];
         const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
         const double s = ps->share[f];
-        ps->jump[f] = fl->options.rho * fl->phi[f] * fl->phi[f] / SS *
+        ps->jump[f] = fl->options.rho * ps->carry[f] * ps->carry[f] / SS *
                       (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
         for (int k = 0; k < 3; k++) {
             ps->inertia[3 * o + k] += (1.0 - s) * ps->jump[f] * S[k];

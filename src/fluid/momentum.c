@@ -36,17 +36,30 @@ static void link_coefficients(struct fluid *fl)
     const struct fluid_options *const o = &fl->options;
     struct csr *const A = fl->piso->momentum;
 
+    const struct convection_faces faces = {m->n_internal, fl->piso->carry, m->w,
+                                           o->blend};
+
+    o->convection->shares(&faces, fl->piso->share);
     for (int f = 0; f < m->n_internal; f++) {
-        const double flow = o->rho * fl->phi[f]; /* [kg/s] */
-        const double share = o->convection->share(fl->phi[f], m->w[f]);
-        fl->piso->share[f] = share;
+        const double flow = o->rho * fl->piso->carry[f]; /* [kg/s] */
+        const double share = fl->piso->share[f];
         const double D = o->mu * link_strength(m, f);
         A->a[A->upper[f]] = flow * (1.0 - share) - D;
         A->a[A->lower[f]] = -flow * share - D;
     }
 }
 
-/* Storage, diagonal and right side of all cells, boundaries aside. */
+/* By how much the fluid fraction of the mass that u has grows in the step. */
+static double mass_change(const struct piso *ps, int c)
+{
+    const struct time_weights *const w = &ps->weights;
+    const double change = w->now * ps->eps_new[c] - w->old * ps->eps_old[c];
+
+    return ps->eps_older != NULL ? change + w->older * ps->eps_older[c]
+                                 : change;
+}
+
+/* Diagonal and right side of all cells, boundaries aside. */
 static void cell_coefficients(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -59,11 +72,10 @@ static void cell_coefficients(struct fluid *fl)
         for (int e = A->start[c]; e < A->start[c + 1]; e++)
             sum += A->a[e];
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            out += outward(m, fl->phi, c, m->cell_face[a]);
-        ps->defect[c] =
-            (fl->eps_phi[c] - fl->eps_start[c]) * m->V[c] / o->dt + out;
-        ps->storage[c] = o->rho * fl->eps_start[c] * m->V[c] / o->dt;
+            out += outward(m, ps->carry, c, m->cell_face[a]);
+        ps->defect[c] = mass_change(ps, c) * m->V[c] / o->dt + out;
         A->diag[c] = ps->storage[c] - sum;
+        if (ps->storage_older != NULL) A->diag[c] += ps->storage_older[c];
         for (int k = 0; k < 3; k++)
             ps->b[3 * c + k] = ps->owed[3 * c + k];
     }
@@ -88,28 +100,39 @@ static void add_drag(struct fluid *fl)
 static void add_inlet_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f];
+    const double *const S = &m->S[3 * f], phi = fl->piso->carry[f];
     const int c = m->owner[f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
     const double a =
-        fl->options.mu * link_strength(m, f) - fl->options.rho * fl->phi[f];
+        fl->options.mu * link_strength(m, f) - fl->options.rho * phi;
 
     fl->piso->momentum->diag[c] += a;
     for (int k = 0; k < 3; k++)
-        fl->piso->b[3 * c + k] += a * fl->phi[f] * S[k] / (fl->eps[c] * SS);
+        fl->piso->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
 }
 
-static void add_boundary_face(struct fluid *fl, enum boundary_kind kind, int f)
+/* A wall, which may move along itself. */
+static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
-    double *const diag = fl->piso->momentum->diag;
+    const double D = fl->options.mu * link_strength(fl->mesh, f);
 
-    if (kind == BOUNDARY_NO_SLIP)
-        diag[c] += fl->options.mu * link_strength(fl->mesh, f);
-    else if (kind == BOUNDARY_INLET)
+    fl->piso->momentum->diag[c] += D;
+    for (int k = 0; k < 3; k++)
+        fl->piso->b[3 * c + k] += D * wall[k];
+}
+
+static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
+{
+    const int c = fl->mesh->owner[f];
+    const double phi = fl->piso->carry[f];
+
+    if (b->kind == BOUNDARY_NO_SLIP)
+        add_wall_face(fl, b->wall, f);
+    else if (b->kind == BOUNDARY_INLET)
         add_inlet_face(fl, f);
-    else if (kind == BOUNDARY_OUTLET && fl->phi[f] < 0.0) {
-        diag[c] -= fl->options.rho * fl->phi[f]; /* enters at rest */
+    else if (b->kind == BOUNDARY_OUTLET && phi < 0.0) { /* enters at rest */
+        fl->piso->momentum->diag[c] -= fl->options.rho * phi;
         fl->report.backflow_faces++;
     }
 }
@@ -136,7 +159,7 @@ static void add_boundaries(struct fluid *fl)
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
-            add_boundary_face(fl, fl->options.boundaries[i].kind, f);
+            add_boundary_face(fl, &fl->options.boundaries[i], f);
     }
     for (int c = 0; c < m->n_cells; c++)
         for (int k = 0; k < 3; k++)
@@ -152,15 +175,13 @@ static void add_boundaries(struct fluid *fl)
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
-    const int n = fl->mesh->n_cells;
-
-    memcpy(fl->piso->u_old, fl->u, 3 * (size_t)n * sizeof *fl->u);
     link_coefficients(fl);
     cell_coefficients(fl);
     if (fl->options.coupled) {
         add_drag(fl);
         jump_update(fl);
     }
+    if (fl->piso->slope != NULL) deferred_add(fl);
     add_boundaries(fl);
 }
 
@@ -169,8 +190,7 @@ static double known(const struct fluid *fl, int c, int k)
 {
     const struct piso *const ps = fl->piso;
     const int i = 3 * c + k;
-    return ps->storage[c] * ps->u_old[i] -
-           piso_gamma(fl, c) * fl->mesh->V[c] * fl->grad_p[i];
+    return ps->past[i] - piso_gamma(fl, c) * fl->mesh->V[c] * fl->grad_p[i];
 }
 
 struct solve_report momentum_predict(struct fluid *fl)

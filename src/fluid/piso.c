@@ -30,6 +30,22 @@ static int has_outlet(const struct fluid *fl)
     return 0;
 }
 
+/* What only some steps and schemes ask for. */
+static void create_further(struct piso *ps, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    if (storage_is_new(&fl->options)) ps->carry_own = alloc_doubles(m->n_faces);
+    if (fl->u_older != NULL) {
+        ps->storage_older = alloc_doubles(m->n_cells);
+        ps->u_known = alloc_doubles(3 * m->n_cells);
+    }
+    if (deferred_exists(fl)) {
+        ps->slope = alloc_doubles(9 * m->n_cells);
+        ps->u_edge = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    }
+}
+
 struct piso *piso_create(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -41,7 +57,7 @@ struct piso *piso_create(const struct fluid *fl)
     ps->diag3 = alloc_doubles(3 * n);
     ps->b = alloc_doubles(3 * n);
     ps->storage = alloc_doubles(n);
-    ps->u_old = alloc_doubles(3 * n);
+    ps->past = alloc_doubles(3 * n);
     ps->rhs = alloc_doubles(3 * n);
     ps->H = alloc_doubles(3 * n);
     ps->owed = alloc_doubles(3 * n);
@@ -56,6 +72,7 @@ struct piso *piso_create(const struct fluid *fl)
     ps->phi_old = alloc_doubles(m->n_faces);
     ps->source = alloc_doubles(n);
     ps->divergence = alloc_doubles(n);
+    create_further(ps, fl);
     ps->pinned = has_outlet(fl) ? -1 : 0;
     ps->mg = pressure_hierarchy(m);
     ps->cg = cg_work_create(n);
@@ -71,7 +88,7 @@ void piso_free(struct piso *ps)
     free(ps->diag3);
     free(ps->b);
     free(ps->storage);
-    free(ps->u_old);
+    free(ps->past);
     free(ps->rhs);
     free(ps->H);
     free(ps->owed);
@@ -84,29 +101,17 @@ void piso_free(struct piso *ps)
     free(ps->m_face);
     free(ps->conductance);
     free(ps->phi_old);
+    free(ps->carry_own);
+    free(ps->storage_older);
+    free(ps->u_known);
+    free(ps->slope);
+    free(ps->u_edge);
     free(ps->source);
     free(ps->divergence);
     multigrid_free(ps->mg);
     cg_work_free(ps->cg);
     bicgstab_work_free(ps->bicgstab);
     free(ps);
-}
-
-/* Inlets at the present time. */
-static void set_inlet_fluxes(struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct boundary *const b = &fl->options.boundaries[i];
-        const struct patch *const p = &m->patches[i];
-        if (b->kind != BOUNDARY_INLET) continue;
-        const double U = boundary_inlet_velocity(b, fl->t);
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const S = &m->S[3 * f];
-            fl->phi[f] = -U * sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
-        }
-    }
 }
 
 /* What subtracting u times the defect of continuity did to the sum of the
@@ -118,16 +123,6 @@ static void count_relabelled(struct fluid *fl)
     for (int c = 0; c < fl->mesh->n_cells; c++)
         for (int k = 0; k < 3; k++)
             fl->relabelled[k] += scale * fl->u[3 * c + k] * fl->piso->defect[c];
-}
-
-/* The new flux becomes the one that carries momentum in the next step. */
-static void shift_time(struct fluid *fl)
-{
-    double *const oldest = fl->eps_start;
-
-    fl->eps_start = fl->eps_phi;
-    fl->eps_phi = oldest;
-    memcpy(fl->eps_phi, fl->eps, (size_t)fl->mesh->n_cells * sizeof *fl->eps);
 }
 
 static int all_finite(const struct fluid *fl)
@@ -147,6 +142,25 @@ static void note_worst(struct solve_report *worst, struct solve_report now)
 
 /* PISO as [XS11 section 3.2] lists it: predict the velocity with the old
  * pressure, then correct pressure, fluxes and velocity in turn. */
+static void predict_and_correct(struct fluid *fl)
+{
+    struct fluid_report *const report = &fl->report;
+
+    momentum_assemble(fl);
+    gradient_update(fl); /* with the drag of now */
+    note_worst(&report->momentum, momentum_predict(fl));
+    pressure_assemble(fl);
+    continuity_source(fl);
+    edge_inlet_fluxes(fl, fl->phi);
+    for (int i = 0; i < fl->options.correctors; i++) {
+        momentum_neighbours(fl);
+        note_worst(&report->pressure, pressure_correct(fl));
+        gradient_update(fl);
+        momentum_correct(fl);
+    }
+}
+
+/* One step; a repetition takes what the pass before it found. */
 int fluid_step(struct fluid *fl)
 {
     struct fluid_report *const report = &fl->report;
@@ -156,26 +170,18 @@ int fluid_step(struct fluid *fl)
 
     fluid_momentum(fl, before);
     fl->t += fl->options.dt;
-    momentum_assemble(fl);
-    gradient_update(fl); /* with the drag of now */
-    report->momentum = momentum_predict(fl);
-
-    pressure_assemble(fl);
-    continuity_source(fl);
-    memcpy(fl->piso->phi_old, fl->phi,
-           (size_t)fl->mesh->n_faces * sizeof *fl->phi);
-    set_inlet_fluxes(fl);
+    storage_begin(fl);
+    report->momentum = (struct solve_report){-1, 0.0, 0.0, 1};
     report->pressure = (struct solve_report){0, 0.0, 0.0, 1};
-    for (int i = 0; i < fl->options.correctors; i++) {
-        momentum_neighbours(fl);
-        note_worst(&report->pressure, pressure_correct(fl));
-        gradient_update(fl);
-        momentum_correct(fl);
+    predict_and_correct(fl);
+    for (int i = 0; i < fl->options.repeats; i++) {
+        storage_renew(fl);
+        predict_and_correct(fl);
     }
     report->splitting = momentum_rest(fl);
     report->mass_residual = continuity_residual(fl);
     count_relabelled(fl);
-    shift_time(fl);
+    storage_end(fl);
     report->momentum_residual = balance_residual(fl, before, relabelled);
     return !(all_finite(fl) && report->pressure.converged &&
              report->momentum.converged);

@@ -19,7 +19,7 @@ struct piso {
     double *diag3;        /* [kg/s] a_P and, on slip walls, their stress */
     double *b;            /* [N] right side but for pressure and storage */
     double *storage;      /* [kg/s] rho eps_start V / dt */
-    double *u_old;        /* [m/s] */
+    double *past;         /* [N] storage times the velocity before the step */
     double *rhs;          /* [N] */
     double *H;            /* [N] b - sum a_N u_N */
     double *owed;         /* [N] residual carried into the next step */
@@ -34,9 +34,21 @@ struct piso {
     double *m_face;       /* [m^3 s/kg] mobility of a face */
     double *conductance;  /* [m^3/(Pa s)] m_face S.S / S.d */
     double *phi_old;      /* [m^3/s] */
-    double *source;       /* [m^3/s] d(eps V)/dt or the solid's flux */
-    double *divergence;   /* [m^3/s] */
-    int pinned;           /* cell whose level is fixed, or -1: an outlet */
+    const double
+        *carry;        /* [m^3/s] the flux that carries momentum: phi_old, or */
+    double *carry_own; /* [m^3/s] one of its own, if step or scheme ask */
+    struct time_weights weights; /* [-] of this step */
+    const double *eps_new,
+        *eps_old;            /* [-] of the mass that u has at the end and
+                                the beginning of the step; and before */
+    const double *eps_older; /* [-] that, with storage_older; else NULL */
+    double *storage_older;  /* [kg/s] what looking at two steps adds, or NULL */
+    double *u_known;        /* [m/s] u continued to the new time; or NULL: u */
+    double *slope, *u_edge; /* [1/s], [m/s] 9 a cell, 3 a boundary face; NULL
+                               if nothing looks beyond two cells */
+    double *source;         /* [m^3/s] d(eps V)/dt or the solid's flux */
+    double *divergence;     /* [m^3/s] */
+    int pinned;             /* cell whose level is fixed, or -1: an outlet */
     struct multigrid *mg;
     struct cg_work *cg;
     struct bicgstab_work *bicgstab;
@@ -52,13 +64,34 @@ static inline double piso_gamma(const struct fluid *fl, int c)
     return fl->options.pressure_shared ? fl->eps[c] : 1.0;
 }
 
+/* storage.c: what the step inherits from those before it; what carries momentum
+ * in a repetition; and what the step leaves to the next. */
+void storage_begin(struct fluid *fl);
+void storage_renew(struct fluid *fl);
+void storage_end(struct fluid *fl);
+/* 1 if a step repeats or looks at two steps: mass and flux that carry momentum
+ * are then those of the new time, not of the step before. */
+int storage_is_new(const struct fluid_options *o);
+
+/* edge.c: the velocity at boundary face f, as the momentum equation takes it.
+ */
+void edge_velocity(const struct fluid *fl, const struct boundary *b, int f,
+                   double u[3]);
+/* The present fluxes of the inlets. */
+void edge_inlet_fluxes(const struct fluid *fl, double *phi);
+
+/* deferred.c: 1 if something looks beyond the two cells of a face; adds it to
+ * b from the velocities known so far. */
+int deferred_exists(const struct fluid *fl);
+void deferred_add(struct fluid *fl);
+
 /* momentum.c: fills momentum, diag3, b, storage from the state. */
 void momentum_assemble(struct fluid *fl);
 /* Solves for u with the present grad_p. */
 struct solve_report momentum_predict(struct fluid *fl);
 /* H = b - sum a_N u_N with the present u. */
 void momentum_neighbours(struct fluid *fl);
-/* u = (H + storage u_old - gamma V grad p) / a. */
+/* u = (H + past - gamma V grad p) / a. */
 void momentum_correct(struct fluid *fl);
 /* What is left of the equation with the present u and p goes to `owed`;
  * returns its largest entry over the largest term of the equation [-]. */

@@ -37,6 +37,31 @@ static double storage_per_flux(const struct fluid *fl, int c)
            (piso_gamma(fl, c) * fl->mesh->V[c] * fl->eps_phi[c]);
 }
 
+/* The same for the flux before it, if the scheme looks there. */
+static double older_per_flux(const struct fluid *fl, int c)
+{
+    return fl->piso->storage_older[c] /
+           (piso_gamma(fl, c) * fl->mesh->V[c] * fl->eps_start[c]);
+}
+
+/* A scheme of two steps: the flux before the last, with its storage. */
+static void add_older_fluxes(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+
+    for (int f = 0; f < m->n_internal; f++)
+        fl->phi[f] += ps->m_face[f] * fl->phi_older[f] *
+                      ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
+                       m->w[f] * older_per_flux(fl, m->neighbour[f]));
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
+            fl->phi[f] += ps->m_face[f] * fl->phi_older[f] *
+                          older_per_flux(fl, m->owner[f]);
+    }
+}
+
 static void face_mobilities(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -158,6 +183,7 @@ struct solve_report pressure_correct(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     driven_fluxes(fl);
+    if (ps->storage_older != NULL) add_older_fluxes(fl);
     const double scale = pressure_rhs(fl);
     const struct solve_report report =
         cg_solve(ps->pressure, ps->mg, ps->divergence, fl->p, 0.0,

@@ -70,6 +70,16 @@ const struct patch *mesh_patch(const struct mesh *m, const char *name)
     return NULL;
 }
 
+void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
+{
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+    const double ratio = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
+                         (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+
+    for (int k = 0; k < 3; k++)
+        rest[k] = S[k] - ratio * d[k];
+}
+
 int mesh_dimensions(const struct mesh *m)
 {
     return (m->box.n[0] > 1) + (m->box.n[1] > 1) + (m->box.n[2] > 1);

@@ -43,6 +43,7 @@ struct mesh {
     int *cell_start; /* [-] n_cells + 1; faces of cell c are */
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
     struct box box;
+    int oblique; /* 1: some link is not normal to its face */
 };
 
 /* A box of cells. grading is the ratio of the last to the first cell width, 1
@@ -65,6 +66,10 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
+
+/* S - d S.S / S.d: the part of the area of inner face f that its link does not
+ * stand for [m^2]. */
+void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
 
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
 int mesh_dimensions(const struct mesh *m);

@@ -5,7 +5,7 @@
  *
  *     mean = sum w x / sum w,   spread = sqrt(sum w (x - mean)^2 / sum w)
  *
- * updated sample by sample [Welford 1962, West 1979], which keeps the spread
+ * updated sample by sample [Welford62, West79], which keeps the spread
  * exact where the difference of the two sums would cancel.
  */
 #ifndef MEAN_H

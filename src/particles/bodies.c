@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "particles/response.h"
 
 struct domain bodies_domain(const double lo[3], const double hi[3],
                             const int periodic[3])
@@ -41,7 +42,16 @@ void bodies_free(struct bodies *b)
     free(b->motion);
     free(b->push);
     free(b->mark);
+    free(b->response);
     free(b);
+}
+
+void bodies_hold_back(struct bodies *b, const struct particles *ps)
+{
+    if (ps->resistance == NULL) return;
+    if (b->response == NULL)
+        b->response = alloc_zeroed((size_t)ps->capacity, sizeof *b->response);
+    b->resisted = ps->resisted;
 }
 
 void bodies_fetch(struct bodies *b, const struct particles *ps, int begin,
@@ -60,6 +70,7 @@ void bodies_fetch(struct bodies *b, const struct particles *ps, int begin,
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
     }
+    if (b->response != NULL) response_fetch(b, ps, begin, end);
 }
 
 /* x in a periodic direction, brought back between lo and hi. */
@@ -83,8 +94,9 @@ void bodies_park(const struct bodies *b, struct particles *ps, int begin,
     }
 }
 
-/* dv = (F/m + a) dt; d(R omega) = R T dt/I with I = (2/5) m R^2 and
- * T = -R sum n x F_t [LS 4.1-4.3, 4.16], so -(5/2) (sum n x F_t) dt/m. */
+/* dv = (F/m + a) dt [XS11 2.1]; d(R omega) = R T dt/I [XS11 2.2] with I =
+ * (2/5) m R^2 and T = -R sum n x F_t [LS 4.1-4.3, 4.16], so
+ * -(5/2) (sum n x F_t) dt/m. */
 void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
                     double kick, double drift, double fastest[4])
 {

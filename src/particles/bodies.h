@@ -28,6 +28,10 @@ struct bodies {
     double (*motion)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
     double (*push)[4];   /* [m/s^2] of the outside force; 0 */
     double (*mark)[3];   /* [m] x, y, z when the list was last made */
+    /* Of particles that are held back (response.h); else NULL. */
+    double (*response)[4];
+    double *resisted;    /* [N s] the particles' own */
+    double step;         /* [s] that the rows are for */
     const int *material; /* [-] of each, in the particles' own array; NULL if
                             all are of material 0 */
     int n_materials;     /* [-] */
@@ -36,6 +40,9 @@ struct bodies {
 
 struct bodies *bodies_create(int capacity, const struct domain *box);
 void bodies_free(struct bodies *b);
+
+/* Rows for what holds the particles back, if anything does. */
+void bodies_hold_back(struct bodies *b, const struct particles *ps);
 
 /* Particles begin .. end - 1 from the arrays into the rows, and back. Back in
  * the arrays, they are inside of a periodic box. */

@@ -99,17 +99,16 @@ SWEEP_STAGE void sweep_springs(struct sweep_buffers *restrict c,
         xi_x[p] += tx * dt - out * nx;
         xi_y[p] += ty * dt - out * ny;
         xi_z[p] += tz * dt - out * nz;
-        c->v_t[0][p] = tx;
-        c->v_t[1][p] = ty;
-        c->v_t[2][p] = tz;
         c->F_t[0][p] = -k_t * xi_x[p] - eta_t * tx; /* [LS 4.8] */
         c->F_t[1][p] = -k_t * xi_y[p] - eta_t * ty;
         c->F_t[2][p] = -k_t * xi_z[p] - eta_t * tz;
     }
 }
 
-/* Coulomb's cap [LS 4.8]: where it cuts the force it cuts the spring as well,
- * to what gives that force. Then the loads; nothing where none touch. */
+/* Coulomb's cap [LS 4.8]. Where the surfaces slide, the spring gives way as
+ * well, until it bears no more than the cap. It is never drawn by the cap: it
+ * would give back what no slip gave it. Then the loads; nothing where none
+ * touch. */
 SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
                             double *restrict xi_x, double *restrict xi_y,
                             double *restrict xi_z,
@@ -124,13 +123,17 @@ SWEEP_INLINE void sweep_cap(struct sweep_buffers *restrict c,
         const double F_n = c->F_n[p], a = c->arm[p];
         const double F_t = sqrt(tx * tx + ty * ty + tz * tz);
         const double most = (many ? k[c->kind[p]].friction : mu) * fabs(F_n);
+        const double k_t = c->k_t[p];
         const int slides = F_t > most, touch = c->delta[p] > 0.0;
         const double cut = slides ? most / F_t : 1.0;
         const double Fx = cut * tx, Fy = cut * ty, Fz = cut * tz;
-        const double per_k = -1.0 / c->k_t[p], eta = c->eta_t[p];
-        const double x = slides ? per_k * (Fx + eta * c->v_t[0][p]) : xi_x[p];
-        const double y = slides ? per_k * (Fy + eta * c->v_t[1][p]) : xi_y[p];
-        const double z = slides ? per_k * (Fz + eta * c->v_t[2][p]) : xi_z[p];
+        const double xi2 =
+            xi_x[p] * xi_x[p] + xi_y[p] * xi_y[p] + xi_z[p] * xi_z[p];
+        const int gives = slides & (k_t * k_t * xi2 > most * most);
+        const double per_k = -1.0 / k_t;
+        const double x = gives ? per_k * Fx : xi_x[p];
+        const double y = gives ? per_k * Fy : xi_y[p];
+        const double z = gives ? per_k * Fz : xi_z[p];
 
         xi_x[p] = touch ? x : 0.0;
         xi_y[p] = touch ? y : 0.0;

@@ -9,6 +9,7 @@
 #include "base/alloc.h"
 #include "particles/energy.h"
 #include "particles/neighbours.h"
+#include "particles/response.h"
 
 /* The contacts are chosen for about so many steps ahead, and with a margin of
  * at least d / MARGIN_PARTS: the optimum is flat. */
@@ -83,6 +84,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     materials_table(o->law, &o->material, o->materials, dem->constants);
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
+    dem->neighbours->bodies->step = o->step;
     dem->neighbours->bodies->n_materials = n;
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
@@ -182,8 +184,12 @@ static void advance(const struct dem *dem, double kick, double drift)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
-        bodies_advance(nb->bodies, own->begin, own->end, own->load, kick, drift,
-                       own->fastest);
+        if (nb->bodies->response == NULL)
+            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                           drift, own->fastest);
+        else
+            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                             drift, own->fastest);
         if (dem->energy != NULL) strip_work(own, nb->bodies, drift);
     }
 }

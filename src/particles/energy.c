@@ -1,15 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "particles/energy.h"
 
+#include <stddef.h>
+
 double energy_residual(const struct energy *e)
 {
     return e->kinetic + e->normal + e->tangential + e->damped_n + e->damped_t +
            e->slid + e->released + e->rolled - e->work - e->brought;
 }
 
+/* (1/2) m_a v^2 of the added mass (response.h). */
+static double taken_along(const struct bodies *b)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < b->n && b->response != NULL; i++) {
+        const double *const v = b->motion[i];
+        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        sum += 0.5 * (1.0 / b->response[i][3] - 1.0 / v[7]) * v2;
+    }
+    return sum;
+}
+
 struct energy energy_collect(const struct neighbours *nb, double elastic)
 {
-    struct energy e = {.brought = 0.0};
+    struct energy e = {.kinetic = taken_along(nb->bodies)};
 
     for (int s = 0; s < nb->count; s++) {
         const struct strip *const own = &nb->strips[s];

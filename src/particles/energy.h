@@ -13,7 +13,8 @@
 
 struct energy {
     /* Now there. */
-    double kinetic;            /* [J] of translation and rotation */
+    double kinetic;            /* [J] of translation and rotation, and of
+                                  the fluid that is taken along */
     double normal, tangential; /* [J] in the springs of the contacts */
     /* Gone since the first run. */
     double damped_n, damped_t; /* [J] in the dashpots */

@@ -60,6 +60,7 @@ void neighbours_open(struct neighbours *nb)
     struct bodies *const b = nb->bodies;
 
     b->n = nb->ps->n;
+    bodies_hold_back(b, nb->ps);
     b->material = nb->ps->material;
     for (int s = 0; s < nb->count; s++) {
         struct strip *const own = &nb->strips[s];

@@ -44,12 +44,26 @@ void particles_free(struct particles *ps)
     if (ps == NULL) return;
     for (int a = 0; a < OWN; a++)
         free(ps->attached->array[a]);
+    free(ps->resistance);
+    free(ps->added_mass);
+    free(ps->resisted);
     free(ps->id);
     free(ps->material);
     free(ps->attached->room);
     free(ps->attached->id_room);
     free(ps->attached);
     free(ps);
+}
+
+void particles_hold_back(struct particles *ps)
+{
+    if (ps->resistance != NULL) return;
+    ps->resistance = alloc_doubles(ps->capacity);
+    ps->added_mass = alloc_doubles(ps->capacity);
+    ps->resisted = alloc_doubles(3 * ps->capacity);
+    particles_attach(ps, ps->resistance, 1);
+    particles_attach(ps, ps->added_mass, 1);
+    particles_attach(ps, ps->resisted, 3);
 }
 
 int particles_add(struct particles *ps, const double x[3], double d,

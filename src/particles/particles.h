@@ -18,6 +18,10 @@ struct particles {
     double *cfx, *cfy, *cfz; /* [N] contact force at the end of dem_run */
     int *id;                 /* [-] 0, 1, ... in the order of creation */
     int *material;           /* [-] number of it; NULL: all are of material 0 */
+    /* What holds them back (response.h): NULL unless particles_hold_back. */
+    double *resistance; /* [kg/s] k of a drag -k v beside the outside force */
+    double *added_mass; /* [kg] of fluid that moves along */
+    double *resisted;   /* [N s] impulse of -k v, added up; 3 a particle */
     struct attachments *attached;
 };
 
@@ -28,6 +32,10 @@ void particles_free(struct particles *ps);
  * [m]. Returns its index. */
 int particles_add(struct particles *ps, const double x[3], double d,
                   double density);
+
+/* Makes room for resistance, added_mass and resisted, all 0. Nothing happens
+ * the second time. */
+void particles_hold_back(struct particles *ps);
 
 /* From now on each particle has a material; so far it is 0. */
 void particles_distinguish(struct particles *ps);

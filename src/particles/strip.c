@@ -322,15 +322,20 @@ void strip_measure(struct strip *s, const struct bodies *b)
     }
 }
 
-/* push is a force over the mass; v is what the particles have just moved by, so
- * that the sum is the force times the way, exactly. */
+/* push is a force over the mass, added mass and all (response.h); v is what the
+ * particles have just moved by, so that the sum is the force times the way,
+ * exactly. A fluid that holds them back takes k v^2. */
 void strip_work(struct strip *s, const struct bodies *b, double dt)
 {
     double power = 0.0;
 
     for (int i = s->begin; i < s->end; i++) {
         const double *const v = b->motion[i], *const a = b->push[i];
-        power += (a[0] * v[0] + a[1] * v[1] + a[2] * v[2]) / v[7];
+        const double *const held = b->response != NULL ? b->response[i] : NULL;
+        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        const double drag = held != NULL ? held[0] * v2 : 0.0;
+        power += (a[0] * v[0] + a[1] * v[1] + a[2] * v[2] - drag) /
+                 (held != NULL ? held[3] : v[7]);
     }
     s->energy.work += power * dt;
 }

@@ -34,7 +34,6 @@ struct sweep_buffers {
     double F_n[SWEEP_LANES];       /* [N] along n */
     double k_t[SWEEP_LANES];       /* [N/m] */
     double eta_n[SWEEP_LANES], eta_t[SWEEP_LANES]; /* [kg/s] */
-    double v_t[3][SWEEP_LANES];                    /* [m/s] */
     double F_t[3][SWEEP_LANES];  /* [N] before Coulomb's cap */
     double deepest[SWEEP_LANES]; /* [-] largest delta / (R_i + R_j) */
     int kind[SWEEP_LANES];       /* [-] place of the pair of materials in their

@@ -118,6 +118,10 @@ static void create_fluid(const struct settings *s, struct simulation *sim)
         .dt = sim->dt,
         .convection =
             convection_scheme_named(settings_text(s, "fluid.convection")),
+        .time = time_scheme_named(settings_text(s, "fluid.time")),
+        .blend = settings_real(s, "fluid.blend"),
+        .slope = slope_scheme_named(settings_text(s, "fluid.gradient")),
+        .repeats = settings_int(s, "fluid.repeats"),
         .continuity =
             strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
                 ? CONTINUITY_MIXTURE
@@ -168,11 +172,15 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
 static void create_coupling(const struct settings *s, struct simulation *sim)
 {
     const char *const treatment = settings_text(s, "exchange.treatment");
+    const char *const relaxation = settings_text(s, "exchange.relaxation");
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
         .treatment = strcmp(treatment, "explicit") == 0
                          ? TREATMENT_EXPLICIT
                          : TREATMENT_SEMI_IMPLICIT,
+        .relaxation = strcmp(relaxation, "exponential") == 0
+                          ? RELAXATION_EXPONENTIAL
+                          : RELAXATION_FROZEN,
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),

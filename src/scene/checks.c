@@ -217,6 +217,16 @@ static int check_output(const struct settings *s)
                                   "height %g m is above the box, %g m", y,
                                   size[1]);
     }
+    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
+        double x[3];
+        settings_item_vector(s, "output.probes", i, "position", x);
+        for (int k = 0; k < 3; k++)
+            if (!(x[k] >= 0.0 && x[k] <= size[k]))
+                return settings_wrong(s, "output.probes",
+                                      "the point [%g, %g, %g] m is outside "
+                                      "the box",
+                                      x[0], x[1], x[2]);
+    }
     return 0;
 }
 

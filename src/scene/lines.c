@@ -3,11 +3,11 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "base/file.h"
 #include "output/profile.h"
+#include "scene/fields.h"
 
 struct line {
     struct profile *profile;
@@ -20,28 +20,6 @@ struct lines {
     struct line *line;
 };
 
-/* The field that a case calls `name`; values NULL if the scene has none. Mean
- * velocities of the particles are weighted by how much of them there is. */
-static struct profile_field field_named(const struct snapshot *s,
-                                        const char *name)
-{
-    const struct profile_field fields[] = {
-        {"eps_f", "-", s->eps, 1, 0, NULL},
-        {"eps_s", "-", s->eps_s, 1, 0, NULL},
-        {"p", "Pa", s->p, 1, 0, NULL},
-        {"u_x", "m/s", s->u, 3, 0, NULL},
-        {"u_y", "m/s", s->u, 3, 1, NULL},
-        {"u_z", "m/s", s->u, 3, 2, NULL},
-        {"us_x", "m/s", s->u_s, 3, 0, s->eps_s},
-        {"us_y", "m/s", s->u_s, 3, 1, s->eps_s},
-        {"us_z", "m/s", s->u_s, 3, 2, s->eps_s}};
-    const int n = sizeof fields / sizeof *fields;
-
-    for (int i = 0; i < n; i++)
-        if (strcmp(fields[i].name, name) == 0) return fields[i];
-    return (struct profile_field){.name = name};
-}
-
 static int create_line(const struct settings *s, const struct simulation *sim,
                        const struct snapshot *look, int i, struct line *line)
 {
@@ -52,7 +30,7 @@ static int create_line(const struct settings *s, const struct simulation *sim,
         .height = settings_item_real(s, list, i, "height"),
         .from = settings_item_real(s, list, i, "from")};
     const struct profile_field field =
-        field_named(look, settings_item_text(s, list, i, "field"));
+        fields_named(look, settings_item_text(s, list, i, "field"));
 
     if (field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s", field.name);

@@ -5,6 +5,7 @@
 #include "averaging/interpolation.h"
 #include "effects/effects.h"
 #include "exchange/drag.h"
+#include "fluid/fluid.h"
 #include "particles/contact_hertz.h"
 #include "particles/sizes.h"
 
@@ -137,6 +138,17 @@ static int treatment(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int relaxation(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"frozen", "the drag of the sub-step's start, throughout it",
+         "XS11 3.18", "apply_frozen", ""},
+        {"exponential", "the drag that relaxes as the particle gives in to it",
+         "XS11 3.16", "response_advance", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
@@ -148,15 +160,36 @@ static int coupling(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int time_scheme(int i, struct model *m)
+{
+    const struct time_scheme *const s = &time_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (time_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    return 1;
+}
+
 static int convection(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"upwind", "the value of the cell that the flow comes from", "",
-         "share_upwind", ""},
-        {"linear", "linear between the two cells of a face", "", "share_linear",
-         ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct convection_scheme *const s = &convection_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (convection_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    if (strcmp(s->name, "blended") == 0) m->keys = "fluid.blend";
+    if (s->beyond != NULL) m->keys = "fluid.gradient";
+    return 1;
+}
+
+static int gradient(int i, struct model *m)
+{
+    const struct slope_scheme *const s = &slope_schemes[i];
+
+    for (int k = 0; k <= i; k++)
+        if (slope_schemes[k].name == NULL) return 0;
+    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
+    return 1;
 }
 
 static int continuity(int i, struct model *m)
@@ -207,8 +240,12 @@ const struct kind models_kinds[] = {
     {"drag", "drag laws", "exchange.drag", drag},
     {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
      treatment},
+    {"relaxation", "courses of the drag during a sub-step",
+     "exchange.relaxation", relaxation},
     {"coupling", "directions of the coupling", "exchange.coupling", coupling},
+    {"time", "time schemes of the fluid", "fluid.time", time_scheme},
     {"convection", "convection schemes", "fluid.convection", convection},
+    {"gradient", "slopes of the velocity", "fluid.gradient", gradient},
     {"continuity", "forms of the mass balance", "fluid.continuity", continuity},
     {"patch", "what happens on a side of the box", "fluid.<patch>", patch},
     {"effect", "further effects, each on where it is named", "effects", effect},

@@ -18,6 +18,7 @@
 #include "scene/history.h"
 #include "scene/lines.h"
 #include "scene/pictures.h"
+#include "scene/probes.h"
 
 enum { MOST_COLUMNS = 64 };
 
@@ -32,6 +33,7 @@ struct record {
     struct snapshot *snapshot;
     struct pictures *pictures;
     struct lines *lines;
+    struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
     /* For the summary: the worst of the whole run, and means over its second
      * half. */
@@ -82,8 +84,10 @@ struct record *record_create(const struct settings *s,
     if (r->lines != NULL && file_make_dirs(dir) == 0) {
         r->history = create_history(r);
         r->pictures = pictures_create(sim, dir);
+        r->probes = probes_create(s, sim, r->snapshot, dir);
     }
-    if (r->history != NULL && r->pictures != NULL) return r;
+    if (r->history != NULL && r->pictures != NULL && r->probes != NULL)
+        return r;
     record_free(r);
     return NULL;
 }
@@ -94,6 +98,7 @@ void record_free(struct record *r)
     table_free(r->history);
     pictures_free(r->pictures);
     lines_free(r->lines);
+    probes_free(r->probes);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -150,7 +155,7 @@ int record_look(struct record *r)
         snapshot_take(r->snapshot, r->sim);
         lines_add(r->lines, (double)r->row_every * r->sim->dt);
         note_drop(r);
-        if (add_row(r) != 0) return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);

@@ -1,8 +1,8 @@
 /* record.h -- everything that a run writes.
  *
- * DIR/history.csv a row at a time, DIR/fluid.pvd and DIR/particles.pvd with
- * their files a picture at a time, DIR/profiles/ and DIR/summary.json at the
- * end.
+ * DIR/history.csv and DIR/probes.csv a row at a time, DIR/fluid.pvd and
+ * DIR/particles.pvd with their files a picture at a time, DIR/profiles/ and
+ * DIR/summary.json at the end.
  */
 #ifndef RECORD_H
 #define RECORD_H

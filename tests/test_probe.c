@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/probe.h"
+
+#include <check.h>
+#include <stdlib.h>
+
+enum { CELLS = 6 * 9 * 5 };
+
+/* Graded in all directions, so that no two widths agree. */
+static struct mesh *graded_box(void)
+{
+    return mesh_create_box(&(struct box_spec){.size = {0.4, 1.2, 0.1},
+                                              .cells = {6, 9, 5},
+                                              .grading = {2.0, 0.3, 4.0}});
+}
+
+/* 1 + 2 x - 3 y + 5 z in the second of two components, rubbish in the first. */
+static double at(const double x[3])
+{
+    return 1.0 + 2.0 * x[0] - 3.0 * x[1] + 5.0 * x[2];
+}
+
+static void fill(const struct mesh *m, double *f)
+{
+    for (int c = 0; c < m->n_cells; c++) {
+        f[2 * c] = 1e9;
+        f[2 * c + 1] = at(&m->centre[3 * c]);
+    }
+}
+
+/* The tolerance is rounding of a sum of 8 terms of size 5. */
+START_TEST(a_linear_field_is_seen_exactly_between_the_centres)
+{
+    static const double x[3][3] = {
+        {0.11, 0.9, 0.05}, {0.2, 0.4, 0.06}, {0.3, 0.31, 0.031}};
+    struct mesh *const m = graded_box();
+    double f[2 * CELLS];
+
+    fill(m, f);
+    for (int i = 0; i < 3; i++) {
+        const struct probe p = probe_at(m, x[i]);
+        ck_assert_double_eq_tol(probe_value(&p, f, 2, 1, NULL), at(x[i]),
+                                1e-14);
+    }
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(beyond_the_last_centre_the_last_cell_is_seen)
+{
+    static const double corner[2][3] = {{0.0, 0.0, 0.0}, {0.4, 1.2, 0.1}};
+    static const int cell[2] = {0, CELLS - 1};
+    struct mesh *const m = graded_box();
+    double f[2 * CELLS];
+
+    fill(m, f);
+    for (int i = 0; i < 2; i++) {
+        const struct probe p = probe_at(m, corner[i]);
+        ck_assert_double_eq(probe_value(&p, f, 2, 1, NULL), f[2 * cell[i] + 1]);
+    }
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(cells_without_weight_do_not_count)
+{
+    static const double x[3] = {0.11, 0.9, 0.05};
+    struct mesh *const m = graded_box();
+    const struct probe p = probe_at(m, x);
+    double f[2 * CELLS], weight[CELLS] = {0.0};
+
+    fill(m, f);
+    ck_assert_double_eq(probe_value(&p, f, 2, 1, weight), 0.0);
+    weight[p.cell[5]] = 0.25;
+    /* share * 0.25 * f over share * 0.25: two roundings */
+    ck_assert_double_eq_tol(probe_value(&p, f, 2, 1, weight),
+                            f[2 * p.cell[5] + 1], 1e-15);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("probe");
+    TCase *const t = tcase_create("probe");
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, a_linear_field_is_seen_exactly_between_the_centres);
+    tcase_add_test(t, beyond_the_last_centre_the_last_cell_is_seen);
+    tcase_add_test(t, cells_without_weight_do_not_count);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
