@@ -11,7 +11,7 @@ B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
 SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o)
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/scene/ledger_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
 # All cores, unless make was told how many.
@@ -66,6 +66,12 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(WARN) -MMD -MP -c -o $@ $<
+# The book's table of equations, for `winnow explain KEY`.
+$B/src/scene/ledger_rows.c: chapters/equations.md chapters/tools/rows.awk
+	@mkdir -p $(@D)
+	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
+$B/src/scene/ledger_rows.o: $B/src/scene/ledger_rows.c src/scene/ledger.h
+	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a

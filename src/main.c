@@ -6,6 +6,7 @@
 #include "scene/eval.h"
 #include "scene/explain.h"
 #include "scene/interrupt.h"
+#include "scene/ledger.h"
 #include "scene/list.h"
 #include "scene/nearest.h"
 #include "scene/run.h"
@@ -81,6 +82,9 @@ static int check(const struct line *l)
 static int explain(const struct line *l)
 {
     int code;
+
+    if (ledger_is_key(l->words[0])) return ledger_explain(l->words[0]);
+
     struct settings *const s = read_case(l, &code);
 
     if (s != NULL) code = explain_case(s);
@@ -110,9 +114,10 @@ static const struct command commands[] = {
     {"check", "CASE [-s path.to.key=value]...",
      "check a case and print the numbers that follow from it", "s", 1, 1,
      check},
-    {"explain", "CASE [-s path.to.key=value]...",
-     "the equations that a case switches on, and what it leaves off", "s", 1, 1,
-     explain},
+    {"explain", "CASE [-s path.to.key=value]... | KEY",
+     "the equations that a case switches on, and what it leaves off; or where "
+     "an equation is computed, tested and explained",
+     "s", 1, 1, explain},
     {"list", "[KIND]", "the models of a kind with their keys; KIND may be keys",
      "", 0, 1, list},
     {"eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,

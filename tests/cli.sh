@@ -91,6 +91,36 @@ fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
+fact explain_names_the_function 0 "src/exchange/drag.c                drag_terminal_ratio" \
+    "$winnow" explain XS11:2.13
+fact explain_names_the_test 0 "xs11_2_13_terminal_ratio_solves_its_quadratic" \
+    "$winnow" explain xs11:2.13
+fact explain_names_the_paragraph 0 "chapters/09-drag.md" \
+    "$winnow" explain "XS11 2.13"
+fact explain_names_the_inputs_of_eval 0 "winnow eval XS11:2.13, with Re [-]" \
+    "$winnow" explain XS11:2.13
+fact explain_follows_to_the_equation_that_stands_for_it 0 \
+    "the same as   XS11 2.1: motion of a particle" "$winnow" explain SX15:1a
+fact explain_shows_all_parts 0 "SX15 5c:" "$winnow" explain SX15:5
+fact explain_lists_a_document 0 "SX15 12" "$winnow" explain SX15
+fact misspelt_equation_finds_the_one_meant 2 'did you mean "XS11 2.13"?' \
+    "$winnow" explain XS11:2.13b
+fact unknown_equation_says_what_a_key_is 2 "a key is a document" \
+    "$winnow" explain nothing:1
+# From each equation to the function, the test and the paragraph, and these
+# are there.
+explained() {
+    sed -n 's/^\([A-Z][A-Z0-9]* [^|]*\) |.*/\1/p' "$top/chapters/ledger.txt" |
+        while read -r key; do
+            "$winnow" explain "$key" >one-key || echo "no $key"
+            sed -n 's/^.\{16\}\([a-z]*\/[^ ]*\) *\(.*\)/\1 \2/p' one-key |
+                while read -r file name; do
+                    grep -qF -- "$name" "$top/$file" || echo "$key: no $name in $file"
+                done
+        done | grep . && return 1
+    echo explained
+}
+fact every_equation_leads_to_what_is_there 0 explained explained
 full_output() { "$winnow" eval >/dev/full; }
 fact results_that_cannot_be_written_are_code_4 4 "cannot write" full_output
 

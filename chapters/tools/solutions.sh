@@ -21,8 +21,10 @@ count=0
 # The build goes along, so that only what the patch touches is compiled anew.
 copy() {
     rm -rf "$tree"
-    mkdir -p "$tree/build"
+    mkdir -p "$tree/build" "$tree/chapters/tools"
     cp -rp src tests cases Makefile "$tree"
+    cp -p chapters/equations.md "$tree/chapters"
+    cp -p chapters/tools/rows.awk "$tree/chapters/tools"
     cp -rp "$build/src" "$build/libwinnow.a" "$tree/build"
 }
 

@@ -150,7 +150,7 @@ static int finite(const double v[8])
 
 struct bodies_survey bodies_look(const struct bodies *b, int begin, int end)
 {
-    struct bodies_survey found = {0.0, 0, -1};
+    struct bodies_survey found = {0.0, 0, -1, -1};
 
     for (int i = begin; i < end; i++) {
         double moved2 = 0.0;

@@ -62,6 +62,7 @@ struct bodies_survey {
     double moved2; /* [m^2] largest squared distance from the mark */
     int lost;      /* [-] particles outside of the box or not finite */
     int first;     /* [-] the first of them, or -1 */
+    int through;   /* [-] the surface that it went through, or -1 */
 };
 
 struct bodies_survey bodies_look(const struct bodies *b, int begin, int end);

@@ -199,7 +199,7 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         if (loop & CONTACT_ROLLING)
             sweep_rolling(&c, s, b, k, first, count, dt, loop & CONTACT_BUDGET);
     }
-    if (loop & CONTACT_BUDGET) sweep_close_budget(&s->energy, dt);
+    if (loop & CONTACT_BUDGET) sweep_close_budget(&s->energy);
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }

@@ -16,6 +16,7 @@
 
 #include "particles/dem_options.h"
 #include "particles/particles.h"
+#include "particles/surface.h"
 
 struct dem_report {
     long steps;         /* [-] of this run, that were done */
@@ -30,6 +31,7 @@ struct dem_report {
                            their radius or are nowhere */
     int lost_id;        /* [-] the first of them; -1: none */
     double lost_at[3];  /* [m] where it was found */
+    int lost_through;   /* [-] the surface that it went through; -1: none */
 };
 
 struct dem;
@@ -52,13 +54,29 @@ const struct energy *dem_energy(const struct dem *dem);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
+/* Starts the clock of the surfaces at this number of steps; before that they
+ * rest where they are at time 0. */
+void dem_clock(struct dem *dem, long steps);
+
+/* What the particles did to surface k since the run began (steps of which no
+ * time passed do not count). */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
+
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
- * the lower and 2 k + 1 the upper wall of direction k. */
+ * the lower and 2 k + 1 the upper wall of direction k, 6 any
+ * surface. */
 struct dem_spring {
     int id, other;
     double xi[3];   /* [m] of id against other */
     double roll[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3];    /* [-] of the contact with a surface, to know it again */
 };
 
 /* A new list of them, released with free(). */

@@ -5,18 +5,23 @@
 #ifndef DEM_OPTIONS_H
 #define DEM_OPTIONS_H
 
+#include "particles/integrators.h"
 #include "particles/materials.h"
+#include "particles/surface.h"
 
 struct dem_options {
     const struct contact_law *law;
     struct material material;          /* number 0 */
     const struct materials *materials; /* with others; NULL: there is no other.
                                           Borrowed for as long as the dem is */
-    double step;                       /* [s] */
-    double skin;                       /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3];               /* [m] walls of the box */
+    const struct integrator *integrator; /* NULL: velocity Verlet */
+    double step;                         /* [s] */
+    double skin;                         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3];                 /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
                         least 2 (d + skin) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
 };
 
 #endif

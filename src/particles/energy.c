@@ -6,7 +6,7 @@
 double energy_residual(const struct energy *e)
 {
     return e->kinetic + e->normal + e->tangential + e->damped_n + e->damped_t +
-           e->slid + e->released + e->rolled - e->work - e->brought;
+           e->slid + e->released + e->rolled - e->work - e->walls - e->brought;
 }
 
 /* (1/2) m_a v^2 of the added mass (response.h). */
@@ -22,22 +22,30 @@ static double taken_along(const struct bodies *b)
     return sum;
 }
 
+static void add(struct energy *e, const struct strip_energy *part,
+                double elastic)
+{
+    e->normal += elastic * part->normal;
+    e->tangential += part->tangential;
+    e->damped_n += part->damped_n;
+    e->damped_t += part->damped_t;
+    e->slid += part->slid;
+    e->released += part->released;
+    e->rolled += part->rolled;
+    e->work += part->work;
+}
+
 struct energy energy_collect(const struct neighbours *nb, double elastic)
 {
     struct energy e = {.kinetic = taken_along(nb->bodies)};
 
     for (int s = 0; s < nb->count; s++) {
         const struct strip *const own = &nb->strips[s];
-        const struct strip_energy *const part = &own->energy;
         e.kinetic += own->measures.translation + own->measures.rotation;
-        e.normal += elastic * part->normal;
-        e.tangential += part->tangential;
-        e.damped_n += part->damped_n;
-        e.damped_t += part->damped_t;
-        e.slid += part->slid;
-        e.released += part->released;
-        e.rolled += part->rolled;
-        e.work += part->work;
+        add(&e, &own->energy, elastic);
+        if (nb->surfaces != NULL)
+            add(&e, surfaces_energy(nb->surfaces, s), elastic);
     }
+    if (nb->surfaces != NULL) e.walls = surfaces_work(nb->surfaces);
     return e;
 }

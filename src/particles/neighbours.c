@@ -37,6 +37,7 @@ void neighbours_free(struct neighbours *nb)
     free(nb->strips);
     bodies_free(nb->bodies);
     grid_free(nb->grid);
+    surfaces_free(nb->surfaces);
     barrier_free(nb->barrier);
     free(nb->rank);
     free(nb);
@@ -55,6 +56,13 @@ void neighbours_meet(const struct neighbours *nb)
     barrier_wait(nb->barrier, omp_get_num_threads());
 }
 
+/* The springs of strip s, before its particles change places. */
+static void keep(struct neighbours *nb, int s)
+{
+    strip_keep(&nb->strips[s]);
+    if (nb->surfaces != NULL) surfaces_keep(nb->surfaces, s, nb->ps);
+}
+
 void neighbours_open(struct neighbours *nb)
 {
     struct bodies *const b = nb->bodies;
@@ -66,10 +74,11 @@ void neighbours_open(struct neighbours *nb)
         struct strip *const own = &nb->strips[s];
         own->deepest = 0.0;
         if (nb->stale) {
-            if (!nb->recalled) strip_keep(own);
+            if (!nb->recalled) keep(nb, s);
             strip_cut(own, s, nb->count, b->n);
         }
     }
+    if (nb->surfaces != NULL) surfaces_open(nb->surfaces);
     nb->recalled = 0;
     bodies_fetch(b, nb->ps, 0, b->n);
 }
@@ -123,28 +132,35 @@ double neighbours_speed(const struct neighbours *nb)
     for (int s = 0; s < nb->count; s++)
         for (int k = 0; k < 3; k++)
             top[k] = fmax(top[k], nb->strips[s].fastest[k]);
-    return sqrt(top[0] * top[0] + top[1] * top[1] + top[2] * top[2]);
+    const double v = sqrt(top[0] * top[0] + top[1] * top[1] + top[2] * top[2]);
+    return nb->surfaces != NULL ? fmax(v, nb->surfaces->speed) : v;
 }
 
 void neighbours_look(struct neighbours *nb)
 {
     const struct neighbours_share mine = neighbours_share(nb);
 
-    for (int s = mine.first; s < mine.last; s++)
-        nb->strips[s].survey =
-            bodies_look(nb->bodies, nb->strips[s].begin, nb->strips[s].end);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        own->survey = bodies_look(nb->bodies, own->begin, own->end);
+        if (nb->surfaces != NULL)
+            surfaces_look(nb->surfaces, s, own, nb->bodies, !nb->stale,
+                          nb->skin, &own->survey);
+    }
 }
 
 /* Farthest that anybody moved since the vicinity was made [m], or -1. */
 static double farthest(const struct neighbours *nb)
 {
-    double moved2 = 0.0;
+    double moved2 = 0.0, walls = 0.0;
 
     for (int s = 0; s < nb->count; s++) {
         if (nb->strips[s].survey.lost > 0) return -1.0;
         moved2 = fmax(moved2, nb->strips[s].survey.moved2);
+        if (nb->surfaces != NULL)
+            walls = fmax(walls, surfaces_moved(nb->surfaces, s));
     }
-    return sqrt(moved2);
+    return fmax(sqrt(moved2), walls);
 }
 
 /* By one thread: the particles in their new order, and the new place of
@@ -160,6 +176,7 @@ static void sort(struct neighbours *nb)
     particles_permute(nb->ps, order);
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
+    if (nb->surfaces != NULL) surfaces_index(nb->surfaces, ps);
     nb->rebuilds++;
 }
 
@@ -199,7 +216,7 @@ static void rebuild(struct neighbours *nb)
 
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
-        if (!nb->stale) strip_keep(own);
+        if (!nb->stale) keep(nb, s);
         bodies_park(b, nb->ps, own->begin, own->end);
     }
     neighbours_meet(nb);
@@ -211,8 +228,11 @@ static void rebuild(struct neighbours *nb)
         bodies_mark(b, own->begin, own->end);
     }
     neighbours_meet(nb);
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
         grid_find(nb->grid, &nb->strips[s], b, nb->skin);
+        if (nb->surfaces != NULL)
+            surfaces_find(nb->surfaces, s, &nb->strips[s], b, nb->skin);
+    }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)
         for (int q = 0; q < nb->strips[s].n_kept; q++)
@@ -232,7 +252,10 @@ double neighbours_refresh(struct neighbours *nb, double wanted)
     neighbours_meet(nb);
     if (moved < 0.0) return -1.0;
     if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
         strip_choose(&nb->strips[s], nb->bodies, margin);
+        if (nb->surfaces != NULL)
+            surfaces_choose(nb->surfaces, s, nb->bodies, margin);
+    }
     return margin;
 }

@@ -17,13 +17,15 @@
 #include "particles/barrier.h"
 #include "particles/grid.h"
 #include "particles/strip.h"
+#include "particles/surfaces.h"
 
 struct neighbours {
     struct particles *ps; /* borrowed */
     struct bodies *bodies;
     struct grid *grid;
     struct strip *strips;
-    int count; /* [-] strips */
+    int count;                 /* [-] strips */
+    struct surfaces *surfaces; /* besides the box; NULL without any */
     struct barrier *barrier;
     int *rank;     /* [-] new place of each particle after a sort */
     double skin;   /* [m] set by the caller before neighbours_open */

@@ -57,6 +57,7 @@ struct strip_energy {
     double tangential; /* [J] sum of (1/2) k_t xi^2 */
     double found;      /* [J] the same before the step, with the k_t of now */
     double stored;     /* [J] and as the sweep before left it */
+    int looks;         /* [-] 1: this sweep books nothing as released */
     /* since the first */
     double damped_n, damped_t; /* [J] by the dashpots */
     double slid;               /* [J] by friction where it slides */

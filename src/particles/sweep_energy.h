@@ -94,16 +94,16 @@ SWEEP_STAGE void sweep_budget(struct strip_energy *e,
 
 /* Around all contacts of a strip. Springs wander between strips when the lists
  * are made anew: `released` of one strip may be anything, the sum over all is
- * right. A sweep that takes no time only looks. */
+ * right. */
 static inline void sweep_open_budget(struct strip_energy *e)
 {
     e->stored = e->tangential;
     e->normal = e->tangential = e->found = 0.0;
 }
 
-static inline void sweep_close_budget(struct strip_energy *e, double dt)
+static inline void sweep_close_budget(struct strip_energy *e)
 {
-    if (dt > 0.0) e->released += e->stored - e->found;
+    if (!e->looks) e->released += e->stored - e->found;
 }
 
 #endif

@@ -18,6 +18,8 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     struct dem_options o = {
         .law = contact_law_named(settings_text(s, "particles.contact")),
         .material = case_materials_one(s, 0),
+        .integrator =
+            integrators_named(settings_text(s, "particles.integrator")),
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
     double size[3];

@@ -59,8 +59,8 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
 {
     char group[64];
 
-    snprintf(group, sizeof group, "%.*s", (int)strcspn(kind->key, "."),
-             kind->key);
+    snprintf(group, sizeof group, "%s", kind->key);
+    if (strrchr(group, '.') != NULL) *strrchr(group, '.') = '\0';
     if (strcmp(kind->name, "scheme") == 0 && settings_has(s, group))
         return strcmp(settings_text(s, "averaging.method"), "diffusion") == 0;
     if (strcmp(kind->name, "interpolation") == 0)

@@ -7,6 +7,7 @@
 #include "exchange/drag.h"
 #include "fluid/fluid.h"
 #include "particles/contact_hertz.h"
+#include "particles/integrators.h"
 #include "particles/sizes.h"
 
 #include <stddef.h>
@@ -33,6 +34,17 @@ static int contact(int i, struct model *m)
     m->keys = all[i] == &contact_hertz
                   ? "particles.grains.young particles.grains.poisson"
                   : "particles.grains.stiffness";
+    return 1;
+}
+
+static int integrator(int i, struct model *m)
+{
+    const struct integrator *const all = integrators;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k].name == NULL) return 0;
+    *m = (struct model){all[i].name, all[i].what, all[i].cite, "", ""};
+    m->function = all[i].predicts ? "integrators_correct" : "bodies_advance";
     return 1;
 }
 
@@ -229,6 +241,8 @@ static int effect(int i, struct model *m)
 
 const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
+    {"integrator", "ways of the particles through time", "particles.integrator",
+     integrator},
     {"sizes", "distributions of diameters", "particles.sizes.distribution",
      sizes},
     {"averaging", "ways from particles to fields", "averaging.method",

@@ -1,0 +1,41 @@
+/* vector.h -- the few operations on three numbers that geometry needs. */
+#ifndef VECTOR_H
+#define VECTOR_H
+
+#include <math.h>
+
+static inline double vector_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double vector_length(const double a[3])
+{
+    return sqrt(vector_dot(a, a));
+}
+
+/* c = a x b; c is none of the two. */
+static inline void vector_cross(const double a[3], const double b[3],
+                                double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* c = a + s b. */
+static inline void vector_along(const double a[3], double s, const double b[3],
+                                double c[3])
+{
+    for (int k = 0; k < 3; k++)
+        c[k] = a[k] + s * b[k];
+}
+
+/* c = a - b. */
+static inline void vector_between(const double a[3], const double b[3],
+                                  double c[3])
+{
+    vector_along(a, -1.0, b, c);
+}
+
+#endif

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/dem_inside.h"
+
+#include <math.h>
+#include <omp.h>
+
+#include "particles/response.h"
+
+/* The contacts are chosen for about so many steps ahead. */
+static const double steps_ahead = 12.0;
+
+/* All functions here are called by every thread of the team. Each counts for
+ * itself what all of them see: how far pairs may come closer [m] until the
+ * contacts have to be chosen again, and how much of it is spent. */
+struct reach {
+    double margin, spent;
+};
+
+/* The surfaces where they are after k steps of this run. */
+static void move_surfaces(const struct dem *dem, int k)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+    const double t = (double)(dem->tick + (dem->ticking ? k : 0));
+
+    for (int s = mine.first; s < mine.last; s++)
+        surfaces_move(nb->surfaces, s, t * dem->options.step);
+}
+
+static void advance(const struct dem *dem, double kick, double drift)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        if (nb->bodies->response == NULL)
+            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                           drift, own->fastest);
+        else
+            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
+                             drift, own->fastest);
+        if (dem->energy != NULL) strip_work(own, nb->bodies, drift);
+    }
+}
+
+static void forces(const struct dem *dem, double dt)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
+        if (nb->surfaces != NULL)
+            surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
+                          dem->sweep, dem->constants, dt);
+    }
+    neighbours_meet(nb);
+    for (int s = mine.first; s < mine.last; s++)
+        strip_fold(nb->strips, nb->count, s, nb->bodies->n);
+}
+
+/* Whether a budget should book what springs have lost since they were seen
+ * last, or look only. */
+static void book(const struct dem *dem, int looks)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    if (dem->energy == NULL) return;
+    for (int s = mine.first; s < mine.last; s++) {
+        nb->strips[s].energy.looks = looks;
+        if (nb->surfaces != NULL)
+            surfaces_energy(nb->surfaces, s)->looks = looks;
+    }
+}
+
+/* Lists and forces for particles that were changed from outside; no time
+ * passes. */
+static int start(struct dem *dem, double *margin)
+{
+    *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
+    if (*margin < 0.0) return 1;
+    book(dem, 1);
+    forces(dem, 0.0);
+    book(dem, 0);
+    return 0;
+}
+
+static void measure(struct dem *dem)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++)
+        strip_measure(&nb->strips[s], nb->bodies);
+}
+
+/* The energy of now, and what has come since the last run. */
+static void open_budget(struct dem *dem)
+{
+    struct energy *const e = dem->energy;
+
+    measure(dem);
+    neighbours_meet(dem->neighbours);
+    if (omp_get_thread_num() == 0) {
+        const struct energy before = *e;
+        *e = energy_collect(dem->neighbours, dem->options.law->stored);
+        e->brought = before.brought;
+        e->brought += energy_residual(e) - energy_residual(&before);
+    }
+    neighbours_meet(dem->neighbours);
+}
+
+static void choose_contacts(struct dem *dem, struct reach *r, double closer)
+{
+    r->margin = neighbours_refresh(
+        dem->neighbours, fmax(dem->least_margin, steps_ahead * closer));
+    r->spent = 0.0;
+}
+
+/* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
+ * kick, each later one a whole kick, and the last kick brings the velocities to
+ * the time of the places. Gives the steps done. */
+static int leap(struct dem *dem, int steps, struct reach *r)
+{
+    const struct integrator *const by = dem->options.integrator;
+    struct neighbours *const nb = dem->neighbours;
+    const double dt = dem->options.step;
+
+    if (steps > 0) advance(dem, by->first * dt, dt);
+    for (int k = 0; k < steps; k++) {
+        const int last = k + 1 == steps;
+        neighbours_meet(nb);
+        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
+        const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
+        r->spent += closer;
+        if (r->spent > r->margin) choose_contacts(dem, r, closer);
+        if (r->margin < 0.0) return k;
+        forces(dem, dt);
+        advance(dem, last ? by->last * dt : dt, last ? 0.0 : dt);
+    }
+    return steps;
+}
+
+static void predict(struct dem *dem, double dt)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        if (dem->energy != NULL)
+            strip_work(&nb->strips[s], nb->bodies, 0.5 * dt);
+        integrators_predict(dem->start, &nb->strips[s], nb->bodies, dt);
+    }
+}
+
+static void correct(struct dem *dem, double dt)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        if (dem->energy != NULL)
+            strip_work(&nb->strips[s], nb->bodies, 0.5 * dt);
+        integrators_correct(dem->start, &nb->strips[s], nb->bodies, dt);
+    }
+}
+
+/* a(x, v), which leaves the springs as they are, and is kept. */
+static void force_at_start(struct dem *dem)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    forces(dem, 0.0);
+    for (int s = mine.first; s < mine.last; s++)
+        integrators_keep(dem->start, &nb->strips[s], nb->bodies);
+    neighbours_meet(nb);
+}
+
+/* Heun. The springs are drawn by half a step with the slip at its start, for
+ * which the contacts are gone through once more, and by half a step with the
+ * slip at x*, v*. The lists are for pairs that are near at the start. The
+ * contact forces that a run leaves are those at x*, v*: to ask for them at the
+ * end would let sliding springs give way once more. */
+static int lean(struct dem *dem, int steps, struct reach *r)
+{
+    struct neighbours *const nb = dem->neighbours;
+    const double dt = dem->options.step;
+    int k = 0;
+
+    advance(dem, 0.0, 0.0); /* for the speeds */
+    for (; k < steps; k++) {
+        neighbours_meet(nb);
+        const double closer = 2.0 * neighbours_speed(nb) * dt;
+        if (r->spent + closer > r->margin) choose_contacts(dem, r, closer);
+        if (r->margin < 0.0) return k;
+        force_at_start(dem);
+        forces(dem, 0.5 * dt);
+        neighbours_meet(nb);
+        predict(dem, dt);
+        neighbours_meet(nb);
+        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
+        forces(dem, 0.5 * dt);
+        correct(dem, dt);
+        neighbours_meet(nb);
+        r->spent += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
+    }
+    return steps;
+}
+
+void dem_move(struct dem *dem, int steps)
+{
+    struct neighbours *const nb = dem->neighbours;
+    struct reach r = {nb->margin, nb->spent};
+
+    if (nb->surfaces != NULL) move_surfaces(dem, 0);
+    if (nb->stale && start(dem, &r.margin) != 0) return;
+    if (dem->energy != NULL) open_budget(dem);
+    const int done = dem->options.integrator->predicts ? lean(dem, steps, &r)
+                                                       : leap(dem, steps, &r);
+    neighbours_look(nb);
+    measure(dem);
+    neighbours_meet(nb);
+    if (omp_get_thread_num() == 0) {
+        nb->margin = r.margin;
+        nb->spent = r.spent;
+        dem->done = done;
+        dem->tick += dem->ticking ? done : 0;
+    }
+}
