@@ -186,7 +186,8 @@ static const struct {
 static const char *const ways[] = {"nearest", "linear", "same"};
 
 /* 5 methods x 3 interpolations x 2 treatments x 2 forms of continuity x with
- * and without the pressure force x 2 relaxations: fluid, particles and what is
+ * and without the pressure force x 2 relaxations, [XS11 Algorithm 3.1] twenty
+ * times: fluid, particles and what is
  * owed keep their sum to rounding. 1e-12 of the particles' momentum is a
  * thousand roundings; the solvers of the diffusion get 1e-10, a thousand times
  * their tolerance. */
@@ -218,8 +219,8 @@ START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
 }
 END_TEST
 
-/* Algorithm 3.1 as printed charges the fluid with Omega and A of the step
- * before and forgets the difference. How much that is: `owed` is it. */
+/* [XS11 Algorithm 3.1] as printed charges the fluid with Omega and A of the
+ * step before and forgets the difference. How much that is: `owed` is it. */
 START_TEST(without_the_debt_algorithm_3_1_loses_momentum)
 {
     struct simulation *const sim = build(&air);
@@ -329,6 +330,92 @@ END_TEST
 
 /* --- forces ------------------------------------------------------------- */
 
+/* The force on a particle is V_p beta / eps_s times the slip, towards where
+ * the fluid goes (printed the other way round). One step without contacts: the
+ * velocity changes along the slip of its start, to rounding. */
+START_TEST(xs11_2_9_drag_is_along_the_slip_of_the_fluid)
+{
+    struct scene s = air;
+    s.averaging = "pcm";
+    s.interpolation = "nearest";
+    s.pressure_gradient = 0;
+    s.substeps = s.dem_steps = 1;
+    s.n = 27;
+    struct simulation *const sim = build(&s);
+    const double eps_s = 1.0 - sim->coupling->eps[13];
+    double w[3] = {0.3 - sim->particles->vx[13], -sim->particles->vy[13],
+                   -sim->particles->vz[13]};
+    const double slip = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    const double beta =
+        drag_beta(drag_law_named(s.drag), eps_s, s.rho, s.mu, s.d, slip);
+    ck_assert_double_eq_tol(sim->coupling->k[13] * eps_s /
+                                (M_PI / 6.0 * pow(s.d, 3) * beta),
+                            1.0, 1e-12);
+    const double *const v[3] = {sim->particles->vx, sim->particles->vy,
+                                sim->particles->vz};
+    double before[3], along = 0.0, gained = 0.0;
+    for (int k = 0; k < 3; k++)
+        before[k] = v[k][13];
+    run(sim, 1);
+    for (int k = 0; k < 3; k++) { /* the fluid has moved on a little, too */
+        w[k] = sim->coupling->u_f[39 + k] - before[k];
+        along += w[k] * (v[k][13] - before[k]);
+        gained += pow(v[k][13] - before[k], 2);
+    }
+    ck_assert_double_gt(along, 0.0);
+    ck_assert_double_eq_tol(
+        along / sqrt(gained * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2])), 1.0,
+        1e-12);
+    discard(sim);
+}
+END_TEST
+
+/* Cell by cell, from the particles in it and their k alone. */
+START_TEST(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell)
+{
+    struct scene s = air;
+    s.averaging = "pcm";
+    struct simulation *const sim = build(&s);
+    const struct particles *const ps = sim->particles;
+    const int *const host = averaging_host(sim->averaging);
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        double K = 0.0, F = 0.0;
+        for (int i = 0; i < ps->n; i++)
+            if (host[i] == c) {
+                K += sim->coupling->k[i] / sim->mesh->V[c];
+                F += sim->coupling->k[i] * ps->vx[i] / sim->mesh->V[c];
+            }
+        ck_assert_double_eq_tol(sim->fluid->K[c], K, 1e-12 * (1.0 + K));
+        ck_assert_double_eq_tol(sim->fluid->F[3 * c], F, 1e-12 * (1.0 + K));
+    }
+    discard(sim);
+}
+END_TEST
+
+/* 1000 Pa/m in every cell, spheres of three sizes: - V_p grad p on each. The
+ * fluid is at rest and so is its viscous stress. */
+START_TEST(xs11_2_6_a_pressure_gradient_pushes_by_the_volume)
+{
+    struct scene s = air;
+    s.n = 27;
+    struct simulation *const sim = build(&s);
+    const struct effect_state *const e = &sim->effects[0];
+    for (int i = 0; i < s.n; i++)
+        sim->particles->d[i] *= 1.0 + 0.25 * (i % 3);
+    for (int c = 0; c < 3 * sim->mesh->n_cells; c++)
+        sim->fluid->grad_p[c] = c % 3 == 1 ? 1000.0 : 0.0;
+    memset(sim->held, 0, 3 * (size_t)s.n * sizeof *sim->held);
+    e->effect->before_particles(e->memory, sim);
+    for (int i = 0; i < s.n; i++) {
+        const double V = M_PI / 6.0 * pow(sim->particles->d[i], 3);
+        ck_assert_double_eq_tol(sim->held[3 * i + 1] / (-1000.0 * V), 1.0,
+                                1e-12);
+        ck_assert_double_eq_tol(sim->held[3 * i], 0.0, 1e-12 * 1000.0 * V);
+    }
+    discard(sim);
+}
+END_TEST
+
 /* A sphere as heavy as the fluid floats: weight and buoyancy cancel in each
  * step, for any g, while the pressure has no hydrostatic part. */
 START_TEST(ls_5_1_a_neutral_sphere_floats)
@@ -427,6 +514,10 @@ static Suite *suite(void)
     tcase_add_test(t, xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
     tcase_add_loop_test(t, xs11_3_16_relaxation_is_exact_for_a_constant_rate, 0,
                         10);
+    tcase_add_test(t, xs11_2_9_drag_is_along_the_slip_of_the_fluid);
+    tcase_add_test(t,
+                   xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);
+    tcase_add_test(t, xs11_2_6_a_pressure_gradient_pushes_by_the_volume);
     tcase_add_test(t, ls_5_1_a_neutral_sphere_floats);
     tcase_add_test(t, ls_5_one_way_leaves_the_fluid_alone);
     tcase_add_loop_test(t, xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau,

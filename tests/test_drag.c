@@ -167,6 +167,17 @@ START_TEST(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000)
 }
 END_TEST
 
+/* A poppy seed in air at 0.9 m/s: 1.2 * 1.2e-3 * 0.9 / 1.8e-5. Half the seed at
+ * twice the speed meets the same flow. */
+START_TEST(xs11_2_12_reynolds_number_is_72_for_a_seed_in_air)
+{
+    ck_assert_double_eq_tol(drag_reynolds(1.2, 1.8e-5, 1.2e-3, 0.9), 72.0,
+                            1e-12);
+    ck_assert_double_eq(drag_reynolds(1.2, 1.8e-5, 0.6e-3, 1.8),
+                        drag_reynolds(1.2, 1.8e-5, 1.2e-3, 0.9));
+}
+END_TEST
+
 /* F = 0.5 rho (pi d^2 / 4) C_D u |u|: with C_D = 24/Re it is Stokes' 3 pi mu d
  * u, and it turns with the slip. */
 START_TEST(ls_5_2_force_with_24_over_re_is_stokes)
@@ -179,7 +190,7 @@ START_TEST(ls_5_2_force_with_24_over_re_is_stokes)
 }
 END_TEST
 
-/* tau = m / (3 pi mu d) for a sphere, shortened by the correction. */
+/* [LS 5.12] tau = m / (3 pi mu d) for a sphere, shortened by the correction. */
 START_TEST(ls_5_13_relaxation_time_is_mass_over_resistance)
 {
     const double d = 1e-4, rho_p = 2500.0, m = rho_p * M_PI / 6.0 * d * d * d;
@@ -201,6 +212,7 @@ int main(void)
     tcase_add_test(t, xs11_2_13_terminal_ratio_solves_its_quadratic);
     tcase_add_test(t, xs11_2_14_terminal_ratio_runs_from_a1_to_a2);
     tcase_add_test(t, xs11_2_11_beta_is_the_printed_product);
+    tcase_add_test(t, xs11_2_12_reynolds_number_is_72_for_a_seed_in_air);
     tcase_add_test(t, xs11_2_10_force_per_slip_is_eps_f_times_b);
     tcase_add_test(t, drag_is_finite_for_a_particle_at_rest_and_alone);
     tcase_add_test(t, xs11_3_17_table_1_follows_from_quartz);

@@ -95,6 +95,12 @@ START_TEST(an_effect_that_is_not_named_allocates_nothing)
     ck_assert_int_eq(
         allocations_with("effects = { time_average = { time = 0.1; }; };\n"),
         none + list + 3);
+    /* one block holds them and the charges */
+    ck_assert_int_eq(
+        allocations_with("effects = { capillary = { tension = 0.07; };\n"
+                         "van_der_waals = { hamaker = 1e-19; range = 1e-6; };"
+                         "};\n"),
+        none + list + 1);
 }
 END_TEST
 

@@ -246,9 +246,10 @@ END_TEST
 
 /* --- conservation ------------------------------------------------------- */
 
-/* In a closed periodic box only F - K u changes the momentum, also when eps
- * jumps at random: with the void-rate form to rounding; with the mixture form
- * once `relabelled` is taken into account. 1e-12 of what the forces did. */
+/* In a closed periodic box only F - K u, [XS11 3.13] less its gradients,
+ * changes the momentum, also when eps jumps at random: with the void-rate form
+ * to rounding; with the mixture form once `relabelled` is taken into account.
+ * 1e-12 of what the forces did. */
 START_TEST(momentum_changes_only_by_the_forces_on_it)
 {
     const double size[3] = {1.0, 1.0, 1.0};

@@ -86,6 +86,31 @@ START_TEST(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4)
 }
 END_TEST
 
+/* Two spheres fly apart at 1 m/s each: a list with a skin of 1 mm is good for
+ * N = skin / (2 v dt) = 50 steps. It must not last longer; as up to half of the
+ * skin is spent on margins it may last half as long. Twice the speed, half the
+ * steps. */
+START_TEST(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide)
+{
+    for (int twice = 0; twice < 2; twice++) {
+        struct particles *const ps = particles_create(2);
+        struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.1);
+        struct dem_report r;
+        const double v = twice ? 2.0 : 1.0;
+
+        spheres_throw(ps, spheres_add(ps, 0.0, 0.0, 0.002, 1e-3), v, 0.0, 0.0);
+        spheres_throw(ps, spheres_add(ps, 0.0, 0.0, 0.0, 1e-3), -v, 0.0, 0.0);
+        o.skin = 1e-3;
+        struct dem *const dem = dem_create(ps, &o);
+        ck_assert_int_eq(dem_run(dem, 4000, &r), 0);
+        ck_assert_int_ge((int)r.rebuilds, (twice ? 2 : 1) * 4000 / 50);
+        ck_assert_int_le((int)r.rebuilds, (twice ? 4 : 2) * 4000 / 50);
+        dem_free(dem);
+        particles_free(ps);
+    }
+}
+END_TEST
+
 /* The forces of 30 steps add up in another order, and a few collisions let
  * that grow from 1e-16; one contact overlooked for a step makes 1e-6. */
 START_TEST(ls_5_15_the_skin_changes_nothing_but_the_work)
@@ -130,7 +155,8 @@ struct pressed_pair {
     long rebuilds;
 };
 
-static struct pressed_pair press(double skin, const int periodic[3])
+static struct pressed_pair press(double skin, const int periodic[3],
+                                 double rolling)
 {
     struct pressed_pair q = {particles_create(4), NULL, 0, 0};
     struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
@@ -140,6 +166,7 @@ static struct pressed_pair press(double skin, const int periodic[3])
     o.skin = skin;
     for (int k = 0; k < 3; k++)
         o.periodic[k] = periodic[k];
+    o.material.rolling = rolling;
     spheres_add(q.ps, 0.0001, 0.0002, 0.0049, 0.01);
     spheres_add(q.ps, 0.0001, 0.0002, -0.0050, 0.01);
     spheres_add(q.ps, 0.09, 0.09, 0.09, 0.01);
@@ -184,13 +211,12 @@ static void release(struct pressed_pair *q)
 /* Without a rebuild the spring never moves. Rounding alone differs; a spring
  * lost, or kept with the wrong sign when the owner changes, shows in the third
  * digit of the spin. */
-START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
+static void survive(int open, double rolling)
 {
-    const int closed[3] = {0, 0, 0}, open[3] = {1, 1, 1};
-    const int *const periodic = _i == 0 ? closed : open;
-    const double period = _i == 0 ? 0.0 : 0.2;
-    struct pressed_pair calm = press(0.085, periodic);
-    struct pressed_pair busy = press(2e-6, periodic);
+    const int periodic[3] = {open, open, open};
+    const double period = open ? 0.2 : 0.0;
+    struct pressed_pair calm = press(0.085, periodic, rolling);
+    struct pressed_pair busy = press(2e-6, periodic, rolling);
 
     whirl(&calm, 500, period);
     whirl(&busy, 500, period);
@@ -207,6 +233,17 @@ START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
     }
     release(&calm);
     release(&busy);
+}
+
+START_TEST(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner)
+{
+    survive(_i, 0.0);
+}
+END_TEST
+
+START_TEST(the_spring_of_rolling_survives_them_too)
+{
+    survive(_i, 0.2);
 }
 END_TEST
 
@@ -333,9 +370,11 @@ int main(void)
     tcase_add_loop_test(
         t, ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4, 0,
         N_HUNTS);
+    tcase_add_test(t, ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide);
     tcase_add_test(t, ls_5_15_the_skin_changes_nothing_but_the_work);
     tcase_add_loop_test(
         t, ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 0, 2);
+    tcase_add_loop_test(t, the_spring_of_rolling_survives_them_too, 0, 2);
     tcase_add_test(t, ls_4_8_the_spring_of_a_wall_survives_rebuilds);
     tcase_add_test(
         t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/capillary.h"
+#include "particles/electrostatic.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
+#include "scene/check.h"
 #include "scene/list.h"
 #include "scene/models.h"
 #include "scene/rows.h"
@@ -8,6 +12,8 @@
 #include "capture.h"
 
 #include <check.h>
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -166,6 +172,49 @@ START_TEST(materials_of_a_case_reach_the_particles)
 }
 END_TEST
 
+START_TEST(cohesion_is_complete_and_possible)
+{
+    refused("effects.electrostatic={range=1e-3;}", "no material has a charge");
+    refused("particles.grains.charge=1e-12",
+            "particles.grains.charge needs effects.electrostatic");
+    refused("effects.van_der_waals={hamaker=1e-19;range=1e-10;}",
+            "longer than the closest gap, 4e-10 m");
+    refused("effects.van_der_waals={hamaker=1e-19;}",
+            "effects.van_der_waals.range is missing");
+    refused("effects.capillary={tension=0.07;angle=2.0;}",
+            "expected a number >= 0, < 1.5707963 [rad]");
+}
+END_TEST
+
+/* What a case says of its cohesion is what acts, in the order of the effects.
+ */
+START_TEST(cohesion_of_a_case_reaches_the_particles)
+{
+    const char *const overrides[] = {
+        ("effects.capillary={tension=0.07;angle=1.0471975511965976;"
+         "range=1e-4;harmonic=true;}"),
+        "effects.electrostatic={range=2e-3;permittivity=3.0;}",
+        "particles.grains.charge=-4e-12"};
+    int code, n;
+    struct settings *const s =
+        scene_read("cases/mueller-bed.cfg", 3, overrides, &code);
+
+    ck_assert_ptr_nonnull(s);
+    struct attraction *const a = case_cohesion_create(s, &n);
+    ck_assert_int_eq(n, 2);
+    ck_assert_ptr_eq(a[0].law, &electrostatic);
+    ck_assert_double_eq(a[0].range, 2e-3);
+    ck_assert_double_eq(a[0].strength, 3.0);
+    ck_assert_double_eq(a[0].charge[0], -4e-12);
+    ck_assert_ptr_eq(a[1].law, &capillary);
+    ck_assert_double_eq_tol(a[1].strength, 0.035, 1e-12);
+    ck_assert_double_eq(a[1].range, 1e-4);
+    ck_assert_int_eq(a[1].harmonic, 1);
+    free(a);
+    settings_free(s);
+}
+END_TEST
+
 START_TEST(bed_must_fit_into_the_box)
 {
     refused("particles.bed.diameter=0.02", "more than the box has room for");
@@ -289,6 +338,27 @@ START_TEST(list_shows_every_model_and_key)
 }
 END_TEST
 
+/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. They
+ * print S_c / d_p = 2 for it, rounded. */
+START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
+{
+    int code;
+    struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
+    struct capture c = capture_begin(1);
+    double S_c = 0.0;
+
+    ck_assert_int_eq(check_case(s), 0);
+    capture_end(&c, said);
+    const char *const line = strstr(said, "  S_c ");
+    ck_assert_ptr_nonnull(line);
+    ck_assert_int_eq(sscanf(line, " S_c %lf m", &S_c), 1);
+    ck_assert_double_eq_tol(S_c, cbrt(44e-3 / 18 * 120e-3 / 50 * 10e-3 / 4),
+                            1e-6); /* four digits are printed */
+    ck_assert_double_eq_tol(S_c / 1.2e-3, 2.0, 0.05);
+    settings_free(s);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("scene");
@@ -298,6 +368,7 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_test(t, the_cases_are_right);
+    tcase_add_test(t, sx15_10_the_size_of_a_cell_is_the_root_of_its_volume);
     tcase_add_test(t, something_must_be_there_to_compute);
     tcase_add_test(t, each_side_of_the_box_is_described_once);
     tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
@@ -305,6 +376,8 @@ int main(void)
     tcase_add_test(t, contact_law_asks_for_its_constants);
     tcase_add_test(t, materials_are_known_by_their_names);
     tcase_add_test(t, materials_of_a_case_reach_the_particles);
+    tcase_add_test(t, cohesion_is_complete_and_possible);
+    tcase_add_test(t, cohesion_of_a_case_reaches_the_particles);
     tcase_add_test(t, bed_must_fit_into_the_box);
     tcase_add_test(t, averaging_by_a_width_asks_for_one);
     tcase_add_test(t, profiles_lie_inside_the_box);

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "effects/effects.h"
 
+#include "effects/cohesion.h"
+
 #include <string.h>
 
 const struct effect *const effects_all[] = {
-    &gravity_effect, &pressure_gradient_effect, &time_average_effect,
-    &energy_budget_effect, NULL};
+    &gravity_effect,         &pressure_gradient_effect,
+    &time_average_effect,    &energy_budget_effect,
+    &cohesion_electrostatic, &cohesion_van_der_waals,
+    &cohesion_capillary,     NULL};
 
 const struct effect *effects_named(const char *name)
 {

@@ -36,6 +36,7 @@ static void pressure_gradient_free(void *memory)
     free(self);
 }
 
+/* The part of [LS 5.1, XS11 2.6] that the pressure has. */
 static void pressure_gradient_before_particles(void *memory,
                                                struct simulation *sim)
 {

@@ -140,6 +140,7 @@ static void finish_step(struct simulation *sim)
     }
 }
 
+/* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 int coupling_step(struct simulation *sim)
 {
     double clock = clock_now();

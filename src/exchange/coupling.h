@@ -70,7 +70,7 @@ void coupling_free(struct coupling *cp);
  * if one is outside the mesh. */
 int coupling_start(struct simulation *sim);
 
-/* One step of Algorithm 3.1 [XS11], for any scene: a scene without fluid has
+/* One step of [XS11 Algorithm 3.1], for any scene: a scene without fluid has
  * no steps 1, 2 and 5, one without particles only step 1. Non-zero if the
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);

@@ -25,7 +25,8 @@ struct simulation {
     struct fluid *fluid;
     struct particles *particles;
     struct dem *dem;
-    struct materials *materials; /* NULL: all are of one */
+    struct materials *materials;    /* NULL: all are of one */
+    struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;
     struct coupling *coupling;
     double dt;         /* [s] of the loop: the fluid's step where there is

@@ -197,7 +197,7 @@ void transfer_open_account(struct simulation *sim)
 }
 
 /* Mean drag f and mean velocity v of particle i over its share of the step,
- * into the sums. */
+ * into the sums [XS11 3.20]. */
 static void account(struct simulation *sim, int i, const double f[3],
                     const double v[3], double share)
 {

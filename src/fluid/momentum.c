@@ -81,8 +81,8 @@ static void cell_coefficients(struct fluid *fl)
     }
 }
 
-/* [XS11 3.14]: the explicit part of the drag to the right, the implicit part
- * on the diagonal. */
+/* [XS11 3.13, 3.14]: the explicit part of the drag to the right, the implicit
+ * part on the diagonal. */
 static void add_drag(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;

@@ -10,7 +10,7 @@
 #include "base/file.h"
 #include "base/number.h"
 
-enum { LINE = 256, FACTS = 19, COLUMNS = 11 };
+enum { LINE = 256, FACTS = 24, COLUMNS = 11 };
 
 /* "name a b c" with numbers that read back exactly. */
 static void fact(char line[LINE], const char *name, int n, const double *value)
@@ -50,6 +50,15 @@ static void wall_fact(char line[LINE], const struct dem_options *o)
     fact(line, "wall", 7, known);
 }
 
+static void attraction_fact(char line[LINE], const struct attraction *a)
+{
+    const double known[] = {a->range, a->strength, a->closest,
+                            a->harmonic ? 1.0 : 0.0,
+                            a->charge != NULL ? a->charge[0] : 0.0};
+
+    fact(line, a->law->name, 5, known);
+}
+
 /* What the bed was made with, a line a fact; returns how many. */
 static int facts(char text[FACTS][LINE], const struct bed_options *bed,
                  const struct dem_options *o)
@@ -77,6 +86,8 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
     fact(text[n++], "friction", 1, &m->friction);
     if (m->rolling > 0.0) fact(text[n++], "rolling", 1, &m->rolling);
     if (o->materials != NULL) wall_fact(text[n++], o);
+    for (int k = 0; k < o->n_attractions && n < FACTS; k++)
+        attraction_fact(text[n++], &o->attractions[k]);
     return n;
 }
 

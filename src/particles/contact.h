@@ -27,6 +27,7 @@ struct material {
     double restitution; /* [-] e; 0: critical damping [LS 4.11, 4.12] */
     double friction;    /* [-] mu */
     double rolling;     /* [-] mu_r: resists M <= mu_r R* F_n; 0: none */
+    double charge;      /* [C] of a sphere (electrostatic.h) */
 };
 
 /* What two materials are to each other (materials.h). */

@@ -26,10 +26,20 @@ static double skin_of(const struct dem_options *o, const struct particles *ps)
     return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
 }
 
+/* How far anything acts beyond touching. */
+static double range_of(const struct dem_options *o)
+{
+    double range = 0.0;
+
+    for (int k = 0; k < o->n_attractions; k++)
+        range = fmax(range, o->attractions[k].range);
+    return range;
+}
+
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const double skin = skin_of(o, ps);
+    const double skin = skin_of(o, ps) + range_of(o);
     double widest = 0.0;
 
     for (int i = 0; i < ps->n; i++)
@@ -80,6 +90,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->count);
     dem->neighbours->bodies->n_materials = n;
+    dem->neighbours->range = range_of(o);
     if (o->materials != NULL)
         dem->neighbours->bodies->wall_material = o->materials->wall;
     if (loop & CONTACT_ROLLING) neighbours_keep_rolling(dem->neighbours);

@@ -3,10 +3,11 @@
  *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
  *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
  *
- * with the contact forces F_c and torques T_c of contact.h and an outside
- * force F (gravity, the fluid) that is constant during a run. Velocity Verlet;
- * the force is taken with the velocity of half a step before, which keeps one
- * evaluation a step and second order for what does not damp.
+ * with the contact forces F_c and torques T_c of contact.h, to which the
+ * attractions of attraction.h are added, and an outside force F (gravity, the
+ * fluid) that is constant during a run. Velocity Verlet; the force is taken
+ * with the velocity of half a step before, which keeps one evaluation a step
+ * and second order for what does not damp.
  *
  * The same bits for any number of threads. Nothing is allocated in a run but
  * lists that grow until they fit.

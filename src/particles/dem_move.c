@@ -44,6 +44,20 @@ static void advance(const struct dem *dem, double kick, double drift)
     }
 }
 
+/* The forces of dem->options.attractions on a strip; a budget books their
+ * power. */
+static void attract(const struct dem *dem, struct strip *own, double dt)
+{
+    const struct bodies *const b = dem->neighbours->bodies;
+    const struct attraction *const all = dem->options.attractions;
+    const int books = dem->energy != NULL && dem->options.n_attractions > 0;
+    const double before = books ? strip_power(own, b) : 0.0;
+
+    for (int k = 0; k < dem->options.n_attractions; k++)
+        all[k].law->sweep(own, b, &all[k]);
+    if (books) own->energy.attracted += dt * (strip_power(own, b) - before);
+}
+
 static void forces(const struct dem *dem, double dt)
 {
     const struct neighbours *const nb = dem->neighbours;
@@ -54,6 +68,7 @@ static void forces(const struct dem *dem, double dt)
         if (nb->surfaces != NULL)
             surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
                           dem->sweep, dem->constants, dt);
+        attract(dem, &nb->strips[s], dt);
     }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++)

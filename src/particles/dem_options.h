@@ -5,6 +5,7 @@
 #ifndef DEM_OPTIONS_H
 #define DEM_OPTIONS_H
 
+#include "particles/attraction.h"
 #include "particles/integrators.h"
 #include "particles/materials.h"
 #include "particles/surface.h"
@@ -19,9 +20,11 @@ struct dem_options {
     double skin;                         /* [m] of the neighbour list; 0: d/6 */
     double lo[3], hi[3];                 /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
-                        least 2 (d + skin) long there */
+                        least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
+    const struct attraction *attractions; /* borrowed likewise */
+    int n_attractions;                    /* [-] 0: only touching counts */
 };
 
 #endif

@@ -6,7 +6,8 @@
 double energy_residual(const struct energy *e)
 {
     return e->kinetic + e->normal + e->tangential + e->damped_n + e->damped_t +
-           e->slid + e->released + e->rolled - e->work - e->walls - e->brought;
+           e->slid + e->released + e->rolled - e->work - e->attracted -
+           e->walls - e->brought;
 }
 
 /* (1/2) m_a v^2 of the added mass (response.h). */
@@ -33,6 +34,7 @@ static void add(struct energy *e, const struct strip_energy *part,
     e->released += part->released;
     e->rolled += part->rolled;
     e->work += part->work;
+    e->attracted += part->attracted;
 }
 
 struct energy energy_collect(const struct neighbours *nb, double elastic)

@@ -2,8 +2,8 @@
  * Chapter 15.
  *
  *   kinetic + normal + tangential
- *       + damped_n + damped_t + slid + released + rolled = work + walls +
- * brought
+ *       + damped_n + damped_t + slid + released + rolled
+ *     = work + attracted + walls + brought
  *
  * up to the error of the integrator. Kept only where it is asked for.
  */
@@ -25,13 +25,15 @@ struct energy {
                                   gain as it grows */
     double rolled;             /* [J] against rolling friction */
     /* Come since then. */
-    double work;    /* [J] of the outside forces: gravity, the fluid */
-    double walls;   /* [J] of surfaces that move */
-    double brought; /* [J] by what was put in, taken out or given other
-                       velocities between two runs */
+    double work;      /* [J] of the outside forces: gravity, the fluid */
+    double attracted; /* [J] work of the attractions; what they took is given
+                         back where they do not change on the way */
+    double walls;     /* [J] of surfaces that move */
+    double brought;   /* [J] by what was put in, taken out or given other
+                         velocities between two runs */
 };
 
-/* kinetic ... rolled less work, walls and brought [J]. */
+/* The left side less the right one [J]. */
 double energy_residual(const struct energy *e);
 
 /* All but `brought`, out of the strips as they are; elastic: the share of

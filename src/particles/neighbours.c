@@ -172,7 +172,8 @@ static void sort(struct neighbours *nb)
 
     for (int i = 0; i < ps->n; i++)
         widest = fmax(widest, ps->d[i]);
-    const int *const order = grid_order(nb->grid, ps, widest + nb->skin);
+    const int *const order =
+        grid_order(nb->grid, ps, widest + nb->skin + nb->range);
     particles_permute(nb->ps, order);
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
@@ -229,7 +230,7 @@ static void rebuild(struct neighbours *nb)
     }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++) {
-        grid_find(nb->grid, &nb->strips[s], b, nb->skin);
+        grid_find(nb->grid, &nb->strips[s], b, nb->skin + nb->range);
         if (nb->surfaces != NULL)
             surfaces_find(nb->surfaces, s, &nb->strips[s], b, nb->skin);
     }

@@ -29,6 +29,8 @@ struct neighbours {
     struct barrier *barrier;
     int *rank;     /* [-] new place of each particle after a sort */
     double skin;   /* [m] set by the caller before neighbours_open */
+    double range;  /* [m] gap that the vicinity must hold in any case, for
+                      what acts without touching; 0 */
     double margin; /* [m] of the contacts */
     double spent;  /* [m] of it since they were chosen */
     int stale;     /* [-] 1: the particles were changed from outside */

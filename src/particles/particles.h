@@ -15,7 +15,8 @@ struct particles {
     double *d;               /* [m] diameter */
     double *m;               /* [kg] mass */
     double *ex, *ey, *ez;    /* [N] outside force, constant during dem_run */
-    double *cfx, *cfy, *cfz; /* [N] contact force at the end of dem_run */
+    double *cfx, *cfy, *cfz; /* [N] of contacts and attractions, at the end of
+                                dem_run */
     int *id;                 /* [-] 0, 1, ... in the order of creation */
     int *material;           /* [-] number of it; NULL: all are of material 0 */
     /* What holds them back (response.h): NULL unless particles_hold_back. */

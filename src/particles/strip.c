@@ -322,6 +322,18 @@ void strip_measure(struct strip *s, const struct bodies *b)
     }
 }
 
+double strip_power(const struct strip *s, const struct bodies *b)
+{
+    double sum = 0.0;
+
+    for (int q = 0; q < s->window; q++) {
+        const double *const v = b->motion[(s->begin + q) % b->n];
+        for (int k = 0; k < 3; k++)
+            sum += s->load[q][k] * v[k];
+    }
+    return sum;
+}
+
 /* push is a force over the mass, added mass and all (response.h); v is what the
  * particles have just moved by, so that the sum is the force times the way,
  * exactly. A fluid that holds them back takes k v^2. */

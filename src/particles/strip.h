@@ -64,6 +64,7 @@ struct strip_energy {
     double released;           /* [J] by tangential springs */
     double rolled;             /* [J] against rolling friction */
     double work;               /* [J] of the outside forces */
+    double attracted;          /* [J] work of the attractions */
 };
 
 struct strip {
@@ -115,6 +116,9 @@ void strip_fold(struct strip *strips, int count, int s, int n);
 
 /* Fills in the measures. */
 void strip_measure(struct strip *s, const struct bodies *b);
+
+/* Power of the loads of this strip on the particles of now [W]. */
+double strip_power(const struct strip *s, const struct bodies *b);
 
 /* Adds to the energy budget what the outside forces did in a drift of dt. */
 void strip_work(struct strip *s, const struct bodies *b, double dt);

@@ -248,6 +248,7 @@ void build_free(struct simulation *sim)
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     free(sim->materials);
+    free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->boundaries);

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
@@ -132,6 +133,8 @@ int build_particles(const struct settings *s, struct simulation *sim)
     int code = 0;
 
     o.materials = sim->materials = case_materials_create(s);
+    o.attractions = sim->attractions =
+        case_cohesion_create(s, &o.n_attractions);
 
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);

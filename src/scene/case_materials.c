@@ -46,7 +46,8 @@ struct material case_materials_one(const struct settings *s, int number)
                              .tangential = value(s, number, "tangential"),
                              .restitution = value(s, number, "restitution"),
                              .friction = value(s, number, "friction"),
-                             .rolling = value(s, number, "rolling")};
+                             .rolling = value(s, number, "rolling"),
+                             .charge = value(s, number, "charge")};
 }
 
 double case_materials_density(const struct settings *s, int number)

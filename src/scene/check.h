@@ -1,6 +1,6 @@
 /* check.h -- `winnow check`: a case in derived numbers, before it is run. */
-#ifndef CHECK_H
-#define CHECK_H
+#ifndef SCENE_CHECK_H
+#define SCENE_CHECK_H
 
 #include "scene/settings.h"
 

@@ -8,6 +8,7 @@
 #include "particles/integrators.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
 /* The two sides of each direction, and the key that names both at once. */
@@ -190,6 +191,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
+    if (code == 0) code = case_cohesion_check(s);
     if (code != 0) return code;
     if (bed == place)
         return settings_wrong(s, "particles", "give either bed or place%s",

@@ -6,9 +6,12 @@
 #include "averaging/kernel.h"
 #include "effects/time_average.h"
 #include "exchange/drag.h"
+#include "particles/capillary.h"
 #include "particles/contact_hertz.h"
 #include "particles/contact_linear.h"
+#include "particles/electrostatic.h"
 #include "particles/limits.h"
+#include "particles/van_der_waals.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -103,6 +106,21 @@ static double critical_damping(const double *x)
     return contact_linear_dashpot(1.0, x[1], x[0]);
 }
 
+static double charges(const double *x)
+{
+    return electrostatic_force(x[0], x[1], x[2], x[3]);
+}
+
+static double hamaker(const double *x)
+{
+    return van_der_waals_force(x[0], van_der_waals_diameter(x[1], x[2]), x[3]);
+}
+
+static double bridge(const double *x)
+{
+    return capillary_force(x[0] * cos(x[1]), capillary_mean(x[2], x[3]));
+}
+
 static double rayleigh(const double *x)
 {
     return limits_rayleigh(x[0], x[1], x[2], x[3]);
@@ -173,6 +191,15 @@ const struct equation equations_all[] = {
     {"LS:4.12", "critical tangential damping of a spring and a mass",
      "m [kg], k_t [N/m]", "eta_t", "kg/s", "contact_linear_dashpot",
      critical_damping},
+    {"LS:4.13", "force between two charged spheres; positive repels",
+     "q_i [C], q_j [C], eps_r [-], l [m]", "F", "N", "electrostatic_force",
+     charges},
+    {"LS:4.14", "van der Waals attraction of two spheres, l their gap",
+     "A [J], D_i [m], D_j [m], l [m]", "F", "N", "van_der_waals_force",
+     hamaker},
+    {"LS:4.15", "capillary force between two spheres; negative attracts",
+     "gamma [N/m], theta [rad], R_i [m], R_j [m]", "F", "N", "capillary_force",
+     bridge},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
      force},

@@ -303,6 +303,7 @@ const struct history_column history_columns[] = {
     {"lost_by_tangential_springs [J]", history_energy_released, E},
     {"lost_by_rolling [J]", history_energy_rolled, E},
     {"work_of_outside_forces [J]", history_energy_work, E},
+    {"work_of_cohesion [J]", history_energy_attracted, E},
     {"work_of_walls [J]", history_energy_walls, E},
     {"energy_brought [J]", history_energy_brought, E},
     {"energy_residual [J]", history_energy_residual, E},

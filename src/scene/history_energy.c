@@ -43,6 +43,11 @@ double history_energy_work(const struct simulation *sim)
     return dem_energy(sim->dem)->work;
 }
 
+double history_energy_attracted(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->attracted;
+}
+
 double history_energy_walls(const struct simulation *sim)
 {
     return dem_energy(sim->dem)->walls;

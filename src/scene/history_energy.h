@@ -14,6 +14,7 @@ double history_energy_slid(const struct simulation *sim);
 double history_energy_released(const struct simulation *sim);
 double history_energy_rolled(const struct simulation *sim);
 double history_energy_work(const struct simulation *sim);
+double history_energy_attracted(const struct simulation *sim);
 double history_energy_walls(const struct simulation *sim);
 double history_energy_brought(const struct simulation *sim);
 double history_energy_residual(const struct simulation *sim);
