@@ -147,7 +147,7 @@ int coupling_step(struct simulation *sim)
     int failed = 0;
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
-    if (sim->fluid != NULL) failed = fluid_step(sim->fluid);
+    if (sim->fluid != NULL) failed = fluid_advance(sim->fluid, sim->dt);
     clock_add(&sim->seconds.cfd, &clock);
 
     if (sim->particles != NULL && !failed) {

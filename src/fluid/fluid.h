@@ -40,10 +40,14 @@ struct fluid_options {
     const struct slope_scheme *slope; /* of u, where a face asks for it; NULL:
                                          gauss */
     enum continuity continuity;
-    int correctors;      /* [-] pressure corrections a step */
+    int correctors;      /* [-] pressure corrections a step, at least */
+    double splitting;    /* [-] more are made while report.splitting is above;
+                            0: none */
     int repeats;         /* [-] times that a step is done again with what it
                             found: outer iterations after the first */
     double tolerance;    /* [-] residuals, relative */
+    double cfl;          /* [-] largest Courant number of fluid_advance; 0:
+                            any */
     int coupled;         /* 1: there are particles, F and K exist */
     int pressure_shared; /* 1: gamma = eps */
     const struct boundary *boundaries; /* one a patch of the mesh, borrowed */
@@ -65,7 +69,9 @@ struct fluid_report {
                                  momentum equation, over its largest term;
                                  carried into the next step, not lost */
     double cfl;               /* [-] largest dt (sum |phi|) / (2 eps V) */
+    int correctors;           /* [-] made in the last step */
     int backflow_faces;       /* [-] outlet faces with flow inward */
+    int parts;                /* [-] steps that fluid_advance took */
 };
 
 struct fluid {
@@ -106,6 +112,10 @@ void fluid_settle_eps(struct fluid *fl);
 /* One step of dt by PISO. Non-zero if a solver failed or a value is no longer
  * finite; the report says which. */
 int fluid_step(struct fluid *fl);
+
+/* Goes on by dt [s], in one step or, where the Courant number would be above
+ * options.cfl, in as many as it asks for. */
+int fluid_advance(struct fluid *fl, double dt);
 
 /* Momentum of the fluid [N s], with what the last step left unsolved and so
  * still owes. With the void-rate form it changes only by forces and boundary

@@ -137,8 +137,9 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
     }
 }
 
-/* A slip wall holds back the normal component only: on the diagonal of the
- * components, normal and axes being parallel in a box. */
+/* A slip wall holds back the normal component only, by -D n (n . u): n_k n_k on
+ * the diagonal of the components, which is all of it where normal and axes are
+ * parallel. */
 static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
@@ -146,8 +147,32 @@ static void add_slip_face(struct fluid *fl, int f)
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
     const double D = fl->options.mu * link_strength(m, f);
 
+    const int c = m->owner[f];
+
     for (int k = 0; k < 3; k++)
-        fl->piso->diag3[3 * m->owner[f] + k] += D * S[k] * S[k] / SS;
+        fl->piso->diag3[3 * c + k] += D * S[k] * S[k] / SS;
+}
+
+/* The rest of it, -D n_k (n . u - n_k u_k) for an oblique wall, goes to the
+ * right with the velocity of now. */
+static void add_slip_rest(const struct fluid *fl, double *right)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const S = &m->S[3 * f];
+            const double *const u = &fl->u[3 * m->owner[f]];
+            const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+            const double Su = S[0] * u[0] + S[1] * u[1] + S[2] * u[2];
+            const double D = fl->options.mu * link_strength(m, f);
+            for (int k = 0; k < 3; k++)
+                right[3 * m->owner[f] + k] -=
+                    D * S[k] * (Su - S[k] * u[k]) / SS;
+        }
+    }
 }
 
 static void add_boundaries(struct fluid *fl)
@@ -200,6 +225,7 @@ struct solve_report momentum_predict(struct fluid *fl)
     for (int c = 0; c < fl->mesh->n_cells; c++)
         for (int k = 0; k < 3; k++)
             ps->rhs[3 * c + k] = ps->b[3 * c + k] + known(fl, c, k);
+    if (ps->oblique_slip) add_slip_rest(fl, ps->rhs);
     return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u,
                           fl->options.tolerance, 1e-300, 200, ps->bicgstab);
 }
@@ -215,16 +241,25 @@ void momentum_neighbours(struct fluid *fl)
             const double slip = ps->diag3[i] - ps->momentum->diag[c];
             ps->H[i] = ps->b[i] - ps->H[i] - slip * fl->u[i];
         }
+    if (ps->oblique_slip) add_slip_rest(fl, ps->H);
 }
 
+/* H has the slip walls' part with the velocity from before. Where viscosity
+ * crosses the cell within a step that would overshoot from one corrector to the
+ * next, and the new velocity is taken. */
 void momentum_correct(struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
 
     for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            fl->u[3 * c + k] =
-                (ps->H[3 * c + k] + known(fl, c, k)) / ps->momentum->diag[c];
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            const double slip = ps->diag3[i] - ps->momentum->diag[c];
+            const double right = ps->H[i] + known(fl, c, k);
+            fl->u[i] = slip > 0.25 * ps->storage[c]
+                           ? (right + slip * fl->u[i]) / ps->diag3[i]
+                           : right / ps->momentum->diag[c];
+        }
 }
 
 double momentum_rest(struct fluid *fl)

@@ -17,6 +17,7 @@
 struct piso {
     struct csr *momentum; /* [kg/s] */
     double *diag3;        /* [kg/s] a_P and, on slip walls, their stress */
+    int oblique_slip;     /* 1: a slip wall is not normal to an axis */
     double *b;            /* [N] right side but for pressure and storage */
     double *storage;      /* [kg/s] rho eps_start V / dt */
     double *past;         /* [N] storage times the velocity before the step */
@@ -79,6 +80,11 @@ void edge_velocity(const struct fluid *fl, const struct boundary *b, int f,
                    double u[3]);
 /* The present fluxes of the inlets. */
 void edge_inlet_fluxes(const struct fluid *fl, double *phi);
+
+/* mean_gradient.c: 1 if the pressure has a mean gradient beside p; what it does
+ * to the fluxes, after it has been adapted to the flow that is to be kept. */
+int mean_gradient_exists(const struct fluid_options *o);
+void mean_gradient_add(struct fluid *fl);
 
 /* deferred.c: 1 if something looks beyond the two cells of a face; adds it to
  * b from the velocities known so far. */

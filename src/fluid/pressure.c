@@ -184,6 +184,7 @@ struct solve_report pressure_correct(struct fluid *fl)
 
     driven_fluxes(fl);
     if (ps->storage_older != NULL) add_older_fluxes(fl);
+    if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     const double scale = pressure_rhs(fl);
     const struct solve_report report =
         cg_solve(ps->pressure, ps->mg, ps->divergence, fl->p, 0.0,

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
+#include "scene/build_fluid.h"
 #include "scene/build_particles.h"
 #include "scene/scene.h"
 
@@ -43,96 +44,6 @@ int build_steps(const struct settings *s, double *dt)
     if (!settings_has(s, "particles")) return 0;
     const double n = *dt / settings_real(s, "particles.step");
     return n < 1.0 ? 1 : (int)ceil(n * (1.0 - 1e-12)); /* 5.000000000001 is 5 */
-}
-
-static int two_way(const struct settings *s)
-{
-    return settings_has(s, "exchange") &&
-           strcmp(settings_text(s, "exchange.coupling"), "two-way") == 0;
-}
-
-/* --- fluid -------------------------------------------------------------- */
-
-static int count_points(const struct settings *s, const struct mesh *m)
-{
-    int n = 0;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        char path[64];
-        snprintf(path, sizeof path, "%s.inlet",
-                 settings_side(s, m->patches[i].name));
-        if (settings_has(s, path)) n += settings_points(s, path);
-    }
-    return n;
-}
-
-/* One patch; an inlet puts its course at the end of what is used so far. */
-static struct boundary one_boundary(const struct settings *s, const char *side,
-                                    double *time, double *velocity, int *used)
-{
-    struct boundary b = {.kind = BOUNDARY_SLIP};
-    char path[64];
-
-    snprintf(path, sizeof path, "%s.inlet", side);
-    if (settings_has(s, path)) {
-        b.kind = BOUNDARY_INLET;
-        b.n_points = settings_points(s, path);
-        b.time = &time[*used];
-        b.velocity = &velocity[*used];
-        for (int i = 0; i < b.n_points; i++, (*used)++)
-            settings_point(s, path, i, &time[*used], &velocity[*used]);
-        return b;
-    }
-    snprintf(path, sizeof path, "%s.outlet", side);
-    if (settings_has(s, path)) {
-        b.kind = BOUNDARY_OUTLET;
-        b.pressure = settings_real(s, path);
-        return b;
-    }
-    if (strcmp(settings_text(s, side), "no-slip") == 0)
-        b.kind = BOUNDARY_NO_SLIP;
-    return b;
-}
-
-static void create_boundaries(const struct settings *s, struct simulation *sim)
-{
-    const struct mesh *const m = sim->mesh;
-    const int points = count_points(s, m);
-    int used = 0;
-
-    sim->courses = alloc_doubles(2 * points);
-    sim->boundaries =
-        alloc_zeroed((size_t)m->n_patches, sizeof *sim->boundaries);
-    for (int i = 0; i < m->n_patches; i++)
-        sim->boundaries[i] =
-            one_boundary(s, settings_side(s, m->patches[i].name), sim->courses,
-                         sim->courses + points, &used);
-}
-
-static void create_fluid(const struct settings *s, struct simulation *sim)
-{
-    create_boundaries(s, sim);
-    const struct fluid_options o = {
-        .rho = settings_real(s, "fluid.density"),
-        .mu = settings_real(s, "fluid.viscosity"),
-        .dt = sim->dt,
-        .convection =
-            convection_scheme_named(settings_text(s, "fluid.convection")),
-        .time = time_scheme_named(settings_text(s, "fluid.time")),
-        .blend = settings_real(s, "fluid.blend"),
-        .slope = slope_scheme_named(settings_text(s, "fluid.gradient")),
-        .repeats = settings_int(s, "fluid.repeats"),
-        .continuity =
-            strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
-                ? CONTINUITY_MIXTURE
-                : CONTINUITY_VOID_RATE,
-        .correctors = settings_int(s, "fluid.correctors"),
-        .tolerance = settings_real(s, "fluid.tolerance"),
-        .coupled = two_way(s),
-        .pressure_shared =
-            two_way(s) && settings_has(s, "effects.pressure_gradient"),
-        .boundaries = sim->boundaries};
-    sim->fluid = fluid_create(sim->mesh, &o);
 }
 
 /* --- coupling ----------------------------------------------------------- */
@@ -184,7 +95,7 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),
-        .two_way = two_way(s)};
+        .two_way = build_two_way(s)};
     sim->coupling = coupling_create(sim, &o);
 }
 
@@ -224,7 +135,7 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     sim->mesh = build_mesh(s);
     sim->dem_steps = build_steps(s, &sim->dt);
     if (settings_has(s, "particles")) *code = build_particles(s, sim);
-    if (*code == 0 && settings_has(s, "fluid")) create_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
         if (*code == 0) create_coupling(s, sim);

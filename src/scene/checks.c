@@ -16,6 +16,8 @@ static const char *const sides[3][3] = {{"left", "right", "sides"},
                                         {"bottom", "top", "bottom_top"},
                                         {"back", "front", "front_back"}};
 
+static const char *const axes[3] = {"x", "y", "z"};
+
 static int has_side(const struct settings *s, const char *patch)
 {
     char path[64];
@@ -27,7 +29,6 @@ static int has_side(const struct settings *s, const char *patch)
 /* A periodic direction has no sides; any other has each of its two once. */
 static int check_direction(const struct settings *s, int k)
 {
-    static const char *const axes[3] = {"x", "y", "z"};
     const int both = has_side(s, sides[k][2]);
     int periodic[3];
 
@@ -67,6 +68,62 @@ static int count_sides(const struct settings *s, const char *key)
     return n;
 }
 
+/* A wall may move along itself only: it holds the fluid back, or there would
+ * be a flow through it. */
+static int check_walls(const struct settings *s)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            char path[64];
+            double u[3];
+            snprintf(path, sizeof path, "fluid.%s.wall", sides[k][i]);
+            if (!settings_has(s, path)) continue;
+            settings_vector(s, path, u);
+            if (u[k] != 0.0)
+                return settings_wrong(s, path,
+                                      "the wall would move through itself: "
+                                      "its %s is %g m/s, expected 0",
+                                      axes[k], u[k]);
+        }
+    return 0;
+}
+
+/* What drives a flow from the end of a direction to its beginning. */
+static int check_drive(const struct settings *s)
+{
+    static const char *const paths[] = {"fluid.mean_gradient",
+                                        "fluid.mean_flow"};
+    int periodic[3];
+
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < 2; i++) {
+        double v[3];
+        if (!settings_has(s, paths[i])) continue;
+        settings_vector(s, paths[i], v);
+        for (int k = 0; k < 3; k++)
+            if (v[k] != 0.0 && !periodic[k])
+                return settings_wrong(s, paths[i],
+                                      "%s is not periodic, so nothing can be "
+                                      "driven round it; expected 0 there",
+                                      axes[k]);
+    }
+    if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
+        return settings_wrong(s, paths[1],
+                              "the mean gradient follows from it; leave "
+                              "fluid.mean_gradient out");
+    return 0;
+}
+
+/* The fluid pays the drag with the velocity at the end of a step. */
+static int check_parts(const struct settings *s)
+{
+    if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
+        return settings_wrong(s, "fluid.cfl",
+                              "with exchange all of fluid.step is one step; "
+                              "give a shorter fluid.step instead");
+    return 0;
+}
+
 static int check_fluid(const struct settings *s)
 {
     int code = 0;
@@ -78,7 +135,9 @@ static int check_fluid(const struct settings *s)
         return settings_wrong(s, "fluid",
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
-    return code;
+    if (code == 0) code = check_walls(s);
+    if (code == 0) code = check_drive(s);
+    return code != 0 ? code : check_parts(s);
 }
 
 static int check_contact(const struct settings *s)

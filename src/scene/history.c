@@ -279,10 +279,32 @@ static double rebuilds(const struct simulation *sim)
     return (double)sim->dem_report.rebuilds;
 }
 
+static double mean_gradient_x(const struct simulation *sim)
+{
+    return sim->fluid->mean_gradient[0];
+}
+
+static double mean_gradient_y(const struct simulation *sim)
+{
+    return sim->fluid->mean_gradient[1];
+}
+
+static double mean_gradient_z(const struct simulation *sim)
+{
+    return sim->fluid->mean_gradient[2];
+}
+
+static double fluid_parts(const struct simulation *sim)
+{
+    return sim->fluid->report.parts;
+}
+
 enum {
     F = HISTORY_FLUID,
     P = HISTORY_PARTICLES,
     C = HISTORY_COUPLING,
+    D = HISTORY_DRIVEN,
+    N = HISTORY_PARTS,
     E = HISTORY_BUDGET
 };
 
@@ -332,12 +354,28 @@ const struct history_column history_columns[] = {
     {"pressure_iterations [-]", pressure_iterations, F},
     {"momentum_iterations [-]", momentum_iterations, F},
     {"backflow_faces [-]", backflow_faces, F},
+    {"mean_gradient_x [Pa/m]", mean_gradient_x, D},
+    {"mean_gradient_y [Pa/m]", mean_gradient_y, D},
+    {"mean_gradient_z [Pa/m]", mean_gradient_z, D},
+    {"fluid_parts [-]", fluid_parts, N},
     {NULL, NULL, 0}};
+
+/* 1 if the pressure has a mean gradient, given or adapted. */
+static int is_driven(const struct fluid *fl)
+{
+    for (int k = 0; k < 3 && fl != NULL; k++)
+        if (fl->options.mean_gradient[k] != 0.0 || fl->options.keeps_flow[k])
+            return 1;
+    return 0;
+}
 
 int history_applies(const struct history_column *c,
                     const struct simulation *sim)
 {
     return (!(c->needs & F) || sim->fluid != NULL) &&
+           (!(c->needs & D) || is_driven(sim->fluid)) &&
+           (!(c->needs & N) ||
+            (sim->fluid != NULL && sim->fluid->options.cfl > 0.0)) &&
            (!(c->needs & P) || sim->particles != NULL) &&
            (!(c->needs & C) || sim->coupling != NULL) &&
            (!(c->needs & E) ||

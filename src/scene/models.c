@@ -218,11 +218,14 @@ static int continuity(int i, struct model *m)
 static int patch(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"no-slip", "the fluid stands still at the wall", "",
-         "add_boundary_face", ""},
+        {"no-slip", "the fluid stands still at the wall", "", "add_wall_face",
+         ""},
         {"slip", "no flow through, no friction along", "", "add_slip_face", ""},
         {"inlet", "a superficial velocity, constant or varying in time", "",
-         "boundary_inlet_velocity", "fluid.<patch>.inlet"},
+         "boundary_inlet_velocity",
+         "fluid.<patch>.inlet fluid.<patch>.profile"},
+        {"wall", "a wall that moves along itself and takes the fluid with it",
+         "", "add_wall_face", "fluid.<patch>.wall"},
         {"outlet", "a pressure outside", "", "pressure_correct",
          "fluid.<patch>.outlet"},
         {NULL, NULL, NULL, NULL, NULL}};

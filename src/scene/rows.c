@@ -161,7 +161,8 @@ void rows_expected(const struct key *key, char text[ROWS_TEXT])
         [KEY_FLAGS] = "three of true or false [x, y, z]",
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
-        [KEY_PATCH] = "{ inlet = ...; } or { outlet = ...; }"};
+        [KEY_PATCH] =
+            "{ inlet = ...; } or { outlet = ...; } or { wall = ...; }"};
     char conditions[ROWS_TEXT], words[ROWS_TEXT];
 
     gather(key, 1, ", ", conditions);

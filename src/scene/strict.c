@@ -76,10 +76,14 @@ static int is_series(const struct key *key, const config_setting_t *s)
     return 1;
 }
 
+/* A word, or a group with one key; an inlet may have its profile as well. */
 static int is_patch(const struct key *key, const config_setting_t *s)
 {
-    return config_setting_is_group(s) ? config_setting_length(s) == 1
-                                      : is_word(key, s);
+    const int n = config_setting_is_group(s) ? config_setting_length(s) : 0;
+
+    if (!config_setting_is_group(s)) return is_word(key, s);
+    if (config_setting_get_member(s, "profile") == NULL) return n == 1;
+    return n == 2 && config_setting_get_member(s, "inlet") != NULL;
 }
 
 static int fits(const struct key *key, const config_setting_t *s)

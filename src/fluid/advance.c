@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* advance.c -- steps as long as the Courant number allows. */
+#include "fluid/piso.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* Half of the fluxes through a cell over its fluid, the largest of all cells:
+ * the Courant number over the step [1/s]. */
+static double fastest_cell(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double fastest = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        double through = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+            through += 0.5 * fabs(fl->phi[m->cell_face[a]]);
+        fastest = fmax(fastest, through / (fl->eps[c] * m->V[c]));
+    }
+    return fastest;
+}
+
+/* The same for the cells at inlets, with what is to come in at time t: before
+ * the first step there is nothing else to go by. */
+static double fastest_inlet(const struct fluid *fl, double t)
+{
+    const struct mesh *const m = fl->mesh;
+    double fastest = 0.0;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct boundary *const b = &fl->options.boundaries[i];
+        const struct patch *const p = &m->patches[i];
+        for (int j = 0; j < p->n && b->kind == BOUNDARY_INLET; j++) {
+            const int f = p->first + j, c = m->owner[f];
+            const double *const S = &m->S[3 * f];
+            const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+            const double U = boundary_inlet_velocity(b, t) *
+                             (b->profile != NULL ? b->profile[j] : 1.0);
+            fastest = fmax(fastest, fabs(U) * area / (fl->eps[c] * m->V[c]));
+        }
+    }
+    return fastest;
+}
+
+int fluid_advance(struct fluid *fl, double dt)
+{
+    double left = dt, cfl = 0.0;
+    int parts = 0, failed = 0;
+
+    while (parts == 0 || (left > 1e-9 * dt && !failed)) {
+        double n = 1.0;
+        if (fl->options.cfl > 0.0)
+            n = fmax(1.0, ceil(left / fl->options.cfl *
+                               fmax(fastest_cell(fl),
+                                    fastest_inlet(fl, fl->t + left))));
+        fl->options.dt = left / n;
+        left -= fl->options.dt;
+        failed = fluid_step(fl);
+        cfl = fmax(cfl, fl->report.cfl);
+        parts++;
+    }
+    fl->report.cfl = cfl;
+    fl->report.parts = parts;
+    return failed;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* mean_gradient.c -- what drives a flow through a periodic box.
+ *
+ * p itself is periodic; beside it the pressure has a mean gradient G, given or
+ * such that the flow keeps a superficial velocity on average. The flux through
+ * a face is linear in G, -m_f G . S, and so is its mean over the box,
+ *
+ *   (1/V) sum phi d,
+ *
+ * so that one G fits: what the mean lacks, over what it loses for a unit of G.
+ */
+#include "fluid/piso.h"
+
+int mean_gradient_exists(const struct fluid_options *o)
+{
+    for (int k = 0; k < 3; k++)
+        if (o->mean_gradient[k] != 0.0 || o->keeps_flow[k]) return 1;
+    return 0;
+}
+
+/* The G in direction k with which the driven fluxes and the present p have the
+ * mean flow asked for. */
+static double fitting(const struct fluid *fl, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+    double flow = 0.0, loss = 0.0, V = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        V += m->V[c];
+    for (int f = 0; f < m->n_internal; f++) {
+        const double dp = fl->p[m->neighbour[f]] - fl->p[m->owner[f]];
+        flow += (fl->phi[f] - ps->conductance[f] * dp) * m->d[3 * f + k];
+        loss += ps->m_face[f] * m->S[3 * f + k] * m->d[3 * f + k];
+    }
+    if (loss == 0.0) return 0.0; /* one cell across: nothing goes round */
+    return (flow - V * fl->options.mean_flow[k]) / loss;
+}
+
+void mean_gradient_add(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double *const G = fl->mean_gradient;
+
+    for (int k = 0; k < 3; k++)
+        if (fl->options.keeps_flow[k]) G[k] = fitting(fl, k);
+    for (int f = 0; f < m->n_internal; f++) {
+        const double *const S = &m->S[3 * f];
+        fl->phi[f] -=
+            fl->piso->m_face[f] * (G[0] * S[0] + G[1] * S[1] + G[2] * S[2]);
+    }
+}
