@@ -13,7 +13,7 @@ pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 command -v pandoc >/dev/null || { echo "book: asks for pandoc" >&2; exit 1; }
 rm -rf "$out"
 mkdir -p "$out/figures"
-cp "$tools/book.css" "$out"
+cp "$tools/book.css" "$tools/math.woff2" "$tools/math-licence.txt" "$out"
 find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done

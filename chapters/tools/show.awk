@@ -48,8 +48,10 @@ function show_code(file, names, n,    i, k, text, end) {
     return text
 }
 
+# A part of a text file, or all of it but the mark of a slow transcript.
 function show_output(file, section,    k, a) {
-    if (section == "") return copy(file, 1, lines[file])
+    if (section == "")
+        return copy(file, source[file, 1] ~ /^# slow/ ? 2 : 1, lines[file])
     for (k = 1; k <= lines[file] && source[file, k] != "## " section; k++) ;
     if (k > lines[file]) wrong("no part " section " in " file)
     for (a = ++k; k <= lines[file] && source[file, k] !~ /^## /; k++) ;
