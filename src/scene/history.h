@@ -21,7 +21,7 @@ enum {
     HISTORY_PARTICLES = 2,
     HISTORY_COUPLING = 4,
     HISTORY_DRIVEN = 8, /* a flow driven through periodic ends */
-    HISTORY_PARTS = 16  /* a step of the fluid that may be divided */
+    HISTORY_PARTS = 16, /* a step of the fluid that may be divided */
     HISTORY_BUDGET = 32 /* of the energy of the particles */
 };
 
