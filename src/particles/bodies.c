@@ -101,7 +101,8 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
                     double kick, double drift, double fastest[4])
 {
     static const double gain[8] = {1.0, 1.0, 1.0, 0.0, -2.5, -2.5, -2.5, 0.0};
-    double top[4] = {0.0, 0.0, 0.0, 0.0};
+    const double shift[4] = {drift, drift, drift, 0.0};
+    double top[4] = {fastest[0], fastest[1], fastest[2], 0.0};
 
     for (int i = begin; i < end; i++) {
         double *restrict const x = b->place[i];
@@ -113,16 +114,16 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
 #pragma omp simd
         for (int k = 0; k < 8; k++)
             v[k] += gain[k] * per_mass * f[k];
-        for (int k = 0; k < 4; k++)
-            v[k] += kick * a[k];
+#pragma omp simd
         for (int k = 0; k < 4; k++) {
-            const double speed = fabs(v[k]);
-            top[k] = speed > top[k] ? speed : top[k];
+            v[k] += kick * a[k];
+            x[k] += shift[k] * v[k];
         }
-        for (int k = 0; k < 3; k++)
-            x[k] += drift * v[k];
+#pragma omp simd
+        for (int k = 0; k < 4; k++)
+            top[k] = fabs(v[k]) > top[k] ? fabs(v[k]) : top[k];
     }
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 3; k++)
         fastest[k] = top[k];
 }
 

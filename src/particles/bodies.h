@@ -53,7 +53,7 @@ void bodies_park(const struct bodies *b, struct particles *ps, int begin,
 
 /* Velocity Verlet in one pass: v += kick F/m, then x += drift v. `load` holds
  * the contact force [N] and sum n x F_t (r/(R_i + R_j)) [N] of the particles
- * from begin on. Into fastest go the largest |v_x|, |v_y|, |v_z| found. */
+ * from begin on. The largest |v_x|, |v_y|, |v_z| raise what is in fastest. */
 void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
                     double kick, double drift, double fastest[4]);
 

@@ -50,11 +50,12 @@ struct contact_constants {
     double rolling;    /* [-] mu_r */
 };
 
-/* Adds the contact forces of one strip of particles to its loads; the springs
- * move on by dt [s]. None of the contacts is a call. With several materials k
- * is a table: row a, column b for materials a and b. */
+/* Adds the forces of contacts first ... last - 1 of a strip of particles to its
+ * loads; the springs move on by dt [s]. None of the contacts is a call. With
+ * several materials k is a table: row a, column b for materials a and b. */
 typedef void contact_sweep(struct strip *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt);
+                           const struct contact_constants *k, double dt,
+                           int first, int last);
 
 /* What a loop may leave out, so that it costs nothing: each law has a loop for
  * every sum of these. */

@@ -166,40 +166,50 @@ SWEEP_STAGE void sweep_loads_many(struct sweep_buffers *restrict c,
     sweep_cap(c, xi_x, xi_y, xi_z, k, 1);
 }
 
+static inline void sweep_copy(double *to, const double *from, int n)
+{
+    memcpy(to, from, (size_t)n * sizeof *to);
+}
+
+/* The contacts first ... last - 1 of a strip, all pairs or all walls. Where
+ * lanes are left over at the end, the springs are copied: those behind them
+ * belong to other contacts. */
 SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
                                  const struct contact_constants *k, double dt,
-                                 sweep_respond respond, int loop)
+                                 int first, int last, sweep_respond respond,
+                                 int loop)
 {
     const int many = (loop & CONTACT_MANY) != 0;
-    const int n = s->contacts.n_pairs + s->contacts.n_walls;
+    double spare[3][SWEEP_LANES] = {{0.0}};
     struct sweep_buffers c;
 
     memset(c.deepest, 0, sizeof c.deepest);
-    memset(s->load, 0, (size_t)s->window * sizeof *s->load);
-    if (loop & CONTACT_BUDGET) sweep_open_budget(&s->energy);
-    for (int first = 0; first < n; first += SWEEP_LANES) {
-        const int left = n - first;
-        const int count = left < SWEEP_LANES ? left : SWEEP_LANES;
-        double *const xi_x = s->contacts.spring[0] + first;
-        double *const xi_y = s->contacts.spring[1] + first;
-        double *const xi_z = s->contacts.spring[2] + first;
+    for (; first < last; first += SWEEP_LANES) {
+        const int left = last - first, short_of = left < SWEEP_LANES;
+        const int count = short_of ? left : SWEEP_LANES;
+        double *xi[3];
 
+        for (int a = 0; a < 3; a++) {
+            xi[a] = short_of ? spare[a] : s->contacts.spring[a] + first;
+            if (short_of)
+                sweep_copy(xi[a], s->contacts.spring[a] + first, count);
+        }
         sweep_gather(&c, s, b, first, count);
         sweep_into_columns(&c);
         sweep_frames(&c, &b->box, loop & CONTACT_PERIODIC);
         if (many) sweep_kinds(&c, s, b, first, count);
         sweep_law(&c, k, respond, many);
-        sweep_springs(&c, xi_x, xi_y, xi_z, dt);
+        sweep_springs(&c, xi[0], xi[1], xi[2], dt);
         if (loop & CONTACT_BUDGET)
-            sweep_budget(&s->energy, &c, (const double *[3]){xi_x, xi_y, xi_z},
-                         k, dt);
-        (many ? sweep_loads_many : sweep_loads)(&c, xi_x, xi_y, xi_z, k);
+            sweep_budget(&s->energy, &c, (const double *const *)xi, k, dt);
+        (many ? sweep_loads_many : sweep_loads)(&c, xi[0], xi[1], xi[2], k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
         if (loop & CONTACT_ROLLING)
             sweep_rolling(&c, s, b, k, first, count, dt, loop & CONTACT_BUDGET);
+        for (int a = 0; short_of && a < 3; a++)
+            sweep_copy(s->contacts.spring[a] + first, xi[a], count);
     }
-    if (loop & CONTACT_BUDGET) sweep_close_budget(&s->energy);
     for (int p = 0; p < SWEEP_LANES; p++)
         s->deepest = c.deepest[p] > s->deepest ? c.deepest[p] : s->deepest;
 }
@@ -207,9 +217,10 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
 /* The loops of a law. */
 #define SWEEP_LOOP(number, respond)                                            \
     static void sweep_##number(struct strip *s, const struct bodies *b,        \
-                               const struct contact_constants *k, double dt)   \
+                               const struct contact_constants *k, double dt,   \
+                               int first, int last)                            \
     {                                                                          \
-        sweep_contacts(s, b, k, dt, respond, number);                          \
+        sweep_contacts(s, b, k, dt, first, last, respond, number);             \
     }
 #define SWEEP_LOOPS(respond)                                                   \
     SWEEP_LOOP(0, respond)                                                     \

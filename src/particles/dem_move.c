@@ -4,7 +4,7 @@
 #include <math.h>
 #include <omp.h>
 
-#include "particles/response.h"
+#include "particles/stride.h"
 
 /* The contacts are chosen for about so many steps ahead. */
 static const double steps_ahead = 12.0;
@@ -27,52 +27,25 @@ static void move_surfaces(const struct dem *dem, int k)
         surfaces_move(nb->surfaces, s, t * dem->options.step);
 }
 
-static void advance(const struct dem *dem, double kick, double drift)
+static struct stride stride(const struct dem *dem, double dt, double kick,
+                            double drift)
 {
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-
-    for (int s = mine.first; s < mine.last; s++) {
-        struct strip *const own = &nb->strips[s];
-        if (nb->bodies->response == NULL)
-            bodies_advance(nb->bodies, own->begin, own->end, own->load, kick,
-                           drift, own->fastest);
-        else
-            response_advance(nb->bodies, own->begin, own->end, own->load, kick,
-                             drift, own->fastest);
-        if (dem->energy != NULL) strip_work(own, nb->bodies, drift);
-    }
+    return (struct stride){.sweep = dem->sweep,
+                           .constants = dem->constants,
+                           .attractions = dem->options.attractions,
+                           .n_attractions = dem->options.n_attractions,
+                           .budget = dem->energy != NULL,
+                           .dt = dt,
+                           .kick = kick,
+                           .drift = drift};
 }
 
-/* The forces of dem->options.attractions on a strip; a budget books their
- * power. */
-static void attract(const struct dem *dem, struct strip *own, double dt)
+/* Loads alone; the springs move on by dt. */
+static void load(const struct dem *dem, double dt)
 {
-    const struct bodies *const b = dem->neighbours->bodies;
-    const struct attraction *const all = dem->options.attractions;
-    const int books = dem->energy != NULL && dem->options.n_attractions > 0;
-    const double before = books ? strip_power(own, b) : 0.0;
+    const struct stride still = stride(dem, dt, 0.0, 0.0);
 
-    for (int k = 0; k < dem->options.n_attractions; k++)
-        all[k].law->sweep(own, b, &all[k]);
-    if (books) own->energy.attracted += dt * (strip_power(own, b) - before);
-}
-
-static void forces(const struct dem *dem, double dt)
-{
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-
-    for (int s = mine.first; s < mine.last; s++) {
-        dem->sweep(&nb->strips[s], nb->bodies, dem->constants, dt);
-        if (nb->surfaces != NULL)
-            surfaces_push(nb->surfaces, s, &nb->strips[s], nb->bodies,
-                          dem->sweep, dem->constants, dt);
-        attract(dem, &nb->strips[s], dt);
-    }
-    neighbours_meet(nb);
-    for (int s = mine.first; s < mine.last; s++)
-        strip_fold(nb->strips, nb->count, s, nb->bodies->n);
+    stride_take(dem->neighbours, &still);
 }
 
 /* Whether a budget should book what springs have lost since they were seen
@@ -97,7 +70,7 @@ static int start(struct dem *dem, double *margin)
     *margin = neighbours_refresh(dem->neighbours, dem->least_margin);
     if (*margin < 0.0) return 1;
     book(dem, 1);
-    forces(dem, 0.0);
+    load(dem, 0.0);
     book(dem, 0);
     return 0;
 }
@@ -142,18 +115,19 @@ static int leap(struct dem *dem, int steps, struct reach *r)
     const struct integrator *const by = dem->options.integrator;
     struct neighbours *const nb = dem->neighbours;
     const double dt = dem->options.step;
+    const struct stride first = stride(dem, 0.0, by->first * dt, dt);
+    const struct stride whole = stride(dem, dt, dt, dt);
+    const struct stride last = stride(dem, dt, by->last * dt, 0.0);
 
-    if (steps > 0) advance(dem, by->first * dt, dt);
+    if (steps > 0) stride_move(nb, &first);
     for (int k = 0; k < steps; k++) {
-        const int last = k + 1 == steps;
         neighbours_meet(nb);
         if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->spent += closer;
         if (r->spent > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
-        forces(dem, dt);
-        advance(dem, last ? by->last * dt : dt, last ? 0.0 : dt);
+        stride_take(nb, k + 1 < steps ? &whole : &last);
     }
     return steps;
 }
@@ -164,9 +138,10 @@ static void predict(struct dem *dem, double dt)
     const struct neighbours_share mine = neighbours_share(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
         if (dem->energy != NULL)
-            strip_work(&nb->strips[s], nb->bodies, 0.5 * dt);
-        integrators_predict(dem->start, &nb->strips[s], nb->bodies, dt);
+            strip_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
+        integrators_predict(dem->start, own, nb->bodies, dt);
     }
 }
 
@@ -176,9 +151,10 @@ static void correct(struct dem *dem, double dt)
     const struct neighbours_share mine = neighbours_share(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
         if (dem->energy != NULL)
-            strip_work(&nb->strips[s], nb->bodies, 0.5 * dt);
-        integrators_correct(dem->start, &nb->strips[s], nb->bodies, dt);
+            strip_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
+        integrators_correct(dem->start, own, nb->bodies, dt);
     }
 }
 
@@ -188,7 +164,7 @@ static void force_at_start(struct dem *dem)
     struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
 
-    forces(dem, 0.0);
+    load(dem, 0.0);
     for (int s = mine.first; s < mine.last; s++)
         integrators_keep(dem->start, &nb->strips[s], nb->bodies);
     neighbours_meet(nb);
@@ -202,22 +178,23 @@ static void force_at_start(struct dem *dem)
 static int lean(struct dem *dem, int steps, struct reach *r)
 {
     struct neighbours *const nb = dem->neighbours;
+    const struct stride still = stride(dem, 0.0, 0.0, 0.0);
     const double dt = dem->options.step;
     int k = 0;
 
-    advance(dem, 0.0, 0.0); /* for the speeds */
+    stride_move(nb, &still); /* for the speeds */
     for (; k < steps; k++) {
         neighbours_meet(nb);
         const double closer = 2.0 * neighbours_speed(nb) * dt;
         if (r->spent + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
         force_at_start(dem);
-        forces(dem, 0.5 * dt);
+        load(dem, 0.5 * dt);
         neighbours_meet(nb);
         predict(dem, dt);
         neighbours_meet(nb);
         if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
-        forces(dem, 0.5 * dt);
+        load(dem, 0.5 * dt);
         correct(dem, dt);
         neighbours_meet(nb);
         r->spent += fmax(closer, 2.0 * neighbours_speed(nb) * dt);

@@ -29,7 +29,7 @@ void response_advance(struct bodies *b, int begin, int end, double (*load)[8],
                       double kick, double drift, double fastest[4])
 {
     const int half = kick < b->step;
-    double top[3] = {0.0, 0.0, 0.0};
+    double top[3] = {fastest[0], fastest[1], fastest[2]};
 
     for (int i = begin; i < end; i++) {
         const double *const row = b->response[i], *const a = b->push[i];

@@ -9,9 +9,15 @@
 
 /* Strips of at least STRIP_LEAST particles, so that what a strip lays on the
  * next ones stays a small part of its work; a power of two, which most
- * machines can share out evenly; slots are kept free for a last block of the
- * contact loop (contact_sweep.h: SWEEP_LANES). */
-enum { STRIP_LEAST = 1000, STRIP_MOST = 64, STRIP_SPARE = 64 };
+ * machines can share out evenly. The contact loop takes STRIP_LANES contacts
+ * at a time (contact_sweep.h): so many slots are kept free after the last, and
+ * a block ends where these end. */
+enum {
+    STRIP_LEAST = 1000,
+    STRIP_MOST = 64,
+    STRIP_BLOCK = 512,
+    STRIP_LANES = 64
+};
 
 int strip_count(int n)
 {
@@ -40,6 +46,7 @@ void strip_release(struct strip *s)
     free(s->contacts.partner);
     free(s->contacts.source);
     free(s->load);
+    free(s->blocks);
     free(s->kept);
 }
 
@@ -65,7 +72,10 @@ void strip_cut(struct strip *s, int number, int count, int n)
 
     s->begin = (int)((long)n * number / count);
     s->end = (int)((long)n * (number + 1) / count);
+    s->n_blocks = (s->end - s->begin + STRIP_BLOCK - 1) / STRIP_BLOCK;
     if (s->pairs.start != NULL && s->end - s->begin <= had) return;
+    free(s->blocks);
+    s->blocks = alloc_zeroed((size_t)s->n_blocks, sizeof *s->blocks);
     for (int l = 0; l < 2; l++) {
         struct vicinity *const v = l == 0 ? &s->pairs : &s->walls;
         free(v->start);
@@ -108,18 +118,28 @@ void strip_add_wall(struct strip *s, int wall)
     vicinity_add(&s->walls, wall, s->rolls);
 }
 
+/* The load of particle j among those of the strip; an index before the strip's
+ * first stands for one after the last of all n (periodic, slowest direction).
+ */
+static int load_of(const struct strip *s, int j, int n)
+{
+    return j < s->begin ? j - s->begin + n : j - s->begin;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
 /* The loads reach as far as the farthest partner after the strip's first. */
 void strip_close(struct strip *s, int n)
 {
     struct contacts *const c = &s->contacts;
-    const int most = s->pairs.n + s->walls.n + STRIP_SPARE;
+    const int most = s->pairs.n + s->walls.n + STRIP_LANES;
 
     strip_begin_owner(s, s->end);
-    for (int q = 0; q < s->pairs.n; q++) {
-        const int at = s->pairs.partner[q] - s->begin;
-        const int reach = (at < 0 ? at + n : at) + 1;
-        if (reach > s->window) s->window = reach;
-    }
+    for (int q = 0; q < s->pairs.n; q++)
+        s->window = larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
     if (s->load == NULL || s->window > s->load_capacity) {
         free(s->load);
         s->load_capacity = roomy(s->window);
@@ -211,6 +231,39 @@ static inline void choose(struct strip *s, const struct bodies *b,
     *n = slot;
 }
 
+/* Of the contacts first ... last - 1, where those of the owners before `end`
+ * end, and so many more that no lane of the contact loop is empty. */
+static int full_lanes(const struct contacts *c, int first, int from, int last,
+                      int end)
+{
+    while (from < last && c->owner[from] < end)
+        from++;
+    const int lanes = (from - first + STRIP_LANES - 1) / STRIP_LANES;
+    const int full = first + lanes * STRIP_LANES;
+    return full < last ? full : last;
+}
+
+static void divide(struct strip *s, int n)
+{
+    const struct contacts *const c = &s->contacts;
+    struct block at = {s->begin, 0, c->n_pairs, 0};
+
+    for (int k = 0; k < s->n_blocks; k++) {
+        int q = at.pairs;
+        at.end = k + 1 < s->n_blocks ? at.end + STRIP_BLOCK : s->end;
+        at.pairs = full_lanes(c, 0, q, c->n_pairs, at.end);
+        at.walls = full_lanes(c, c->n_pairs, at.walls, c->n_pairs + c->n_walls,
+                              at.end);
+        at.reach = larger(at.reach, at.end - s->begin);
+        if (at.walls > c->n_pairs)
+            at.reach = larger(at.reach, c->owner[at.walls - 1] - s->begin + 1);
+        for (; q < at.pairs; q++) /* a partner comes after its owner */
+            at.reach = larger(at.reach, load_of(s, c->partner[q], n) + 1);
+        if (k + 1 == s->n_blocks) at.reach = s->window;
+        s->blocks[k] = at;
+    }
+}
+
 void strip_choose(struct strip *s, const struct bodies *b, double margin)
 {
     int n = 0;
@@ -223,6 +276,7 @@ void strip_choose(struct strip *s, const struct bodies *b, double margin)
     s->contacts.n_pairs = n;
     choose(s, b, &s->walls, wall_gap, margin, &n, s->rolls);
     s->contacts.n_walls = n - s->contacts.n_pairs;
+    divide(s, b->n);
 }
 
 void strip_reserve_kept(struct strip *s, int n)
@@ -278,20 +332,28 @@ void strip_restore(struct strip *s, const struct kept *k)
     if (s->rolls) memcpy(v->roll[q], k->roll, sizeof k->roll);
 }
 
-void strip_fold(struct strip *strips, int count, int s, int n)
+int strip_reached(const struct strip *s, const struct strip *t, int n)
+{
+    const int size = s->end - s->begin;
+
+    if (size == 0) return 0;
+    const int reached = t->window - (s->begin - t->begin + n) % n;
+    return reached < 0 ? 0 : reached < size ? reached : size;
+}
+
+void strip_fold(struct strip *strips, int count, int s, int n, int begin,
+                int end)
 {
     struct strip *const own = &strips[s];
 
-    if (own->begin == own->end) return;
     for (int back = 1; back < count; back++) {
         const struct strip *const t = &strips[(s - back + count) % count];
         const int offset = (own->begin - t->begin + n) % n;
-        const int end = t->window < offset + own->end - own->begin
-                            ? t->window
-                            : offset + own->end - own->begin;
-        for (int q = offset; q < end; q++)
+        const int last = own->begin + strip_reached(own, t, n);
+        for (int i = begin; i < (end < last ? end : last); i++)
             for (int k = 0; k < 8; k++)
-                own->load[q - offset][k] += t->load[q][k];
+                own->load[i - own->begin][k] +=
+                    t->load[i - own->begin + offset][k];
     }
 }
 
@@ -337,11 +399,12 @@ double strip_power(const struct strip *s, const struct bodies *b)
 /* push is a force over the mass, added mass and all (response.h); v is what the
  * particles have just moved by, so that the sum is the force times the way,
  * exactly. A fluid that holds them back takes k v^2. */
-void strip_work(struct strip *s, const struct bodies *b, double dt)
+void strip_work(struct strip *s, const struct bodies *b, int begin, int end,
+                double dt)
 {
     double power = 0.0;
 
-    for (int i = s->begin; i < s->end; i++) {
+    for (int i = begin; i < end; i++) {
         const double *const v = b->motion[i], *const a = b->push[i];
         const double *const held = b->response != NULL ? b->response[i] : NULL;
         const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -350,4 +413,15 @@ void strip_work(struct strip *s, const struct bodies *b, double dt)
                  (held != NULL ? held[3] : v[7]);
     }
     s->energy.work += power * dt;
+}
+
+void strip_open_budget(struct strip_energy *e)
+{
+    e->stored = e->tangential;
+    e->normal = e->tangential = e->found = 0.0;
+}
+
+void strip_close_budget(struct strip_energy *e)
+{
+    if (!e->looks) e->released += e->stored - e->found;
 }

@@ -43,6 +43,15 @@ struct kept {
     double roll[3];   /* [rad] */
 };
 
+/* A strip is worked through in blocks of STRIP_BLOCK particles: the contacts
+ * that they own, then their motion, while all of it is still in the cache. Each
+ * number counts from the beginning of the strip to the end of the block. */
+struct block {
+    int end;          /* its last particle + 1 */
+    int pairs, walls; /* [-] contacts done with it: at least its own */
+    int reach;        /* [-] loads that these touch */
+};
+
 /* What a report says of a strip. */
 struct strip_measures {
     int contacts;                 /* [-] that touch */
@@ -75,11 +84,14 @@ struct strip {
     int load_capacity;
     struct vicinity pairs, walls;
     struct contacts contacts;
+    struct block *blocks;
+    int n_blocks;
     struct kept *kept;
     int n_kept, kept_capacity;
     int rolls;         /* [-] 1: there is rolling friction */
     double deepest;    /* [-] largest overlap over the mean diameter */
     double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
+    double so_far[4];  /* [m/s] the same in the step at hand */
     struct bodies_survey survey;
     struct strip_measures measures;
     struct strip_energy energy;
@@ -111,8 +123,14 @@ void strip_reserve_kept(struct strip *s, int n);
 void strip_keep(struct strip *s);
 void strip_restore(struct strip *s, const struct kept *k);
 
-/* Adds the loads that the other strips laid on the particles of strip s. */
-void strip_fold(struct strip *strips, int count, int s, int n);
+/* How many of the first particles of strip s bear loads from strip t; n
+ * particles in all. */
+int strip_reached(const struct strip *s, const struct strip *t, int n);
+
+/* Adds the loads that the other strips laid on particles begin ... end - 1 of
+ * strip s. */
+void strip_fold(struct strip *strips, int count, int s, int n, int begin,
+                int end);
 
 /* Fills in the measures. */
 void strip_measure(struct strip *s, const struct bodies *b);
@@ -120,7 +138,15 @@ void strip_measure(struct strip *s, const struct bodies *b);
 /* Power of the loads of this strip on the particles of now [W]. */
 double strip_power(const struct strip *s, const struct bodies *b);
 
-/* Adds to the energy budget what the outside forces did in a drift of dt. */
-void strip_work(struct strip *s, const struct bodies *b, double dt);
+/* Adds to the energy budget what the outside forces did in a drift of dt of the
+ * particles begin ... end - 1. */
+void strip_work(struct strip *s, const struct bodies *b, int begin, int end,
+                double dt);
+
+/* Around all contacts of a step. Springs wander between strips when the lists
+ * are made anew: `released` of one strip may be anything, the sum over all is
+ * right. */
+void strip_open_budget(struct strip_energy *e);
+void strip_close_budget(struct strip_energy *e);
 
 #endif

@@ -181,13 +181,6 @@ static void leave_footprint(struct surface_contacts *c, int q)
     surface_contacts_remember(&c->now, &one);
 }
 
-/* Nobody touches: what the springs stored is gone. */
-static void let_go(struct strip_energy *e)
-{
-    if (!e->looks) e->released += e->tangential;
-    e->normal = e->tangential = 0.0;
-}
-
 void surface_contacts_push(struct surface_contacts *c,
                            const struct surface_scene *scene, struct strip *s,
                            const struct bodies *b, contact_sweep *sweep,
@@ -212,10 +205,12 @@ void surface_contacts_push(struct surface_contacts *c,
     two.place = c->place;
     two.motion = c->motion;
     two.material = c->material;
-    if (n > 0)
-        sweep(&c->pairs, &two, k, dt);
-    else
-        let_go(&c->pairs.energy);
+    strip_open_budget(&c->pairs.energy);
+    if (n > 0) {
+        memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
+        sweep(&c->pairs, &two, k, dt, 0, n);
+    }
+    strip_close_budget(&c->pairs.energy);
     for (int q = 0; q < n; q++) {
         settle(c, q, s, c->pose, dt);
         leave_footprint(c, q);

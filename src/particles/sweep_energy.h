@@ -92,18 +92,4 @@ SWEEP_STAGE void sweep_budget(struct strip_energy *e,
     }
 }
 
-/* Around all contacts of a strip. Springs wander between strips when the lists
- * are made anew: `released` of one strip may be anything, the sum over all is
- * right. */
-static inline void sweep_open_budget(struct strip_energy *e)
-{
-    e->stored = e->tangential;
-    e->normal = e->tangential = e->found = 0.0;
-}
-
-static inline void sweep_close_budget(struct strip_energy *e)
-{
-    if (!e->looks) e->released += e->stored - e->found;
-}
-
 #endif
