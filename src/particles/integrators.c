@@ -9,11 +9,11 @@
 
 const struct integrator integrators[] = {
     {"velocity-verlet", "second order where nothing damps; one evaluation",
-     "LS 4.2", 0.5, 0.5, 0},
-    {"symplectic-euler", "first order, never gains energy for long", "LS 4.2",
-     1.0, 0.0, 0},
-    {"heun", "second order, damped or not; gains energy", "LS 4.2", 0.0, 0.0,
-     1},
+     "LS section 4.2", 0.5, 0.5, 0},
+    {"symplectic-euler", "first order, never gains energy for long",
+     "LS section 4.2", 1.0, 0.0, 0},
+    {"heun", "second order, damped or not; gains energy", "LS section 4.2", 0.0,
+     0.0, 1},
     {NULL, NULL, NULL, 0.0, 0.0, 0}};
 
 const struct integrator *integrators_named(const char *name)

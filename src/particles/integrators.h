@@ -8,8 +8,8 @@
  *                     x += (v + v*) dt/2,  v += (a + a*) dt/2
  *
  * The second is the first with another first and another last kick: in between
- * both go kick, drift, kick, drift. Heun [LS 4.2: HADES] needs the forces
- * twice, and a third time for the rates of tangential springs.
+ * both go kick, drift, kick, drift. Heun (LS section 4.2: HADES) needs the
+ * forces twice, and a third time for the rates of tangential springs.
  */
 #ifndef INTEGRATORS_H
 #define INTEGRATORS_H

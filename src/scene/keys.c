@@ -79,7 +79,7 @@ const struct key keys_core[] = {
      "LS 5.11", ""},
     {"particles.integrator", KEY_NAME, "",
      "velocity-verlet | symplectic-euler | heun", "velocity-verlet",
-     "how the particles step through time", "LS 4.2", ""},
+     "how the particles step through time", "LS section 4.2", ""},
     {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
      "margin of the neighbour list beyond touching", "LS 5.15", ""},
     {"particles.grains", KEY_GROUP, "", "", NULL,
