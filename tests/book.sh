@@ -149,7 +149,14 @@ echo "functions, results, pages:"
 fresh
 fact every_function_is_shown 0 "0 of 1" sh "$tools/unshown.sh"
 edit '/^<!-- code/d' $chapter
-fact a_hidden_function_is_named 0 "src/base/fall.c: fall_speed" sh "$tools/unshown.sh" names
+fact a_hidden_function_is_named_with_its_equation 0 \
+    "src/base/fall.c:2: fall_speed [XS11 2.11, 2.12]" sh "$tools/unshown.sh" names
+edit '1d' src/base/fall.c
+fact a_static_function_without_an_equation_may_hide 0 "0 of 0" sh "$tools/unshown.sh"
+edit 's/^static double/double/' src/base/fall.c
+fact a_public_one_may_not 0 "src/base/fall.c: 1" sh "$tools/unshown.sh"
+edit '$a `fall_speed` is named.' $chapter
+fact it_may_be_named_in_the_text 0 "1 named" sh "$tools/unshown.sh"
 echo 'src/base/fall.c fall_up' >chapters/unshown.txt
 fact a_useless_exemption_is_told 1 "exempts nothing" sh "$tools/unshown.sh" check
 printf '$ echo v = 4.42900000001\nv = 4.429\n' >figures/run.txt

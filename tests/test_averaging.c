@@ -20,6 +20,10 @@ enum {
     MOVES = 4     /* follows the particles when they move by a cell */
 };
 
+/* All of space above this x has a bandwidth of its own. */
+static const struct averaging_region half = {
+    {0.3, -9.0, -9.0}, {9.0, 9.0, 9.0}, 0.1};
+
 /* Every way of averaging that a case can choose. A bandwidth of 0.25 makes a
  * second grid that fits none of the meshes, and 0.03 reaches no cell centre. */
 static const struct {
@@ -47,6 +51,18 @@ static const struct {
     {"diffusion",
      {.bandwidth = 0.2, .scheme = "implicit-euler", .tolerance = 1e-13},
      POSITIVE | BOUNDED | MOVES},
+    {"diffusion",
+     {.bandwidth = 0.2, .scheme = "sdirk2", .tolerance = 1e-13},
+     MOVES},
+    {"diffusion",
+     {.bandwidth = 0.2, .vary = "cells", .tolerance = 1e-9},
+     POSITIVE | BOUNDED | MOVES},
+    {"diffusion",
+     {.bandwidth = 0.2, .vary = "grains", .tolerance = 1e-9},
+     POSITIVE | BOUNDED | MOVES},
+    {"diffusion",
+     {.bandwidth = 0.2, .regions = &half, .n_regions = 1, .tolerance = 1e-9},
+     POSITIVE | BOUNDED},
 };
 enum { WAYS = sizeof ways / sizeof *ways, ALL = WAYS * CLOUD_SHAPES };
 
@@ -444,10 +460,11 @@ START_TEST(wrong_options_are_refused)
         {.bandwidth = -1.0},
         {.bandwidth = NAN},
         {.bandwidth = 0.1, .scheme = "leapfrog"},
-        {.bandwidth = 0.1, .steps = -1}};
-    static const char *const method[] = {"pcm",      "pcm",       "kernel",
-                                         "kernel",   "diffusion", "diffusion",
-                                         "diffusion"};
+        {.bandwidth = 0.1, .steps = -1},
+        {.bandwidth = 0.1, .vary = "time"}};
+    static const char *const method[] = {"pcm",       "pcm",       "kernel",
+                                         "kernel",    "diffusion", "diffusion",
+                                         "diffusion", "diffusion"};
     struct scene s = scene_of(0, 4, 0);
 
     ck_assert_ptr_null(averaging_create(averaging_method_named(method[_i]),
@@ -484,7 +501,7 @@ int main(void)
     tcase_add_loop_test(t, particles_moved_by_a_cell_move_the_field_by_a_cell,
                         0, WAYS);
     tcase_add_loop_test(t, a_particle_outside_the_mesh_is_named, 0, WAYS);
-    tcase_add_loop_test(t, wrong_options_are_refused, 0, 7);
+    tcase_add_loop_test(t, wrong_options_are_refused, 0, 8);
     SRunner *const r = srunner_create(s);
     srunner_set_fork_status(r, CK_NOFORK); /* hundreds of small tests */
     srunner_run_all(r, CK_NORMAL);

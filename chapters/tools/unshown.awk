@@ -1,18 +1,40 @@
-# unshown.awk -- the functions of src/ that no chapter shows.
+# unshown.awk -- the functions of src/ that a reader should meet and does not.
 #
 #   awk -f c.awk -f unshown.awk -v exempt=chapters/unshown.txt [-v names=1] \
 #       chapters/*.md SOURCES
 #
-# Prints how many each file has, or their names. A line of the list of exemptions
-# is a file, or a file and a function; one that exempts nothing ends in 1.
+# What counts is public, that is not static or in a header, or cites an equation of
+# the documents. To create, initialize and release is housekeeping and does not
+# count. A reader has met a function if a chapter shows it, or names it in
+# `backquotes`. Prints how many each file has, or a line for each, those with an
+# equation first. A line of the list of exemptions is a file, or a file and a
+# function; one that exempts nothing ends in 1.
 
 FILENAME ~ /\.md$/ {
     if ($0 ~ /^```/) fenced = !fenced
-    if (!fenced && $0 ~ /^<!-- code [^ ]+ .* -->$/) {
+    if (fenced) next
+    if ($0 ~ /^<!-- code [^ ]+ .* -->$/) {
         n = split($0, w, " ")
         for (k = 4; k < n; k++) show(w[3], w[k])
     }
+    for (text = $0; match(text, /`[a-z0-9_]+`/); text = substr(text, RSTART + RLENGTH))
+        named[substr(text, RSTART + 1, RLENGTH - 2)] = 1
     next
+}
+
+# The first citation of the documents within a definition and its comment.
+function citation(file, i,    k) {
+    for (k = first[file, i]; k <= last[file, i]; k++)
+        if (match(source[file, k], /\[(SX15|XS11|LS|EW18) [^]]*\]/))
+            return substr(source[file, k], RSTART, RLENGTH)
+    return ""
+}
+
+function counts(file, i) {
+    if (kind[file, i] != "function") return 0
+    if (name[file, i] ~ /_(create|free|init|release)$/) return 0
+    if (citation(file, i) != "") return 1
+    return file ~ /\.h$/ || source[file, begin[file, i]] !~ /^(static|FIELDS_KERNEL) /
 }
 
 # A part, @label, shows the function that it is in.
@@ -31,12 +53,18 @@ function show(file, called,    k, i) {
 FNR == 1 {
     file = FILENAME
     cut(file)
-    for (i = 1; i <= items[file]; i++)
-        if (kind[file, i] == "function") {
+    for (i = 1; i <= items[file]; i++) {
+        if (kind[file, i] == "prototype") cites[name[file, i]] = citation(file, i)
+        if (counts(file, i)) {
             all++
-            if ((file, name[file, i]) in shown) seen++
-            else hidden[file] = hidden[file] " " name[file, i]
+            called = name[file, i]
+            at[file, called] = begin[file, i]
+            if (citation(file, i) != "") cites[called] = citation(file, i)
+            if ((file, called) in shown) seen++
+            else if (called in named) spoken++
+            else hidden[file] = hidden[file] " " called
         }
+    }
 }
 
 END {
@@ -58,10 +86,16 @@ END {
     for (file in hidden)
         if ((n = split(hidden[file], w, " ")) > 0) {
             left += n
-            print file ":" (names ? hidden[file] : " " n) | "sort"
+            if (!names) print file ": " n | "sort"
+            for (k = 1; names && k <= n; k++) {
+                cited = cites[w[k]]
+                if (cited != "") equations++
+                print (cited != "" ? 0 : 1) "\t" file ":" at[file, w[k]] ": " \
+                    w[k] (cited != "" ? " " : "") cited | "sort | cut -f2"
+            }
         }
-    close("sort")
-    print "unshown: " left + 0 " of " all " functions in src; " seen + 0 \
-        " are shown, " spared + 0 " exempt"
+    close(names ? "sort | cut -f2" : "sort")
+    print "unshown: " left + 0 " of " all + 0 " functions of src; " seen + 0 \
+        " are shown, " spoken + 0 " named, " spared + 0 " exempt"
     exit failed
 }

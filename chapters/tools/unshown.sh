@@ -1,8 +1,9 @@
 #!/bin/sh
-# Lists the functions of src/ that no chapter shows.
+# Lists the functions of src/ that a reader should meet and does not: public
+# ones, and those that compute an equation.
 #
 #   sh chapters/tools/unshown.sh            their number, by file
-#   sh chapters/tools/unshown.sh names      their names
+#   sh chapters/tools/unshown.sh names      each with its file and line
 #   sh chapters/tools/unshown.sh check      only the total; fails on a useless
 #                                           exemption in chapters/unshown.txt
 set -u

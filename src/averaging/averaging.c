@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "averaging/bandwidth.h"
 #include "averaging/diffusion.h"
 #include "averaging/dpvm.h"
 #include "averaging/hosts.h"
@@ -43,6 +44,7 @@ static struct averaging_options completed(const struct averaging_options *o)
     struct averaging_options full = *o;
 
     if (full.scheme == NULL) full.scheme = diffusion_schemes[0];
+    if (full.vary == NULL) full.vary = bandwidth_rules[0];
     if (full.steps == 0) full.steps = 3;
     if (full.tolerance == 0.0) full.tolerance = 1e-6;
     if (full.fields == 0) full.fields = 8;

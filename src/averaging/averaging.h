@@ -20,14 +20,23 @@
 #include "mesh/mesh.h"
 #include "particles/particles.h"
 
+/* A box with a bandwidth of its own, see bandwidth.h. */
+struct averaging_region {
+    double low[3], high[3]; /* [m] */
+    double bandwidth;       /* [m] 0: the pcm field stays */
+};
+
 /* What a case may choose. 0 or NULL takes the default in brackets. */
 struct averaging_options {
     double bandwidth;   /* [m] b of kernel and diffusion; required there */
     const char *scheme; /* of the diffusion ["exponential"] */
     int steps;          /* [-] in pseudo-time, where the scheme has any [3] */
     double tolerance;   /* [-] tail of the series, or of the solver [1e-6] */
-    double cap;         /* [-] on eps_s, pcm only [none] */
-    int fields;         /* [-] most numbers side by side in one call [8] */
+    const char *vary;   /* of the diffusion, where b is another ["uniform"] */
+    const struct averaging_region *regions; /* borrowed during create */
+    int n_regions;                          /* [-] [0] */
+    double cap;                             /* [-] on eps_s, pcm only [none] */
+    int fields; /* [-] most numbers side by side in one call [8] */
 };
 
 /* lost to lost_volume: of the last bind. alone to negative: of the last spread.

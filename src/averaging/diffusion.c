@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "averaging/averaging.h"
+#include "averaging/bandwidth.h"
 #include "averaging/hosts.h"
 #include "base/alloc.h"
 #include "linear/cg_many.h"
@@ -19,25 +20,28 @@ enum { MAX_ITERATIONS = 1000 };
 struct diffusion {
     const struct hosts *h; /* borrowed */
     const struct scheme *scheme;
-    int steps;        /* [-] */
-    int fields;       /* [-] room in the arrays below */
-    double tolerance; /* [-] */
-    double dtau;      /* [m^2] T / steps */
-    struct csr *K;    /* [m] -V times the Laplacian */
+    struct bandwidth *vary; /* NULL: everywhere the same */
+    int steps;              /* [-] */
+    int fields;             /* [-] room in the arrays below */
+    double tolerance;       /* [-] */
+    double dtau;            /* [m^2] T / steps */
+    struct csr *K;          /* [m] -V times div (D grad) */
+    double most;            /* [-] largest D that the series is made for */
     struct chebyshev *series;
-    struct csr *A; /* [m^3] V + (all or half of) dtau K */
+    struct csr *A; /* [m^3] V + (a share of) dtau K */
     struct cg_many_work *work;
     double *rhs;    /* [m^3 times the field] */
+    double *stage;  /* of a step, as wide */
     double *wide;   /* a field padded to `fields` */
     double *smooth; /* a copy of the field to be gathered */
 };
 
-/* How one scheme gets from tau = 0 to T, on m fields side by side. */
+/* How one scheme takes a step on m fields side by side. */
 struct scheme {
     const char *name;
-    double implicit; /* [-] share of K in A; 0: there is no A */
-    void (*apply)(struct diffusion *, int m, double *u,
-                  struct averaging_report *r);
+    double implicit; /* [-] share of dtau K in A */
+    void (*step)(struct diffusion *, int m, double *u,
+                 struct averaging_report *r); /* NULL: the series, no steps */
 };
 
 double diffusion_kernel(double r, double b)
@@ -79,23 +83,20 @@ double diffusion_safe_steps(const struct mesh *m, double b)
     return 0.5 * diffusion_time(b) * fastest;
 }
 
-/* diag + factor times the Laplacian of [SX15 5a], as a matrix; only internal
- * faces have a flux [SX15 5c]. */
-static struct csr *matrix_create(const struct mesh *m, const double *diag,
-                                 double factor)
+/* A = diag + factor times the Laplacian of [SX15 5a]; only internal faces have
+ * a flux [SX15 5c]. D: one more factor for each face, or NULL. */
+static void fill_matrix(struct csr *A, const struct mesh *m, const double *diag,
+                        double factor, const double *D)
 {
-    struct csr *const A =
-        csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
-
-    for (int c = 0; c < m->n_cells && diag != NULL; c++)
-        A->diag[c] = diag[c];
+    for (int c = 0; c < m->n_cells; c++)
+        A->diag[c] = diag != NULL ? diag[c] : 0.0;
     for (int f = 0; f < m->n_internal; f++) {
-        const double g = factor * link_strength(m, f);
+        const double g =
+            factor * link_strength(m, f) * (D != NULL ? D[f] : 1.0);
         A->a[A->upper[f]] = A->a[A->lower[f]] = -g;
         A->diag[m->owner[f]] += g;
         A->diag[m->neighbour[f]] += g;
     }
-    return A;
 }
 
 static void apply_series(struct diffusion *d, int m, double *u,
@@ -106,15 +107,14 @@ static void apply_series(struct diffusion *d, int m, double *u,
     r->worst = (struct solve_report){.converged = 1};
 }
 
-/* rhs = V u - explicit_share dtau K u, for m fields side by side. */
-static void right_side(struct diffusion *d, int m, double explicit_share,
-                       const double *u)
+/* rhs = V u - factor K y, for m fields side by side. */
+static void right_side(struct diffusion *d, int m, double factor,
+                       const double *u, const double *y)
 {
     const double *const V = d->h->mesh->V;
-    const double factor = explicit_share * d->dtau;
     const int n = d->h->mesh->n_cells;
 
-    if (factor > 0.0) csr_multiply_many(d->K, m, u, d->rhs);
+    if (factor > 0.0) csr_multiply_many(d->K, m, y, d->rhs);
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < n; c++)
         for (int k = m * c; k < m * c + m; k++)
@@ -133,24 +133,54 @@ static void worse_of(struct solve_report *worst, const struct solve_report *one)
     }
 }
 
-/* A u_new = rhs(u), step by step. Each solve starts from the old field and is
+/* A u = rhs. The guess in u is a field of the same sum, and the solver is
  * preconditioned by V: then it keeps the sum of V u to rounding [SX15 A.5],
  * however early it stops. */
+static void solve(struct diffusion *d, double *u, struct averaging_report *r)
+{
+    const struct solve_report one =
+        cg_many_solve(d->A, d->h->mesh->V, d->rhs, u, d->tolerance, 0.0,
+                      MAX_ITERATIONS, d->work);
+    worse_of(&r->worst, &one);
+    r->products += one.iterations + 1;
+}
+
+/* Crank-Nicolson or implicit Euler: A u_new = V u - what is explicit. */
+static void theta_step(struct diffusion *d, int m, double *u,
+                       struct averaging_report *r)
+{
+    const double factor = (1.0 - d->scheme->implicit) * d->dtau;
+
+    right_side(d, m, factor, u, u);
+    r->products += factor > 0.0;
+    solve(d, u, r);
+}
+
+/* Two stages with one matrix; the second is the step:
+ *     A y = V u,  A u_new = V u - (1 - gamma) dtau K y,  A = V + gamma dtau K.
+ * Of second order for gamma = 1 - 1/sqrt 2, and a wave of any length is gone
+ * after a step that is long enough (L-stable). */
+static void sdirk2_step(struct diffusion *d, int m, double *u,
+                        struct averaging_report *r)
+{
+    const int n = m * d->h->mesh->n_cells;
+    const double factor = (1.0 - d->scheme->implicit) * d->dtau;
+
+    memcpy(d->stage, u, (size_t)n * sizeof *u);
+    right_side(d, m, 0.0, u, u);
+    solve(d, d->stage, r);
+    right_side(d, m, factor, u, d->stage);
+    r->products++;
+    solve(d, u, r);
+}
+
 static void apply_steps(struct diffusion *d, int m, double *u,
                         struct averaging_report *r)
 {
-    const double explicit_share = 1.0 - d->scheme->implicit;
-
     r->products = 0;
     r->worst = (struct solve_report){.converged = 1};
-    for (int step = 0; step < d->steps; step++) {
-        right_side(d, m, explicit_share, u);
-        const struct solve_report one =
-            cg_many_solve(d->A, d->h->mesh->V, d->rhs, u, d->tolerance, 0.0,
-                          MAX_ITERATIONS, d->work);
-        worse_of(&r->worst, &one);
-        r->products += one.iterations + 1 + (explicit_share > 0.0);
-    }
+    for (int step = 0; step < d->steps; step++)
+        d->scheme->step(d, m, u, r);
 }
 
 /* The solver's work space has a fixed number of fields: the missing ones are
@@ -177,13 +207,23 @@ static void apply_padded(struct diffusion *d, int m, double *u,
 }
 
 static const struct scheme schemes[] = {
-    {"exponential", 0.0, apply_series},
-    {"crank-nicolson", 0.5, apply_padded},
-    {"implicit-euler", 1.0, apply_padded},
+    {"exponential", 0.0, NULL},
+    {"crank-nicolson", 0.5, theta_step},
+    {"implicit-euler", 1.0, theta_step},
+    {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
 };
 
 const char *const diffusion_schemes[] = {"exponential", "crank-nicolson",
-                                         "implicit-euler", NULL};
+                                         "implicit-euler", "sdirk2", NULL};
+
+static void smooth(struct diffusion *d, int m, double *u,
+                   struct averaging_report *r)
+{
+    if (d->scheme->step == NULL)
+        apply_series(d, m, u, r);
+    else
+        apply_padded(d, m, u, r);
+}
 
 static const struct scheme *scheme_named(const char *name)
 {
@@ -193,14 +233,27 @@ static const struct scheme *scheme_named(const char *name)
     return NULL;
 }
 
+static int is_a_rule(const char *name)
+{
+    for (int i = 0; bandwidth_rules[i] != NULL; i++)
+        if (strcmp(bandwidth_rules[i], name) == 0) return 1;
+    return 0;
+}
+
 /* 0, or non-zero after a message that says what is wrong. */
 static int wrong_options(const struct averaging_options *o)
 {
     if (scheme_named(o->scheme) == NULL)
+        return fprintf(
+            stderr,
+            "winnow: the diffusion has no scheme \"%s\"; expected "
+            "exponential, crank-nicolson, implicit-euler or sdirk2\n",
+            o->scheme);
+    if (!is_a_rule(o->vary))
         return fprintf(stderr,
-                       "winnow: the diffusion has no scheme \"%s\"; expected "
-                       "exponential, crank-nicolson or implicit-euler\n",
-                       o->scheme);
+                       "winnow: the bandwidth of the diffusion cannot vary by "
+                       "\"%s\"; expected uniform, cells or grains\n",
+                       o->vary);
     if (o->steps < 1)
         return fprintf(stderr,
                        "winnow: the diffusion has %d steps; "
@@ -209,12 +262,34 @@ static int wrong_options(const struct averaging_options *o)
     return 0;
 }
 
+static void fill_matrices(struct diffusion *d)
+{
+    const struct mesh *const m = d->h->mesh;
+    const double *const D = d->vary != NULL ? bandwidth_D(d->vary) : NULL;
+
+    fill_matrix(d->K, m, NULL, 1.0, D);
+    if (d->A != NULL)
+        fill_matrix(d->A, m, m->V, d->scheme->implicit * d->dtau, D);
+}
+
+/* The series for the matrix with the largest D that may come, on all faces; K
+ * has its own coefficients afterwards. */
+static void make_series(struct diffusion *d)
+{
+    const struct mesh *const m = d->h->mesh;
+
+    d->most = d->vary != NULL ? bandwidth_largest(d->vary) : 1.0;
+    fill_matrix(d->K, m, NULL, d->most, NULL);
+    chebyshev_free(d->series);
+    d->series = chebyshev_create(d->K, m->V, d->dtau * d->steps, d->tolerance,
+                                 d->fields);
+}
+
 static void *diffusion_create(const struct hosts *h,
                               const struct averaging_options *o)
 {
     if (wrong_options(o)) return NULL;
     struct diffusion *const d = alloc_zeroed(1, sizeof *d);
-    const double T = diffusion_time(o->bandwidth);
     const int n = h->mesh->n_cells;
 
     d->h = h;
@@ -222,31 +297,49 @@ static void *diffusion_create(const struct hosts *h,
     d->steps = o->steps;
     d->fields = o->fields;
     d->tolerance = o->tolerance;
-    d->dtau = T / d->steps;
-    d->K = matrix_create(h->mesh, NULL, 1.0);
+    d->dtau = diffusion_time(o->bandwidth) / d->steps;
+    d->vary = bandwidth_create(h, o);
+    d->K =
+        csr_create(n, h->mesh->n_internal, h->mesh->owner, h->mesh->neighbour);
     d->smooth = alloc_doubles(n * d->fields);
-    if (d->scheme->implicit > 0.0) {
-        d->A =
-            matrix_create(h->mesh, h->mesh->V, d->scheme->implicit * d->dtau);
+    if (d->scheme->step != NULL) {
+        d->A = csr_create(n, h->mesh->n_internal, h->mesh->owner,
+                          h->mesh->neighbour);
         d->work = cg_many_work_create(n, d->fields);
         d->rhs = alloc_doubles(n * d->fields);
+        d->stage = alloc_doubles(n * d->fields);
         d->wide = alloc_doubles(n * d->fields);
     } else {
-        d->series =
-            chebyshev_create(d->K, h->mesh->V, T, d->tolerance, d->fields);
+        make_series(d);
     }
+    fill_matrices(d);
     return d;
+}
+
+/* Where the bandwidth follows the grains there are new matrices. The series
+ * holds for smaller coefficients than it is made for. */
+static void diffusion_bind(void *state, struct averaging_report *r)
+{
+    struct diffusion *const d = state;
+
+    (void)r;
+    if (d->vary == NULL || !bandwidth_bind(d->vary)) return;
+    if (d->series != NULL && bandwidth_largest(d->vary) > d->most)
+        make_series(d);
+    fill_matrices(d);
 }
 
 static void diffusion_free(void *state)
 {
     struct diffusion *const d = state;
 
+    bandwidth_free(d->vary);
     csr_free(d->K);
     csr_free(d->A);
     chebyshev_free(d->series);
     cg_many_work_free(d->work);
     free(d->rhs);
+    free(d->stage);
     free(d->wide);
     free(d->smooth);
     free(d);
@@ -258,7 +351,7 @@ static void diffusion_spread(void *state, int m, const double *q, double *field,
     struct diffusion *const d = state;
 
     hosts_sum(d->h, m, q, field); /* [SX15 5b] */
-    d->scheme->apply(d, m, field, r);
+    smooth(d, m, field, r);
 }
 
 /* exp(-T V^-1 K) is its own adjoint in the inner product weighted by V, so to
@@ -270,7 +363,7 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
     const int n = m * d->h->mesh->n_cells;
 
     memcpy(d->smooth, field, (size_t)n * sizeof *field);
-    d->scheme->apply(d, m, d->smooth, r);
+    smooth(d, m, d->smooth, r);
     hosts_value(d->h, m, d->smooth, q);
 }
 
@@ -282,6 +375,7 @@ const struct averaging_method diffusion_method = {
     .wide = 1,
     .create = diffusion_create,
     .free = diffusion_free,
+    .bind = diffusion_bind,
     .spread = diffusion_spread,
     .gather = diffusion_gather,
 };

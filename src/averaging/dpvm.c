@@ -75,7 +75,7 @@ static void *create(const struct hosts *h, const struct averaging_options *o,
             if (box->periodic[k] && box->n[k] == 1)
                 d->half[3 * c + k] = INFINITY;
     d->shares = shares_create(h, reach(d), STENCIL_TO_CELL, o->fields,
-                              (struct shares_rule){dpvm_weights, d});
+                              (struct shares_rule){dpvm_weights, d, 1});
     return d;
 }
 
@@ -107,6 +107,7 @@ static void dpvm_bind(void *state, struct averaging_report *r)
 
     (void)r;
     shares_extend(d->shares, reach(d));
+    shares_bind(d->shares);
 }
 
 static void dpvm_spread(void *state, int m, const double *q, double *field,

@@ -176,7 +176,7 @@ static void *images_create(const struct hosts *h,
     s->b = o->bandwidth;
     s->shares =
         shares_create(h, images_reach * s->b, STENCIL_TO_CELL, o->fields,
-                      (struct shares_rule){images_weights, s});
+                      (struct shares_rule){images_weights, s, 0});
     locate_entries(s);
     return s;
 }

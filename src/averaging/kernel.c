@@ -91,7 +91,7 @@ create(const struct hosts *h, const struct averaging_options *o, double reach,
     k->h = h;
     k->b = o->bandwidth;
     k->shares = shares_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
-                              (struct shares_rule){weigh, k});
+                              (struct shares_rule){weigh, k, 0});
     return k;
 }
 

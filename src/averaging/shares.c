@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weights are computed anew at every use: on a cell's ~100 neighbours that is
- * as cheap as to read them from memory.
+/* Weights are computed anew at every use, unless the rule says otherwise: those
+ * of a kernel on a cell's ~100 neighbours are as cheap as to read them.
  *
  * To be independent of the number of threads, the hosts are cut into strips
  * that never change. A strip adds up its particles in a window of cells of its
@@ -9,6 +9,7 @@
 #include "averaging/shares.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 
@@ -24,6 +25,17 @@ struct strip {
     double *weight;  /* [-] of one particle */
 };
 
+/* Weights that are not 0, particle after particle as their hosts have them.
+ * Particle member[a] has those from start[a] to start[a + 1]. */
+struct kept {
+    int *start;  /* [-] capacity + 1 */
+    int *step;   /* [-] from the host to the cell */
+    double *w;   /* [-] */
+    int room;    /* [-] of step and w */
+    int alone;   /* [-] particles that went to their host alone */
+    double *try; /* [-] all weights of one particle */
+};
+
 struct shares {
     const struct hosts *h; /* borrowed */
     struct stencil *near;
@@ -31,6 +43,7 @@ struct shares {
     double reach; /* [m] */
     int fields;   /* [-] most in a call */
     struct shares_rule rule;
+    struct kept kept;
     struct strip strip[SHARES_STRIPS];
 };
 
@@ -112,8 +125,8 @@ static void take_weighted(int m, int n, const int *step, const double *w,
     }
 }
 
-/* The weights of particle i, and on how many of the entries they are. Counts
- * those that went to their host alone. */
+/* Writes the weights of particle i, and returns on how many of the entries
+ * they are. Counts those that went to their host alone. */
 static int weigh(const struct shares *s, int i, const struct around *near,
                  double *w, int *alone)
 {
@@ -121,6 +134,26 @@ static int weigh(const struct shares *s, int i, const struct around *near,
     w[0] = 1.0;
     ++*alone;
     return 1;
+}
+
+/* The weights of one particle and where they go. */
+struct list {
+    int n;
+    const int *step;
+    const double *w;
+};
+
+/* Of place a of the members, either kept or found now. */
+static struct list list_of(const struct shares *s, int a,
+                           const struct around *near, double *w, int *alone)
+{
+    const struct kept *const k = &s->kept;
+
+    if (s->rule.keep)
+        return (struct list){k->start[a + 1] - k->start[a],
+                             &k->step[k->start[a]], &k->w[k->start[a]]};
+    const int n = weigh(s, s->h->member[a], near, w, alone);
+    return (struct list){n, near->step, w};
 }
 
 /* Spreads the particles whose hosts are in the strip into its window. Returns
@@ -137,9 +170,8 @@ static int spread_strip(const struct shares *s, const struct strip *t, int m,
         const struct around near = around_host(s, c);
         double *const host = &t->sum[m * (c - t->low)];
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const int i = h->member[a];
-            const int n = weigh(s, i, &near, t->weight, &alone);
-            add_weighted(m, n, near.step, t->weight, &q[m * i], host);
+            const struct list l = list_of(s, a, &near, t->weight, &alone);
+            add_weighted(m, l.n, l.step, l.w, &q[m * h->member[a]], host);
         }
     }
     return alone;
@@ -154,9 +186,9 @@ static void gather_strip(const struct shares *s, const struct strip *t, int m,
     for (int c = t->first; c < t->last; c++) {
         const struct around near = around_host(s, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const int i = h->member[a];
-            const int n = weigh(s, i, &near, t->weight, &alone);
-            take_weighted(m, n, near.step, t->weight, &field[m * c], &q[m * i]);
+            const struct list l = list_of(s, a, &near, t->weight, &alone);
+            take_weighted(m, l.n, l.step, l.w, &field[m * c],
+                          &q[m * h->member[a]]);
         }
     }
 }
@@ -194,7 +226,7 @@ int shares_spread(const struct shares *s, int m, const double *q, double *field)
 #pragma omp parallel for schedule(static) if (s->h->n > WORTH_A_THREAD)
     for (int c = 0; c < n_cells; c++)
         sum_windows(s, c, m, &field[m * c]);
-    return alone;
+    return s->rule.keep ? s->kept.alone : alone;
 }
 
 void shares_gather(const struct shares *s, int m, const double *field,
@@ -232,6 +264,7 @@ static void look_around(struct shares *s)
     s->near = stencil_create(s->h->mesh, s->reach, s->to);
     for (int k = 0; k < SHARES_STRIPS; k++)
         cut_strip(s, k);
+    if (s->rule.keep) s->kept.try = alloc_doubles(s->near->largest);
 }
 
 static void forget_around(struct shares *s)
@@ -240,6 +273,7 @@ static void forget_around(struct shares *s)
         free(s->strip[k].sum);
         free(s->strip[k].weight);
     }
+    free(s->kept.try);
     stencil_free(s->near);
 }
 
@@ -254,6 +288,7 @@ struct shares *shares_create(const struct hosts *h, double reach,
     s->reach = reach;
     s->fields = fields;
     s->rule = rule;
+    if (rule.keep) s->kept.start = alloc_ints(h->ps->capacity + 1);
     look_around(s);
     return s;
 }
@@ -266,6 +301,46 @@ void shares_extend(struct shares *s, double reach)
     look_around(s);
 }
 
+/* Room for n weights more after the first `used`. */
+static void make_room(struct kept *k, int used, int n)
+{
+    if (used + n <= k->room) return;
+    const int room = 2 * (used + n);
+    int *const step = alloc_ints(room);
+    double *const w = alloc_doubles(room);
+
+    if (used > 0) memcpy(step, k->step, (size_t)used * sizeof *step);
+    if (used > 0) memcpy(w, k->w, (size_t)used * sizeof *w);
+    free(k->step);
+    free(k->w);
+    k->step = step;
+    k->w = w;
+    k->room = room;
+}
+
+void shares_bind(struct shares *s)
+{
+    const struct hosts *const h = s->h;
+    struct kept *const k = &s->kept;
+    int used = 0;
+
+    k->alone = 0;
+    for (int c = 0; c < h->mesh->n_cells; c++) {
+        const struct around near = around_host(s, c);
+        for (int a = h->start[c]; a < h->start[c + 1]; a++) {
+            const int n = weigh(s, h->member[a], &near, k->try, &k->alone);
+            make_room(k, used, n);
+            k->start[a] = used;
+            for (int e = 0; e < n; e++) {
+                if (k->try[e] == 0.0) continue;
+                k->step[used] = near.step[e];
+                k->w[used++] = k->try[e];
+            }
+        }
+    }
+    k->start[h->n] = used;
+}
+
 const struct stencil *shares_stencil(const struct shares *s)
 {
     return s->near;
@@ -275,5 +350,8 @@ void shares_free(struct shares *s)
 {
     if (s == NULL) return;
     forget_around(s);
+    free(s->kept.start);
+    free(s->kept.step);
+    free(s->kept.w);
     free(s);
 }

@@ -29,6 +29,8 @@ struct shares_rule {
     int (*weigh)(const void *state, int i, const struct around *near,
                  double *w);
     const void *state; /* borrowed */
+    int keep;          /* 1: weights are dear and few; they are found once for
+                          each shares_bind, and those that are not 0 kept */
 };
 
 struct shares;
@@ -43,6 +45,9 @@ void shares_free(struct shares *s);
 /* Looks for the cells near anew, if the reach is not enough: a larger particle
  * has come. */
 void shares_extend(struct shares *s, double reach);
+
+/* To be called when particles have moved, if weights are kept. */
+void shares_bind(struct shares *s);
 
 /* Borrowed; another one after shares_extend. */
 const struct stencil *shares_stencil(const struct shares *s);

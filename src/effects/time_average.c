@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/simulation.h"
+#include "exchange/transfer.h"
 
 double time_average_weight(double dt, double b_t)
 {
@@ -47,6 +48,7 @@ static void time_average_after_step(void *memory, struct simulation *sim)
     const int n = sim->mesh->n_cells;
     const double alpha = sim->steps == 1 ? 0.0 : self->alpha;
 
+    transfer_solids_velocity(sim);
     time_average_update(alpha, n, fl->eps, self->eps);
     time_average_update(alpha, 3 * n, fl->eps_us, self->eps_us);
 }

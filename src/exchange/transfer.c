@@ -34,7 +34,9 @@ static double drag_rate(const struct simulation *sim, int i)
                                slip_speed(sim, i));
 }
 
-static void take_solids(struct simulation *sim)
+/* From m fields a cell, of which the first is eps_s and the next, if there are
+ * any, are eps_s u_s. */
+static void take_solids(struct simulation *sim, int m)
 {
     struct fluid *const fl = sim->fluid;
     struct coupling_report *const report = &sim->coupling->report;
@@ -42,11 +44,33 @@ static void take_solids(struct simulation *sim)
 
     report->eps_lowest = 1.0;
     for (int c = 0; c < sim->mesh->n_cells; c++) {
-        fl->eps[c] = 1.0 - field[4 * c];
+        fl->eps[c] = 1.0 - field[m * c];
         report->eps_lowest = fmin(report->eps_lowest, fl->eps[c]);
-        for (int k = 0; k < 3; k++)
-            fl->eps_us[3 * c + k] = field[4 * c + 1 + k];
+        for (int k = 0; k < m - 1; k++)
+            fl->eps_us[3 * c + k] = field[m * c + 1 + k];
     }
+}
+
+/* Continuity of the mixture has eps_s u_s in it; the void-rate form has not,
+ * and its steps do with that many fields less [SX15 section 3.4]. */
+static int needs_velocity(const struct simulation *sim)
+{
+    return sim->fluid->options.continuity == CONTINUITY_MIXTURE;
+}
+
+void transfer_solids_velocity(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (cp == NULL || !cp->options.two_way || needs_velocity(sim)) return;
+    for (int i = 0; i < ps->n; i++) {
+        const double V = volume(ps, i);
+        cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */
+        cp->smooth[3 * i + 1] = V * ps->vy[i];
+        cp->smooth[3 * i + 2] = V * ps->vz[i];
+    }
+    averaging_spread(sim->averaging, 3, cp->smooth, sim->fluid->eps_us);
 }
 
 int transfer_average(struct simulation *sim)
@@ -60,16 +84,18 @@ int transfer_average(struct simulation *sim)
             cp->eps[i] = 1.0;
         return 0;
     }
+    const int m = needs_velocity(sim) ? 4 : 1;
 #pragma omp parallel for schedule(static) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
         const double V = volume(ps, i);
-        cp->amount[4 * i] = V;
+        cp->amount[m * i] = V;
+        if (m == 1) continue;
         cp->amount[4 * i + 1] = V * ps->vx[i];
         cp->amount[4 * i + 2] = V * ps->vy[i];
         cp->amount[4 * i + 3] = V * ps->vz[i];
     }
-    averaging_spread(sim->averaging, 4, cp->amount, cp->field);
-    take_solids(sim);
+    averaging_spread(sim->averaging, m, cp->amount, cp->field);
+    take_solids(sim, m);
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
                                      cp->eps);
     return cp->report.eps_lowest <= 0.0;

@@ -11,6 +11,10 @@
  * 9]; then eps_f at each particle. Non-zero if a particle is outside. */
 int transfer_average(struct simulation *sim);
 
+/* Makes sure of eps_s u_s after a step: in the void-rate form nothing in the
+ * loop asks for it, and it is averaged for those who look. */
+void transfer_solids_velocity(const struct simulation *sim);
+
 /* k of each particle for the present slip, and from it what the next fluid
  * step needs: K and F [XS11 3.15]. */
 void transfer_drag_terms(struct simulation *sim);

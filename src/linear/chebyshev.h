@@ -22,8 +22,9 @@ struct chebyshev;
 
 /* The series of exp(-T L) for up to m fields. K is symmetric, its entries off
  * the diagonal are <= 0 [m] and its rows sum to zero (no flux leaves); K and V
- * are borrowed and must stay as they are. The series ends where what is left
- * of it is below tail. */
+ * are borrowed. V must stay as it is; links of K may become weaker, rows still
+ * summing to zero: the series is made for all L whose eigenvalues are not above
+ * the lambda of now. It ends where what is left of it is below tail. */
 struct chebyshev *chebyshev_create(const struct csr *K,
                                    const double *V /* [m^3] */,
                                    double T /* [m^2] */, double tail /* [-] */,

@@ -67,13 +67,24 @@ struct averaging_options build_averaging_options(const struct settings *s)
         .cap = settings_has(s, "averaging.cap")
                    ? settings_real(s, "averaging.cap")
                    : 0.0,
+        .vary = settings_text(s, "averaging.vary"),
         .fields = 4};
     return o;
 }
 
 static int create_averaging(const struct settings *s, struct simulation *sim)
 {
-    const struct averaging_options o = build_averaging_options(s);
+    struct averaging_options o = build_averaging_options(s);
+    struct averaging_region region[BUILD_MOST_REGIONS];
+
+    o.n_regions = settings_length(s, "averaging.regions");
+    o.regions = region;
+    for (int i = 0; i < o.n_regions; i++) {
+        static const char *const list = "averaging.regions";
+        settings_item_vector(s, list, i, "low", region[i].low);
+        settings_item_vector(s, list, i, "high", region[i].high);
+        region[i].bandwidth = settings_item_real(s, list, i, "bandwidth");
+    }
     sim->averaging = averaging_create(
         averaging_method_named(settings_text(s, "averaging.method")), sim->mesh,
         sim->particles, &o);

@@ -15,6 +15,8 @@ void build_free(struct simulation *sim);
  * fluid the time between two rows of the history. */
 int build_steps(const struct settings *s, double *dt);
 
+enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
+
 /* What the case says about parts, for `check` too. */
 struct mesh *build_mesh(const struct settings *s);
 struct averaging_options build_averaging_options(const struct settings *s);

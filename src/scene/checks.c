@@ -6,6 +6,7 @@
 
 #include "averaging/averaging.h"
 #include "particles/integrators.h"
+#include "scene/build.h"
 #include "scene/build_particles.h"
 #include "scene/case_sizes.h"
 #include "scene/case_cohesion.h"
@@ -272,6 +273,9 @@ static int check_averaging(const struct settings *s)
                               "only images and diffusion have a width at half "
                               "the height, %s has not",
                               method);
+    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
+        return settings_wrong(s, "averaging.regions", "%d at most",
+                              BUILD_MOST_REGIONS);
     if (b && delta)
         return settings_wrong(s, "averaging.delta_05",
                               "give either bandwidth or delta_05, not both");

@@ -79,8 +79,9 @@ static const char *averaging_keys(const struct averaging_method *method)
 {
     if (strcmp(method->name, "pcm") == 0) return "averaging.cap";
     if (strcmp(method->name, "diffusion") == 0)
-        return "averaging.bandwidth averaging.delta_05 averaging.scheme "
-               "averaging.steps averaging.tolerance";
+        return "averaging.bandwidth averaging.delta_05 averaging.vary "
+               "averaging.regions averaging.scheme averaging.steps "
+               "averaging.tolerance";
     if (strcmp(method->name, "images") == 0)
         return "averaging.bandwidth averaging.delta_05";
     return method->wide ? "averaging.bandwidth" : "";
@@ -103,9 +104,11 @@ static int scheme(int i, struct model *m)
         {"exponential", "series for the matrix exponential; no steps", "",
          "apply_series", ""},
         {"crank-nicolson", "second order; undershoots if the steps are few",
-         "SX15 5", "apply_steps", "averaging.steps"},
-        {"implicit-euler", "first order; never undershoots", "", "apply_steps",
+         "SX15 5", "theta_step", "averaging.steps"},
+        {"implicit-euler", "first order; never undershoots", "", "theta_step",
          "averaging.steps"},
+        {"sdirk2", "second order, L-stable; undershoots little", "",
+         "sdirk2_step", "averaging.steps"},
         {NULL, NULL, NULL, NULL, NULL}};
     return row(table, i, m);
 }

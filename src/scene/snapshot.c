@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "exchange/transfer.h"
 
 static void create_particles(struct snapshot *s, int capacity)
 {
@@ -91,6 +92,7 @@ static void take_particles(struct snapshot *s, const struct particles *ps)
 void snapshot_take(struct snapshot *s, const struct simulation *sim)
 {
     s->t = sim->t;
+    if (s->u_s != NULL) transfer_solids_velocity(sim);
     if (sim->fluid != NULL) take_fluid(s, sim->fluid);
     if (sim->particles != NULL) take_particles(s, sim->particles);
 }

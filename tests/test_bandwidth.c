@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/bandwidth.h"
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "averaging/averaging.h"
+#include "base/alloc.h"
+#include "cloud.h"
+
+/* n cells of 1 in a row between walls; particles of the given diameters in the
+ * middles of the given cells. */
+struct row {
+    struct mesh *mesh;
+    struct particles *ps;
+    struct averaging *a;
+    double field[200];
+};
+
+static struct row row_of(int n, double grading, int grains, const int *cell,
+                         const double *d, const struct averaging_options *o)
+{
+    const struct box_spec spec = {
+        {n, 1.0, 1.0}, {n, 1, 1}, {grading, 1.0, 1.0}, {0, 0, 0}};
+    struct row r = {.mesh = mesh_create_box(&spec)};
+    double q[200];
+
+    r.ps = particles_create(grains);
+    for (int i = 0; i < grains; i++) {
+        cloud_place(r.ps, r.mesh->centre[3 * cell[i]], 0.5, 0.5, d[i]);
+        q[i] = 1.0;
+    }
+    r.a =
+        averaging_create(averaging_method_named("diffusion"), r.mesh, r.ps, o);
+    ck_assert_ptr_nonnull(r.a);
+    ck_assert_int_eq(averaging_bind(r.a), 0);
+    averaging_spread(r.a, 1, q, r.field);
+    return r;
+}
+
+static void row_free(struct row *r)
+{
+    averaging_free(r->a);
+    particles_free(r->ps);
+    mesh_free(r->mesh);
+}
+
+/* Mean square distance [m^2] from x of the field in the first to last cell. */
+static double spread_around(const struct row *r, double x, int first, int last)
+{
+    double sum = 0.0, square = 0.0;
+
+    for (int c = first; c < last; c++) {
+        const double m = r->mesh->V[c] * r->field[c];
+        sum += m;
+        square += m * gsl_pow_2(r->mesh->centre[3 * c] - x);
+    }
+    return square / sum;
+}
+
+/* Along x the Gaussian has the mean square b^2 / 2, and the mesh keeps it. With
+ * "cells", b^2 / 2 - 1/6, which the two times 1/12 of a cell of 1 make good: a
+ * grain is anywhere in its host, and a value stands for all of its cell. */
+START_TEST(what_the_cells_smear_is_taken_off)
+{
+    const int cell = 50;
+    const double d = 0.1;
+    const struct averaging_options plain = {.bandwidth = 5.0,
+                                            .tolerance = 1e-12};
+    const struct averaging_options cells = {
+        .bandwidth = 5.0, .vary = "cells", .tolerance = 1e-12};
+    struct row a = row_of(101, 1.0, 1, &cell, &d, &plain);
+    struct row b = row_of(101, 1.0, 1, &cell, &d, &cells);
+
+    ck_assert_double_eq_tol(spread_around(&a, 50.5, 0, 101), 12.5, 1e-9);
+    ck_assert_double_eq_tol(spread_around(&b, 50.5, 0, 101), 12.5 - 1.0 / 6.0,
+                            1e-9);
+    row_free(&a);
+    row_free(&b);
+}
+END_TEST
+
+/* Cells of 1, sqrt 3 b wide and a little more: nothing is left to diffuse. */
+START_TEST(in_cells_too_large_it_is_pcm)
+{
+    const int cell = 5;
+    const double d = 0.1;
+    const struct averaging_options o = {.bandwidth = 0.57, .vary = "cells"};
+    struct row r = row_of(11, 1.0, 1, &cell, &d, &o);
+
+    for (int c = 0; c < 11; c++)
+        ck_assert(r.field[c] == (c == cell ? 1.0 : 0.0));
+    row_free(&r);
+}
+END_TEST
+
+/* Left of x = 50 b is 4, right of it 2: mean squares of 8 and 2, as the blobs
+ * are 6 b from the seam. Then a region of 0: a wall to either side. */
+START_TEST(a_region_has_its_own_bandwidth)
+{
+    static const int cell[] = {25, 75};
+    static const double d[] = {0.1, 0.1};
+    struct averaging_region right = {
+        {50.0, -1.0, -1.0}, {200.0, 2.0, 2.0}, 2.0};
+    const struct averaging_options o = {.bandwidth = 4.0,
+                                        .regions = &right,
+                                        .n_regions = 1,
+                                        .tolerance = 1e-12};
+    struct row r = row_of(100, 1.0, 2, cell, d, &o);
+
+    ck_assert_double_eq_tol(spread_around(&r, 25.5, 0, 50), 8.0, 1e-6);
+    ck_assert_double_eq_tol(spread_around(&r, 75.5, 50, 100), 2.0, 1e-6);
+    row_free(&r);
+    right.bandwidth = 0.0;
+    r = row_of(100, 1.0, 2, cell, d, &o);
+    for (int c = 50; c < 100; c++)
+        ck_assert(r.field[c] == (c == 75 ? 1.0 : 0.0));
+    row_free(&r);
+}
+END_TEST
+
+/* Grains of 1 and 3 mm, as much volume of each: the mean diameter is 2 mm,
+ * their bandwidths b / 2 and 3 b / 2. Only the hosts differ in D here, and so
+ * not the blobs but the flux out of the hosts tells: after a short time each
+ * host has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
+START_TEST(the_bandwidth_follows_the_diameter)
+{
+    int cell[28];
+    double d[28];
+    const double b = 0.02, T = b * b / 4.0;
+    const struct averaging_options o = {
+        .bandwidth = b, .vary = "grains", .tolerance = 1e-13};
+
+    for (int i = 0; i < 28; i++) {
+        cell[i] = i < 27 ? 25 : 75;
+        d[i] = i < 27 ? 1e-3 : 3e-3;
+    }
+    struct row r = row_of(100, 1.0, 28, cell, d, &o);
+    ck_assert_double_eq_tol((27.0 - r.field[25]) / 27.0 / (2.0 * T),
+                            2.0 * 0.25 / 1.25, 1e-3);
+    ck_assert_double_eq_tol((1.0 - r.field[75]) / (2.0 * T), 2.0 * 2.25 / 3.25,
+                            1e-3);
+    row_free(&r);
+}
+END_TEST
+
+/* One size: the mean is a sum over the same numbers, equal to rounding. */
+START_TEST(grains_of_one_size_have_one_bandwidth)
+{
+    int cell[60];
+    double d[60];
+    const struct averaging_options plain = {.bandwidth = 3.0,
+                                            .tolerance = 1e-12};
+    const struct averaging_options grains = {
+        .bandwidth = 3.0, .vary = "grains", .tolerance = 1e-12};
+
+    for (int i = 0; i < 60; i++) {
+        cell[i] = i * i % 50;
+        d[i] = 1e-3;
+    }
+    struct row a = row_of(50, 3.0, 60, cell, d, &plain);
+    struct row b = row_of(50, 3.0, 60, cell, d, &grains);
+    for (int c = 0; c < 50; c++)
+        ck_assert_double_eq_tol(a.field[c], b.field[c], 1e-10);
+    row_free(&a);
+    row_free(&b);
+}
+END_TEST
+
+/* A bed has grown larger grains since the series was made. */
+START_TEST(a_larger_grain_than_all_before_is_no_harm)
+{
+    static const int cell[] = {10, 20, 30};
+    double d[] = {1e-3, 1e-3, 1e-3};
+    const double q[] = {1.0, 1.0, 1.0};
+    const struct averaging_options o = {
+        .bandwidth = 3.0, .vary = "grains", .tolerance = 1e-9};
+    struct row r = row_of(40, 1.0, 3, cell, d, &o);
+    double sum = 0.0;
+
+    r.ps->d[0] = 2e-3;
+    ck_assert_int_eq(averaging_bind(r.a), 0);
+    averaging_spread(r.a, 1, q, r.field);
+    for (int c = 0; c < 40; c++) {
+        ck_assert_double_ge(r.field[c], -1e-8);
+        sum += r.mesh->V[c] * r.field[c];
+    }
+    ck_assert_double_eq_tol(sum, 3.0, 1e-12);
+    row_free(&r);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("bandwidth");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_test(t, what_the_cells_smear_is_taken_off);
+    tcase_add_test(t, in_cells_too_large_it_is_pcm);
+    tcase_add_test(t, a_region_has_its_own_bandwidth);
+    tcase_add_test(t, the_bandwidth_follows_the_diameter);
+    tcase_add_test(t, grains_of_one_size_have_one_bandwidth);
+    tcase_add_test(t, a_larger_grain_than_all_before_is_no_harm);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
