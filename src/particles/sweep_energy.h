@@ -18,6 +18,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
+#include "particles/contact.h"
 #include "particles/sweep_buffers.h"
 
 /* What friction does in one contact. */
