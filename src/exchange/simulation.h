@@ -14,6 +14,7 @@
 #include "particles/particles.h"
 
 struct coupling;
+struct life;
 
 /* Wall-clock seconds spent so far, by part. */
 struct seconds {
@@ -25,6 +26,7 @@ struct simulation {
     struct fluid *fluid;
     struct particles *particles;
     struct dem *dem;
+    struct life *life;              /* NULL: nobody comes or goes */
     struct materials *materials;    /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;

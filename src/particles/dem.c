@@ -23,6 +23,7 @@ static double mean_diameter(const struct particles *ps)
 
 static double skin_of(const struct dem_options *o, const struct particles *ps)
 {
+    if (o->link_cells) return mean_diameter(ps) / MARGIN_PARTS;
     return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
 }
 
@@ -89,6 +90,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->count);
+    dem->neighbours->fresh = o->link_cells;
     dem->neighbours->bodies->n_materials = n;
     dem->neighbours->range = range_of(o);
     if (o->materials != NULL)

@@ -69,6 +69,10 @@ struct dem_surface {
 };
 struct dem_surface dem_surface(const struct dem *dem, int k);
 
+/* Takes out the particles i with gone[i] between two runs. Who stays keeps its
+ * springs. */
+void dem_remove(struct dem *dem, const int *gone);
+
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
  * the lower and 2 k + 1 the upper wall of direction k, 6 any
@@ -83,7 +87,8 @@ struct dem_spring {
 /* A new list of them, released with free(). */
 struct dem_spring *dem_springs(struct dem *dem, int *n);
 
-/* Starts the next run with these springs and no others. */
+/* Starts the next run with these springs and no others; those of particles that
+ * are not there are left out. */
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n);
 
 /* Another restitution or friction of material 0 from now on; the springs stay

@@ -17,10 +17,11 @@ struct dem_options {
                                           Borrowed for as long as the dem is */
     const struct integrator *integrator; /* NULL: velocity Verlet */
     double step;                         /* [s] */
-    double skin;                         /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3];                 /* [m] walls of the box */
-    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
-                        least 2 (d + skin + range) long there */
+    int link_cells;      /* [-] 1: no list, but all pairs sought in each step */
+    double skin;         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3]; /* [m] walls of the box */
+    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
+                            least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
     const struct attraction *attractions; /* borrowed likewise */

@@ -50,23 +50,41 @@ struct dem_spring *dem_springs(struct dem *dem, int *n)
     return list;
 }
 
-/* Where each id is now. */
+/* Where each id is now; -1: nowhere. */
 static int *places(const struct particles *ps)
 {
-    int highest = -1;
+    int *const place = alloc_ints(ps->next_id);
 
-    for (int i = 0; i < ps->n; i++)
-        highest = ps->id[i] > highest ? ps->id[i] : highest;
-    int *const place = alloc_ints(highest + 1);
+    for (int id = 0; id < ps->next_id; id++)
+        place[id] = -1;
     for (int i = 0; i < ps->n; i++)
         place[ps->id[i]] = i;
     return place;
 }
 
-void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
+static int is_there(const struct dem_spring *s, const int *place)
+{
+    return place[s->id] >= 0 && (s->other < 0 || place[s->other] >= 0);
+}
+
+/* A new list of the springs whose particles are there. */
+static struct dem_spring *sifted(const struct dem_spring *list, int *n,
+                                 const int *place)
+{
+    struct dem_spring *const stay = alloc_zeroed((size_t)*n, sizeof *stay);
+    int count = 0;
+
+    for (int q = 0; q < *n; q++)
+        if (is_there(&list[q], place)) stay[count++] = list[q];
+    *n = count;
+    return stay;
+}
+
+void dem_recall(struct dem *dem, const struct dem_spring *all, int n)
 {
     struct neighbours *const nb = dem->neighbours;
     int *const place = places(nb->ps);
+    struct dem_spring *const list = sifted(all, &n, place);
     const int own = n - surface_springs_recall(nb->surfaces, list, n);
     struct kept *const kept = neighbours_recall(nb, own);
 
@@ -79,5 +97,16 @@ void dem_recall(struct dem *dem, const struct dem_spring *list, int n)
             kept[q].roll[k] = list[q].roll[k];
         }
     }
+    free(list);
     free(place);
+}
+
+void dem_remove(struct dem *dem, const int *gone)
+{
+    int n;
+    struct dem_spring *const springs = dem_springs(dem, &n);
+
+    particles_remove(dem->neighbours->ps, gone);
+    dem_recall(dem, springs, n);
+    free(springs);
 }

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
+#include "particles/life.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
 #include "scene/scene.h"
@@ -169,6 +170,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    life_free(sim->life);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

@@ -2,11 +2,13 @@
 #include "scene/build_particles.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
 #include "scene/case_cohesion.h"
+#include "scene/case_life.h"
 #include "scene/case_materials.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
@@ -21,6 +23,8 @@ struct dem_options build_dem_options(const struct settings *s, double step)
         .material = case_materials_one(s, 0),
         .integrator =
             integrators_named(settings_text(s, "particles.integrator")),
+        .link_cells =
+            strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
     double size[3];
@@ -72,7 +76,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
                                  : NULL;
     struct bed_report r;
 
-    sim->particles = particles_create(b.count);
+    sim->particles = particles_create(b.count + case_life_count(s));
     sim->dem = dem_create(sim->particles, o);
     const int found = sim->dem == NULL
                           ? BED_REFUSED
@@ -104,7 +108,7 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
 
-    sim->particles = particles_create(n);
+    sim->particles = particles_create(n + case_life_count(s));
     if (sim->materials != NULL) particles_distinguish(sim->particles);
     for (int k = 0; k < n; k++) {
         const int material = material_of(s, list, k);
@@ -140,6 +144,9 @@ int build_particles(const struct settings *s, struct simulation *sim)
         code = create_bed(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
+    if (code != 0) return code;
+    const struct domain box = bodies_domain(o.lo, o.hi, o.periodic);
+    sim->life = case_life_create(s, &box, &code);
     if (code != 0) return code;
     sim->held = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held, 3);

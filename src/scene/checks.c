@@ -8,6 +8,7 @@
 #include "particles/integrators.h"
 #include "scene/build.h"
 #include "scene/build_particles.h"
+#include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
@@ -253,9 +254,11 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code != 0) return code;
-    if (bed == place)
+    if (code == 0) code = case_life_check(s);
+    if (code != 0) return code;
+    if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",
-                              bed ? ", not both" : "");
+                              bed ? ", not both" : ", or insert");
     return bed ? check_bed(s) : check_place(s);
 }
 

@@ -305,7 +305,8 @@ enum {
     C = HISTORY_COUPLING,
     D = HISTORY_DRIVEN,
     N = HISTORY_PARTS,
-    E = HISTORY_BUDGET
+    E = HISTORY_BUDGET,
+    L = HISTORY_LIFE
 };
 
 const struct history_column history_columns[] = {
@@ -317,6 +318,12 @@ const struct history_column history_columns[] = {
     {"kinetic_energy_fluid [J]", fluid_energy, F},
     {"kinetic_energy_particles [J]", particle_energy, P},
     {"rotational_energy_particles [J]", spin_energy, P},
+    {"particles [-]", history_particles, L},
+    {"particles_in [-]", history_came, L},
+    {"particles_out [-]", history_went, L},
+    {"particles_waiting [-]", history_waiting, L},
+    {"mass_in [kg]", history_mass_in, L},
+    {"mass_out [kg]", history_mass_out, L},
     {"energy_normal_springs [J]", history_energy_normal, E},
     {"energy_tangential_springs [J]", history_energy_tangential, E},
     {"lost_in_normal_dashpots [J]", history_energy_damped_n, E},
@@ -378,6 +385,7 @@ int history_applies(const struct history_column *c,
             (sim->fluid != NULL && sim->fluid->options.cfl > 0.0)) &&
            (!(c->needs & P) || sim->particles != NULL) &&
            (!(c->needs & C) || sim->coupling != NULL) &&
+           (!(c->needs & L) || sim->life != NULL) &&
            (!(c->needs & E) ||
             (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -2,6 +2,7 @@
 #include "scene/history_energy.h"
 
 #include "particles/energy.h"
+#include "particles/life.h"
 
 double history_energy_normal(const struct simulation *sim)
 {
@@ -61,4 +62,34 @@ double history_energy_brought(const struct simulation *sim)
 double history_energy_residual(const struct simulation *sim)
 {
     return energy_residual(dem_energy(sim->dem));
+}
+
+double history_particles(const struct simulation *sim)
+{
+    return sim->particles->n;
+}
+
+double history_came(const struct simulation *sim)
+{
+    return (double)sim->life->account.came;
+}
+
+double history_went(const struct simulation *sim)
+{
+    return (double)sim->life->account.went;
+}
+
+double history_waiting(const struct simulation *sim)
+{
+    return (double)sim->life->account.waiting;
+}
+
+double history_mass_in(const struct simulation *sim)
+{
+    return sim->life->account.mass_in;
+}
+
+double history_mass_out(const struct simulation *sim)
+{
+    return sim->life->account.mass_out;
 }

@@ -1,4 +1,5 @@
-/* history_energy.h -- the energy budget of the particles, column by column. */
+/* history_energy.h -- columns of the particles: their energy budget, and how
+ * many come and go. */
 #ifndef HISTORY_ENERGY_H
 #define HISTORY_ENERGY_H
 
@@ -18,5 +19,13 @@ double history_energy_attracted(const struct simulation *sim);
 double history_energy_walls(const struct simulation *sim);
 double history_energy_brought(const struct simulation *sim);
 double history_energy_residual(const struct simulation *sim);
+
+/* There must be a life (particles/life.h). Masses in kg. */
+double history_particles(const struct simulation *sim);
+double history_came(const struct simulation *sim);
+double history_went(const struct simulation *sim);
+double history_waiting(const struct simulation *sim);
+double history_mass_in(const struct simulation *sim);
+double history_mass_out(const struct simulation *sim);
 
 #endif

@@ -48,6 +48,17 @@ static int integrator(int i, struct model *m)
     return 1;
 }
 
+static int list(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"verlet", "pairs up to a skin apart, kept until they have moved it",
+         "LS 5.15, 5.16", "neighbours_refresh", "particles.skin"},
+        {"link-cells", "pairs of neighbouring cells, sought in each step",
+         "LS section 5.2.2", "grid_find", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 /* The keys of a law of sizes: sizes_laws has their names alone. */
 static const char *sizes_keys(const char *law)
 {
@@ -249,6 +260,7 @@ const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
     {"integrator", "ways of the particles through time", "particles.integrator",
      integrator},
+    {"list", "ways to find the pairs", "particles.list", list},
     {"sizes", "distributions of diameters", "particles.sizes.distribution",
      sizes},
     {"averaging", "ways from particles to fields", "averaging.method",
