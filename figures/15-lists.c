@@ -2,9 +2,9 @@
 /* 15-lists.c -- what a step of a particle costs, by the way pairs are found.
  *
  * A box full of spheres that fly about like a dense gas (solid fraction 0.35,
- * mean speed of 0.1 d in 1000 steps, so that lists wear out as in a fluidized
+ * up to 1 d in 1000 steps, so that lists wear out as in a fluidized
  * bed): microseconds of processor time a particle and step, the best of three,
- * for skins from d/50 to d, and with link cells; then for 500 to 128000
+ * for skins from d/50 to d, and with link cells; then for 500 to 64000
  * spheres.
  */
 #include <math.h>
@@ -24,7 +24,7 @@ static double chance(uint64_t *state)
     return (double)(*state >> 11) / 4503599627370496.0 - 1.0;
 }
 
-/* n^3 spheres, to 0.1 m/s in each direction. */
+/* n^3 spheres, to 1 m/s in each direction. */
 static struct particles *gas(int n)
 {
     struct particles *const ps = particles_create(n * n * n);
@@ -36,9 +36,9 @@ static struct particles *gas(int n)
         for (int a = 0; a < 3; a++)
             x[a] = (at[a] + 0.5) * pitch + 0.05e-3 * chance(&seed);
         const int i = particles_add(ps, x, d, 2000.0);
-        ps->vx[i] = 0.1 * chance(&seed);
-        ps->vy[i] = 0.1 * chance(&seed);
-        ps->vz[i] = 0.1 * chance(&seed);
+        ps->vx[i] = 1.0 * chance(&seed);
+        ps->vy[i] = 1.0 * chance(&seed);
+        ps->vz[i] = 1.0 * chance(&seed);
     }
     return ps;
 }
@@ -77,7 +77,7 @@ int main(void)
 {
     static const double part[] = {0.02, 0.05, 0.1, 0.15, 0.2,
                                   0.3,  0.4,  0.6, 0.8,  1.0};
-    static const int side[] = {8, 13, 20, 32, 50};
+    static const int side[] = {8, 12, 18, 27, 40};
 
     puts("## skin\n# skin over d, us a particle and step: list; link cells");
     const double cells = cost(20, 0.0);

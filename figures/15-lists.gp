@@ -7,7 +7,7 @@ set multiplot layout 1,2
 set xlabel "skin over diameter [-]"
 set ylabel "processor time a particle and step [us]"
 set logscale y
-set yrange [0.03:3]
+set yrange [0.01:0.3]
 set key top right
 plot data index 0 using 1:2 with linespoints linetype 1 pointtype 7 pointsize 0.5 title "list", \
      "" index 0 using 1:3 with lines linetype 2 title "link cells"
