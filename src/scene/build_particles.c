@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "particles/overlaps.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
 #include "scene/case_cohesion.h"
@@ -102,6 +103,28 @@ static int material_of(const struct settings *s, const char *list, int i)
                : 0;
 }
 
+/* Spheres that are placed in each other: apart, or a message. */
+static int part_spheres(const struct settings *s, struct particles *ps,
+                        const struct dem_options *o)
+{
+    const char *const what = settings_text(s, "particles.overlaps");
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct overlap deep = overlaps_deepest(ps, &box);
+
+    if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MOST) return 0;
+    if (strcmp(what, "refuse") == 0)
+        return settings_wrong(
+            s, "particles.place",
+            "spheres %d and %d overlap by %.3g of their mean diameter; set "
+            "particles.overlaps to \"relax\" to move them apart, or to "
+            "\"allow\"",
+            deep.i, deep.j, deep.depth);
+    if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
+    return settings_wrong(s, "particles.place",
+                          "the spheres overlap, and there is no room to move "
+                          "them apart");
+}
+
 static int place_spheres(const struct settings *s, struct simulation *sim,
                          const struct dem_options *o)
 {
@@ -127,6 +150,7 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
+    if (part_spheres(s, sim->particles, o) != 0) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
