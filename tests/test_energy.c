@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "particles/electrostatic.h"
 #include "particles/energy.h"
 #include "spheres.h"
 
@@ -189,6 +190,72 @@ START_TEST(rolling_friction_takes_what_a_rolling_sphere_has)
 }
 END_TEST
 
+/* A sphere in the way of a plane that comes at 0.2 m/s leaves at 0.4 m/s: the
+ * plane did (1/2) m v^2, all that there is in the end. */
+START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
+{
+    struct particles *const ps = particles_create(1);
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
+    const struct surface piston = {.name = "piston",
+                                   .shape = SURFACE_PLANE,
+                                   .point = {-0.01, 0.0, 0.0},
+                                   .normal = {1.0, 0.0, 0.0},
+                                   .motion = {.velocity = {0.2, 0.0, 0.0}}};
+    struct dem_report r;
+
+    o.surfaces = &piston;
+    o.n_surfaces = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    dem_clock(dem, 0);
+    spheres_add(ps, 0.0, 0, 0, 0.01);
+    ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double whole = 0.5 * ps->m[0] * 0.16;
+    ck_assert_double_eq_tol(ps->vx[0], 0.4, 1e-3);
+    ck_assert_double_eq_tol(e->walls / whole, 1.0, 2e-3);
+    ck_assert_double_lt(fabs(energy_residual(e)), 2e-3 * whole);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Two unlike charges fall towards each other: what they move with is the work
+ * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
+START_TEST(attractions_do_the_work_that_comes_out_as_motion)
+{
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
+    const double charge[2] = {2e-8, -2e-8};
+    const struct attraction pull = {.law = &electrostatic,
+                                    .range = 0.05,
+                                    .strength = 1.0,
+                                    .charge = charge};
+    const struct material other = o.material;
+    const struct materials two = {.n = 2, .further = &other};
+    struct dem_report r;
+
+    o.attractions = &pull;
+    o.n_attractions = 1;
+    o.materials = &two;
+    particles_distinguish(ps);
+    spheres_add(ps, -0.015, 0, 0, 0.01);
+    ps->material[spheres_add(ps, 0.015, 0, 0, 0.01)] = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    ck_assert_int_eq(dem_run(dem, 30000, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double l = fabs(ps->x[1] - ps->x[0]);
+    const double exact = 8.9875518e9 * 4e-16 * (1.0 / l - 1.0 / 0.03);
+    ck_assert_double_lt(l, 0.029);
+    ck_assert_double_gt(l, 0.0101);
+    ck_assert_double_eq_tol(e->attracted / exact, 1.0, 1e-3);
+    ck_assert_double_eq_tol(e->kinetic / exact, 1.0, 1e-3);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* --- around runs ---------------------------------------------------------- */
 
 START_TEST(what_is_added_or_pushed_between_runs_was_brought)
@@ -274,6 +341,8 @@ int main(void)
     tcase_add_test(t, the_work_of_gravity_is_the_height_lost);
     tcase_add_test(t, sliding_takes_two_sevenths_until_it_rolls);
     tcase_add_test(t, rolling_friction_takes_what_a_rolling_sphere_has);
+    tcase_add_test(t, a_wall_that_moves_does_the_work_that_it_gives);
+    tcase_add_test(t, attractions_do_the_work_that_comes_out_as_motion);
     tcase_add_test(t, what_is_added_or_pushed_between_runs_was_brought);
     tcase_add_loop_test(
         t, a_budget_changes_no_bit_and_does_not_depend_on_threads, 0, 2);
