@@ -155,6 +155,9 @@ fact functions_that_are_named_exist 0 defined defined
 fact check_calls_a_step_unsafe_that_is 0 "NOT SAFE" \
     "$winnow" check tiny.cfg -s particles.step=1e-4
 
+fact step_that_is_unsafe_is_refused_with_a_better_one 2 "at most" \
+    "$winnow" run tiny.cfg -o never -s particles.step=1e-4
+
 echo "runs:"
 fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
 fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \
@@ -190,7 +193,8 @@ fact interrupted_run_says_so_in_its_summary 0 interrupted cat long/summary.json
 
 fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
-    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip
+    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \
+    -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 
 cat >walls.cfg <<'END'

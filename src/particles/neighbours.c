@@ -250,14 +250,14 @@ static void rebuild(struct neighbours *nb)
 double neighbours_refresh(struct neighbours *nb, double wanted)
 {
     const struct neighbours_share mine = neighbours_share(nb);
-    const double margin = fmin(wanted, 0.25 * nb->skin);
+    const double margin = nb->fresh ? 0.0 : fmin(wanted, 0.25 * nb->skin);
 
     neighbours_look(nb);
     neighbours_meet(nb);
     const double moved = farthest(nb);
     neighbours_meet(nb);
     if (moved < 0.0) return -1.0;
-    if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
+    if (nb->stale || nb->fresh || nb->skin - 2.0 * moved < margin) rebuild(nb);
     for (int s = mine.first; s < mine.last; s++) {
         strip_choose(&nb->strips[s], nb->bodies, margin);
         if (nb->surfaces != NULL)

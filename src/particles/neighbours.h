@@ -35,6 +35,7 @@ struct neighbours {
                       what acts without touching; 0 */
     double margin; /* [m] of the contacts */
     double spent;  /* [m] of it since they were chosen */
+    int fresh;     /* [-] 1: link cells, no list outlives a step */
     int stale;     /* [-] 1: the particles were changed from outside */
     int recalled;  /* [-] 1: the kept springs are given, not taken */
     long rebuilds;

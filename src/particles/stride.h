@@ -19,6 +19,7 @@ struct stride {
     int n_attractions;
     int driven;         /* [-] 1: driven particles go where they should */
     double t;           /* [s] time that the places are of, for them */
+    int budget;         /* [-] 1: of energy (energy.h) */
     double dt;          /* [s] the springs move on; 0: loads alone */
     double kick, drift; /* [s] the velocities do, and the places */
 };

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
+#include "particles/life.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
 #include "scene/case_surfaces.h"
@@ -172,6 +173,7 @@ void build_free(struct simulation *sim)
     dem_free(sim->dem);
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->driven);
+    life_free(sim->life);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);
