@@ -303,10 +303,10 @@ int check_case(const struct settings *s)
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
     print_resolution(&k);
-    if (walls.surfaces > 0) print_walls(&walls, &k);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
+    if (walls.surfaces > 0) print_walls(&walls, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
     if (settings_has(s, "averaging")) print_averaging(s);
     if (settings_has(s, "exchange") && k.particles > 0) print_drag(s, &k);
