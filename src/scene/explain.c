@@ -85,12 +85,17 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
     return settings_has(s, group);
 }
 
-/* Of kinds whose key is in the groups of a list: 1 if one of them has it. */
-static int is_in_list(const struct settings *s, const char *list,
-                      const char *key, const char *name)
+/* 1 if one of the groups of a list chose that model. */
+static int is_in_list(const struct settings *s, const char *path,
+                      const char *model)
 {
+    const char *const dot = strrchr(path, '.');
+    char list[64];
+
+    snprintf(list, sizeof list, "%.*s", (int)(dot - path), path);
     for (int i = 0; i < settings_length(s, list); i++)
-        if (strcmp(settings_item_text(s, list, i, key), name) == 0) return 1;
+        if (strcmp(settings_item_text(s, list, i, dot + 1), model) == 0)
+            return 1;
     return 0;
 }
 
@@ -100,11 +105,9 @@ static int is_on(const struct settings *s, const struct kind *kind,
     char path[128];
 
     if (!is_at_work(s, kind)) return 0;
-    if (strcmp(kind->name, "surface") == 0)
-        return is_in_list(s, "particles.surfaces", "shape", m->name);
-    if (strcmp(kind->name, "sizes") == 0)
-        return is_in_list(s, "particles.sizes", "distribution", m->name);
     if (strcmp(kind->name, "patch") == 0) return is_some_side(s, m->name);
+    if (strcmp(kind->name, "sizes") == 0 || strcmp(kind->name, "surface") == 0)
+        return is_in_list(s, kind->key, m->name);
     if (strcmp(kind->name, "effect") != 0)
         return strcmp(settings_text(s, kind->key), m->name) == 0;
     snprintf(path, sizeof path, "effects.%s", m->name);

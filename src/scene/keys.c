@@ -230,7 +230,7 @@ const struct key keys_core[] = {
     {"particles.sinks", KEY_LIST, "", "", "",
      "where particles leave: a side of the box, or a region", "", ""},
     {"particles.sinks.side", KEY_NAME, "",
-     "left | right | bottom | top | back | front", "",
+     "none | left | right | bottom | top | back | front", "none",
      "they leave before they touch this side", "", ""},
     {"particles.sinks.from", KEY_VECTOR, "m", "", "",
      "lower corner of the region", "", ""},
