@@ -36,6 +36,9 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/book.sh
 	sh chapters/tools/check.sh $B/winnow
 
+validate: $B/winnow ## long runs against measurements and papers (hours)
+	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
+
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
@@ -77,6 +80,6 @@ $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wra
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check bench weave book help clean tests
+.PHONY: all run check validate bench weave book help clean tests
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d
