@@ -53,9 +53,10 @@ double drag_wen_yu_cd(double alpha, double Re);
 /* Force on one sphere with drag coefficient C_D [N] [LS 5.2]. */
 double drag_force(double rho_f, double C_D, double d, double u_r);
 
-/* Relaxation time of one sphere after Stokes [LS 5.12] and with the correction
- * of Schiller and Naumann [LS 5.13] [s]. */
+/* Relaxation time of one sphere after Stokes [s] [LS 5.12]. */
 double drag_stokes_time(double rho_p, double d, double mu);
+
+/* The same with the correction of Schiller and Naumann [s] [LS 5.13]. */
 double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re);
 
 #endif
