@@ -27,6 +27,7 @@ struct impact {
     double e, mu;          /* [-] */
     double v_n, v_t;       /* [m/s] down and along x */
     double spin;           /* [rad/s] about z */
+    double k, k_t;         /* [N/m] law "linear"; 0: law "hertz" */
 };
 
 struct rebound {
@@ -50,14 +51,17 @@ static inline struct dem_options impact_options(const struct impact *c)
     const double t = contact_hertz_time(contact_hertz_modulus(E, nu, E, nu),
                                         R_star, m_star, closing);
 
-    return (struct dem_options){.law = &contact_hertz,
-                                .material = {.young = E,
-                                             .poisson = nu,
-                                             .restitution = c->e,
-                                             .friction = c->mu},
-                                .step = t / impact_parts,
-                                .lo = {-40 * c->R, 0.0, -40 * c->R},
-                                .hi = {40 * c->R, 80 * c->R, 40 * c->R}};
+    return (struct dem_options){
+        .law = c->k > 0.0 ? &contact_linear : &contact_hertz,
+        .material = {.young = E,
+                     .poisson = nu,
+                     .stiffness = c->k,
+                     .tangential = c->k > 0.0 ? c->k_t / c->k : 0.0,
+                     .restitution = c->e,
+                     .friction = c->mu},
+        .step = t / impact_parts,
+        .lo = {-40 * c->R, 0.0, -40 * c->R},
+        .hi = {40 * c->R, 80 * c->R, 40 * c->R}};
 }
 
 static inline void impact_add(struct particles *ps, double y, double R,

@@ -180,6 +180,26 @@ END_TEST
 
 /* --- [SX15 11-14] ------------------------------------------------------- */
 
+/* A pulse of one step, of weight dt, is seen at the age t as [SX15 11] has it,
+ * dt exp(-t / b_t) / b_t, to the first order in dt / b_t = 0.001. All these
+ * weights add up to 1; the line under (11) prints 0. */
+START_TEST(sx15_11_a_value_counts_by_its_age)
+{
+    const double dt = 1e-3, b_t = 1.0, alpha = time_average_weight(dt, b_t);
+    const double pulse = 1.0, nothing = 0.0;
+    double mean = 0.0, sum = 0.0;
+
+    time_average_update(alpha, 1, &pulse, &mean);
+    for (int n = 0; n < 30000; n++) {
+        if (n % 1000 == 0 && n < 5000)
+            ck_assert_double_eq_tol(mean / dt, exp(-n * dt / b_t) / b_t, 2e-3);
+        sum += mean;
+        time_average_update(alpha, 1, &nothing, &mean);
+    }
+    ck_assert_double_eq_tol(sum, 1.0, 1e-12);
+}
+END_TEST
+
 START_TEST(sx15_14_weight_is_one_over_one_plus_dt_over_b)
 {
     ck_assert_double_eq_tol(time_average_weight(0.1, 0.4), 0.8, 1e-15);
@@ -216,6 +236,7 @@ static Suite *suite(void)
     tcase_add_test(t, an_effect_that_is_not_named_is_never_called);
     tcase_add_test(t, a_step_allocates_nothing);
     tcase_add_test(t, every_effect_is_known_by_its_name_and_has_a_row);
+    tcase_add_test(t, sx15_11_a_value_counts_by_its_age);
     tcase_add_test(t, sx15_14_weight_is_one_over_one_plus_dt_over_b);
     tcase_add_test(t, sx15_13_mean_follows_a_step_with_order_one);
     return s;

@@ -107,22 +107,25 @@ START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
 }
 END_TEST
 
-/* f = x on equal cells in a row: half the slope next to the two walls. */
-START_TEST(linear_without_boundary_values_sees_half_the_slope_at_a_wall)
+/* Graded, closed, in one and in three directions: without values on the
+ * boundary the slope is fitted, and is all of it also in corners. Half of it,
+ * as with f_f = f_c on a wall, would be off by 0.1. */
+START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
 {
-    const struct box_spec spec = {
-        {1.0, 0.1, 0.1}, {10, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
-    struct scene s = scene_of(&spec, "pcm");
+    static const int closed[] = {1, 4};
+    struct scene s = scene_of(&cloud_shapes[closed[_i]], "pcm");
+    const int *const n = s.mesh->box.n;
 
-    for (int c = 0; c < 10; c++)
-        s.field[c] = s.mesh->centre[3 * c];
-    interpolation_named("linear")->apply(s.a, 1, s.field, NULL, s.q);
+    fill_planes(&s);
+    interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
-        const int c = averaging_host(s.a)[i];
-        const double middle = s.mesh->centre[3 * c];
-        const double slope = c == 0 || c == 9 ? 0.5 : 1.0;
-        ck_assert_double_eq_tol(s.q[i], middle + slope * (s.ps->x[i] - middle),
-                                1e-14);
+        const double *const centre =
+            &s.mesh->centre[3 * averaging_host(s.a)[i]];
+        const double x[3] = {n[0] > 1 ? s.ps->x[i] : centre[0],
+                             n[1] > 1 ? s.ps->y[i] : centre[1],
+                             n[2] > 1 ? s.ps->z[i] : centre[2]};
+        for (int k = 0; k < M; k++)
+            ck_assert_double_eq_tol(s.q[M * i + k], plane(k, x), 1e-13);
     }
     scene_free(&s);
 }
@@ -238,8 +241,8 @@ int main(void)
     tcase_add_test(t, linear_is_exact_for_linear_fields_in_the_interior);
     tcase_add_loop_test(t, linear_is_exact_at_boundaries_whose_values_are_given,
                         0, 3);
-    tcase_add_test(
-        t, linear_without_boundary_values_sees_half_the_slope_at_a_wall);
+    tcase_add_loop_test(t, linear_without_boundary_values_is_exact_at_walls_too,
+                        0, 2);
     tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
     tcase_add_loop_test(t, nearest_is_the_value_of_the_host, 0, CLOUD_SHAPES);
     tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,

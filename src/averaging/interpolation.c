@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "averaging/hosts.h"
+#include "averaging/slope.h"
 
 static void nearest(struct averaging *a, int m, const double *field,
                     const double *boundary, double *q)
@@ -12,8 +13,8 @@ static void nearest(struct averaging *a, int m, const double *field,
     hosts_value(averaging_hosts(a), m, field, q);
 }
 
-/* Value on face f, a face of cell c, of number k of the m. */
-static double face_value(const struct mesh *mesh, int f, int c, int k, int m,
+/* Value on face f of number k of the m. */
+static double face_value(const struct mesh *mesh, int f, int k, int m,
                          const double *field, const double *boundary)
 {
     if (f < mesh->n_internal) {
@@ -21,8 +22,34 @@ static double face_value(const struct mesh *mesh, int f, int c, int k, int m,
         return w * field[m * mesh->owner[f] + k] +
                (1.0 - w) * field[m * mesh->neighbour[f] + k];
     }
-    return boundary == NULL ? field[m * c + k]
-                            : boundary[m * (f - mesh->n_internal) + k];
+    return boundary[m * (f - mesh->n_internal) + k];
+}
+
+/* Where a boundary cell has no values on the boundary: the slope that fits the
+ * differences to its neighbours best, weighed by the inverse square of their
+ * distance. Exact for linear fields; none where there is no neighbour. */
+static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
+                            const double *field, double g[3])
+{
+    double A[6] = {0.0}, b[3] = {0.0};
+
+    for (int a = mesh->cell_start[c]; a < mesh->cell_start[c + 1]; a++) {
+        const int f = mesh->cell_face[a];
+        if (f >= mesh->n_internal) break; /* ascending: only boundary follows */
+        const int owner = mesh->owner[f] == c;
+        const int there = owner ? mesh->neighbour[f] : mesh->owner[f];
+        const double *const d = &mesh->d[3 * f];
+        const double w = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        const double above =
+            (owner ? w : -w) * (field[m * there + k] - field[m * c + k]);
+        const double dd[6] = {d[0] * d[0], d[0] * d[1], d[0] * d[2],
+                              d[1] * d[1], d[1] * d[2], d[2] * d[2]};
+        for (int j = 0; j < 6; j++)
+            A[j] += w * dd[j];
+        for (int j = 0; j < 3; j++)
+            b[j] += above * d[j];
+    }
+    slope_solve(A, b, g);
 }
 
 /* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell
@@ -30,12 +57,18 @@ static double face_value(const struct mesh *mesh, int f, int c, int k, int m,
 static void gradient(const struct mesh *mesh, int c, int k, int m,
                      const double *field, const double *boundary, double g[3])
 {
+    const int last = mesh->cell_face[mesh->cell_start[c + 1] - 1];
+
     g[0] = g[1] = g[2] = 0.0;
+    if (boundary == NULL && last >= mesh->n_internal) {
+        fitted_gradient(mesh, c, k, m, field, g);
+        return;
+    }
     for (int a = mesh->cell_start[c]; a < mesh->cell_start[c + 1]; a++) {
         const int f = mesh->cell_face[a];
         const double out = mesh->owner[f] == c ? 1.0 : -1.0;
         const double above =
-            face_value(mesh, f, c, k, m, field, boundary) - field[m * c + k];
+            face_value(mesh, f, k, m, field, boundary) - field[m * c + k];
         for (int j = 0; j < 3; j++)
             g[j] += out * above * mesh->S[3 * f + j];
     }

@@ -4,12 +4,13 @@
  *          cell.
  * linear   the host's value and its Gauss gradient,
  *              q_i = f_c + (1 / V_c) sum_f S_f (f_f - f_c) . (x_i - x_c).
- *          Exact for linear fields in cells without a boundary face, on graded
+ *          Exact for linear fields also on graded
  *          meshes and across a period too; second order for smooth ones; jumps
  *          at faces by what the gradients of the two cells differ. At a
  *          boundary f_f is the given value; then it is exact there as well. If
- *          none is given, f_f = f_c: next to a wall half the slope across it
- *          is seen, and none in a direction of one cell.
+ *          none is given, the gradient of a cell at the boundary is fitted to
+ *          its neighbours, again exact for linear fields; there is none in a
+ *          direction of one cell.
  *          It can leave the range of the neighbours' values: nothing limits it.
  * same     what the averaging gathers: what is summed to the fluid is weighed
  *          as what is seen of it [XS11 3.9]. A particle in a cell capped by

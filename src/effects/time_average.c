@@ -14,6 +14,8 @@ double time_average_weight(double dt, double b_t)
     return 1.0 / (1.0 + dt / b_t);
 }
 
+/* An implicit step [SX15 13] of the mean in which a value of age t weighs
+ * exp(-t / b_t) / b_t [SX15 11]. */
 void time_average_update(double alpha, int n, const double *now, double *mean)
 {
     for (int i = 0; i < n; i++)

@@ -25,6 +25,9 @@ struct coupling *coupling_create(struct simulation *sim,
     cp->smooth = alloc_doubles(3 * n);
     cp->amount = alloc_doubles(4 * n);
     cp->field = alloc_doubles(4 * cells);
+    if (options->interpolation == interpolation_named("linear"))
+        cp->u_b =
+            alloc_doubles(3 * (sim->mesh->n_faces - sim->mesh->n_internal));
     particles_attach(ps, cp->u_f, 3);
     particles_attach(ps, cp->eps, 1);
     particles_attach(ps, cp->k, 1);
@@ -45,6 +48,7 @@ void coupling_free(struct coupling *cp)
     free(cp->smooth);
     free(cp->amount);
     free(cp->field);
+    free(cp->u_b);
     free(cp);
 }
 

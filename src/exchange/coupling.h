@@ -57,6 +57,8 @@ struct coupling {
     double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
     double *owed;   /* [N s] received and not yet paid by the fluid, 3 */
     /* Work space. */
+    double *u_b;    /* [m/s] fluid velocity on the boundary faces, 3 a face;
+                       NULL unless the interpolation is linear */
     double *smooth; /* [m/s] adjoint of averaging applied to u, 3 a particle */
     double *amount; /* up to 4 a particle */
     double *field;  /* up to 4 a cell */

@@ -200,6 +200,16 @@ static int seen_alike(const struct simulation *sim)
            averaging_report(sim->averaging)->capped == 0;
 }
 
+/* Only "linear" looks at the boundary. */
+static void see_fluid(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->u_b != NULL) fluid_boundary_velocity(sim->fluid, cp->u_b);
+    cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, cp->u_b,
+                                     cp->u_f);
+}
+
 void transfer_fluid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
@@ -212,8 +222,7 @@ void transfer_fluid(struct simulation *sim)
         memcpy(cp->u_f, cp->smooth,
                3 * (size_t)sim->particles->n * sizeof *cp->u_f);
     else
-        cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, NULL,
-                                         cp->u_f);
+        see_fluid(sim);
 }
 
 void transfer_open_account(struct simulation *sim)

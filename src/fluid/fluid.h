@@ -132,4 +132,9 @@ double fluid_kinetic_energy(const struct fluid *fl);
 /* Mean pressure over a patch [Pa]. */
 double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch);
 
+/* The velocity [m/s] on the boundary faces, u_b[3 * (f - n_internal) + k]: that
+ * of a no-slip wall, of an inlet's flux, what slides along a slip wall; at an
+ * outlet that of the cell. */
+void fluid_boundary_velocity(const struct fluid *fl, double *u_b);
+
 #endif

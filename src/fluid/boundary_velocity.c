@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/fluid.h"
+
+/* Along the wall as in the cell, through it not at all. */
+static void slide(const double u[3], const double S[3], double SS, double to[3])
+{
+    const double through = u[0] * S[0] + u[1] * S[1] + u[2] * S[2];
+
+    for (int k = 0; k < 3; k++)
+        to[k] = u[k] - through * S[k] / SS;
+}
+
+static void velocity_at(const struct fluid *fl, const struct boundary *b, int f,
+                        double to[3])
+{
+    const struct mesh *const m = fl->mesh;
+    const int c = m->owner[f];
+    const double *const S = &m->S[3 * f], *const u = &fl->u[3 * c];
+    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+
+    if (b->kind == BOUNDARY_SLIP) {
+        slide(u, S, SS, to);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        to[k] = b->kind == BOUNDARY_NO_SLIP ? b->wall[k]
+                : b->kind == BOUNDARY_INLET
+                    ? fl->phi[f] * S[k] / (SS * fl->eps[c])
+                    : u[k];
+}
+
+void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        for (int f = p->first; f < p->first + p->n; f++)
+            velocity_at(fl, &fl->options.boundaries[i], f,
+                        &u_b[3 * (f - m->n_internal)]);
+    }
+}
