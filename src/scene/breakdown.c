@@ -54,7 +54,8 @@ static void describe_lost(const struct simulation *sim, const char *when,
              "%d particle%s left the box or %s no longer anywhere %s, the "
              "first with id %d, at [%g, %g, %g] m; the largest overlap was "
              "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
-             "particles.step (winnow check suggests one) or a stiffer material",
+             "particles.step (winnow check suggests one); a stiffer material "
+             "helps only if its contacts are resolved",
              r->lost, r->lost == 1 ? "" : "s", r->lost == 1 ? "is" : "are",
              when, r->lost_id, r->lost_at[0], r->lost_at[1], r->lost_at[2],
              r->max_overlap, r->max_speed);
