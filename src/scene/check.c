@@ -161,7 +161,9 @@ static void print_contacts(const struct settings *s, const struct scales *k)
     puts("Contacts");
     line("impact speed", k->impact, "m/s", "assumed for what follows");
     if (m.young > 0.0) print_rayleigh(k, &m);
-    line("contact time", t_c, "s", "of two of the smallest particles");
+    line("contact time", t_c, "s",
+         t_c < HUGE_VAL ? "of two of the smallest particles"
+                        : "critical damping: they never part");
     line("suggested step", limits_step(law, &m, k->d, k->density, k->impact),
          "s", "");
     line("safe step", safe, "s", "");
