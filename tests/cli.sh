@@ -77,6 +77,15 @@ fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
     "$winnow" run tiny.cfg -s fluid.density=heavy
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
+sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg
+fact several_materials_and_rolling_run 0 "" "$winnow" run felt.cfg -o felt --quiet
+fact material_is_in_the_pictures 0 'Name="material"' \
+    sh -c 'cat felt/particles/*.vtp | tr -d "\000" | grep -a material | head -1'
+fact unknown_material_finds_the_one_meant 2 "did you mean felt?" \
+    "$winnow" run felt.cfg -s particles.walls.material=fell
+fact explain_names_rolling_friction 0 "sweep_roll" "$winnow" explain felt.cfg
+fact check_weighs_cohesion 0 "capillary / weight" \
+    "$winnow" check tiny.cfg -s 'effects.capillary={tension=0.07;}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 fact nothing_is_written_for_wrong_input 1 "" test -e out

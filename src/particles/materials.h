@@ -1,4 +1,4 @@
-/* materials.h -- several materials, and what each pair of them does. Chapter 2.
+/* materials.h -- several materials, and what pairs of them do.  Chapter 17.
  *
  * Every particle is of a material, known by its number: 0 is that of
  * dem_options, the others are listed here. Where two of them meet, the elastic

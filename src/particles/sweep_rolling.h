@@ -1,4 +1,4 @@
-/* sweep_rolling.h -- friction of rolling, in the contact loop.  Chapter 2.
+/* sweep_rolling.h -- friction of rolling, in the contact loop.  Chapter 17.
  *
  * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring theta
  * that is wound up by the relative rotation of the two, and slips like the
@@ -23,8 +23,8 @@
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
 
-/* [-] zeta_r, as in [Ai11]: more would stop a sphere amid six others within a
- * step. */
+/* [-] zeta_r: enough to come to rest in a few swings; with three times as much
+ * the dashpots of six neighbours would turn a sphere around within a step. */
 static const double sweep_rolling_share = 0.3;
 
 /* The moment [N m] on particle i; theta is moved on by dt [s] and cut back

@@ -2,6 +2,7 @@
 #include "scene/case_materials.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -93,6 +94,16 @@ struct materials *case_materials_create(const struct settings *s)
     if (settings_has(s, wall))
         all->wall = case_materials_number(s, settings_text(s, wall));
     return all;
+}
+
+int case_materials_roll(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0;
+    const struct material zero = case_materials_one(s, 0);
+    struct materials *const all = case_materials_create(s);
+    const int rolls = materials_roll(&zero, all);
+    free(all);
+    return rolls;
 }
 
 /* --- checks --------------------------------------------------------------- */

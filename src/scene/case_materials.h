@@ -17,6 +17,9 @@ int case_materials_number(const struct settings *s, const char *name);
 struct material case_materials_one(const struct settings *s, int number);
 double case_materials_density(const struct settings *s, int number);
 
+/* 1 if any two of them, or one with itself, resist rolling. */
+int case_materials_roll(const struct settings *s);
+
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);
 

@@ -90,6 +90,19 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
     return largest;
 }
 
+/* Where nothing flows or falls: the fastest of the placed spheres, or 1 m/s.
+ */
+static double thrown(const struct settings *s)
+{
+    double fastest = 0.0, v[3];
+
+    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
+        settings_item_vector(s, "particles.place", i, "velocity", v);
+        fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    return fastest > 0.0 ? sqrt(fastest) : 1.0;
+}
+
 static struct scales scales_of(const struct settings *s)
 {
     struct mesh *const m = build_mesh(s);
@@ -109,8 +122,23 @@ static struct scales scales_of(const struct settings *s)
     }
     build_gravity(s, g);
     k.impact = fmax(k.inlet, sqrt(2.0 * fabs(g[1]) * k.d_most));
+    if (k.impact == 0.0) k.impact = thrown(s);
     mesh_free(m);
     return k;
+}
+
+/* What a graded mesh is worth: a box has no oblique links and no skewness. */
+static void print_quality(const struct settings *s)
+{
+    struct mesh *const m = build_mesh(s);
+    const struct mesh_quality q = mesh_quality(m);
+
+    if (q.V_most > q.V_least * (1.0 + 1e-9))
+        line("largest over smallest cell", q.V_most / q.V_least, "-",
+             "volumes; what the schemes assume is near 1 between neighbours");
+    if (q.openness > 1e-10)
+        line("openness", q.openness, "-", "NOT CLOSED: a cell has a gap");
+    mesh_free(m);
 }
 
 static void print_resolution(const struct scales *k)
@@ -245,6 +273,7 @@ int check_case(const struct settings *s)
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
     print_resolution(&k);
+    print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);

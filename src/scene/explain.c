@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/explain.h"
 
+#include "scene/case_materials.h"
 #include "scene/models.h"
 #include "scene/rows.h"
 
@@ -11,6 +12,9 @@
 struct part {
     const char *group, *what, *source, *function;
 };
+
+/* Stands for the key in the groups of several materials. */
+static const char rolling[] = "particles.grains.rolling";
 
 static const struct part parts[] = {
     {"mesh", "the coupled step", "XS11 Algorithm 3.1", "coupling_step"},
@@ -25,7 +29,16 @@ static const struct part parts[] = {
      "transfer_apply_drag"},
     {"exchange", "sub-steps and the mean velocity over them", "XS11 3.18-3.20",
      "move_with_drag"},
+    {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
+     "materials_pair"},
+    {rolling, "rolling friction", "Ai11", "sweep_roll"},
     {NULL, NULL, NULL, NULL}};
+
+static int is_named(const struct settings *s, const struct part *p)
+{
+    return p->group == rolling ? case_materials_roll(s)
+                               : settings_has(s, p->group);
+}
 
 static void print_line(const char *source, const char *function,
                        const char *kind, const char *what)
@@ -87,8 +100,7 @@ static void print_on(const struct settings *s)
 
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
-        if (settings_has(s, p->group))
-            print_line(p->source, p->function, "", p->what);
+        if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         for (int i = 0; k->model(i, &m); i++)
             if (is_on(s, k, &m)) {
@@ -104,8 +116,7 @@ static void print_off(const struct settings *s)
 
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
-        if (!settings_has(s, p->group))
-            print_line(p->source, p->function, "", p->what);
+        if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         int n = 0;
 

@@ -92,10 +92,12 @@ static int add_particles(struct pictures *p, const struct snapshot *s)
          .components = 3,
          .split = {s->w[0], s->w[1], s->w[2]},
          .single = 1},
-        {.name = "id", .components = 1, .ints = s->id}};
+        {.name = "id", .components = 1, .ints = s->id},
+        {.name = "material", .components = 1, .ints = s->material}};
 
     return vtk_write_particles(p->writer, series_next(p->particles), s->n, x,
-                               s->t, 4, arrays) != 0 ||
+                               s->t, s->material != NULL ? 5 : 4,
+                               arrays) != 0 ||
            series_add(p->particles, s->t) != 0;
 }
 

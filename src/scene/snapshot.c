@@ -26,6 +26,8 @@ struct snapshot *snapshot_create(const struct simulation *sim)
     const int n = sim->mesh->n_cells;
 
     if (sim->particles != NULL) create_particles(s, sim->particles->capacity);
+    if (sim->particles != NULL && sim->particles->material != NULL)
+        s->material = alloc_ints(sim->particles->capacity);
     if (sim->fluid == NULL) return s;
     s->eps = alloc_doubles(n);
     s->u = alloc_doubles(3 * n);
@@ -48,6 +50,7 @@ void snapshot_free(struct snapshot *s)
     free(s->d);
     free(s->speed);
     free(s->id);
+    free(s->material);
     free(s->eps);
     free(s->eps_s);
     free(s->u);
@@ -84,6 +87,8 @@ static void take_particles(struct snapshot *s, const struct particles *ps)
         memcpy(to[a], from[a], size);
     memcpy(s->d, ps->d, size);
     memcpy(s->id, ps->id, (size_t)ps->n * sizeof *s->id);
+    if (s->material != NULL)
+        memcpy(s->material, ps->material, (size_t)ps->n * sizeof *s->material);
     for (int i = 0; i < ps->n; i++)
         s->speed[i] = sqrt(ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
                            ps->vz[i] * ps->vz[i]);

@@ -26,6 +26,7 @@ struct snapshot {
     double *d;     /* [m] */
     double *speed; /* [m/s] */
     int *id;
+    int *material; /* [-] NULL where all are of one */
 };
 
 struct snapshot *snapshot_create(const struct simulation *sim);
