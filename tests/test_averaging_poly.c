@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/averaging.h"
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "cloud.h"
+#include "mesh/poly.h"
+
+enum { N = 200, M = 4 };
+
+static const char *const meshes[] = {"box", "sheared", "shuffled", "dual"};
+static const struct {
+    const char *method;
+    struct averaging_options o;
+} ways[] = {
+    {"pcm", {.cap = 0.0}},
+    {"dpvm", {.cap = 0.0}},
+    {"cube", {.cap = 0.0}},
+    {"two-grid", {.bandwidth = 0.3}},
+    {"kernel", {.bandwidth = 0.4}},
+    {"gaussian", {.bandwidth = 0.2}},
+    {"diffusion", {.bandwidth = 0.3, .tolerance = 1e-9}},
+    {"diffusion", {.bandwidth = 0.3, .scheme = "sdirk2", .tolerance = 1e-13}},
+    {"diffusion", {.bandwidth = 0.3, .vary = "cells", .tolerance = 1e-9}}};
+enum { MESHES = 4, WAYS = sizeof ways / sizeof *ways };
+
+/* N particles near the centres of cells, each of a third of a cell's width. */
+static struct particles *near_centres(const struct mesh *m)
+{
+    struct particles *const ps = particles_create(N);
+    uint64_t state = 17;
+
+    for (int i = 0; i < N; i++) {
+        const int c = i % m->n_cells;
+        const double width = cbrt(m->V[c]);
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = m->centre[3 * c + k] +
+                   0.1 * width * (cloud_random(&state) - 0.5);
+        cloud_place(ps, x[0], x[1], x[2], width / 3.0);
+    }
+    return ps;
+}
+
+/* Cells of any shape: nothing is lost by any method, and the way back is the
+ * adjoint. Rounding of some hundred terms, times a hundred. */
+START_TEST(all_methods_conserve_on_any_mesh)
+{
+    char dir[128];
+    snprintf(dir, sizeof dir, "tests/data/poly/%s", meshes[_i / WAYS]);
+    struct mesh *const m = poly_read(dir);
+    ck_assert_ptr_nonnull(m);
+    struct particles *const ps = near_centres(m);
+    struct averaging *const a =
+        averaging_create(averaging_method_named(ways[_i % WAYS].method), m, ps,
+                         &ways[_i % WAYS].o);
+    double *const field = alloc_doubles(M * m->n_cells);
+    double *const f = alloc_doubles(M * m->n_cells);
+    double q[M * N], g[M * N], off[M] = {0.0}, size[M] = {0.0};
+    double work = 0.0, gross = 0.0;
+
+    cloud_numbers(3, M * N, q);
+    cloud_numbers(4, M * m->n_cells, f);
+    ck_assert_int_eq(averaging_bind(a), 0);
+    averaging_spread(a, M, q, field);
+    averaging_gather(a, M, f, g);
+    for (int i = 0; i < M * N; i++) {
+        off[i % M] -= q[i];
+        size[i % M] += fabs(q[i]);
+        work -= q[i] * g[i];
+        gross += fabs(q[i] * g[i]);
+    }
+    for (int e = 0; e < M * m->n_cells; e++) {
+        off[e % M] += m->V[e / M] * field[e];
+        work += m->V[e / M] * field[e] * f[e];
+    }
+    for (int k = 0; k < M; k++)
+        ck_assert_double_lt(fabs(off[k]) / size[k], 1e-13);
+    ck_assert_double_lt(fabs(work) / gross, 1e-11);
+    free(field);
+    free(f);
+    averaging_free(a);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(images_ask_for_a_box)
+{
+    struct mesh *const m = poly_read("tests/data/poly/dual");
+    struct particles *const ps = near_centres(m);
+    const struct averaging_options o = {.bandwidth = 0.3};
+
+    ck_assert_ptr_null(
+        averaging_create(averaging_method_named("images"), m, ps, &o));
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("averaging_poly");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_loop_test(t, all_methods_conserve_on_any_mesh, 0, MESHES * WAYS);
+    tcase_add_test(t, images_ask_for_a_box);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
