@@ -12,6 +12,7 @@ miss() { # e, steps
     for phase in 0 1 2 3 4 5 6 7; do
         y=$(awk "BEGIN { printf \"%.12g\", 0.001 + $phase / 8 * $step }")
         winnow run cases/rebound.cfg -s particles.step=$step -o out/rebound \
+            -s particles.unsafe_step=true \
             -s particles.grains.restitution=$1 --quiet \
             -s "particles.place.0.position=[0.005,$y,0.005]" >/dev/null 2>&1
         sh chapters/tools/last.sh out/rebound kinetic_energy_particles

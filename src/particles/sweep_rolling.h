@@ -52,13 +52,13 @@ static inline void sweep_roll(double M[3], double theta[3], const double w[3],
     }
 }
 
-/* One contact. The load of a particle is -T/R (strip.h), and the two have
- * opposite moments. */
-static inline void sweep_roll_one(const struct sweep_buffers *c, int p,
-                                  struct strip *s, int slot,
-                                  const double mine[8], const double other[8],
-                                  double own[8], double theirs[8], double mu_r,
-                                  double dt)
+/* One contact; gives the power of the moment [W]. The load of a particle is
+ * -T/R (strip.h), and the two have opposite moments. */
+static inline double sweep_roll_one(const struct sweep_buffers *c, int p,
+                                    struct strip *s, int slot,
+                                    const double mine[8], const double other[8],
+                                    double own[8], double theirs[8],
+                                    double mu_r, double dt)
 {
     const double R = 1.0 / (mine[3] + other[3]), k_r = c->k_t[p] * R * R;
     const double per_I =
@@ -78,13 +78,15 @@ static inline void sweep_roll_one(const struct sweep_buffers *c, int p,
         theirs[4 + a] += M[a] * other[3];
         s->contacts.roll[a][slot] = theta[a];
     }
+    return M[0] * w[0] + M[1] * w[1] + M[2] * w[2];
 }
 
-/* The moments of contacts first ... first + count - 1, after their forces. */
+/* The moments of contacts first ... first + count - 1, after their forces. A
+ * budget counts all work against them: what theta stores is little. */
 SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
                                struct strip *s, const struct bodies *b,
                                const struct contact_constants *k, int first,
-                               int count, double dt)
+                               int count, double dt, int budget)
 {
     static const double wall[8] = {0};
     const int pairs = sweep_pairs(s, first, count);
@@ -101,10 +103,11 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
                 s->contacts.roll[a][slot] = 0.0;
             continue;
         }
-        sweep_roll_one(c, p, s, slot, b->motion[i], pair ? b->motion[j] : wall,
-                       s->load[i - s->begin],
-                       pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r,
-                       dt);
+        const double power = sweep_roll_one(
+            c, p, s, slot, b->motion[i], pair ? b->motion[j] : wall,
+            s->load[i - s->begin],
+            pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r, dt);
+        if (budget) s->energy.rolled -= power * dt;
     }
 }
 
