@@ -19,10 +19,10 @@ CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 
 all: $B/winnow
 
-run: ## install what is missing, build, run the Mueller fluidized bed (about a minute)
+run: ## install what is missing, build, run the Mueller fluidized bed (a minute or two)
 	sh .ci/install run
 	$(MAKE) $(CORES) $B/winnow WERROR=
-	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.6
+	$B/winnow run cases/mueller-bed.cfg -o out/mueller-bed -s output.end=0.8
 
 check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
@@ -35,6 +35,9 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh tests/vtk.sh $B
 	sh tests/book.sh
 	sh chapters/tools/check.sh $B/winnow
+
+validate: $B/winnow ## long runs against measurements and papers (hours)
+	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
 
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
@@ -77,6 +80,6 @@ $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wra
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 
-.PHONY: all run check bench weave book help clean tests
+.PHONY: all run check validate bench weave book help clean tests
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -30,18 +30,28 @@ struct scene {
     struct averaging *a;
     double *field;
     double b;
+    int gaussian; /* 1: in the place of the bell */
 };
 
-static struct scene scene_of(int shape, double b)
+static struct scene scene_with(int shape, double b, int gaussian)
 {
     const struct averaging_options o = {.bandwidth = b};
-    struct scene s = {.mesh = mesh_create_box(&cloud_shapes[shape]), .b = b};
+    struct scene s = {.mesh = mesh_create_box(&cloud_shapes[shape]),
+                      .b = b,
+                      .gaussian = gaussian};
 
     s.ps = cloud_create(s.mesh, N);
-    s.a = averaging_create(averaging_method_named("kernel"), s.mesh, s.ps, &o);
+    s.a = averaging_create(
+        averaging_method_named(gaussian ? "gaussian" : "kernel"), s.mesh, s.ps,
+        &o);
     s.field = alloc_doubles(s.mesh->n_cells);
     ck_assert_int_eq(averaging_bind(s.a), 0);
     return s;
+}
+
+static struct scene scene_of(int shape, double b)
+{
+    return scene_with(shape, b, 0);
 }
 
 static void scene_free(struct scene *s)
@@ -70,7 +80,11 @@ static double kernel_of(const struct scene *s, int i, int c)
             counts &= turn[k] == 0 || (box->periodic[k] && box->n[k] > 1);
             r2 += r * r;
         }
-        if (counts) sum += kernel_bell(sqrt(r2) / s->b);
+        const double zeta = sqrt(r2) / s->b;
+        if (counts && s->gaussian)
+            sum += zeta < 3.0 ? exp(-zeta * zeta) : 0.0;
+        else if (counts)
+            sum += kernel_bell(zeta);
     }
     return sum;
 }
@@ -89,12 +103,9 @@ static int weights_of(const struct scene *s, int i, double *w)
     return sum > 0.0;
 }
 
-/* 0.16 and 0.3 m on cells of 0.1 m: b of 1.6 to 3 cells. Both sides are sums
- * of the same terms, rounded differently. The amounts are any numbers: volumes
- * as well as the forces of [XS11 3.8]. */
-START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
+/* Both sides are sums of the same terms, rounded differently. */
+static void check_against_all_cells(struct scene s)
 {
-    struct scene s = scene_of(_i / 3, (double[]){0.03, 0.16, 0.3}[_i % 3]);
     double *const w = alloc_doubles(s.mesh->n_cells);
     double *const expected = alloc_doubles(s.mesh->n_cells);
     double q[N];
@@ -113,6 +124,22 @@ START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
     free(w);
     free(expected);
     scene_free(&s);
+}
+
+/* 0.16 and 0.3 m on cells of 0.1 m: b of 1.6 to 3 cells. The amounts are any
+ * numbers: volumes as well as the forces of [XS11 3.8]. */
+START_TEST(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives)
+{
+    static const double b[] = {0.03, 0.16, 0.3};
+    check_against_all_cells(scene_of(_i / 3, b[_i % 3]));
+}
+END_TEST
+
+/* Cut off at 3 b, which is at most the smallest period of these meshes. */
+START_TEST(sx15_6_the_gaussian_weight_falls_as_it_should)
+{
+    static const double b[] = {0.011, 0.0971}; /* 3 b between centres */
+    check_against_all_cells(scene_with(_i / 2, b[_i % 2], 1));
 }
 END_TEST
 
@@ -212,6 +239,8 @@ int main(void)
                         0, 3 * CLOUD_SHAPES);
     tcase_add_test(
         t, xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
+    tcase_add_loop_test(t, sx15_6_the_gaussian_weight_falls_as_it_should, 0,
+                        2 * CLOUD_SHAPES);
     tcase_add_loop_test(t, xs11_3_4_each_particle_is_shared_out_wholly, 0,
                         CLOUD_SHAPES);
     tcase_add_loop_test(t, a_kernel_narrower_than_a_cell_is_pcm, 0,

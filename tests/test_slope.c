@@ -95,6 +95,31 @@ START_TEST(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row)
 }
 END_TEST
 
+/* On walls, in corners, in graded cells: where the kernel is cut off the sum of
+ * r W is not 0, and only the difference to the mean makes it so. */
+START_TEST(ew18_b_10_a_constant_has_no_slope_anywhere)
+{
+    struct mesh *const m = mesh_create_box(&cloud_shapes[_i]);
+    struct particles *const ps = cloud_create(m, 60);
+    struct hosts *const h = hosts_create(m, ps);
+    double *const f = alloc_doubles(m->n_cells);
+    double X[180];
+
+    for (int c = 0; c < m->n_cells; c++)
+        f[c] = 5.0;
+    ck_assert_int_eq(hosts_find(h), 0);
+    struct slope *const s = slope_create(h, 0.15);
+    slope_find(s, 1, f, X);
+    for (int j = 0; j < 180; j++)
+        ck_assert_double_eq_tol(X[j], 0.0, 1e-11);
+    slope_free(s);
+    free(f);
+    hosts_free(h);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
 /* A random sum of squares times a known vector; then without a direction. */
 START_TEST(ew18_b_8_the_small_system_is_solved)
 {
@@ -129,6 +154,8 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_test(t, ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row);
+    tcase_add_loop_test(t, ew18_b_10_a_constant_has_no_slope_anywhere, 0,
+                        CLOUD_SHAPES);
     tcase_add_test(t, ew18_b_8_the_small_system_is_solved);
     tcase_add_test(t, ew18_b_8_inside_the_gradient_is_of_second_order);
     tcase_add_test(t, ew18_b_6_at_a_wall_it_is_of_first_order);

@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a box the Gaussian is a product of three, one a direction. A particle's
- * share of each slab of cells is found once for each direction, images
- * included; the share of a cell is a product of three numbers.
+/* In a box the Gaussian is a product of three. A particle's share of each slab
+ * of cells is found once for each direction when it is bound, images included;
+ * the share of a cell is a product of three numbers. Neighbours are not looked
+ * for.
+ *
+ * The cells are cut into chunks of whole rows along x. Each looks through all
+ * particles in their order for what falls into it: the sums are the same for
+ * any number of threads.
  */
 #include "averaging/images.h"
 
@@ -10,18 +15,19 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/shares.h"
+#include "averaging/hosts.h"
 #include "base/alloc.h"
 
-static const double images_reach = 3.0; /* [-] of b */
+static const double images_reach = 3.0; /* [-] of b, in each direction */
+enum { CHUNKS = 16 };
 
 struct images {
     const struct hosts *h; /* borrowed */
-    struct shares *shares;
-    double b; /* [m] */
-    int *at;  /* [-] for each entry of the stencil, how many cells it is from
-                 the host in each direction, round the period */
-    int far;  /* [-] the largest of them, without its sign */
+    double b;              /* [m] */
+    int wide;              /* [-] most slabs of a direction in reach */
+    int *first, *count;    /* [-] slabs in reach, 3 a particle; first may be
+                              below 0 where it is periodic */
+    double *share;         /* [-] `wide` a direction, 3 a particle */
 };
 
 double images_sigma(double delta_05)
@@ -51,115 +57,194 @@ static double edge(const struct box *b, int k, int j)
     return b->edge[k][j - turns * n] + turns * L;
 }
 
-/* What of a Gaussian around x is between lo and hi. */
-static double part(double x, double lo, double hi, double b)
+/* What of a Gaussian of width b is below z, less a half. */
+static double below(double z, double b)
 {
-    return 0.5 * (erf((hi - x) / b) - erf((lo - x) / b));
+    return z > 6.0 * b ? 0.5 : z < -6.0 * b ? -0.5 : 0.5 * erf(z / b);
 }
 
-/* The same with all images of x in two walls [EW18 21], as far as they
- * matter. Every second one is a mirror image. */
-static double part_between_walls(double x, double lo, double hi, double b,
-                                 double wall, double L)
+/* What of the Gaussian around x and of all its images is below edge j, up to a
+ * constant, as far as images matter: in two walls every second one is mirrored
+ * [EW18 21], round a period none is. */
+static double below_edge(const struct images *s, int k, int j, double x)
 {
-    const int turns = (int)ceil(0.5 * (images_reach + 1.0) * b / L);
+    const struct box *const b = &s->h->mesh->box;
+    const double e = edge(b, k, j);
+    const double wall = b->edge[k][0], L = b->edge[k][b->n[k]] - wall;
+    const double step = b->periodic[k] ? L : 2.0 * L;
+    const int turns = (int)ceil((images_reach + 1.0) * s->b / step);
     double sum = 0.0;
 
     for (int t = -turns; t <= turns; t++) {
-        const double there = x + 2.0 * t * L;
-        const double mirrored = 2.0 * wall - x + 2.0 * t * L;
-        sum += part(there, lo, hi, b) + part(mirrored, lo, hi, b);
+        sum += below(e - x - t * step, s->b);
+        if (!b->periodic[k]) sum += below(e - 2.0 * wall + x - t * step, s->b);
     }
     return sum;
 }
 
-/* Shares of the slabs -far .. far from the host's, number `mine`, in direction
- * k, of a particle at x. */
-static void share_slabs(const struct images *s, int k, int mine, double x,
-                        double *share)
+/* The slabs of direction k that x, in slab `mine`, reaches: their number. In a
+ * periodic direction no slab comes twice. */
+static int slabs_in_reach(const struct images *s, int k, int mine, double x,
+                          int *first)
 {
     const struct box *const b = &s->h->mesh->box;
-    const double wall = b->edge[k][0], L = b->edge[k][b->n[k]] - wall;
-    const int alone = b->n[k] == 1;
+    const double far = images_reach * s->b;
+    int last = mine;
 
-    for (int e = -s->far; e <= s->far; e++) {
-        const int j = mine + e;
-        share[e + s->far] = 0.0;
-        if (!b->periodic[k] && (j < 0 || j >= b->n[k])) continue;
-        if (alone && e != 0) continue;
-        const double lo = edge(b, k, j), hi = edge(b, k, j + 1);
-        share[e + s->far] = alone ? 1.0
-                            : b->periodic[k]
-                                ? part(x, lo, hi, s->b)
-                                : part_between_walls(x, lo, hi, s->b, wall, L);
-    }
+    *first = mine;
+    while ((b->periodic[k] || *first > 0) && x - edge(b, k, *first) < far &&
+           last - *first + 1 < b->n[k])
+        --*first;
+    while ((b->periodic[k] || last < b->n[k] - 1) &&
+           edge(b, k, last + 1) - x < far && last - *first + 1 < b->n[k])
+        last++;
+    return last - *first + 1;
 }
 
-/* The weights of both directions [EW18 17, 18]: products of slabs' shares. */
-static int images_weights(const void *state, int i, const struct around *near,
-                          double *w)
+/* The slabs that particle i reaches in direction k and its share of each; they
+ * add up to one [EW18 17, 18]. */
+static void find_shares(const struct images *s, int i, int k)
 {
-    const struct images *const s = state;
     const struct mesh *const m = s->h->mesh;
-    const int *const at = &s->at[3 * near->first];
-    const int c = near->host, nx = m->box.n[0], ny = m->box.n[1];
-    const int mine[3] = {c % nx, c / nx % ny, c / nx / ny};
-    const int wide = 2 * s->far + 1, far = s->far;
-    double share[3 * wide]; /* some dozen numbers */
+    const int *const n = m->box.n, c = s->h->host[i];
+    const int mine = k == 0   ? c % n[0]
+                     : k == 1 ? c / n[0] % n[1]
+                              : c / n[0] / n[1];
+    const double x = m->centre[3 * c + k] + s->h->offset[3 * i + k];
+    double *const share = &s->share[(long)s->wide * (3 * i + k)];
     double sum = 0.0;
 
-    for (int k = 0; k < 3; k++)
-        share_slabs(s, k, mine[k],
-                    m->centre[3 * c + k] + s->h->offset[3 * i + k],
-                    &share[k * wide]);
-    for (int e = 0; e < near->n; e++) {
-        w[e] = share[at[3 * e] + far] * share[wide + at[3 * e + 1] + far] *
-               share[2 * wide + at[3 * e + 2] + far];
-        sum += w[e];
+    s->count[3 * i + k] = slabs_in_reach(s, k, mine, x, &s->first[3 * i + k]);
+    double left = below_edge(s, k, s->first[3 * i + k], x);
+    for (int e = 0; e < s->count[3 * i + k]; e++) {
+        const double right = below_edge(s, k, s->first[3 * i + k] + e + 1, x);
+        sum += share[e] = right - left;
+        left = right;
     }
-    for (int e = 0; e < near->n; e++)
-        w[e] /= sum; /* not 0: the centre is in the host */
-    return 1;
+    for (int e = 0; e < s->count[3 * i + k]; e++)
+        share[e] /= sum; /* not 0: x is in one of them */
 }
 
-/* Which slab, counted from the host's, has the distance d between centres. The
- * nearest one: no two are alike. */
-static int slabs_off(const struct box *b, int k, int mine, double d)
+static void images_bind(void *state, struct averaging_report *r)
 {
-    const double x = 0.5 * (edge(b, k, mine) + edge(b, k, mine + 1)) + d;
-    const int step = d < 0.0 ? -1 : 1;
-    int j = mine;
+    struct images *const s = state;
 
-    if (b->n[k] == 1) return 0;
-    while (b->periodic[k] || (j + step >= 0 && j + step < b->n[k])) {
-        const double lo = edge(b, k, j), hi = edge(b, k, j + 1);
-        if (x >= lo && x <= hi) break;
-        j += step;
-    }
-    return j - mine;
+    (void)r;
+#pragma omp parallel for schedule(static) if (s->h->n > 128)
+    for (int i = 0; i < s->h->n; i++)
+        for (int k = 0; k < 3; k++)
+            find_shares(s, i, k);
 }
 
-/* For a shape one host is as good as any. */
-static void locate_entries(struct images *s)
+/* Slab e of those in the reach of particle i, as the mesh counts it. */
+static int slab(const struct images *s, int i, int k, int e)
 {
-    const struct stencil *const near = shares_stencil(s->shares);
-    const struct box *const b = &s->h->mesh->box;
-    int seen = 0; /* shapes are numbered as they are met */
+    const int n = s->h->mesh->box.n[k], j = s->first[3 * i + k] + e;
+    return j < 0 ? j + n : j >= n ? j - n : j;
+}
 
-    s->at = alloc_ints(3 * near->start[near->n_shapes]);
-    for (int c = 0; c < s->h->mesh->n_cells && seen < near->n_shapes; c++) {
-        const int mine[3] = {c % b->n[0], c / b->n[0] % b->n[1],
-                             c / b->n[0] / b->n[1]};
-        if (near->shape[c] != seen) continue;
-        for (int e = near->start[seen]; e < near->start[seen + 1]; e++) {
-            const double d[3] = {near->dx[e], near->dy[e], near->dz[e]};
-            for (int k = 0; k < 3; k++) {
-                s->at[3 * e + k] = slabs_off(b, k, mine[k], d[k]);
-                s->far = GSL_MAX_INT(s->far, abs(s->at[3 * e + k]));
-            }
+/* For each row of cells along x that particle i reaches and that is one of the
+ * rows first .. last - 1: its number and its share. */
+struct row {
+    int e[2]; /* slabs of y and z to look at next */
+    int row;  /* [-] iy + ny iz */
+    double share;
+};
+
+static int next_row(const struct images *s, int i, int first, int last,
+                    struct row *at)
+{
+    const int *const count = &s->count[3 * i];
+    const double *const share = &s->share[(long)s->wide * 3 * i];
+
+    for (; at->e[1] < count[2]; at->e[1]++, at->e[0] = 0)
+        while (at->e[0] < count[1]) {
+            const int e = at->e[0]++;
+            at->row = slab(s, i, 1, e) +
+                      s->h->mesh->box.n[1] * slab(s, i, 2, at->e[1]);
+            if (at->row < first || at->row >= last) continue;
+            at->share = share[s->wide + e] * share[2 * s->wide + at->e[1]];
+            return 1;
         }
-        seen++;
+    return 0;
+}
+
+/* The part of particle i in the rows first .. last - 1. */
+static void spread_one(const struct images *s, int i, int first, int last,
+                       int m, const double *q, double *field)
+{
+    const int nx = s->h->mesh->box.n[0];
+    const double *const share = &s->share[(long)s->wide * 3 * i];
+    struct row at = {{0, 0}, 0, 0.0};
+
+    while (next_row(s, i, first, last, &at))
+        for (int e = 0; e < s->count[3 * i]; e++) {
+            const int c = slab(s, i, 0, e) + nx * at.row;
+            const double w = share[e] * at.share;
+            for (int j = 0; j < m; j++)
+                field[(long)m * c + j] += w * q[m * i + j];
+        }
+}
+
+static void images_spread(void *state, int m, const double *q, double *field,
+                          struct averaging_report *r)
+{
+    const struct images *const s = state;
+    const struct mesh *const mesh = s->h->mesh;
+    const int nx = mesh->box.n[0], rows = mesh->n_cells / nx;
+
+    (void)r;
+#pragma omp parallel for schedule(dynamic, 1) if (s->h->n > 128)
+    for (int t = 0; t < CHUNKS; t++) {
+        const int first = rows * t / CHUNKS, last = rows * (t + 1) / CHUNKS;
+        for (long a = (long)m * nx * first; a < (long)m * nx * last; a++)
+            field[a] = 0.0;
+        for (int i = 0; i < s->h->n && first < last; i++)
+            spread_one(s, i, first, last, m, q, field);
+        for (int c = nx * first; c < nx * last; c++)
+            for (int j = 0; j < m; j++)
+                field[(long)m * c + j] /= mesh->V[c];
     }
+}
+
+static void images_gather(void *state, int m, const double *field, double *q,
+                          struct averaging_report *r)
+{
+    const struct images *const s = state;
+    const int nx = s->h->mesh->box.n[0], rows = s->h->mesh->n_cells / nx;
+
+    (void)r;
+#pragma omp parallel for schedule(static) if (s->h->n > 128)
+    for (int i = 0; i < s->h->n; i++) {
+        const double *const share = &s->share[(long)s->wide * 3 * i];
+        struct row at = {{0, 0}, 0, 0.0};
+        for (int j = 0; j < m; j++)
+            q[m * i + j] = 0.0;
+        while (next_row(s, i, 0, rows, &at))
+            for (int e = 0; e < s->count[3 * i]; e++) {
+                const int c = slab(s, i, 0, e) + nx * at.row;
+                const double w = share[e] * at.share;
+                for (int j = 0; j < m; j++)
+                    q[m * i + j] += w * field[(long)m * c + j];
+            }
+    }
+}
+
+/* The most slabs that any place reaches. */
+static int most_slabs(const struct images *s)
+{
+    const struct box *const b = &s->h->mesh->box;
+    int most = 1, first;
+
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < b->n[k]; j++)
+            for (int end = 0; end < 3; end++) {
+                const double x =
+                    0.5 * ((2 - end) * edge(b, k, j) + end * edge(b, k, j + 1));
+                const int n = slabs_in_reach(s, k, j, x, &first);
+                most = GSL_MAX_INT(most, GSL_MIN_INT(n + 2, b->n[k]));
+            }
+    return most;
 }
 
 static void *images_create(const struct hosts *h,
@@ -171,13 +256,14 @@ static void *images_create(const struct hosts *h,
         return NULL;
     }
     struct images *const s = alloc_zeroed(1, sizeof *s);
+    const int room = h->ps->capacity;
 
     s->h = h;
     s->b = o->bandwidth;
-    s->shares =
-        shares_create(h, images_reach * s->b, STENCIL_TO_CELL, o->fields,
-                      (struct shares_rule){images_weights, s, 0});
-    locate_entries(s);
+    s->wide = most_slabs(s);
+    s->first = alloc_ints(3 * room);
+    s->count = alloc_ints(3 * room);
+    s->share = alloc_doubles(3 * room * s->wide);
     return s;
 }
 
@@ -185,35 +271,21 @@ static void images_free(void *state)
 {
     struct images *const s = state;
 
-    shares_free(s->shares);
-    free(s->at);
+    free(s->first);
+    free(s->count);
+    free(s->share);
     free(s);
-}
-
-static void images_spread(void *state, int m, const double *q, double *field,
-                          struct averaging_report *r)
-{
-    const struct images *const s = state;
-    r->alone = shares_spread(s->shares, m, q, field);
-}
-
-static void images_gather(void *state, int m, const double *field, double *q,
-                          struct averaging_report *r)
-{
-    const struct images *const s = state;
-
-    (void)r;
-    shares_gather(s->shares, m, field, q);
 }
 
 const struct averaging_method images_method = {
     .name = "images",
     .cite = "EW18 17-21",
     .what = "a Gaussian weight, with mirror images at walls",
-    .function = "images_weights",
+    .function = "find_shares",
     .wide = 1,
     .create = images_create,
     .free = images_free,
+    .bind = images_bind,
     .spread = images_spread,
     .gather = images_gather,
 };

@@ -79,13 +79,13 @@ void fluid_momentum(const struct fluid *fl, double momentum[3])
     const double *const eps = storage_is_new(o) ? fl->eps_phi : fl->eps_start;
     const double dt = fl->dt_older; /* owed is a force in the last step */
 
-    for (int k = 0; k < 3; k++) {
-        momentum[k] = 0.0;
-        for (int c = 0; c < fl->mesh->n_cells; c++)
+    momentum[0] = momentum[1] = momentum[2] = 0.0;
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        for (int k = 0; k < 3; k++)
             momentum[k] += o->rho * eps[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
                            dt * fl->piso->owed[3 * c + k];
+    for (int k = 0; k < 3; k++)
         momentum[k] += fl->ahead[k];
-    }
 }
 
 void fluid_mean_flow(const struct fluid *fl, double flow[3])

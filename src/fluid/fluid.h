@@ -41,11 +41,15 @@ struct fluid_options {
                                          gauss */
     enum continuity continuity;
     int correctors;      /* [-] pressure corrections a step, at least */
+    double enough;       /* [-] all but the last of them are solved until this
+                            share of their residual is left; 0: all alike */
     double splitting;    /* [-] more are made while report.splitting is above;
                             0: none */
     int repeats;         /* [-] times that a step is done again with what it
                             found: outer iterations after the first */
     double tolerance;    /* [-] residuals, relative */
+    double predictor;    /* [-] the same of the predicted velocity, which the
+                            corrections change; 0: the same */
     double cfl;          /* [-] largest Courant number of fluid_advance; 0:
                             any */
     int coupled;         /* 1: there are particles, F and K exist */

@@ -33,15 +33,25 @@ static double face_length(const struct mesh *m, int f, double area)
     return (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]) / area;
 }
 
-static void inner_pressures(struct fluid *fl)
+static void linear_pressures(int first, int last, struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *restrict w = m->w, *restrict p = fl->p;
+    double *restrict p_face = fl->p_face;
+
+    for (int f = first; f < last; f++)
+        p_face[f] = w[f] * p[m->owner[f]] + (1.0 - w[f]) * p[m->neighbour[f]];
+}
+
+static void inner_pressures(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    for (int f = 0; f < m->n_internal; f++) {
+    linear_pressures(first, last, fl);
+    if (!fl->options.coupled) return;
+    for (int f = first; f < last; f++) {
         const int o = m->owner[f], n = m->neighbour[f];
         const double w = m->w[f];
-        fl->p_face[f] = w * fl->p[o] + (1.0 - w) * fl->p[n];
-        if (!fl->options.coupled) continue;
         const double area = face_area(m, f);
         fl->p_face[f] +=
             w * (1.0 - w) * face_length(m, f, area) *
@@ -71,21 +81,30 @@ static void boundary_pressures(struct fluid *fl)
     }
 }
 
-void gradient_update(struct fluid *fl)
+static void gradient_rows(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
+    const double *restrict p_face = fl->p_face, *restrict S = m->S;
+    double *restrict grad_p = fl->grad_p;
 
-    inner_pressures(fl);
-    boundary_pressures(fl);
-    for (int c = 0; c < m->n_cells; c++) {
-        double sum[3] = {0.0, 0.0, 0.0};
+    for (int c = first; c < last; c++) {
+        double x = 0.0, y = 0.0, z = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];
-            const double p = m->owner[f] == c ? fl->p_face[f] : -fl->p_face[f];
-            for (int k = 0; k < 3; k++)
-                sum[k] += p * m->S[3 * f + k];
+            const double p = m->out[a] * p_face[f];
+            x += p * S[3 * f];
+            y += p * S[3 * f + 1];
+            z += p * S[3 * f + 2];
         }
-        for (int k = 0; k < 3; k++)
-            fl->grad_p[3 * c + k] = sum[k] / m->V[c] + fl->mean_gradient[k];
+        grad_p[3 * c] = x / m->V[c] + fl->mean_gradient[0];
+        grad_p[3 * c + 1] = y / m->V[c] + fl->mean_gradient[1];
+        grad_p[3 * c + 2] = z / m->V[c] + fl->mean_gradient[2];
     }
+}
+
+void gradient_update(struct fluid *fl)
+{
+    STRIPS_RUN(fl->mesh->n_internal, 4, inner_pressures, fl);
+    boundary_pressures(fl);
+    STRIPS_RUN(fl->mesh->n_cells, 12, gradient_rows, fl);
 }

@@ -16,36 +16,23 @@
 #include <math.h>
 #include <string.h>
 
-/* The part of cell c in the flux through one of its faces, outward. */
-static double outward(const struct mesh *m, const double *phi, int c, int f)
+/* The two coefficients of each face; no two faces have the same entry. */
+static void link_coefficients(int first, int last, struct fluid *fl)
 {
-    return m->owner[f] == c ? phi[f] : -phi[f];
-}
-
-/* S.S / (S.d): area over length of the link [m]. */
-static double link_strength(const struct mesh *m, int f)
-{
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    return (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-           (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
-}
-
-static void link_coefficients(struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
     const struct fluid_options *const o = &fl->options;
-    struct csr *const A = fl->piso->momentum;
+    const struct csr *const A = fl->piso->momentum;
+    const double *restrict carry = fl->piso->carry;
+    const double *restrict link = fl->piso->link;
+    double *restrict share = fl->piso->share, *restrict entry = A->a;
+    const struct convection_faces faces = {last - first, carry + first,
+                                           fl->mesh->w + first, o->blend};
 
-    const struct convection_faces faces = {m->n_internal, fl->piso->carry, m->w,
-                                           o->blend};
-
-    o->convection->shares(&faces, fl->piso->share);
-    for (int f = 0; f < m->n_internal; f++) {
-        const double flow = o->rho * fl->piso->carry[f]; /* [kg/s] */
-        const double share = fl->piso->share[f];
-        const double D = o->mu * link_strength(m, f);
-        A->a[A->upper[f]] = flow * (1.0 - share) - D;
-        A->a[A->lower[f]] = -flow * share - D;
+    o->convection->shares(&faces, share + first);
+    for (int f = first; f < last; f++) {
+        const double flow = o->rho * carry[f]; /* [kg/s] */
+        const double D = o->mu * link[f];
+        entry[A->upper[f]] = flow * (1.0 - share[f]) - D;
+        entry[A->lower[f]] = -flow * share[f] - D;
     }
 }
 
@@ -59,21 +46,19 @@ static double mass_change(const struct piso *ps, int c)
                                  : change;
 }
 
-/* Diagonal and right side of all cells, boundaries aside. */
-static void cell_coefficients(struct fluid *fl)
+/* Diagonal and right side of the cells, boundaries aside. */
+static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct fluid_options *const o = &fl->options;
     struct piso *const ps = fl->piso;
     struct csr *const A = ps->momentum;
 
-    for (int c = 0; c < m->n_cells; c++) {
-        double sum = 0.0, out = 0.0;
+    for (int c = first; c < last; c++) {
+        const double out = piso_outflow(m, ps->carry, c);
+        double sum = 0.0;
         for (int e = A->start[c]; e < A->start[c + 1]; e++)
             sum += A->a[e];
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            out += outward(m, ps->carry, c, m->cell_face[a]);
-        ps->defect[c] = mass_change(ps, c) * m->V[c] / o->dt + out;
+        ps->defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt + out;
         A->diag[c] = ps->storage[c] - sum;
         if (ps->storage_older != NULL) A->diag[c] += ps->storage_older[c];
         for (int k = 0; k < 3; k++)
@@ -103,8 +88,7 @@ static void add_inlet_face(struct fluid *fl, int f)
     const double *const S = &m->S[3 * f], phi = fl->piso->carry[f];
     const int c = m->owner[f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double a =
-        fl->options.mu * link_strength(m, f) - fl->options.rho * phi;
+    const double a = fl->options.mu * fl->piso->link[f] - fl->options.rho * phi;
 
     fl->piso->momentum->diag[c] += a;
     for (int k = 0; k < 3; k++)
@@ -115,7 +99,7 @@ static void add_inlet_face(struct fluid *fl, int f)
 static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
-    const double D = fl->options.mu * link_strength(fl->mesh, f);
+    const double D = fl->options.mu * fl->piso->link[f];
 
     fl->piso->momentum->diag[c] += D;
     for (int k = 0; k < 3; k++)
@@ -145,7 +129,7 @@ static void add_slip_face(struct fluid *fl, int f)
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double D = fl->options.mu * link_strength(m, f);
+    const double D = fl->options.mu * fl->piso->link[f];
 
     const int c = m->owner[f];
 
@@ -167,12 +151,20 @@ static void add_slip_rest(const struct fluid *fl, double *right)
             const double *const u = &fl->u[3 * m->owner[f]];
             const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
             const double Su = S[0] * u[0] + S[1] * u[1] + S[2] * u[2];
-            const double D = fl->options.mu * link_strength(m, f);
+            const double D = fl->options.mu * fl->piso->link[f];
             for (int k = 0; k < 3; k++)
                 right[3 * m->owner[f] + k] -=
                     D * S[k] * (Su - S[k] * u[k]) / SS;
         }
     }
+}
+
+static void spread_diagonal(int first, int last, const double *restrict diag,
+                            double *restrict diag3)
+{
+    for (int c = first; c < last; c++)
+        for (int k = 0; k < 3; k++)
+            diag3[3 * c + k] = diag[c];
 }
 
 static void add_boundaries(struct fluid *fl)
@@ -186,9 +178,7 @@ static void add_boundaries(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_boundary_face(fl, &fl->options.boundaries[i], f);
     }
-    for (int c = 0; c < m->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            ps->diag3[3 * c + k] = ps->momentum->diag[c];
+    STRIPS_RUN(m->n_cells, 4, spread_diagonal, ps->momentum->diag, ps->diag3);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
@@ -200,8 +190,8 @@ static void add_boundaries(struct fluid *fl)
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
-    link_coefficients(fl);
-    cell_coefficients(fl);
+    STRIPS_RUN(fl->mesh->n_internal, 4, link_coefficients, fl);
+    STRIPS_RUN(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
         add_drag(fl);
         jump_update(fl);
@@ -210,24 +200,50 @@ void momentum_assemble(struct fluid *fl)
     add_boundaries(fl);
 }
 
-/* The terms that stay on the right for a given pressure [N]. */
-static double known(const struct fluid *fl, int c, int k)
+/* Adds the terms that stay on the right for a given pressure [N]: the past,
+ * and -gamma V grad p. */
+static void known_rows(int first, int last, const struct fluid *fl,
+                       const double *restrict to, double *restrict right)
 {
-    const struct piso *const ps = fl->piso;
-    const int i = 3 * c + k;
-    return ps->past[i] - piso_gamma(fl, c) * fl->mesh->V[c] * fl->grad_p[i];
+    const double *restrict past = fl->piso->past, *restrict grad_p = fl->grad_p;
+    const double *restrict V = fl->mesh->V;
+
+    for (int c = first; c < last; c++) {
+        const double share = piso_gamma(fl, c) * V[c];
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            right[i] = to[i] + (past[i] - share * grad_p[i]);
+        }
+    }
 }
 
 struct solve_report momentum_predict(struct fluid *fl)
 {
     struct piso *const ps = fl->piso;
 
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            ps->rhs[3 * c + k] = ps->b[3 * c + k] + known(fl, c, k);
+    STRIPS_RUN(fl->mesh->n_cells, 12, known_rows, fl, ps->b, ps->rhs);
     if (ps->oblique_slip) add_slip_rest(fl, ps->rhs);
-    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u,
-                          fl->options.tolerance, 1e-300, 200, ps->bicgstab);
+    const double tolerance = fl->options.predictor > 0.0
+                                 ? fl->options.predictor
+                                 : fl->options.tolerance;
+
+    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u, tolerance,
+                          1e-300, 200, ps->bicgstab);
+}
+
+/* H = b - slip u - H, where H has sum a_N u_N. */
+static void neighbour_rows(int first, int last, const struct fluid *fl)
+{
+    const struct piso *const ps = fl->piso;
+    const double *restrict diag = ps->momentum->diag, *restrict u = fl->u;
+    const double *restrict b = ps->b, *restrict diag3 = ps->diag3;
+    double *restrict H = ps->H;
+
+    for (int c = first; c < last; c++)
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            H[i] = b[i] - H[i] - (diag3[i] - diag[c]) * u[i];
+        }
 }
 
 void momentum_neighbours(struct fluid *fl)
@@ -235,46 +251,74 @@ void momentum_neighbours(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     csr_multiply_each(ps->momentum, 3, NULL, fl->u, ps->H);
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            const double slip = ps->diag3[i] - ps->momentum->diag[c];
-            ps->H[i] = ps->b[i] - ps->H[i] - slip * fl->u[i];
-        }
+    STRIPS_RUN(fl->mesh->n_cells, 12, neighbour_rows, fl);
     if (ps->oblique_slip) add_slip_rest(fl, ps->H);
 }
 
 /* H has the slip walls' part with the velocity from before. Where viscosity
  * crosses the cell within a step that would overshoot from one corrector to the
  * next, and the new velocity is taken. */
-void momentum_correct(struct fluid *fl)
+static void correct_rows(int first, int last, struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
+    const double *restrict diag = ps->momentum->diag;
+    const double *restrict diag3 = ps->diag3, *restrict right = ps->rhs;
+    const double *restrict storage = ps->storage;
+    double *restrict u = fl->u;
 
-    for (int c = 0; c < fl->mesh->n_cells; c++)
+    for (int c = first; c < last; c++)
         for (int k = 0; k < 3; k++) {
             const int i = 3 * c + k;
-            const double slip = ps->diag3[i] - ps->momentum->diag[c];
-            const double right = ps->H[i] + known(fl, c, k);
-            fl->u[i] = slip > 0.25 * ps->storage[c]
-                           ? (right + slip * fl->u[i]) / ps->diag3[i]
-                           : right / ps->momentum->diag[c];
+            const double slip = diag3[i] - diag[c];
+            const int stiff = slip > 0.25 * storage[c];
+            const double above = right[i] + (stiff ? slip * u[i] : 0.0);
+            u[i] = above / (stiff ? diag3[i] : diag[c]);
         }
+}
+
+void momentum_correct(struct fluid *fl)
+{
+    struct piso *const ps = fl->piso;
+
+    STRIPS_RUN(fl->mesh->n_cells, 12, known_rows, fl, ps->H, ps->rhs);
+    STRIPS_RUN(fl->mesh->n_cells, 12, correct_rows, fl);
+}
+
+/* The largest of what is left and of the terms, one pair a strip. */
+struct rest {
+    double worst, largest; /* [N] */
+};
+
+static void rest_rows(int first, int last, struct fluid *fl, struct rest *rest)
+{
+    struct piso *const ps = fl->piso;
+    const double *restrict diag = ps->momentum->diag, *restrict u = fl->u;
+    const double *restrict right = ps->rhs;
+    double *restrict owed = ps->owed;
+    struct rest r = {0.0, 0.0};
+
+    for (int c = first; c < last; c++)
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            const double own = diag[c] * u[i];
+            owed[i] = right[i] - own;
+            r.worst = fabs(owed[i]) > r.worst ? fabs(owed[i]) : r.worst;
+            r.largest = fabs(own) > r.largest ? fabs(own) : r.largest;
+        }
+    rest[strips_of(fl->mesh->n_cells, first)] = r;
 }
 
 double momentum_rest(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
-    double worst = 0.0, largest = 0.0;
+    const int n = fl->mesh->n_cells;
+    struct rest rest[STRIPS] = {{0.0, 0.0}}, all = {0.0, 0.0};
 
     momentum_neighbours(fl);
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            const double own = ps->momentum->diag[c] * fl->u[i];
-            ps->owed[i] = ps->H[i] + known(fl, c, k) - own;
-            worst = fmax(worst, fabs(ps->owed[i]));
-            largest = fmax(largest, fabs(own));
-        }
-    return largest > 0.0 ? worst / largest : 0.0;
+    STRIPS_RUN(n, 12, known_rows, fl, fl->piso->H, fl->piso->rhs);
+    STRIPS_RUN(n, 12, rest_rows, fl, rest);
+    for (int s = 0; s < STRIPS; s++) {
+        all.worst = fmax(all.worst, rest[s].worst);
+        all.largest = fmax(all.largest, rest[s].largest);
+    }
+    return all.largest > 0.0 ? all.worst / all.largest : 0.0;
 }

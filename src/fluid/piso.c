@@ -49,6 +49,20 @@ static int has_oblique_slip(const struct fluid *fl)
     return 0;
 }
 
+/* What the geometry says of each face, once. */
+static void create_links(struct piso *ps, const struct mesh *m)
+{
+    ps->SS = alloc_doubles(m->n_faces);
+    ps->Sd = alloc_doubles(m->n_faces);
+    ps->link = alloc_doubles(m->n_faces);
+    for (int f = 0; f < m->n_faces; f++) {
+        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        ps->SS[f] = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+        ps->Sd[f] = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+        ps->link[f] = ps->SS[f] / ps->Sd[f];
+    }
+}
+
 /* What only some steps and schemes ask for. */
 static void create_further(struct piso *ps, const struct fluid *fl)
 {
@@ -86,11 +100,13 @@ struct piso *piso_create(const struct fluid *fl)
     ps->inertia = alloc_doubles(3 * n);
     ps->mobility = alloc_doubles(n);
     ps->drive = alloc_doubles(3 * n);
+    ps->per_flux = alloc_doubles(n);
     ps->m_face = alloc_doubles(m->n_faces);
     ps->conductance = alloc_doubles(m->n_faces);
     ps->phi_old = alloc_doubles(m->n_faces);
     ps->source = alloc_doubles(n);
     ps->divergence = alloc_doubles(n);
+    create_links(ps, m);
     create_further(ps, fl);
     ps->oblique_slip = has_oblique_slip(fl);
     ps->pinned = has_outlet(fl) ? -1 : 0;
@@ -118,6 +134,10 @@ void piso_free(struct piso *ps)
     free(ps->inertia);
     free(ps->mobility);
     free(ps->drive);
+    free(ps->per_flux);
+    free(ps->SS);
+    free(ps->Sd);
+    free(ps->link);
     free(ps->m_face);
     free(ps->conductance);
     free(ps->phi_old);

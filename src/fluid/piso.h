@@ -13,6 +13,7 @@
 #include "linear/cg.h"
 #include "linear/csr.h"
 #include "linear/multigrid.h"
+#include "linear/strips.h"
 
 struct piso {
     struct csr *momentum; /* [kg/s] */
@@ -32,6 +33,9 @@ struct piso {
     double *mobility;     /* [m^3 s/kg] m_P = eps gamma V / a_P */
     double *drive;        /* [Pa/m] H / (gamma V), 3 a cell */
     struct csr *pressure; /* [m^3/(Pa s)] */
+    double *per_flux;     /* [kg/(m^3 s)] storage per superficial flux */
+    double *SS, *Sd;      /* [m^2], [m^3] S.S and S.d of the faces */
+    double *link;         /* [m] S.S / S.d: area over length of the link */
     double *m_face;       /* [m^3 s/kg] mobility of a face */
     double *conductance;  /* [m^3/(Pa s)] m_face S.S / S.d */
     double *phi_old;      /* [m^3/s] */
@@ -57,6 +61,17 @@ struct piso {
 
 struct piso *piso_create(const struct fluid *fl);
 void piso_free(struct piso *ps);
+
+/* What flows out of cell c [m^3/s]. */
+static inline double piso_outflow(const struct mesh *m, const double *phi,
+                                  int c)
+{
+    double out = 0.0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        out += m->out[a] * phi[m->cell_face[a]];
+    return out;
+}
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */

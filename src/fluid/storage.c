@@ -33,19 +33,23 @@ static void choose_masses(struct fluid *fl)
 }
 
 /* storage u of the past, with the sign it has on the right side. */
-static void keep_past(struct fluid *fl)
+static void keep_past(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const double rho = fl->options.rho, dt = fl->options.dt;
     struct piso *const ps = fl->piso;
+    const double *restrict u = fl->u;
+    double *restrict past = ps->past;
 
-    for (int c = 0; c < m->n_cells; c++) {
-        ps->storage[c] = rho * ps->eps_old[c] * m->V[c] / dt * ps->weights.old;
+    for (int c = first; c < last; c++) {
+        const double storage =
+            rho * ps->eps_old[c] * m->V[c] / dt * ps->weights.old;
+        ps->storage[c] = storage;
         for (int k = 0; k < 3; k++)
-            ps->past[3 * c + k] = ps->storage[c] * fl->u[3 * c + k];
+            past[3 * c + k] = storage * u[3 * c + k];
     }
     if (ps->storage_older == NULL) return;
-    for (int c = 0; c < m->n_cells; c++) {
+    for (int c = first; c < last; c++) {
         ps->storage_older[c] =
             -rho * ps->eps_older[c] * m->V[c] / dt * ps->weights.older;
         for (int k = 0; k < 3; k++)
@@ -82,7 +86,7 @@ void storage_begin(struct fluid *fl)
     rescale_owed(fl);
     ps->weights = scheme(&fl->options)->weights(r);
     choose_masses(fl);
-    keep_past(fl);
+    STRIPS_RUN(n, 8, keep_past, fl);
     memcpy(ps->phi_old, fl->phi, (size_t)faces * sizeof *fl->phi);
     ps->carry = ps->phi_old;
     if (ps->carry_own == NULL) return;

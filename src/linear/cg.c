@@ -127,26 +127,47 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
     return sqrt(rr);
 }
 
+/* Until |b - A x| is below a target and below `enough` of what it is at first,
+ * whichever is larger. */
+static struct solve_report solve(const struct csr *A, struct multigrid *mg,
+                                 const double *b, double *x, double scale,
+                                 double target, double enough,
+                                 int max_iterations, struct cg_work *w)
+{
+    struct solve_report report = {0, 0.0, 0.0, 1};
+    const double rr = residual(A, mg, b, x, w->r);
+    const double goal = fmax(target, enough * sqrt(rr));
+    const double after =
+        iterate(A, mg, x, rr, goal, max_iterations, w, &report.iterations);
+
+    report.before = sqrt(rr) / scale;
+    report.after = after / scale;
+    report.converged = after <= goal;
+    return report;
+}
+
 struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              const double *b, double *x, double tolerance,
                              double absolute, int max_iterations,
                              struct cg_work *w)
 {
-    struct solve_report report = {0, 0.0, 0.0, 1};
     const double scale = sqrt(reduce_dot(A->n, b, b));
 
     if (scale == 0.0) {
         memset(x, 0, (size_t)A->n * sizeof *x);
-        return report;
+        return (struct solve_report){0, 0.0, 0.0, 1};
     }
+    return solve(A, mg, b, x, scale, fmax(tolerance * scale, absolute), 0.0,
+                 max_iterations, w);
+}
 
-    const double target = fmax(tolerance * scale, absolute);
-    const double rr = residual(A, mg, b, x, w->r);
-    const double after =
-        iterate(A, mg, x, rr, target, max_iterations, w, &report.iterations);
+struct solve_report cg_reduce(const struct csr *A, struct multigrid *mg,
+                              const double *b, double *x, double enough,
+                              double absolute, int max_iterations,
+                              struct cg_work *w)
+{
+    const double scale = sqrt(reduce_dot(A->n, b, b));
 
-    report.before = sqrt(rr) / scale;
-    report.after = after / scale;
-    report.converged = after <= target;
-    return report;
+    return solve(A, mg, b, x, scale > 0.0 ? scale : 1.0, absolute, enough,
+                 max_iterations, w);
 }

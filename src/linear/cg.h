@@ -23,4 +23,10 @@ struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              double absolute /* unit of b */,
                              int max_iterations, struct cg_work *w);
 
+/* The same, but a residual that is the first one times `enough` [-] will do. */
+struct solve_report cg_reduce(const struct csr *A, struct multigrid *mg,
+                              const double *b, double *x, double enough,
+                              double absolute, int max_iterations,
+                              struct cg_work *w);
+
 #endif

@@ -9,7 +9,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 
@@ -137,28 +136,6 @@ static void boundary_faces(struct mesh *m)
     assert(f == m->n_faces);
 }
 
-/* For each cell its faces in ascending order. */
-static void collect_faces(struct mesh *m)
-{
-    int *const fill = alloc_ints(m->n_cells + 1);
-
-    for (int f = 0; f < m->n_faces; f++) {
-        m->cell_start[m->owner[f] + 1]++;
-        if (f < m->n_internal) m->cell_start[m->neighbour[f] + 1]++;
-    }
-    for (int c = 0; c < m->n_cells; c++)
-        m->cell_start[c + 1] += m->cell_start[c];
-    m->cell_face = alloc_ints(m->cell_start[m->n_cells]);
-    for (int f = 0; f < m->n_faces; f++) {
-        const int o = m->owner[f];
-        m->cell_face[m->cell_start[o] + fill[o]++] = f;
-        if (f >= m->n_internal) continue;
-        const int n = m->neighbour[f];
-        m->cell_face[m->cell_start[n] + fill[n]++] = f;
-    }
-    free(fill);
-}
-
 static void count_faces(struct mesh *m)
 {
     const struct box *const b = &m->box;
@@ -184,18 +161,10 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
     }
     m->n_cells = spec->cells[0] * spec->cells[1] * spec->cells[2];
     count_faces(m);
-    m->V = alloc_doubles(m->n_cells);
-    m->centre = alloc_doubles(3 * m->n_cells);
-    m->owner = alloc_ints(m->n_faces);
-    m->neighbour = alloc_ints(m->n_internal);
-    m->S = alloc_doubles(3 * m->n_faces);
-    m->d = alloc_doubles(3 * m->n_faces);
-    m->w = alloc_doubles(m->n_faces);
-    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
-    m->cell_start = alloc_ints(m->n_cells + 1);
+    mesh_allocate(m);
     place_cells(m);
     inner_faces(m);
     boundary_faces(m);
-    collect_faces(m);
+    mesh_collect_faces(m);
     return m;
 }

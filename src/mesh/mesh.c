@@ -20,6 +20,8 @@ void mesh_free(struct mesh *m)
     free(m->patches);
     free(m->cell_start);
     free(m->cell_face);
+    free(m->out);
+    free(m->middle);
     for (int k = 0; k < 3; k++)
         free(m->box.edge[k]);
     free(m);
@@ -50,6 +52,7 @@ static double wrapped(double x, double lo, double hi)
 
 int mesh_cell_at(const struct mesh *m, double x, double y, double z)
 {
+    if (m->middle != NULL) return mesh_cell_from(m, 0, x, y, z);
     const struct box *const b = &m->box;
     const double point[3] = {x, y, z};
     int at[3];
@@ -68,6 +71,53 @@ const struct patch *mesh_patch(const struct mesh *m, const char *name)
     for (int i = 0; i < m->n_patches; i++)
         if (strcmp(m->patches[i].name, name) == 0) return &m->patches[i];
     return NULL;
+}
+
+void mesh_allocate(struct mesh *m)
+{
+    m->V = alloc_doubles(m->n_cells);
+    m->centre = alloc_doubles(3 * m->n_cells);
+    m->owner = alloc_ints(m->n_faces);
+    m->neighbour = alloc_ints(m->n_internal);
+    m->S = alloc_doubles(3 * m->n_faces);
+    m->d = alloc_doubles(3 * m->n_faces);
+    m->w = alloc_doubles(m->n_faces);
+    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
+    m->cell_start = alloc_ints(m->n_cells + 1);
+}
+
+/* For each cell its faces in ascending order. */
+void mesh_collect_faces(struct mesh *m)
+{
+    int *const fill = alloc_ints(m->n_cells + 1);
+
+    for (int f = 0; f < m->n_faces; f++) {
+        m->cell_start[m->owner[f] + 1]++;
+        if (f < m->n_internal) m->cell_start[m->neighbour[f] + 1]++;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        m->cell_start[c + 1] += m->cell_start[c];
+    m->cell_face = alloc_ints(m->cell_start[m->n_cells]);
+    m->out = alloc_doubles(m->cell_start[m->n_cells]);
+    for (int f = 0; f < m->n_faces; f++) {
+        const int o = m->owner[f];
+        m->out[m->cell_start[o] + fill[o]] = 1.0;
+        m->cell_face[m->cell_start[o] + fill[o]++] = f;
+        if (f >= m->n_internal) continue;
+        const int n = m->neighbour[f];
+        m->out[m->cell_start[n] + fill[n]] = -1.0;
+        m->cell_face[m->cell_start[n] + fill[n]++] = f;
+    }
+    free(fill);
+    for (int f = 0; f < m->n_internal; f++) {
+        const double *const S = &m->S[3 * f];
+        double rest[3];
+        mesh_oblique_part(m, f, rest);
+        for (int k = 0; k < 3; k++)
+            if (rest[k] * rest[k] >
+                1e-20 * (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]))
+                m->oblique = 1;
+    }
 }
 
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
@@ -93,9 +143,8 @@ double mesh_openness(const struct mesh *m)
         double sum[3] = {0.0, 0.0, 0.0}, surface = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const double *const S = &m->S[3 * m->cell_face[a]];
-            const double out = m->owner[m->cell_face[a]] == c ? 1.0 : -1.0;
             for (int k = 0; k < 3; k++)
-                sum[k] += out * S[k];
+                sum[k] += m->out[a] * S[k];
             surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
         }
         const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);

@@ -42,8 +42,10 @@ struct mesh {
     struct patch *patches;
     int *cell_start; /* [-] n_cells + 1; faces of cell c are */
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
-    struct box box;
-    int oblique; /* 1: some link is not normal to its face */
+    double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
+    struct box box;  /* of a box; else n is 0 */
+    double *middle;  /* [m] of each face, 3; NULL for a box */
+    int oblique;     /* 1: some link is not normal to its face */
 };
 
 /* A box of cells. grading is the ratio of the last to the first cell width, 1
@@ -64,8 +66,31 @@ void mesh_free(struct mesh *m);
  * periodic direction the point is wrapped first. */
 int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 
+/* The same on any mesh, by a walk from face to face that begins in a cell near
+ * by: through the face that the point is farthest beyond, until it is beyond
+ * none. A walk that leads nowhere, round a hole or out of a hollow, is followed
+ * by a look at all cells. -1 outside. */
+int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
+                   double z);
+
+/* How good a mesh is. */
+struct mesh_quality {
+    double openness;        /* [-] mesh_openness */
+    double non_orthogonal;  /* [deg] largest angle between S and d */
+    double skewness;        /* [-] largest distance of a face's middle from
+                               where its link crosses it, over the link */
+    double V_least, V_most; /* [m^3] */
+};
+struct mesh_quality mesh_quality(const struct mesh *m);
+
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
+
+/* For those who make meshes. Makes the arrays for the numbers of cells, faces
+ * and patches that m has; and, when all faces are there, finds the faces of the
+ * cells and whether a link is oblique. */
+void mesh_allocate(struct mesh *m);
+void mesh_collect_faces(struct mesh *m);
 
 /* S - d S.S / S.d: the part of the area of inner face f that its link does not
  * stand for [m^2]. */

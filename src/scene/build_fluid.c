@@ -173,6 +173,8 @@ void build_fluid(const struct settings *s, struct simulation *sim)
                 ? CONTINUITY_MIXTURE
                 : CONTINUITY_VOID_RATE,
         .correctors = settings_int(s, "fluid.correctors"),
+        .enough = settings_real(s, "fluid.enough"),
+        .predictor = settings_real(s, "fluid.predictor"),
         .splitting = settings_real(s, "fluid.splitting"),
         .tolerance = settings_real(s, "fluid.tolerance"),
         .coupled = build_two_way(s),

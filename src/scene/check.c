@@ -140,6 +140,20 @@ static struct scales scales_of(const struct settings *s)
     return k;
 }
 
+/* What a graded mesh is worth: a box has no oblique links and no skewness. */
+static void print_quality(const struct settings *s)
+{
+    struct mesh *const m = build_mesh(s);
+    const struct mesh_quality q = mesh_quality(m);
+
+    if (q.V_most > q.V_least * (1.0 + 1e-9))
+        line("largest over smallest cell", q.V_most / q.V_least, "-",
+             "volumes; what the schemes assume is near 1 between neighbours");
+    if (q.openness > 1e-10)
+        line("openness", q.openness, "-", "NOT CLOSED: a cell has a gap");
+    mesh_free(m);
+}
+
 static void print_resolution(const struct scales *k)
 {
     puts("Resolution");
@@ -287,6 +301,7 @@ int check_case(const struct settings *s)
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
     print_resolution(&k);
+    print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);

@@ -1,0 +1,13 @@
+#!/bin/sh
+# Exercise 21.1: the small bed by every method for 0.01 s, on two meshes.
+set -eu
+for cells in "8, 32, 1" "16, 64, 1"; do
+    for method in dpvm cube two-grid images diffusion; do
+        printf '%s %-10s' "$cells" $method
+        winnow run cases/small-bed.cfg -o out/21-solution -s output.end=0.01 \
+            --quiet -j 1 -s "mesh.cells=[$cells]" \
+            -s averaging.method=$method >/dev/null 2>&1 ||
+            { echo stops; continue; }
+        sh chapters/tools/last.sh out/21-solution pressure_drop
+    done
+done

@@ -1,0 +1,165 @@
+#!/bin/sh
+# Our fluid beside OpenFOAM's icoFoam, where that is installed (Debian package
+# openfoam; nothing is installed here): the lid-driven cavity at Re 1000 on 128 x
+# 128 cells and the cubic one on 64^3, the same step, schemes and two pressure
+# corrections a step, in turn, and the median of the ratios of each turn; and ours
+# on the same mesh read from OpenFOAM's files, as if it were not a box.
+#
+#   sh tests/bench/fluid.sh build/tests/bench [ROUNDS]      (make bench)
+#
+# icoFoam solves with GAMG to its tolerance of 1e-6, the first correction to 5 %.
+# What counts is what is left: its "continuity error, sum local" and ours stand
+# in the table. Times are processor time of one core.
+set -eu
+fluid=$1/fluid
+rounds=${2:-3}
+out=$1/run/fluid
+export OMP_NUM_THREADS=1
+export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}" # Debian's place
+mkdir -p "$out"
+
+dictionary() { # class object file
+    printf 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n' \
+        "$1" "$2" >"$3"
+    cat >>"$3"
+}
+
+ends() { # what a field says of back and front
+    if [ "$dimensions" = 3 ]; then
+        echo "ends { type $1; }"
+    else
+        echo 'ends { type empty; }'
+    fi
+}
+
+make_case() { # in the present folder
+    mkdir -p system constant 0
+    depth=0.01 layers=1 type=empty
+    [ "$dimensions" = 2 ] || { depth=0.1 layers=$cells type=wall; }
+    dictionary dictionary blockMeshDict system/blockMeshDict <<END
+vertices ((0 0 0) (0.1 0 0) (0.1 0.1 0) (0 0.1 0)
+    (0 0 $depth) (0.1 0 $depth) (0.1 0.1 $depth) (0 0.1 $depth));
+blocks (hex (0 1 2 3 4 5 6 7) ($cells $cells $layers) simpleGrading (1 1 1));
+boundary (
+    lid { type wall; faces ((3 7 6 2)); }
+    sides { type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0)); }
+    ends { type $type; faces ((0 3 2 1) (4 5 6 7)); });
+END
+    dictionary dictionary controlDict system/controlDict <<END
+application icoFoam; startFrom startTime; startTime 0; stopAt endTime;
+endTime $(awk "BEGIN { print $steps * 0.05 / $cells }");
+deltaT $(awk "BEGIN { print 0.05 / $cells }");
+writeControl timeStep; writeInterval 1000000; timePrecision 8;
+END
+    dictionary dictionary fvSchemes system/fvSchemes <<END
+ddtSchemes { default Euler; }
+gradSchemes { default Gauss linear; }
+divSchemes { default none; div(phi,U) Gauss linear; }
+laplacianSchemes { default Gauss linear orthogonal; }
+interpolationSchemes { default linear; }
+snGradSchemes { default orthogonal; }
+END
+    dictionary dictionary fvSolution system/fvSolution <<END
+solvers {
+    p { solver GAMG; smoother GaussSeidel; tolerance 1e-06; relTol 0.05; }
+    pFinal { solver GAMG; smoother GaussSeidel; tolerance 1e-06; relTol 0; }
+    U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-05; relTol 0; }
+}
+PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }
+END
+    dictionary dictionary transportProperties constant/transportProperties <<END
+nu [0 2 -1 0 0 0 0] 1e-04;
+END
+    dictionary volVectorField U 0/U <<END
+dimensions [0 1 -1 0 0 0 0];
+internalField uniform (0 0 0);
+boundaryField {
+    lid { type fixedValue; value uniform (1 0 0); }
+    sides { type noSlip; }
+    $(ends noSlip)
+}
+END
+    dictionary volScalarField p 0/p <<END
+dimensions [0 2 -2 0 0 0 0];
+internalField uniform 0;
+boundaryField {
+    lid { type zeroGradient; }
+    sides { type zeroGradient; }
+    $(ends zeroGradient)
+}
+END
+    blockMesh >log.blockMesh 2>&1
+}
+
+# Cell-steps a second, the median over three parts after the first steps, and
+# what is left of continuity.
+icofoam() {
+    (cd "$out/$scene" && icoFoam >log 2>&1)
+    awk -v first="$first" -v steps="$steps" -v n="$count" '
+        /^ExecutionTime/ { t[++k] = $3 }
+        /sum local/ { left = $9 }
+        END {
+            part = int((steps - first) / 3)
+            least = 1e9
+            for (i = 0; i < 3; i++) {
+                s = (t[first + (i + 1) * part] - t[first + i * part]) / part
+                sum += s
+                if (s > most) most = s
+                if (s < least) least = s
+            }
+            sub(",", "", left)
+            printf "%.4g %s\n", n / (sum - most - least), left
+        }' "$out/$scene/log"
+}
+
+ours() {
+    "$fluid" "$dimensions" "$cells" "$steps" "$first" "$@" | sed \
+        's/.*continuity=\([^ ]*\).*cell_steps_per_second=\(.*\)/\2 \1/'
+}
+
+: >"$out/rates.txt"
+there=1
+command -v icoFoam >/dev/null || { there=0; echo "icoFoam is not installed: left out"; }
+for scene in cavity-128 box-64; do
+    case $scene in
+    cavity-128) dimensions=2 cells=128 steps=500 first=200 count=16384 ;;
+    box-64) dimensions=3 cells=64 steps=50 first=20 count=262144 ;;
+    esac
+    rm -rf "${out:?}/$scene"
+    mkdir -p "$out/$scene"
+    [ $there = 0 ] || (cd "$out/$scene" && make_case)
+    round=0
+    while [ $round -lt "$rounds" ]; do
+        round=$((round + 1))
+        echo "$scene winnow $(ours)" >>"$out/rates.txt"
+        [ $there = 0 ] && continue
+        echo "$scene icoFoam $(icofoam)" >>"$out/rates.txt"
+        echo "$scene polyMesh $(ours - "$out/$scene/constant/polyMesh")" \
+            >>"$out/rates.txt"
+    done
+done
+awk '
+    function median(v, n,  i, j, x) {
+        for (i = 2; i <= n; i++)
+            for (j = i; j > 1 && v[j] < v[j - 1]; j--) {
+                x = v[j]; v[j] = v[j - 1]; v[j - 1] = x
+            }
+        return v[int((n + 1) / 2)]
+    }
+    { key = $1 " " $2; n[key]++; rate[key, n[key]] = $3; left[key] = $4; seen[$1] = 1 }
+    END {
+        printf "%-12s %12s %12s %7s %12s %7s %11s %11s\n", "fluid",
+               "winnow [/s]", "icoFoam", "ratio", "on polyMesh", "ratio",
+               "left, ours", "theirs"
+        for (s in seen) {
+            w = s " winnow"; f = s " icoFoam"; g = s " polyMesh"
+            for (i = 1; i <= n[w]; i++) {
+                a[i] = rate[w, i]; b[i] = rate[f, i]; p[i] = rate[g, i]
+                r[i] = b[i] > 0 ? a[i] / b[i] : 0
+                q[i] = b[i] > 0 ? p[i] / b[i] : 0
+            }
+            printf "%-12s %12.4g %12.4g %7.2f %12.4g %7.2f %11s %11s\n", s,
+                   median(a, n[w]), median(b, n[w]), median(r, n[w]),
+                   median(p, n[w]), median(q, n[w]), left[w], left[f]
+        }
+    }' "$out/rates.txt"

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/fluid.h"
+#include "mesh/poly.h"
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "capture.h"
+
+static const char *const all[] = {"box", "sheared", "shuffled", "dual",
+                                  "cyclic"};
+
+static struct mesh *mesh_of(const char *name)
+{
+    char dir[128];
+    snprintf(dir, sizeof dir, "tests/data/poly/%s", name);
+    struct mesh *const m = poly_read(dir);
+    ck_assert_ptr_nonnull(m);
+    return m;
+}
+
+static double volume(const struct mesh *m)
+{
+    double sum = 0.0;
+    for (int c = 0; c < m->n_cells; c++)
+        sum += m->V[c];
+    return sum;
+}
+
+/* A block of 1 x 2 x 0.5 m in 4 x 3 x 2 cells: the same faces, volumes and
+ * links as our own box. */
+START_TEST(a_block_is_our_box)
+{
+    const struct box_spec spec = {
+        {1.0, 2.0, 0.5}, {4, 3, 2}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_of("box"), *const b = mesh_create_box(&spec);
+    ck_assert_int_eq(m->n_cells, b->n_cells);
+    ck_assert_int_eq(m->n_faces, b->n_faces);
+    ck_assert_int_eq(m->n_internal, b->n_internal);
+    ck_assert_int_eq(m->oblique, 0);
+    for (int c = 0; c < m->n_cells; c++) {
+        const double *const x = &m->centre[3 * c];
+        const int there = mesh_cell_at(b, x[0], x[1], x[2]);
+        ck_assert_double_eq_tol(m->V[c], b->V[there], 1e-12);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol(x[k], b->centre[3 * there + k], 1e-9);
+    }
+    for (int i = 0; i < 6; i++) {
+        const struct patch *const p = mesh_patch(m, b->patches[i].name);
+        ck_assert_ptr_nonnull(p);
+        ck_assert_int_eq(p->n, b->patches[i].n);
+        double S[3] = {0.0, 0.0, 0.0}, ours[3] = {0.0, 0.0, 0.0};
+        for (int j = 0; j < 3 * p->n; j++) {
+            S[j % 3] += m->S[3 * p->first + j];
+            ours[j % 3] += b->S[3 * b->patches[i].first + j];
+        }
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol(S[k], ours[k], 1e-12);
+    }
+    mesh_free(m);
+    mesh_free(b);
+}
+END_TEST
+
+/* Owner before neighbour, S along d, cells closed, volumes that fill what they
+ * fill. The dual has 24 cells with more than six faces. */
+START_TEST(every_mesh_is_closed_and_in_order)
+{
+    const double V[] = {1.0, 0.5, 0.5, 1.0, 0.2};
+    struct mesh *const m = mesh_of(all[_i]);
+    const struct mesh_quality q = mesh_quality(m);
+    int many = 0;
+    ck_assert_double_lt(q.openness, 1e-10);
+    ck_assert_double_eq_tol(volume(m), V[_i], 1e-9);
+    for (int f = 0; f < m->n_internal; f++) {
+        double Sd = 0.0;
+        for (int k = 0; k < 3; k++)
+            Sd += m->S[3 * f + k] * m->d[3 * f + k];
+        ck_assert_int_lt(m->owner[f], m->neighbour[f]);
+        ck_assert_double_gt(Sd, 0.0);
+        if (f > 0) ck_assert_int_ge(m->owner[f], m->owner[f - 1]);
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        many += m->cell_start[c + 1] - m->cell_start[c] > 6;
+    if (_i == 3) ck_assert_int_eq(many, 24);
+    if (_i == 1) /* the shear is 0.4 in 1 */
+        ck_assert_double_gt(q.non_orthogonal, 21.0);
+    mesh_free(m);
+}
+END_TEST
+
+/* However the cells were numbered: neighbours come close. 36 of 72 cells stand
+ * between two layers; at random it would be some 70. */
+START_TEST(shuffled_cells_are_put_in_order)
+{
+    struct mesh *const m = mesh_of("shuffled");
+    int widest = 0;
+    for (int f = 0; f < m->n_internal; f++)
+        widest = m->neighbour[f] - m->owner[f] > widest
+                     ? m->neighbour[f] - m->owner[f]
+                     : widest;
+    ck_assert_int_lt(widest, 30);
+    mesh_free(m);
+}
+END_TEST
+
+/* Each centre, and points anywhere, from any cell; the cell found is the one
+ * whose faces the point is behind. */
+START_TEST(a_walk_finds_the_cell_of_a_point)
+{
+    struct mesh *const m = mesh_of(all[_i]);
+    for (int c = 0; c < m->n_cells; c++) {
+        const double *const x = &m->centre[3 * c];
+        for (int from = 0; from < m->n_cells; from += 7)
+            ck_assert_int_eq(mesh_cell_from(m, from, x[0], x[1], x[2]), c);
+        ck_assert_int_eq(mesh_cell_at(m, x[0], x[1], x[2]), c);
+    }
+    ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+    mesh_free(m);
+}
+END_TEST
+
+/* --- flow ------------------------------------------------------------------
+ */
+
+static struct fluid *still(const struct mesh *m, struct boundary *b)
+{
+    for (int i = 0; i < m->n_patches; i++)
+        b[i] = (struct boundary){.kind = BOUNDARY_NO_SLIP};
+    const struct fluid_options o = {
+        .rho = 1.0,
+        .mu = 0.1,
+        .dt = 0.01,
+        .convection = convection_scheme_named("linear"),
+        .slope = slope_scheme_named("least-squares"),
+        .correctors = 3,
+        .splitting = 1e-6,
+        .tolerance = 1e-10,
+        .boundaries = b};
+    return fluid_create(m, &o);
+}
+
+/* Walls that all move with one velocity: so does the fluid, on any mesh, any
+ * step; the volume through a face is u . S. */
+START_TEST(a_uniform_stream_stays_uniform_on_any_mesh)
+{
+    static const double U[3] = {0.3, -0.2, 0.1};
+    struct mesh *const m = mesh_of(all[_i % 5]);
+    struct boundary b[6];
+    struct fluid *const fl = still(m, b);
+    fl->options.dt = _i < 5 ? 0.01 : 1.0;
+    for (int i = 0; i < m->n_patches; i++)
+        for (int k = 0; k < 3; k++)
+            b[i].wall[k] = U[k];
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        fl->u[i] = U[i % 3];
+    for (int f = 0; f < m->n_faces; f++)
+        for (int k = 0; k < 3; k++)
+            fl->phi[f] += U[k] * m->S[3 * f + k];
+    for (int n = 0; n < 5; n++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq_tol(fl->u[i], U[i % 3], 1e-8);
+    fluid_free(fl);
+    mesh_free(m);
+}
+END_TEST
+
+/* A lid in the sheared block: the same cells in another order, the same flow,
+ * to what the solvers leave. */
+START_TEST(the_order_of_the_cells_does_not_matter_to_the_flow)
+{
+    double u[2][216];
+    for (int i = 0; i < 2; i++) {
+        struct mesh *const m = mesh_of(i ? "shuffled" : "sheared");
+        struct mesh *const first = mesh_of("sheared");
+        struct boundary b[6];
+        struct fluid *const fl = still(m, b);
+        b[mesh_patch(m, "top") - m->patches].wall[0] = 1.0;
+        for (int n = 0; n < 40; n++)
+            ck_assert_int_eq(fluid_step(fl), 0);
+        ck_assert_double_gt(fluid_kinetic_energy(fl), 1e-4);
+        ck_assert_double_lt(fl->report.momentum_residual, 1e-10);
+        for (int c = 0; c < 72; c++) {
+            const double *const x = &first->centre[3 * c];
+            memcpy(&u[i][3 * c], &fl->u[3 * mesh_cell_at(m, x[0], x[1], x[2])],
+                   3 * sizeof(double));
+        }
+        fluid_free(fl);
+        mesh_free(m);
+        mesh_free(first);
+    }
+    for (int j = 0; j < 216; j++)
+        ck_assert_double_eq_tol(u[0][j], u[1][j], 1e-6);
+}
+END_TEST
+
+/* --- files that are wrong ----------------------------------------------------
+ */
+
+/* The box with one text in one file replaced. */
+static void spoil(const char *name, const char *old, const char *by)
+{
+    static const char *const files[] = {"points", "faces", "owner", "neighbour",
+                                        "boundary"};
+    ck_assert_int_eq(system("mkdir -p build/poly"), 0);
+    for (int i = 0; i < 5; i++) {
+        char command[256];
+        snprintf(command, sizeof command,
+                 strcmp(files[i], name) == 0
+                     ? "sed 's/%s/%s/' tests/data/poly/box/%s >build/poly/%s"
+                     : "cp %.0s%.0stests/data/poly/box/%s build/poly/%s",
+                 old, by, files[i], files[i]);
+        ck_assert_int_eq(system(command), 0);
+    }
+}
+
+START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
+{
+    static const struct {
+        const char *name, *old, *by, *message;
+    } rows[] = {
+        {"points", "ascii", "binary", "points:4: format binary is not read"},
+        {"points", "^60$", "61", "points"},
+        {"faces", "4(1 6 26 21)", "4(1 6 99 21)", "point 99 of 60"},
+        {"owner", "^98$", "97", "owner"},
+        {"boundary", "wall;", "processor;", "type processor is not read"},
+        {"boundary", "startFace *46", "startFace 40", "not of the boundary"},
+        {"neighbour", "^46$", "4600000", "more than the file can hold"}};
+    spoil(rows[_i].name, rows[_i].old, rows[_i].by);
+    struct mesh *m;
+    char said[CAPTURE_TEXT];
+    struct capture capture = capture_begin(2);
+    m = poly_read("build/poly");
+    capture_end(&capture, said);
+    ck_assert_ptr_null(m);
+    ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("poly");
+    TCase *const t = tcase_create("OpenFOAM's meshes");
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60.0);
+    tcase_add_test(t, a_block_is_our_box);
+    tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
+    tcase_add_test(t, shuffled_cells_are_put_in_order);
+    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 4);
+    tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
+    tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
+    tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
+                        7);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
