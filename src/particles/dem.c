@@ -90,6 +90,8 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->count);
+    if (o->n_driven > 0)
+        dem->neighbours->drive = driven_create(o->driven, o->n_driven);
     dem->neighbours->fresh = o->link_cells;
     dem->neighbours->bodies->n_materials = n;
     dem->neighbours->range = range_of(o);

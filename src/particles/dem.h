@@ -55,8 +55,8 @@ const struct energy *dem_energy(const struct dem *dem);
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
-/* Starts the clock of the surfaces at this number of steps; before that they
- * rest where they are at time 0. */
+/* Starts the clock of all that moves as prescribed at this number of steps;
+ * before that they rest where they are at time 0. */
 void dem_clock(struct dem *dem, long steps);
 
 /* What the particles did to surface k since the run began (steps of which no

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <omp.h>
 
+#include "particles/prescribed.h"
 #include "particles/stride.h"
 
 /* The contacts are chosen for about so many steps ahead. */
@@ -16,15 +17,10 @@ struct reach {
     double margin, spent;
 };
 
-/* The surfaces where they are after k steps of this run. */
-static void move_surfaces(const struct dem *dem, int k)
+/* The time after k steps of this run, as walls and driven particles know it. */
+static double time_after(const struct dem *dem, int k)
 {
-    const struct neighbours *const nb = dem->neighbours;
-    const struct neighbours_share mine = neighbours_share(nb);
-    const double t = (double)(dem->tick + (dem->ticking ? k : 0));
-
-    for (int s = mine.first; s < mine.last; s++)
-        surfaces_move(nb->surfaces, s, t * dem->options.step);
+    return (double)(dem->tick + (dem->ticking ? k : 0)) * dem->options.step;
 }
 
 static struct stride stride(const struct dem *dem, double dt, double kick,
@@ -35,6 +31,8 @@ static struct stride stride(const struct dem *dem, double dt, double kick,
                            .attractions = dem->options.attractions,
                            .n_attractions = dem->options.n_attractions,
                            .budget = dem->energy != NULL,
+                           .driven = dem->ticking,
+                           .t = time_after(dem, 0),
                            .dt = dt,
                            .kick = kick,
                            .drift = drift};
@@ -80,8 +78,12 @@ static void measure(struct dem *dem)
     struct neighbours *const nb = dem->neighbours;
     const struct neighbours_share mine = neighbours_share(nb);
 
-    for (int s = mine.first; s < mine.last; s++)
-        strip_measure(&nb->strips[s], nb->bodies);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        if (nb->drive != NULL)
+            driven_release(nb->drive, nb->bodies, nb->ps, own->begin, own->end);
+        strip_measure(own, nb->bodies);
+    }
 }
 
 /* The energy of now, and what has come since the last run. */
@@ -122,12 +124,14 @@ static int leap(struct dem *dem, int steps, struct reach *r)
     if (steps > 0) stride_move(nb, &first);
     for (int k = 0; k < steps; k++) {
         neighbours_meet(nb);
-        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
+        prescribed_move(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->spent += closer;
         if (r->spent > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
-        stride_take(nb, k + 1 < steps ? &whole : &last);
+        struct stride now = k + 1 < steps ? whole : last;
+        now.t = time_after(dem, k + 1);
+        stride_take(nb, &now);
     }
     return steps;
 }
@@ -193,7 +197,7 @@ static int lean(struct dem *dem, int steps, struct reach *r)
         neighbours_meet(nb);
         predict(dem, dt);
         neighbours_meet(nb);
-        if (nb->surfaces != NULL) move_surfaces(dem, k + 1);
+        prescribed_move(nb, time_after(dem, k + 1));
         load(dem, 0.5 * dt);
         correct(dem, dt);
         neighbours_meet(nb);
@@ -207,7 +211,8 @@ void dem_move(struct dem *dem, int steps)
     struct neighbours *const nb = dem->neighbours;
     struct reach r = {nb->margin, nb->spent};
 
-    if (nb->surfaces != NULL) move_surfaces(dem, 0);
+    prescribed_move(nb, time_after(dem, 0));
+    if (dem->ticking) prescribed_steer(nb, time_after(dem, 0), 0.0);
     if (nb->stale && start(dem, &r.margin) != 0) return;
     if (dem->energy != NULL) open_budget(dem);
     const int done = dem->options.integrator->predicts ? lean(dem, steps, &r)

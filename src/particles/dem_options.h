@@ -6,6 +6,7 @@
 #define DEM_OPTIONS_H
 
 #include "particles/attraction.h"
+#include "particles/driven.h"
 #include "particles/integrators.h"
 #include "particles/materials.h"
 #include "particles/surface.h"
@@ -26,6 +27,9 @@ struct dem_options {
     int n_surfaces;
     const struct attraction *attractions; /* borrowed likewise */
     int n_attractions;                    /* [-] 0: only touching counts */
+    const struct driven
+        *driven; /* particles that move as prescribed; borrowed */
+    int n_driven;
 };
 
 #endif

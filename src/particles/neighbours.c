@@ -38,6 +38,7 @@ void neighbours_free(struct neighbours *nb)
     bodies_free(nb->bodies);
     grid_free(nb->grid);
     surfaces_free(nb->surfaces);
+    driven_free(nb->drive);
     barrier_free(nb->barrier);
     free(nb->rank);
     free(nb);
@@ -81,6 +82,7 @@ void neighbours_open(struct neighbours *nb)
     if (nb->surfaces != NULL) surfaces_open(nb->surfaces);
     nb->recalled = 0;
     bodies_fetch(b, nb->ps, 0, b->n);
+    if (nb->drive != NULL) driven_index(nb->drive, nb->ps);
 }
 
 struct kept *neighbours_recall(struct neighbours *nb, int n)
@@ -178,6 +180,7 @@ static void sort(struct neighbours *nb)
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
     if (nb->surfaces != NULL) surfaces_index(nb->surfaces, ps);
+    if (nb->drive != NULL) driven_index(nb->drive, ps);
     nb->rebuilds++;
 }
 
@@ -226,6 +229,8 @@ static void rebuild(struct neighbours *nb)
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
         bodies_fetch(b, nb->ps, own->begin, own->end);
+        if (nb->drive != NULL)
+            driven_weigh(nb->drive, b, nb->ps, own->begin, own->end);
         bodies_mark(b, own->begin, own->end);
     }
     neighbours_meet(nb);

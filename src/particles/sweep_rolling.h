@@ -10,8 +10,8 @@
  *
  * w_t is omega_i - omega_j without its part along n. Both spheres turn with
  * the frame, so w_t and M are the same in a turning one. Where it slips, the
- * spring bears the moment alone, as that of friction does; [Ai11] lets the
- * dashpot go there, so the moment is the same. A constant moment against w_t
+ * spring gives way until it bears no more than the moment, as that of friction
+ * does; [Ai11] lets the dashpot go there. A constant moment against w_t
  * would need no theta, but never lets a sphere rest: it turns around every
  * step.
  */
@@ -35,19 +35,20 @@ static inline void sweep_roll(double M[3], double theta[3], const double w[3],
 {
     const double spin = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
     const double out = theta[0] * n[0] + theta[1] * n[1] + theta[2] * n[2];
-    double size = 0.0;
+    double size = 0.0, wound2 = 0.0;
 
     for (int a = 0; a < 3; a++) {
         const double w_t = w[a] - spin * n[a];
         theta[a] += w_t * dt - out * n[a];
         M[a] = -k_r * theta[a] - C_r * w_t;
         size += M[a] * M[a];
+        wound2 += k_r * theta[a] * k_r * theta[a];
     }
     size = sqrt(size);
     if (size <= most) return;
     for (int a = 0; a < 3; a++) {
         M[a] *= most / size;
-        theta[a] = -M[a] / k_r;
+        if (wound2 > most * most) theta[a] = -M[a] / k_r;
     }
 }
 

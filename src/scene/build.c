@@ -13,6 +13,7 @@
 #include "particles/life.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_surfaces.h"
 #include "scene/scene.h"
 
 struct mesh *build_mesh(const struct settings *s)
@@ -170,6 +171,8 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    case_surfaces_free(sim->surfaces, sim->n_surfaces);
+    free(sim->driven);
     life_free(sim->life);
     free(sim->materials);
     free(sim->attractions);

@@ -8,6 +8,7 @@
 #include "particles/overlaps.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
+#include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_life.h"
 #include "scene/case_materials.h"
@@ -155,6 +156,21 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
+/* A driven particle must be there. */
+static int driven_missing(const struct settings *s, const struct particles *ps)
+{
+    static const char list[] = "particles.driven";
+
+    for (int k = 0; k < settings_length(s, list); k++) {
+        const int id = settings_item_int(s, list, k, "id");
+        if (id >= ps->n)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: they are 0 to %d",
+                                  id, ps->n - 1);
+    }
+    return 0;
+}
+
 int build_particles(const struct settings *s, struct simulation *sim)
 {
     struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
@@ -163,12 +179,18 @@ int build_particles(const struct settings *s, struct simulation *sim)
     o.materials = sim->materials = case_materials_create(s);
     o.attractions = sim->attractions =
         case_cohesion_create(s, &o.n_attractions);
-
+    o.driven = sim->driven = case_surfaces_driven(s, &o.n_driven);
+    o.surfaces = sim->surfaces =
+        case_surfaces_create(s, &sim->n_surfaces, &code);
+    o.n_surfaces = sim->n_surfaces;
+    if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
+    if (driven_missing(s, sim->particles) != 0) return 2;
+    dem_clock(sim->dem, 0);
     const struct domain box = bodies_domain(o.lo, o.hi, o.periodic);
     sim->life = case_life_create(s, &box, &code);
     if (code != 0) return code;

@@ -10,6 +10,7 @@
 #include "scene/build_particles.h"
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
+#include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
@@ -253,6 +254,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_surfaces_check(s);
     if (code != 0) return code;
     if (code == 0) code = case_life_check(s);
     if (code != 0) return code;

@@ -23,6 +23,10 @@ static const struct part parts[] = {
     {"fluid", "pressure that meets continuity (PISO)", "XS11 2.7",
      "pressure_correct"},
     {"particles", "motion of each particle", "LS 4.1-4.3", "dem_run"},
+    {"particles.surfaces", "contacts with walls besides the box", "LS 4.1-4.3",
+     "surfaces_push"},
+    {"particles.driven", "particles that move as prescribed", "LS Fig. 4.3",
+     "driven_steer"},
     {"averaging", "solids fraction and velocity of the cells", "SX15 4-9",
      "transfer_average"},
     {"exchange", "drag on each particle", "XS11 2.6, 2.10",
@@ -102,7 +106,7 @@ static int is_on(const struct settings *s, const struct kind *kind,
 
     if (!is_at_work(s, kind)) return 0;
     if (strcmp(kind->name, "patch") == 0) return is_some_side(s, m->name);
-    if (strcmp(kind->name, "sizes") == 0)
+    if (strcmp(kind->name, "sizes") == 0 || strcmp(kind->name, "surface") == 0)
         return is_in_list(s, kind->key, m->name);
     if (strcmp(kind->name, "effect") != 0)
         return strcmp(settings_text(s, kind->key), m->name) == 0;

@@ -246,6 +246,23 @@ static int patch(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int surface(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"plane", "its solid behind it, no end", "", "surface_nearest",
+         "particles.surfaces.point particles.surfaces.normal"},
+        {"cylinder", "the particles inside or outside, no ends", "",
+         "surface_nearest",
+         "particles.surfaces.point particles.surfaces.axis "
+         "particles.surfaces.radius particles.surfaces.particles"},
+        {"stl", "triangles from a file; a seam, an edge, a vertex count once",
+         "LS section 4.3", "touches_find",
+         "particles.surfaces.file particles.surfaces.scale "
+         "particles.surfaces.point"},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int effect(int i, struct model *m)
 {
     const struct effect *const e = effects_all[i];
@@ -263,6 +280,8 @@ const struct kind models_kinds[] = {
     {"list", "ways to find the pairs", "particles.list", list},
     {"sizes", "distributions of diameters", "particles.sizes.distribution",
      sizes},
+    {"surface", "walls besides those of the box", "particles.surfaces.shape",
+     surface},
     {"averaging", "ways from particles to fields", "averaging.method",
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
