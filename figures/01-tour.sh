@@ -1,5 +1,6 @@
 #!/bin/sh
-# The page that a run leaves, as lines "key = value", and where its time went.
+# The page that a run leaves, as lines "key = value"; where its time went; and how
+# far its mean can be trusted.
 #
 #   sh figures/01-tour.sh out/mueller-bed >figures/01-tour-run.txt
 set -eu
@@ -15,5 +16,7 @@ awk -F'[:,]' '
     END {
         print "\n## seconds"
         for (k = 1; k <= n; k++)
-            printf "%-9s %6.1f s %5.1f %%\n", part[k], time[k], 100 * time[k] / total
+            printf "%-9s %5.1f %%\n", part[k], 100 * time[k] / total
     }' "$1/summary.json"
+printf '\n## blocks\n'
+sh figures/12-blocks.sh "$1" pressure_drop | sed -n '/^naive\|^error/p'

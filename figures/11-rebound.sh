@@ -12,13 +12,14 @@ miss() { # e, steps
     for phase in 0 1 2 3 4 5 6 7; do
         y=$(awk "BEGIN { printf \"%.12g\", 0.001 + $phase / 8 * $step }")
         winnow run cases/rebound.cfg -s particles.step=$step -o out/rebound \
+            -s particles.unsafe_step=true \
             -s particles.grains.restitution=$1 --quiet \
             -s "particles.place.0.position=[0.005,$y,0.005]" >/dev/null 2>&1
         sh chapters/tools/last.sh out/rebound kinetic_energy_particles
     done | awk -v e=$1 '
         { kept = sqrt($3 / 1.767145868e-6); off = kept > e ? kept - e : e - kept
           if (off > most) most = off }
-        END { printf "%.2e", most }'
+        END { if (NR != 8) exit 1; printf "%.2e", most }'
 }
 
 echo "# steps   e = 1     e = 0.7"

@@ -53,7 +53,7 @@ END
         'heat | not yet: air' >chapters/ledger.txt
     printf '# waits\n' >chapters/pending.txt
     : >chapters/unshown.txt
-    echo '# The book' >chapters/README.md
+    printf '# The book\n\n| 01-fall | Why does a stone fall? |\n' >chapters/README.md
     printf '# References\n\n<a id="Newton87"></a>**Newton87**\n' >chapters/references.md
     printf '# Notation\n\n| symbol | code | meaning |\n| --- | --- | --- |\n%s\n' \
         '| $g$ | `g` | gravity |' >chapters/notation.md
@@ -179,6 +179,9 @@ if command -v pandoc >/dev/null; then
     fact a_broken_link_is_told 1 "broken link: 02-none.html" sh "$tools/book.sh" out
     fresh && edit 's/^From/<b> &/' $chapter
     fact an_open_tag_is_told 1 "closes <b>" sh "$tools/book.sh" out
+    fact the_contents_ask_its_question 0 "Why does a stone fall?" cat out/index.html
+    fresh && cp $chapter chapters/solutions/01-fall.md
+    fact two_pages_of_one_name_are_told 1 "a page of this name" sh "$tools/book.sh" out
 fi
 
 if [ $failed -gt 0 ]; then

@@ -155,6 +155,9 @@ fact functions_that_are_named_exist 0 defined defined
 fact check_calls_a_step_unsafe_that_is 0 "NOT SAFE" \
     "$winnow" check tiny.cfg -s particles.step=1e-4
 
+fact step_that_is_unsafe_is_refused_with_a_better_one 2 "at most" \
+    "$winnow" run tiny.cfg -o never -s particles.step=1e-4
+
 echo "runs:"
 fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
 fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \
@@ -190,8 +193,51 @@ fact interrupted_run_says_so_in_its_summary 0 interrupted cat long/summary.json
 
 fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
-    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip
+    -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \
+    -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
+
+cat >walls.cfg <<'END'
+title = "a sphere and a sheet of metal";
+mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 1000; restitution = 0.9; friction = 0.3; };
+    surfaces = ( { name = "sheet"; shape = "stl"; file = "sheet.stl"; scale = 1e-3; point = [0.05, 0.05, 0.05]; },
+                 { name = "floor"; shape = "plane"; point = [0.0, 0.01, 0.0]; } );
+    place = ( { position = [0.08, 0.07, 0.08]; diameter = 5e-3; },
+              { position = [0.05, 0.07, 0.05]; diameter = 5e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.05; every = 0.01; };
+END
+sheet() { printf '%s\n' "solid a" "facet normal 0 1 0" "outer loop" \
+    "vertex -9 0 -9" "vertex 9 0 -9" "vertex 0 0 9" "endloop" "$1" "endsolid a"; }
+echo "walls:"
+fact missing_stl_is_code_2 2 "sheet.stl: cannot be read" "$winnow" check walls.cfg
+sheet endfacets >sheet.stl
+fact broken_stl_is_code_2_with_its_line 2 \
+    'sheet.stl:8: expected "endfacet", found "endfacets"' "$winnow" run walls.cfg
+sheet endfacet >sheet.stl
+fact walls_are_counted 0 "triangles                                       1" \
+    "$winnow" check walls.cfg
+fact walls_are_listed 0 "particles.surfaces.radius" "$winnow" list surface
+fact walls_are_explained 0 "surface stl" "$winnow" explain walls.cfg
+fact sphere_rests_on_the_sheet 0 "" "$winnow" run walls.cfg -o walls
+fact force_on_walls_is_a_table 0 "sheet_force_y [N]" head -1 walls/surfaces.csv
+sed 's/0.07, 0.05\]; d/0.07, 0.05]; velocity = [0.0, -400.0, 0.0]; d/' walls.cfg >through.cfg
+fact particle_through_a_wall_is_code_3_by_its_id 3 \
+    'the first with id 1, through "sheet"' "$winnow" run through.cfg -o through
+sed 's/0.07, 0.05\]/0.052, 0.05]/' walls.cfg >inside.cfg
+fact particle_that_begins_in_a_wall_is_code_2 2 \
+    'begins 0.002 m from the surface "sheet"' "$winnow" run inside.cfg -o inside
+sed 's/"floor"; shape = "plane"/"floor"; shape = "cylinder"/' walls.cfg >shape.cfg
+fact cylinder_asks_for_its_radius 2 "it asks for radius" "$winnow" check shape.cfg
+sed 's/shape = "plane"; point/shape = "plane"; radius = 0.1; point/' walls.cfg >shape.cfg
+fact plane_has_no_radius 2 "floor is a plane: it has no radius" "$winnow" check shape.cfg
+sed 's/name = "floor"/name = "sheet"/' walls.cfg >shape.cfg
+fact surface_has_a_name_of_its_own 2 "the name sheet is given twice" "$winnow" check shape.cfg
+sed 's/    place/    driven = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n    place/' walls.cfg >shape.cfg
+fact driven_particle_must_be_there 2 "there is no particle 7: they are 0 to 1" \
+    "$winnow" run shape.cfg -o driven
 
 if [ $failed -gt 0 ]; then
     echo "$failed facts of the command line do not hold"

@@ -359,6 +359,40 @@ START_TEST(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads)
 }
 END_TEST
 
+/* With link cells the pairs are sought in each step, and the springs go from
+ * step to step all the same: 216 spheres that collide with friction move alike,
+ * up to the order of sums. */
+START_TEST(link_cells_move_particles_as_the_list_does)
+{
+    struct particles *moved[2];
+    struct dem_report r[2];
+
+    for (int k = 0; k < 2; k++) {
+        struct dem_options o = spheres_options(contact_laws[_i], 1e-5, 0.03);
+        o.material.friction = 0.3;
+        o.material.restitution = 0.9;
+        o.periodic[0] = 1;
+        o.link_cells = k;
+        moved[k] = spheres_cloud(6, 0.005, 0.5, 0.0095, 1.0, 4);
+        struct dem *const dem = dem_create(moved[k], &o);
+        ck_assert_int_eq(dem_run(dem, 300, &r[k]), 0);
+        dem_free(dem);
+    }
+    ck_assert_int_gt((int)r[1].rebuilds, 299);
+    ck_assert_int_lt((int)r[0].rebuilds, 100);
+    ck_assert_int_eq(r[0].contacts, r[1].contacts);
+    ck_assert_int_gt(r[0].contacts, 10);
+    for (int id = 0; id < moved[0]->n; id++) {
+        const int i = spheres_place(moved[0], id);
+        const int j = spheres_place(moved[1], id);
+        ck_assert_double_eq_tol(moved[0]->vx[i], moved[1]->vx[j], 1e-9);
+        ck_assert_double_eq_tol(moved[0]->wz[i], moved[1]->wz[j], 1e-6);
+    }
+    particles_free(moved[0]);
+    particles_free(moved[1]);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("neighbours");
@@ -380,6 +414,7 @@ int main(void)
         t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
     tcase_add_loop_test(
         t, thrown_spheres_have_the_same_bits_with_1_2_and_3_threads, 0, 2);
+    tcase_add_loop_test(t, link_cells_move_particles_as_the_list_does, 0, 2);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

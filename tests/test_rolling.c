@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "particles/neighbours.h"
+#include "particles/sweep_rolling.h"
 #include "spheres.h"
 
 static const double R = 0.005, g = 9.81, mu_r = 0.05;
@@ -205,6 +206,25 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
 }
 END_TEST
 
+/* A roll so fast that the dashpot alone is at the cap winds the spring by what
+ * was rolled, no farther; and a spring that bears more than the cap gives way
+ * to it. */
+START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
+{
+    const double n[3] = {0.0, 1.0, 0.0}, w[3] = {0.0, 3.0, 100.0};
+    const double k_r = 2.0, C_r = 0.1, most = 0.01, dt = 1e-5;
+    double M[3], theta[3] = {0.0, 0.0, 0.0};
+
+    sweep_roll(M, theta, w, n, k_r, C_r, most, dt);
+    ck_assert_double_eq_tol(M[2], -most, 1e-16);
+    ck_assert_double_eq_tol(theta[2], 100.0 * dt, 1e-16);
+    for (int k = 0; k < 100; k++)
+        sweep_roll(M, theta, w, n, k_r, C_r, most, dt);
+    ck_assert_double_eq_tol(M[2], -most, 1e-16);
+    ck_assert_double_eq_tol(theta[2], most / k_r, 1e-16);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("rolling");
@@ -220,6 +240,7 @@ int main(void)
         t, rolling_friction_keeps_the_angular_momentum_of_a_pair, 0, 2);
     tcase_add_test(
         t, springs_of_rolling_survive_threads_sorting_and_recall_bit_for_bit);
+    tcase_add_test(t, a_rolling_spring_is_wound_by_rolling_alone);
     tcase_add_test(t, without_rolling_friction_there_is_no_array_for_it);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

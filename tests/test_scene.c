@@ -93,6 +93,7 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
         "particles.bed.sizes=snad"};
     int code;
 
+    refused("particles.integrator=heun", "goes without a fluid");
     refused("particles.bed={count=3;}", "give either diameter or sizes");
     refused("particles.bed.sizes=sand", "not both");
     refused("particles.sizes=({name=\"a\";distribution=\"normal\";})",

@@ -23,12 +23,30 @@ particles = { contact = "linear"; step = 1e-5;
     grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
     place = ( { position = [0.003, 0.002, 0.003]; diameter = 1e-3; },
               { position = [0.0031, 0.004, 0.003]; diameter = 1e-3; },
-              { position = [0.0031, 0.006, 0.003]; diameter = 1e-3; } ); };
+              { position = [0.0031, 0.006, 0.003]; diameter = 1e-3; } );
+    surfaces = (
+        { name = "ramp"; shape = "plane"; point = [0.003, 0.001, 0.003]; normal = [0.1, 1.0, 0.0]; },
+        { name = "tube"; shape = "cylinder"; point = [0.003, 0.0, 0.003]; axis = [0.0, 1.0, 0.0];
+          radius = 2.5e-3; spin = [0.0, 10.0, 0.0]; },
+        { name = "blade"; shape = "stl"; file = "blade.stl"; scale = 1e-3; point = [0.003, 0.008, 0.003];
+          spin = [0.0, 50.0, 0.0]; } ); };
 averaging = { method = "kernel"; bandwidth = 4e-3; };
 exchange = { drag = "syamlal-obrien"; };
 effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
 output = { end = 0.02; every = 0.004;
            profiles = ( { field = "eps_f"; height = 0.003; from = 0.01; } ); };
+END
+
+cat >"$work/blade.stl" <<'END'
+solid blade
+facet normal 0 0 1
+outer loop
+vertex -1 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid blade
 END
 
 mkdir "$work/samples"

@@ -86,10 +86,14 @@ def load(path):
     return data if good else None
 
 
-def arrays_of(data):
-    """Name and numbers of each array on cells (box) or points (particles)."""
-    box = data.IsA("vtkRectilinearGrid")
-    place = data.GetCellData() if box else data.GetPointData()
+def on_cells(path):
+    """A box and the walls have their numbers on cells, particles on points."""
+    return path.suffix == ".vtr" or path.stem.startswith("surfaces")
+
+
+def arrays_of(path, data):
+    """Name and numbers of each array on cells or points."""
+    place = data.GetCellData() if on_cells(path) else data.GetPointData()
     arrays = [place.GetArray(i) for i in range(place.GetNumberOfArrays())]
     return {a.GetName(): vtk_to_numpy(a) for a in arrays}
 
@@ -97,7 +101,7 @@ def arrays_of(data):
 def announced(path):
     """Names and component counts that the XML in front of the bytes lists."""
     head = path.read_bytes().split(b"<AppendedData")[0] + b"</VTKFile>"
-    section = ".//CellData" if path.suffix == ".vtr" else ".//PointData"
+    section = ".//CellData" if on_cells(path) else ".//PointData"
     found = [(a.get("Name"), int(a.get("NumberOfComponents")))
              for a in ET.fromstring(head).find(section)]
     check(len(dict(found)) == len(found), path, "a name is used twice")
@@ -106,8 +110,8 @@ def announced(path):
 
 def check_arrays(path, data):
     """As many numbers as cells or particles, for every array in the file."""
-    arrays, wanted = arrays_of(data), announced(path)
-    count = (data.GetNumberOfCells() if path.suffix == ".vtr"
+    arrays, wanted = arrays_of(path, data), announced(path)
+    count = (data.GetNumberOfCells() if on_cells(path)
              else data.GetNumberOfPoints())
     check(set(arrays) == set(wanted), path,
           f"has arrays {sorted(wanted)}, VTK finds {sorted(arrays)}")
@@ -133,6 +137,24 @@ def check_verts(path, data):
     ids = vtk_to_numpy(verts.GetConnectivityArray())
     check(data.GetNumberOfCells() == n and data.GetNumberOfVerts() == n and
           (ids == np.arange(n)).all(), path, "not one vertex a particle")
+
+
+def check_polygons(path, data):
+    """Walls: each polygon has at least three points of its own, and an area."""
+    polys = data.GetPolys()
+    check(data.GetNumberOfCells() == data.GetNumberOfPolys() > 0, path,
+          "not only polygons")
+    ends = vtk_to_numpy(polys.GetOffsetsArray())
+    ids = vtk_to_numpy(polys.GetConnectivityArray())
+    check((np.diff(ends) >= 3).all() and
+          (ids == np.arange(data.GetNumberOfPoints())).all(), path,
+          "a polygon shares its points or has too few")
+    at = vtk_to_numpy(data.GetPoints().GetData())
+    check(np.isfinite(at).all(), path, "a place is not finite")
+    for a, b in zip(ends[:-1], ends[1:]):
+        ring = at[a:b] - at[a]
+        area = np.cross(ring[1:-1], ring[2:]).sum(axis=0)
+        check(np.linalg.norm(area) > 0, path, "a polygon has no area")
 
 
 # --- Samples -----------------------------------------------------------------
@@ -220,6 +242,9 @@ def check_sense(path, data, arrays, box):
               f"void_fraction goes from {void.min()} to {void.max()}")
     if path.suffix != ".vtp":
         return
+    if on_cells(path):
+        check_polygons(path, data)
+        return
     check_verts(path, data)
     if data.GetNumberOfPoints():
         at = vtk_to_numpy(data.GetPoints().GetData())
@@ -246,7 +271,7 @@ def check_run(folder):
         box = check_collection(pvd, box)
     check((folder / "history.csv").is_file(), folder, "no history.csv")
     for path in sorted(folder.rglob("*.csv")):
-        check_table(path, path.name == "history.csv")
+        check_table(path, path.name in ("history.csv", "surfaces.csv"))
     summary = folder / "summary.json"
     if check(summary.is_file(), folder, "no summary.json"):
         strict = {"parse_constant": lambda word: check(False, summary, word)}

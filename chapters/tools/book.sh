@@ -32,6 +32,8 @@ for page in $pages; do
 done >"$anchors"
 
 render() { # page, page before, page after
+    [ ! -f "$out/$(name "$1").html" ] ||
+        { echo "book: $1: a page of this name is there already" >&2; exit 1; }
     case $(name "$1") in [0-9]*) toc=1 ;; *) toc= ;; esac
     # What cannot be woven, weave.sh has said.
     awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
@@ -47,19 +49,18 @@ render() { # page, page before, page after
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
 }
 
-# The contents: each chapter that is there, with its question from README.md.
+# The contents: each chapter, with its question if it has a row in README.md.
 contents() {
     echo "# Winnow"
     echo
     sed -n '/^# /d; /^|/q; p' chapters/README.md
-    awk -F' *[|] *' -v have=" $(for p in $pages; do name "$p"; done | tr '\n' ' ')" '
-        $2 ~ /^[0-9][0-9]-/ {
-            s = substr($2, 4)
-            gsub(/-/, " ", s)
-            s = (substr($2, 1, 2) + 0) " " toupper(substr(s, 1, 1)) substr(s, 2)
-            if (index(have, " " $2 " ")) s = "[" s "](" $2 ".md)"
-            print "- " s "<br>" $3
-        }' chapters/README.md
+    for page in $pages; do
+        case $(name "$page") in [0-9]*)
+            printf -- '- [%s](%s.md)<br>' "$(title "$page")" "$(name "$page")"
+            awk -F' *[|] *' -v page="$(name "$page")" '$2 == page { printf "%s", $3 }
+                END { print "" }' chapters/README.md ;;
+        esac
+    done
     printf '\n- [Equations](equations.md)<br>Where is it computed and tested?\n'
     [ ! -f chapters/course.md ] ||
         printf -- '- [Course](course.md)<br>How does one teach this in eight weeks?\n'

@@ -4,6 +4,7 @@
 
 #include "exchange/effect.h"
 
+extern const struct effect energy_budget_effect;
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
 extern const struct effect time_average_effect;

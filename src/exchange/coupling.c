@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "exchange/transfer.h"
+#include "particles/life.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -145,10 +146,26 @@ static void finish_step(struct simulation *sim)
 }
 
 /* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
+/* Who comes and goes before this step. Whoever comes has had, until now, the
+ * velocity that it comes with. */
+static void greet(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+    const int first = life_step(sim->life, ps, sim->dem, sim->t, sim->dt);
+
+    for (int i = first; i < ps->n && sim->coupling != NULL; i++) {
+        sim->coupling->u_mean[3 * i] = ps->vx[i];
+        sim->coupling->u_mean[3 * i + 1] = ps->vy[i];
+        sim->coupling->u_mean[3 * i + 2] = ps->vz[i];
+    }
+}
+
 int coupling_step(struct simulation *sim)
 {
     double clock = clock_now();
     int failed = 0;
+
+    if (sim->life != NULL) greet(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
     if (sim->fluid != NULL) failed = fluid_advance(sim->fluid, sim->dt);

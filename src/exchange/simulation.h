@@ -14,6 +14,7 @@
 #include "particles/particles.h"
 
 struct coupling;
+struct life;
 
 /* Wall-clock seconds spent so far, by part. */
 struct seconds {
@@ -25,7 +26,11 @@ struct simulation {
     struct fluid *fluid;
     struct particles *particles;
     struct dem *dem;
-    struct materials *materials;    /* NULL: all are of one */
+    struct surface *surfaces; /* walls besides the box; NULL: none */
+    int n_surfaces;
+    struct driven *driven;       /* particles that move as prescribed; NULL */
+    struct life *life;           /* NULL: nobody comes or goes */
+    struct materials *materials; /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;
     struct coupling *coupling;

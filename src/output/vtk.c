@@ -91,3 +91,30 @@ int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);
 }
+
+int vtk_write_polygons(struct vtk_writer *w, const char *path,
+                       const struct vtk_polygons *p, double time, int n_arrays,
+                       const struct vtk_array *arrays)
+{
+    struct vtk_file *const f = w->file;
+    const struct vtk_array points = {
+        .name = "position", .components = 3, .values = p->x};
+    const struct vtk_array corner = {
+        .name = "connectivity", .components = 1, .ints = p->corner};
+    const struct vtk_array end = {
+        .name = "offsets", .components = 1, .ints = p->end};
+
+    if (vtk_file_begin(f, path, "PolyData", "", time) != 0) return 1;
+    fprintf(vtk_file_stream(f),
+            "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"0\" "
+            "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"%d\">\n",
+            p->n_points, p->n_polygons);
+    vtk_file_section(f, "Points", p->n_points, 1, &points);
+    fprintf(vtk_file_stream(f), "<Polys>\n");
+    vtk_file_array(f, &corner, p->n_points);
+    vtk_file_array(f, &end, p->n_polygons);
+    fprintf(vtk_file_stream(f), "</Polys>\n");
+    vtk_file_section(f, "CellData", p->n_polygons, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
+}

@@ -1,8 +1,9 @@
-/* vtk.h -- the two files that ParaView opens: a box of cells, and particles.
+/* vtk.h -- the files that ParaView opens: a box of cells, particles, walls.
  *
  * .vtr: the cells of a box, with values a cell. .vtp: a point a particle, with
- * values a particle. XML with the numbers behind it, compressed by zlib; the
- * time of the state is in the file. Which values, says the caller.
+ * values a particle; or polygons with values each. XML with the numbers behind
+ * it, compressed by zlib; the time of the state is in the file. Which values,
+ * says the caller.
  *
  * Nothing is allocated by a write, but for the file's own stream and once more
  * when an array is larger than any before.
@@ -28,5 +29,16 @@ int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
 int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,
                         const struct vtk_array *arrays);
+
+/* Polygons with values a polygon: point k is at x[3 k], x[3 k + 1], x[3 k + 2]
+ * [m]; corner has the points of all polygons, end where those of each end. */
+struct vtk_polygons {
+    int n_points, n_polygons;
+    const double *x;
+    const int *corner, *end;
+};
+int vtk_write_polygons(struct vtk_writer *w, const char *path,
+                       const struct vtk_polygons *p, double time, int n_arrays,
+                       const struct vtk_array *arrays);
 
 #endif

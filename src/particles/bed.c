@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "particles/bed_file.h"
 #include "particles/limits.h"
+#include "particles/surface_start.h"
 
 static const double closest = 1.02;   /* [-] lattice spacing over d */
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
@@ -299,7 +300,9 @@ int bed_make(const char *path, struct particles *ps, struct dem *run,
     if (path != NULL) code = bed_file_load(path, ps, &springs, bed, dem);
     if (code == BED_MADE) bed_measure(ps, bed, dem, r);
     if (code == BED_ABSENT) {
-        if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
+        if (bed_fill(ps, bed, dem) != 0 ||
+            surface_start_wrong(ps, dem->surfaces, dem->n_surfaces))
+            return BED_REFUSED;
         code = bed_settle(ps, bed, dem, r, &springs) != 0 ? BED_LOST : BED_MADE;
         if (path != NULL && code == BED_MADE &&
             bed_file_save(path, ps, &springs, bed, dem) != 0)

@@ -177,6 +177,7 @@ static int read_particles(FILE *f, struct particles *ps, int count)
         for (int k = 0; k < COLUMNS; k++)
             ok = ok && fscanf(f, "%la", &column[k][i]) == 1;
         if (!ok) return 1;
+        if (ps->id[i] >= ps->next_id) ps->next_id = ps->id[i] + 1;
     }
     ps->n += n;
     return 0;

@@ -63,7 +63,8 @@ enum {
     CONTACT_PERIODIC = 1, /* directions that are */
     CONTACT_MANY = 2,     /* materials */
     CONTACT_ROLLING = 4,  /* friction; only with the table of CONTACT_MANY */
-    CONTACT_LOOPS = 8
+    CONTACT_BUDGET = 8,   /* of energy; only with that table, too */
+    CONTACT_LOOPS = 16
 };
 
 struct contact_law {
@@ -74,6 +75,7 @@ struct contact_law {
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,
                        double v);
+    double stored; /* [-] elastic energy over elastic(delta) delta */
     contact_sweep *sweep[CONTACT_LOOPS];
 };
 

@@ -81,5 +81,6 @@ SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
 SWEEP_LOOPS(respond)
 
 const struct contact_law contact_hertz = {
-    "hertz",   "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
-    constants, duration,      SWEEP_LOOPS_TABLE};
+    "hertz",          "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
+    constants,        duration,      0.4,
+    SWEEP_LOOPS_TABLE};

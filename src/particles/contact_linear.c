@@ -61,5 +61,5 @@ SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
 SWEEP_LOOPS(respond)
 
 const struct contact_law contact_linear = {
-    "linear",  "LS 4.4, 4.8", "spring and dashpot",
-    constants, duration,      SWEEP_LOOPS_TABLE};
+    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
+    duration, 0.5,           SWEEP_LOOPS_TABLE};

@@ -13,6 +13,7 @@
 
 #include "particles/contact.h"
 #include "particles/sweep_buffers.h"
+#include "particles/sweep_energy.h"
 #include "particles/sweep_rolling.h"
 
 #define SWEEP_INLINE static inline __attribute__((always_inline, unused))
@@ -199,11 +200,13 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         if (many) sweep_kinds(&c, s, b, first, count);
         sweep_law(&c, k, respond, many);
         sweep_springs(&c, xi[0], xi[1], xi[2], dt);
+        if (loop & CONTACT_BUDGET)
+            sweep_budget(&s->energy, &c, (const double *const *)xi, k, dt);
         (many ? sweep_loads_many : sweep_loads)(&c, xi[0], xi[1], xi[2], k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);
         if (loop & CONTACT_ROLLING)
-            sweep_rolling(&c, s, b, k, first, count, dt);
+            sweep_rolling(&c, s, b, k, first, count, dt, loop & CONTACT_BUDGET);
         for (int a = 0; short_of && a < 3; a++)
             sweep_copy(s->contacts.spring[a] + first, xi[a], count);
     }
@@ -225,10 +228,15 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
     SWEEP_LOOP(2, respond)                                                     \
     SWEEP_LOOP(3, respond)                                                     \
     SWEEP_LOOP(6, respond)                                                     \
-    SWEEP_LOOP(7, respond)
+    SWEEP_LOOP(7, respond)                                                     \
+    SWEEP_LOOP(10, respond)                                                    \
+    SWEEP_LOOP(11, respond)                                                    \
+    SWEEP_LOOP(14, respond)                                                    \
+    SWEEP_LOOP(15, respond)
 #define SWEEP_LOOPS_TABLE                                                      \
     {                                                                          \
-        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7       \
+        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7,      \
+            NULL, NULL, sweep_10, sweep_11, NULL, NULL, sweep_14, sweep_15     \
     }
 
 #endif

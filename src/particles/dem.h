@@ -15,26 +15,9 @@
 #ifndef DEM_H
 #define DEM_H
 
-#include "particles/attraction.h"
-#include "particles/materials.h"
+#include "particles/dem_options.h"
 #include "particles/particles.h"
 #include "particles/surface.h"
-
-struct dem_options {
-    const struct contact_law *law;
-    struct material material;          /* number 0 */
-    const struct materials *materials; /* with others; NULL: there is no other.
-                                          Borrowed for as long as the dem is */
-    double step;                       /* [s] */
-    double skin;                       /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3];               /* [m] walls of the box */
-    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
-                        least 2 (d + skin + range) long there */
-    const struct surface *surfaces; /* walls besides the box; borrowed */
-    int n_surfaces;
-    const struct attraction *attractions; /* borrowed likewise */
-    int n_attractions;                    /* [-] 0: only touching counts */
-};
 
 struct dem_report {
     long steps;         /* [-] of this run, that were done */
@@ -53,6 +36,7 @@ struct dem_report {
 };
 
 struct dem;
+struct energy;
 
 /* ps is borrowed. NULL after a message if the options do not fit. */
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
@@ -62,12 +46,17 @@ void dem_free(struct dem *dem);
  * ended where this was seen. The particles may have changed places. */
 int dem_run(struct dem *dem, int steps, struct dem_report *r);
 
+/* Keeps the budget of energy.h from now on. dem_energy: as the last run left
+ * it; NULL if none is kept. */
+void dem_keep_energy(struct dem *dem);
+const struct energy *dem_energy(const struct dem *dem);
+
 /* To be called when particles were moved or added from outside. Springs stay
  * with their pairs as long as the indices do. */
 void dem_changed(struct dem *dem);
 
-/* Starts the clock of the surfaces at this number of steps; before that they
- * rest where they are at time 0. */
+/* Starts the clock of all that moves as prescribed at this number of steps;
+ * before that they rest where they are at time 0. */
 void dem_clock(struct dem *dem, long steps);
 
 /* What the particles did to surface k since the run began (steps of which no
@@ -79,6 +68,10 @@ struct dem_surface {
     struct pose pose;  /* where it is */
 };
 struct dem_surface dem_surface(const struct dem *dem, int k);
+
+/* Takes out the particles i with gone[i] between two runs. Who stays keeps its
+ * springs. */
+void dem_remove(struct dem *dem, const int *gone);
 
 /* The tangential springs of all touching pairs: what a state consists of
  * besides the particles. `other` is an id too, or -1 - w for wall w; w = 2 k is
@@ -94,7 +87,8 @@ struct dem_spring {
 /* A new list of them, released with free(). */
 struct dem_spring *dem_springs(struct dem *dem, int *n);
 
-/* Starts the next run with these springs and no others. */
+/* Starts the next run with these springs and no others; those of particles that
+ * are not there are left out. */
 void dem_recall(struct dem *dem, const struct dem_spring *list, int n);
 
 /* Another restitution or friction of material 0 from now on; the springs stay

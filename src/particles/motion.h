@@ -1,7 +1,7 @@
 /* motion.h -- how a wall or a driven particle moves, as prescribed. Chapter 14.
  *
  *   c(t) = c_0 + v s + A sin(2 pi f s),   s = t - from, not beyond until
- *   x(t) = c(t) + Q(omega s) (x_0 - c_0)                              (14.7)
+ *   x(t) = c(t) + Q(omega s) (x_0 - c_0)                              (14.6)
  *
  * a rigid motion: a velocity, an oscillation and a rotation about an axis
  * through c, all of them at once if so wished. Where a point is follows from

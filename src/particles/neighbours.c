@@ -38,6 +38,7 @@ void neighbours_free(struct neighbours *nb)
     bodies_free(nb->bodies);
     grid_free(nb->grid);
     surfaces_free(nb->surfaces);
+    driven_free(nb->drive);
     barrier_free(nb->barrier);
     free(nb->rank);
     free(nb);
@@ -81,6 +82,7 @@ void neighbours_open(struct neighbours *nb)
     if (nb->surfaces != NULL) surfaces_open(nb->surfaces);
     nb->recalled = 0;
     bodies_fetch(b, nb->ps, 0, b->n);
+    if (nb->drive != NULL) driven_index(nb->drive, nb->ps);
 }
 
 struct kept *neighbours_recall(struct neighbours *nb, int n)
@@ -178,6 +180,7 @@ static void sort(struct neighbours *nb)
     for (int i = 0; i < ps->n; i++)
         nb->rank[order[i]] = i;
     if (nb->surfaces != NULL) surfaces_index(nb->surfaces, ps);
+    if (nb->drive != NULL) driven_index(nb->drive, ps);
     nb->rebuilds++;
 }
 
@@ -226,6 +229,8 @@ static void rebuild(struct neighbours *nb)
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
         bodies_fetch(b, nb->ps, own->begin, own->end);
+        if (nb->drive != NULL)
+            driven_weigh(nb->drive, b, nb->ps, own->begin, own->end);
         bodies_mark(b, own->begin, own->end);
     }
     neighbours_meet(nb);
@@ -245,14 +250,14 @@ static void rebuild(struct neighbours *nb)
 double neighbours_refresh(struct neighbours *nb, double wanted)
 {
     const struct neighbours_share mine = neighbours_share(nb);
-    const double margin = fmin(wanted, 0.25 * nb->skin);
+    const double margin = nb->fresh ? 0.0 : fmin(wanted, 0.25 * nb->skin);
 
     neighbours_look(nb);
     neighbours_meet(nb);
     const double moved = farthest(nb);
     neighbours_meet(nb);
     if (moved < 0.0) return -1.0;
-    if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
+    if (nb->stale || nb->fresh || nb->skin - 2.0 * moved < margin) rebuild(nb);
     for (int s = mine.first; s < mine.last; s++) {
         strip_choose(&nb->strips[s], nb->bodies, margin);
         if (nb->surfaces != NULL)

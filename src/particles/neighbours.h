@@ -15,6 +15,7 @@
 #define NEIGHBOURS_H
 
 #include "particles/barrier.h"
+#include "particles/driven.h"
 #include "particles/grid.h"
 #include "particles/strip.h"
 #include "particles/surfaces.h"
@@ -26,6 +27,7 @@ struct neighbours {
     struct strip *strips;
     int count;                 /* [-] strips */
     struct surfaces *surfaces; /* besides the box; NULL without any */
+    struct drive *drive;       /* particles with a motion of their own; NULL */
     struct barrier *barrier;
     int *rank;     /* [-] new place of each particle after a sort */
     double skin;   /* [m] set by the caller before neighbours_open */
@@ -33,6 +35,7 @@ struct neighbours {
                       what acts without touching; 0 */
     double margin; /* [m] of the contacts */
     double spent;  /* [m] of it since they were chosen */
+    int fresh;     /* [-] 1: link cells, no list outlives a step */
     int stale;     /* [-] 1: the particles were changed from outside */
     int recalled;  /* [-] 1: the kept springs are given, not taken */
     long rebuilds;

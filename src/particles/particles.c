@@ -69,15 +69,19 @@ void particles_hold_back(struct particles *ps)
 int particles_add(struct particles *ps, const double x[3], double d,
                   double density)
 {
+    const struct attachments *const a = ps->attached;
     const int i = ps->n++;
 
     assert(ps->n <= ps->capacity);
+    for (int k = 0; k < a->n; k++) /* somebody may have been here before */
+        memset(a->array[k] + a->width[k] * i, 0,
+               (size_t)a->width[k] * sizeof(double));
     ps->x[i] = x[0];
     ps->y[i] = x[1];
     ps->z[i] = x[2];
     ps->d[i] = d;
     ps->m[i] = density * particles_volume(ps, i);
-    ps->id[i] = i;
+    ps->id[i] = ps->next_id++;
     if (ps->material != NULL) ps->material[i] = 0;
     return i;
 }
@@ -134,6 +138,18 @@ void particles_permute(struct particles *ps, const int *order)
     permute_ints(ps->id, order, ps->n, a->id_room);
     if (ps->material != NULL)
         permute_ints(ps->material, order, ps->n, a->id_room);
+}
+
+void particles_remove(struct particles *ps, const int *gone)
+{
+    int *const order = alloc_ints(ps->n);
+    int stay = 0, go = ps->n;
+
+    for (int i = 0; i < ps->n; i++)
+        order[gone[i] ? --go : stay++] = i;
+    particles_permute(ps, order);
+    ps->n = stay;
+    free(order);
 }
 
 double particles_volume(const struct particles *ps, int i)

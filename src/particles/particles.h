@@ -9,6 +9,7 @@
 
 struct particles {
     int n, capacity;
+    int next_id;             /* [-] of the next one: none is given twice */
     double *x, *y, *z;       /* [m] centre */
     double *vx, *vy, *vz;    /* [m/s] velocity */
     double *wx, *wy, *wz;    /* [rad/s] angular velocity */
@@ -45,6 +46,10 @@ void particles_distinguish(struct particles *ps);
  * Borrowed: it must stay as long as the particles do, or be detached. */
 void particles_attach(struct particles *ps, double *array, int width);
 void particles_detach(struct particles *ps, const double *array);
+
+/* Takes out the particles i with gone[i], for good; the others keep their
+ * order. */
+void particles_remove(struct particles *ps, const int *gone);
 
 /* Puts the particle that was at order[i] to place i, for all arrays. */
 void particles_permute(struct particles *ps, const int *order);

@@ -10,12 +10,16 @@ static void advance(const struct neighbours *nb, struct strip *own, int begin,
 {
     double(*const load)[8] = own->load + (begin - own->begin);
 
+    if (nb->drive != NULL && by->driven)
+        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, by->t,
+                     by->drift);
     if (nb->bodies->response == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                        own->so_far);
     else
         response_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                          own->so_far);
+    if (by->budget) strip_work(own, nb->bodies, begin, end, by->drift);
 }
 
 /* Of the first particles of strip s, how many bear loads from strips that this
@@ -53,6 +57,18 @@ static void load_block(const struct neighbours *nb, struct strip *own, int k,
     by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
 }
 
+/* Attractions; a budget books their power. Nobody has moved yet. */
+static void attract(const struct bodies *b, struct strip *own,
+                    const struct stride *by)
+{
+    const int books = by->budget && by->n_attractions > 0;
+    const double before = books ? strip_power(own, b) : 0.0;
+
+    for (int k = 0; k < by->n_attractions; k++)
+        by->attractions[k].law->sweep(own, b, &by->attractions[k]);
+    if (books) own->energy.attracted += by->dt * (strip_power(own, b) - before);
+}
+
 /* What surfaces and attractions lay on a strip. */
 static void load_others(struct neighbours *nb, int s, const struct stride *by)
 {
@@ -61,8 +77,7 @@ static void load_others(struct neighbours *nb, int s, const struct stride *by)
     if (nb->surfaces != NULL)
         surfaces_push(nb->surfaces, s, own, nb->bodies, by->sweep,
                       by->constants, by->dt);
-    for (int k = 0; k < by->n_attractions; k++)
-        by->attractions[k].law->sweep(own, nb->bodies, &by->attractions[k]);
+    attract(nb->bodies, own, by);
 }
 
 /* Loads, then motion, block by block. Waiting are those on which others may
@@ -97,8 +112,11 @@ void stride_take(struct neighbours *nb, const struct stride *by)
 {
     const struct neighbours_share mine = neighbours_share(nb);
 
-    for (int s = mine.first; s < mine.last; s++)
+    for (int s = mine.first; s < mine.last; s++) {
+        if (by->budget) strip_open_budget(&nb->strips[s].energy);
         take_strip(nb, s, by, 0);
+        if (by->budget) strip_close_budget(&nb->strips[s].energy);
+    }
     neighbours_meet(nb);
     for (int s = mine.first; s < mine.last; s++) {
         take_strip(nb, s, by, 1);

@@ -17,6 +17,9 @@ struct stride {
     const struct contact_constants *constants;
     const struct attraction *attractions;
     int n_attractions;
+    int driven;         /* [-] 1: driven particles go where they should */
+    double t;           /* [s] time that the places are of, for them */
+    int budget;         /* [-] 1: of energy (energy.h) */
     double dt;          /* [s] the springs move on; 0: loads alone */
     double kick, drift; /* [s] the velocities do, and the places */
 };

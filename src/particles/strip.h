@@ -59,6 +59,23 @@ struct strip_measures {
     double speed2;                /* [m^2/s^2] largest v^2 */
 };
 
+/* The energy budget of a strip (energy.h); zero unless it is asked for. */
+struct strip_energy {
+    /* of the last sweep */
+    double normal;     /* [J] sum of elastic(delta) delta */
+    double tangential; /* [J] sum of (1/2) k_t xi^2 */
+    double found;      /* [J] the same before the step, with the k_t of now */
+    double stored;     /* [J] and as the sweep before left it */
+    int looks;         /* [-] 1: this sweep books nothing as released */
+    /* since the first */
+    double damped_n, damped_t; /* [J] by the dashpots */
+    double slid;               /* [J] by friction where it slides */
+    double released;           /* [J] by tangential springs */
+    double rolled;             /* [J] against rolling friction */
+    double work;               /* [J] of the outside forces */
+    double attracted;          /* [J] work of the attractions */
+};
+
 struct strip {
     int begin, end;    /* its particles */
     int window;        /* its loads reach begin ... begin + window - 1, modulo
@@ -77,6 +94,7 @@ struct strip {
     double so_far[4];  /* [m/s] the same in the step at hand */
     struct bodies_survey survey;
     struct strip_measures measures;
+    struct strip_energy energy;
 };
 
 /* How many strips n particles are cut into. */
@@ -116,5 +134,19 @@ void strip_fold(struct strip *strips, int count, int s, int n, int begin,
 
 /* Fills in the measures. */
 void strip_measure(struct strip *s, const struct bodies *b);
+
+/* Power of the loads of this strip on the particles of now [W]. */
+double strip_power(const struct strip *s, const struct bodies *b);
+
+/* Adds to the energy budget what the outside forces did in a drift of dt of the
+ * particles begin ... end - 1. */
+void strip_work(struct strip *s, const struct bodies *b, int begin, int end,
+                double dt);
+
+/* Around all contacts of a step. Springs wander between strips when the lists
+ * are made anew: `released` of one strip may be anything, the sum over all is
+ * right. */
+void strip_open_budget(struct strip_energy *e);
+void strip_close_budget(struct strip_energy *e);
 
 #endif

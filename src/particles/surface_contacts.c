@@ -71,6 +71,7 @@ static void make_room(struct surface_contacts *c, int n, int rolls)
 {
     struct contacts *const k = &c->pairs.contacts;
     const double deepest = c->pairs.deepest;
+    const struct strip_energy energy = c->pairs.energy;
 
     if (n <= c->room) return;
     c->room = n + n / 2 + 64;
@@ -79,6 +80,7 @@ static void make_room(struct surface_contacts *c, int n, int rolls)
     c->motion = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
     memset(&c->pairs, 0, sizeof c->pairs);
     c->pairs.deepest = deepest;
+    c->pairs.energy = energy;
     c->pairs.rolls = rolls;
     c->material = alloc_ints(2 * c->room);
     c->pairs.load = alloc_zeroed(2 * (size_t)c->room, 8 * sizeof(double));
@@ -203,10 +205,12 @@ void surface_contacts_push(struct surface_contacts *c,
     two.place = c->place;
     two.motion = c->motion;
     two.material = c->material;
+    strip_open_budget(&c->pairs.energy);
     if (n > 0) {
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
         sweep(&c->pairs, &two, k, dt, 0, n);
     }
+    strip_close_budget(&c->pairs.energy);
     for (int q = 0; q < n; q++) {
         settle(c, q, s, c->pose, dt);
         leave_footprint(c, q);

@@ -262,6 +262,21 @@ double surfaces_deepest(const struct surfaces *sf)
     return deepest;
 }
 
+struct strip_energy *surfaces_energy(struct surfaces *sf, int s)
+{
+    return &sf->strip[s].pairs.energy;
+}
+
+double surfaces_work(const struct surfaces *sf)
+{
+    double sum = 0.0;
+
+    for (int s = 0; s < sf->count; s++)
+        for (int k = 0; k < sf->scene.n; k++)
+            sum += sf->strip[s].account[k].work;
+    return sum;
+}
+
 struct surface_account surfaces_account(const struct surfaces *sf, int surface)
 {
     struct surface_account sum = {.work = 0.0};

@@ -63,6 +63,10 @@ void surfaces_open(struct surfaces *sf);
 int surfaces_contacts(const struct surfaces *sf);
 double surfaces_deepest(const struct surfaces *sf);
 
+/* The energy budget of the contacts with them, strip by strip. */
+struct strip_energy *surfaces_energy(struct surfaces *sf, int s);
+double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
+
 /* What a surface received, over all strips; where its centre is. */
 struct surface_account surfaces_account(const struct surfaces *sf, int surface);
 

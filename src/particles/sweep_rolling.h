@@ -10,8 +10,8 @@
  *
  * w_t is omega_i - omega_j without its part along n. Both spheres turn with
  * the frame, so w_t and M are the same in a turning one. Where it slips, the
- * spring bears the moment alone, as that of friction does; [Ai11] lets the
- * dashpot go there, so the moment is the same. A constant moment against w_t
+ * spring gives way until it bears no more than the moment, as that of friction
+ * does; [Ai11] lets the dashpot go there. A constant moment against w_t
  * would need no theta, but never lets a sphere rest: it turns around every
  * step.
  */
@@ -35,29 +35,30 @@ static inline void sweep_roll(double M[3], double theta[3], const double w[3],
 {
     const double spin = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
     const double out = theta[0] * n[0] + theta[1] * n[1] + theta[2] * n[2];
-    double size = 0.0;
+    double size = 0.0, wound2 = 0.0;
 
     for (int a = 0; a < 3; a++) {
         const double w_t = w[a] - spin * n[a];
         theta[a] += w_t * dt - out * n[a];
         M[a] = -k_r * theta[a] - C_r * w_t;
         size += M[a] * M[a];
+        wound2 += k_r * theta[a] * k_r * theta[a];
     }
     size = sqrt(size);
     if (size <= most) return;
     for (int a = 0; a < 3; a++) {
         M[a] *= most / size;
-        theta[a] = -M[a] / k_r;
+        if (wound2 > most * most) theta[a] = -M[a] / k_r;
     }
 }
 
-/* One contact. The load of a particle is -T/R (strip.h), and the two have
- * opposite moments. */
-static inline void sweep_roll_one(const struct sweep_buffers *c, int p,
-                                  struct strip *s, int slot,
-                                  const double mine[8], const double other[8],
-                                  double own[8], double theirs[8], double mu_r,
-                                  double dt)
+/* One contact; gives the power of the moment [W]. The load of a particle is
+ * -T/R (strip.h), and the two have opposite moments. */
+static inline double sweep_roll_one(const struct sweep_buffers *c, int p,
+                                    struct strip *s, int slot,
+                                    const double mine[8], const double other[8],
+                                    double own[8], double theirs[8],
+                                    double mu_r, double dt)
 {
     const double R = 1.0 / (mine[3] + other[3]), k_r = c->k_t[p] * R * R;
     const double per_I =
@@ -77,13 +78,15 @@ static inline void sweep_roll_one(const struct sweep_buffers *c, int p,
         theirs[4 + a] += M[a] * other[3];
         s->contacts.roll[a][slot] = theta[a];
     }
+    return M[0] * w[0] + M[1] * w[1] + M[2] * w[2];
 }
 
-/* The moments of contacts first ... first + count - 1, after their forces. */
+/* The moments of contacts first ... first + count - 1, after their forces. A
+ * budget counts all work against them: what theta stores is little. */
 SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
                                struct strip *s, const struct bodies *b,
                                const struct contact_constants *k, int first,
-                               int count, double dt)
+                               int count, double dt, int budget)
 {
     static const double wall[8] = {0};
     const int pairs = sweep_pairs(s, first, count);
@@ -100,10 +103,11 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
                 s->contacts.roll[a][slot] = 0.0;
             continue;
         }
-        sweep_roll_one(c, p, s, slot, b->motion[i], pair ? b->motion[j] : wall,
-                       s->load[i - s->begin],
-                       pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r,
-                       dt);
+        const double power = sweep_roll_one(
+            c, p, s, slot, b->motion[i], pair ? b->motion[j] : wall,
+            s->load[i - s->begin],
+            pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r, dt);
+        if (budget) s->energy.rolled -= power * dt;
     }
 }
 

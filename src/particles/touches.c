@@ -44,7 +44,7 @@ static void gather(struct touches *t, const struct near_faces *close,
     }
 }
 
-/* (14.4) */
+/* (14.5) */
 static int hides(const struct touch *nearer, const struct touch *t, double R)
 {
     return nearer->r - t->r * vector_dot(t->n, nearer->n) <= touches_flat * R;

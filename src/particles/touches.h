@@ -6,7 +6,7 @@
  * distance r from the centre one counts unless its nearest point, -r n from the
  * centre, lies behind the plane through that of a nearer face, across n',
  *
- *   r' - r n . n' <= flat R                                           (14.4)
+ *   r' - r n . n' <= flat R                                           (14.5)
  *
  * since then it lies within the overlap with that face. So are counted once a
  * seam within a plane, an edge, a vertex, a thin plate; and twice, as it should

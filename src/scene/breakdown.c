@@ -29,6 +29,22 @@ static void describe_fluid(const struct simulation *sim, const char *when,
              r->pressure.iterations, r->pressure.after, r->cfl);
 }
 
+/* Through a surface, by its name. */
+static void describe_through(const struct simulation *sim, const char *when,
+                             char text[BREAKDOWN_TEXT])
+{
+    const struct dem_report *const r = &sim->dem_report;
+
+    snprintf(text, BREAKDOWN_TEXT,
+             "%d particle%s went through a wall %s, the first with id %d, "
+             "through \"%s\", at [%g, %g, %g] m; the largest overlap was %.3g "
+             "d, the highest speed %.3g m/s.\nTry a smaller particles.step "
+             "(winnow check suggests one) or a stiffer material",
+             r->lost, r->lost == 1 ? "" : "s", when, r->lost_id,
+             sim->surfaces[r->lost_through].name, r->lost_at[0], r->lost_at[1],
+             r->lost_at[2], r->max_overlap, r->max_speed);
+}
+
 static void describe_lost(const struct simulation *sim, const char *when,
                           char text[BREAKDOWN_TEXT])
 {
@@ -38,7 +54,8 @@ static void describe_lost(const struct simulation *sim, const char *when,
              "%d particle%s left the box or %s no longer anywhere %s, the "
              "first with id %d, at [%g, %g, %g] m; the largest overlap was "
              "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
-             "particles.step (winnow check suggests one) or a stiffer material",
+             "particles.step (winnow check suggests one); a stiffer material "
+             "helps only if its contacts are resolved",
              r->lost, r->lost == 1 ? "" : "s", r->lost == 1 ? "is" : "are",
              when, r->lost_id, r->lost_at[0], r->lost_at[1], r->lost_at[2],
              r->max_overlap, r->max_speed);
@@ -62,6 +79,9 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
              sim->steps + 1);
     if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
         describe_fluid(sim, when, text);
+    else if (sim->n_surfaces > 0 && sim->dem_report.lost > 0 &&
+             sim->dem_report.lost_through >= 0)
+        describe_through(sim, when, text);
     else if (sim->particles != NULL && sim->dem_report.lost > 0)
         describe_lost(sim, when, text);
     else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)

@@ -10,8 +10,10 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
+#include "particles/life.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_surfaces.h"
 #include "scene/scene.h"
 
 struct mesh *build_mesh(const struct settings *s)
@@ -169,6 +171,9 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    case_surfaces_free(sim->surfaces, sim->n_surfaces);
+    free(sim->driven);
+    life_free(sim->life);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

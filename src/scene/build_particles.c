@@ -2,11 +2,15 @@
 #include "scene/build_particles.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/alloc.h"
+#include "particles/overlaps.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
+#include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
+#include "scene/case_life.h"
 #include "scene/case_materials.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
@@ -19,6 +23,10 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     struct dem_options o = {
         .law = contact_law_named(settings_text(s, "particles.contact")),
         .material = case_materials_one(s, 0),
+        .integrator =
+            integrators_named(settings_text(s, "particles.integrator")),
+        .link_cells =
+            strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
     double size[3];
@@ -70,7 +78,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
                                  : NULL;
     struct bed_report r;
 
-    sim->particles = particles_create(b.count);
+    sim->particles = particles_create(b.count + case_life_count(s));
     sim->dem = dem_create(sim->particles, o);
     const int found = sim->dem == NULL
                           ? BED_REFUSED
@@ -96,13 +104,35 @@ static int material_of(const struct settings *s, const char *list, int i)
                : 0;
 }
 
+/* Spheres that are placed in each other: apart, or a message. */
+static int part_spheres(const struct settings *s, struct particles *ps,
+                        const struct dem_options *o)
+{
+    const char *const what = settings_text(s, "particles.overlaps");
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct overlap deep = overlaps_deepest(ps, &box);
+
+    if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MOST) return 0;
+    if (strcmp(what, "refuse") == 0)
+        return settings_wrong(
+            s, "particles.place",
+            "spheres %d and %d overlap by %.3g of their mean diameter; set "
+            "particles.overlaps to \"relax\" to move them apart, or to "
+            "\"allow\"",
+            deep.i, deep.j, deep.depth);
+    if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
+    return settings_wrong(s, "particles.place",
+                          "the spheres overlap, and there is no room to move "
+                          "them apart");
+}
+
 static int place_spheres(const struct settings *s, struct simulation *sim,
                          const struct dem_options *o)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
 
-    sim->particles = particles_create(n);
+    sim->particles = particles_create(n + case_life_count(s));
     if (sim->materials != NULL) particles_distinguish(sim->particles);
     for (int k = 0; k < n; k++) {
         const int material = material_of(s, list, k);
@@ -121,8 +151,24 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
+    if (part_spheres(s, sim->particles, o) != 0) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
+}
+
+/* A driven particle must be there. */
+static int driven_missing(const struct settings *s, const struct particles *ps)
+{
+    static const char list[] = "particles.driven";
+
+    for (int k = 0; k < settings_length(s, list); k++) {
+        const int id = settings_item_int(s, list, k, "id");
+        if (id >= ps->n)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: they are 0 to %d",
+                                  id, ps->n - 1);
+    }
+    return 0;
 }
 
 int build_particles(const struct settings *s, struct simulation *sim)
@@ -133,11 +179,20 @@ int build_particles(const struct settings *s, struct simulation *sim)
     o.materials = sim->materials = case_materials_create(s);
     o.attractions = sim->attractions =
         case_cohesion_create(s, &o.n_attractions);
-
+    o.driven = sim->driven = case_surfaces_driven(s, &o.n_driven);
+    o.surfaces = sim->surfaces =
+        case_surfaces_create(s, &sim->n_surfaces, &code);
+    o.n_surfaces = sim->n_surfaces;
+    if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
+    if (code != 0) return code;
+    if (driven_missing(s, sim->particles) != 0) return 2;
+    dem_clock(sim->dem, 0);
+    const struct domain box = bodies_domain(o.lo, o.hi, o.periodic);
+    sim->life = case_life_create(s, &box, &code);
     if (code != 0) return code;
     sim->held = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held, 3);

@@ -8,4 +8,8 @@
  * steps, cost. Returns the exit code, 0 or 2. */
 int check_case(const struct settings *s);
 
+/* Is the step of the particles as short as their impacts ask? 0, or 2 after a
+ * message; 0 also where the case says that it knows. */
+int check_step(const struct settings *s);
+
 #endif

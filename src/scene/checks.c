@@ -5,9 +5,12 @@
 #include <string.h>
 
 #include "averaging/averaging.h"
+#include "particles/integrators.h"
 #include "scene/build.h"
 #include "scene/build_particles.h"
+#include "scene/case_life.h"
 #include "scene/case_sizes.h"
+#include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 
@@ -228,6 +231,19 @@ static int check_place(const struct settings *s)
     return 0;
 }
 
+/* The drag is solved exactly within kick and drift; Heun has neither. */
+static int check_integrator(const struct settings *s)
+{
+    const char *const name = settings_text(s, "particles.integrator");
+
+    if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
+        return 0;
+    return settings_wrong(s, "particles.integrator",
+                          "%s goes without a fluid; with exchange there are "
+                          "velocity-verlet and symplectic-euler",
+                          name);
+}
+
 static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
@@ -235,12 +251,16 @@ static int check_particles(const struct settings *s)
     int code = check_contact(s);
 
     if (code == 0) code = case_sizes_check(s);
+    if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_surfaces_check(s);
     if (code != 0) return code;
-    if (bed == place)
+    if (code == 0) code = case_life_check(s);
+    if (code != 0) return code;
+    if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",
-                              bed ? ", not both" : "");
+                              bed ? ", not both" : ", or insert");
     return bed ? check_bed(s) : check_place(s);
 }
 

@@ -23,6 +23,10 @@ static const struct part parts[] = {
     {"fluid", "pressure that meets continuity (PISO)", "XS11 2.7",
      "pressure_correct"},
     {"particles", "motion of each particle", "LS 4.1-4.3", "dem_run"},
+    {"particles.surfaces", "contacts with walls besides the box", "LS 4.1-4.3",
+     "surfaces_push"},
+    {"particles.driven", "particles that move as prescribed", "LS Fig. 4.3",
+     "driven_steer"},
     {"averaging", "solids fraction and velocity of the cells", "SX15 4-9",
      "transfer_average"},
     {"exchange", "drag on each particle", "XS11 2.6, 2.10",
@@ -81,6 +85,20 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
     return settings_has(s, group);
 }
 
+/* 1 if one of the groups of a list chose that model. */
+static int is_in_list(const struct settings *s, const char *path,
+                      const char *model)
+{
+    const char *const dot = strrchr(path, '.');
+    char list[64];
+
+    snprintf(list, sizeof list, "%.*s", (int)(dot - path), path);
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (strcmp(settings_item_text(s, list, i, dot + 1), model) == 0)
+            return 1;
+    return 0;
+}
+
 static int is_on(const struct settings *s, const struct kind *kind,
                  const struct model *m)
 {
@@ -88,6 +106,8 @@ static int is_on(const struct settings *s, const struct kind *kind,
 
     if (!is_at_work(s, kind)) return 0;
     if (strcmp(kind->name, "patch") == 0) return is_some_side(s, m->name);
+    if (strcmp(kind->name, "sizes") == 0 || strcmp(kind->name, "surface") == 0)
+        return is_in_list(s, kind->key, m->name);
     if (strcmp(kind->name, "effect") != 0)
         return strcmp(settings_text(s, kind->key), m->name) == 0;
     snprintf(path, sizeof path, "effects.%s", m->name);

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "exchange/coupling.h"
+#include "scene/history_energy.h"
 
 static double now(const struct simulation *sim)
 {
@@ -303,7 +304,9 @@ enum {
     P = HISTORY_PARTICLES,
     C = HISTORY_COUPLING,
     D = HISTORY_DRIVEN,
-    N = HISTORY_PARTS
+    N = HISTORY_PARTS,
+    E = HISTORY_BUDGET,
+    L = HISTORY_LIFE
 };
 
 const struct history_column history_columns[] = {
@@ -315,6 +318,24 @@ const struct history_column history_columns[] = {
     {"kinetic_energy_fluid [J]", fluid_energy, F},
     {"kinetic_energy_particles [J]", particle_energy, P},
     {"rotational_energy_particles [J]", spin_energy, P},
+    {"particles [-]", history_particles, L},
+    {"particles_in [-]", history_came, L},
+    {"particles_out [-]", history_went, L},
+    {"particles_waiting [-]", history_waiting, L},
+    {"mass_in [kg]", history_mass_in, L},
+    {"mass_out [kg]", history_mass_out, L},
+    {"energy_normal_springs [J]", history_energy_normal, E},
+    {"energy_tangential_springs [J]", history_energy_tangential, E},
+    {"lost_in_normal_dashpots [J]", history_energy_damped_n, E},
+    {"lost_in_tangential_dashpots [J]", history_energy_damped_t, E},
+    {"lost_by_sliding [J]", history_energy_slid, E},
+    {"lost_by_tangential_springs [J]", history_energy_released, E},
+    {"lost_by_rolling [J]", history_energy_rolled, E},
+    {"work_of_outside_forces [J]", history_energy_work, E},
+    {"work_of_cohesion [J]", history_energy_attracted, E},
+    {"work_of_walls [J]", history_energy_walls, E},
+    {"energy_brought [J]", history_energy_brought, E},
+    {"energy_residual [J]", history_energy_residual, E},
     {"granular_temperature [m2/s2]", granular_temperature, P},
     {"mean_height [m]", mean_height, P},
     {"mean_fall_velocity [m/s]", mean_fall, P},
@@ -363,5 +384,8 @@ int history_applies(const struct history_column *c,
            (!(c->needs & N) ||
             (sim->fluid != NULL && sim->fluid->options.cfl > 0.0)) &&
            (!(c->needs & P) || sim->particles != NULL) &&
-           (!(c->needs & C) || sim->coupling != NULL);
+           (!(c->needs & C) || sim->coupling != NULL) &&
+           (!(c->needs & L) || sim->life != NULL) &&
+           (!(c->needs & E) ||
+            (sim->dem != NULL && dem_energy(sim->dem) != NULL));
 }

@@ -20,8 +20,10 @@ enum {
     HISTORY_FLUID = 1,
     HISTORY_PARTICLES = 2,
     HISTORY_COUPLING = 4,
-    HISTORY_DRIVEN = 8, /* a flow driven through periodic ends */
-    HISTORY_PARTS = 16  /* a step of the fluid that may be divided */
+    HISTORY_DRIVEN = 8,  /* a flow driven through periodic ends */
+    HISTORY_PARTS = 16,  /* a step of the fluid that may be divided */
+    HISTORY_BUDGET = 32, /* of the energy of the particles */
+    HISTORY_LIFE = 64    /* particles that come and go */
 };
 
 /* All columns, ended by one without a name. */

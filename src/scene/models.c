@@ -7,6 +7,7 @@
 #include "exchange/drag.h"
 #include "fluid/fluid.h"
 #include "particles/contact_hertz.h"
+#include "particles/integrators.h"
 #include "particles/sizes.h"
 
 #include <stddef.h>
@@ -34,6 +35,28 @@ static int contact(int i, struct model *m)
                   ? "particles.grains.young particles.grains.poisson"
                   : "particles.grains.stiffness";
     return 1;
+}
+
+static int integrator(int i, struct model *m)
+{
+    const struct integrator *const all = integrators;
+
+    for (int k = 0; k <= i; k++)
+        if (all[k].name == NULL) return 0;
+    *m = (struct model){all[i].name, all[i].what, all[i].cite, "", ""};
+    m->function = all[i].predicts ? "integrators_correct" : "bodies_advance";
+    return 1;
+}
+
+static int list(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"verlet", "pairs up to a skin apart, kept until they have moved it",
+         "LS 5.15, 5.16", "neighbours_refresh", "particles.skin"},
+        {"link-cells", "pairs of neighbouring cells, sought in each step",
+         "LS section 5.2.2", "grid_find", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
 }
 
 /* The keys of a law of sizes: sizes_laws has their names alone. */
@@ -223,6 +246,23 @@ static int patch(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int surface(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"plane", "its solid behind it, no end", "", "surface_nearest",
+         "particles.surfaces.point particles.surfaces.normal"},
+        {"cylinder", "the particles inside or outside, no ends", "",
+         "surface_nearest",
+         "particles.surfaces.point particles.surfaces.axis "
+         "particles.surfaces.radius particles.surfaces.particles"},
+        {"stl", "triangles from a file; a seam, an edge, a vertex count once",
+         "LS section 4.3", "touches_find",
+         "particles.surfaces.file particles.surfaces.scale "
+         "particles.surfaces.point"},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int effect(int i, struct model *m)
 {
     const struct effect *const e = effects_all[i];
@@ -235,8 +275,13 @@ static int effect(int i, struct model *m)
 
 const struct kind models_kinds[] = {
     {"contact", "contact laws", "particles.contact", contact},
+    {"integrator", "ways of the particles through time", "particles.integrator",
+     integrator},
+    {"list", "ways to find the pairs", "particles.list", list},
     {"sizes", "distributions of diameters", "particles.sizes.distribution",
      sizes},
+    {"surface", "walls besides those of the box", "particles.surfaces.shape",
+     surface},
     {"averaging", "ways from particles to fields", "averaging.method",
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",

@@ -5,13 +5,16 @@
 
 #include "base/alloc.h"
 #include "effects/effects.h"
+#include "output/outline.h"
 #include "output/series.h"
 #include "output/vtk.h"
 
 struct pictures {
     const struct mesh *mesh;
     const struct time_average *means; /* NULL where that effect is off */
-    struct series *fluid, *particles; /* NULL where there are none */
+    const struct simulation *sim;
+    struct series *fluid, *particles, *surfaces; /* NULL where there are none */
+    struct outline outline;
     struct vtk_writer *writer;
     double last; /* [s] */
 };
@@ -28,6 +31,7 @@ struct pictures *pictures_create(const struct simulation *sim, const char *dir)
 {
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
+    p->sim = sim;
     p->mesh = sim->mesh;
     p->means = means_of(sim);
     p->writer = vtk_writer_create();
@@ -35,8 +39,11 @@ struct pictures *pictures_create(const struct simulation *sim, const char *dir)
     if (sim->fluid != NULL) p->fluid = series_create(dir, "fluid", "vtr");
     if (sim->particles != NULL)
         p->particles = series_create(dir, "particles", "vtp");
+    if (sim->n_surfaces > 0)
+        p->surfaces = series_create(dir, "surfaces", "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
-        (sim->particles == NULL || p->particles != NULL))
+        (sim->particles == NULL || p->particles != NULL) &&
+        (sim->n_surfaces == 0 || p->surfaces != NULL))
         return p;
     pictures_free(p);
     return NULL;
@@ -47,6 +54,8 @@ void pictures_free(struct pictures *p)
     if (p == NULL) return;
     series_free(p->fluid);
     series_free(p->particles);
+    series_free(p->surfaces);
+    outline_release(&p->outline);
     vtk_writer_free(p->writer);
     free(p);
 }
@@ -101,10 +110,43 @@ static int add_particles(struct pictures *p, const struct snapshot *s)
            series_add(p->particles, s->t) != 0;
 }
 
+static int any_moves(const struct simulation *sim)
+{
+    int moves = 0;
+
+    for (int k = 0; k < sim->n_surfaces; k++)
+        moves |= motion_is_any(&sim->surfaces[k].motion);
+    return moves;
+}
+
+/* Once, if none of them moves. */
+static int add_surfaces(struct pictures *p, double t)
+{
+    const struct mesh *const m = p->mesh;
+    const struct simulation *const sim = p->sim;
+    struct outline *const o = &p->outline;
+    double lo[3], hi[3];
+
+    if (series_count(p->surfaces) > 0 && !any_moves(sim)) return 0;
+    for (int k = 0; k < 3; k++) {
+        lo[k] = m->box.edge[k][0];
+        hi[k] = m->box.edge[k][m->box.n[k]];
+    }
+    outline_draw(o, sim->surfaces, sim->n_surfaces, lo, hi, t);
+    const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
+                                       o->corner, o->end};
+    const struct vtk_array of = {
+        .name = "surface", .components = 1, .ints = o->of};
+    return vtk_write_polygons(p->writer, series_next(p->surfaces), &shape, t, 1,
+                              &of) != 0 ||
+           series_add(p->surfaces, t) != 0;
+}
+
 int pictures_add(struct pictures *p, const struct snapshot *s)
 {
     if (p->fluid != NULL && add_fluid(p, s) != 0) return 1;
     if (p->particles != NULL && add_particles(p, s) != 0) return 1;
+    if (p->surfaces != NULL && add_surfaces(p, s->t) != 0) return 1;
     p->last = s->t;
     return 0;
 }

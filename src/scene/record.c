@@ -19,6 +19,7 @@
 #include "scene/lines.h"
 #include "scene/pictures.h"
 #include "scene/probes.h"
+#include "scene/surface_table.h"
 
 enum { MOST_COLUMNS = 64 };
 
@@ -32,6 +33,7 @@ struct record {
     struct table *history;
     struct snapshot *snapshot;
     struct pictures *pictures;
+    struct surface_table *surfaces; /* NULL without any */
     struct lines *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
@@ -84,9 +86,11 @@ struct record *record_create(const struct settings *s,
     if (r->lines != NULL && file_make_dirs(dir) == 0) {
         r->history = create_history(r);
         r->pictures = pictures_create(sim, dir);
+        if (sim->n_surfaces > 0) r->surfaces = surface_table_create(sim, dir);
         r->probes = probes_create(s, sim, r->snapshot, dir);
     }
-    if (r->history != NULL && r->pictures != NULL && r->probes != NULL)
+    if (r->history != NULL && r->pictures != NULL && r->probes != NULL &&
+        (sim->n_surfaces == 0 || r->surfaces != NULL))
         return r;
     record_free(r);
     return NULL;
@@ -96,6 +100,7 @@ void record_free(struct record *r)
 {
     if (r == NULL) return;
     table_free(r->history);
+    surface_table_free(r->surfaces);
     pictures_free(r->pictures);
     lines_free(r->lines);
     probes_free(r->probes);
@@ -155,7 +160,9 @@ int record_look(struct record *r)
         snapshot_take(r->snapshot, r->sim);
         lines_add(r->lines, (double)r->row_every * r->sim->dt);
         note_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
+            surface_table_add(r->surfaces) != 0)
+            return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);

@@ -10,11 +10,12 @@
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/check.h"
 #include "scene/interrupt.h"
 #include "scene/progress.h"
 #include "scene/record.h"
 
-enum { BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum { WRONG = 2, BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
 
 /* Looks and keeps the time that writing takes. */
 static int look(struct record *r, struct simulation *sim)
@@ -91,6 +92,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
+    if (check_step(s) != 0) return WRONG;
     if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
     struct simulation *const sim = build_simulation(s, &code);
     if (sim == NULL) {

@@ -2,6 +2,7 @@
 #include "scene/scene.h"
 
 #include "effects/effects.h"
+#include "scene/case_surfaces.h"
 #include "scene/checks.h"
 #include "scene/keys.h"
 
@@ -13,6 +14,7 @@ void scene_tables(const struct key *tables[SCENE_TABLES])
     int n = 0;
 
     tables[n++] = keys_core;
+    tables[n++] = keys_surfaces;
     for (int i = 0; effects_all[i] != NULL; i++) {
         assert(n < SCENE_TABLES - 1);
         tables[n++] = effects_all[i]->keys;

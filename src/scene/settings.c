@@ -231,6 +231,12 @@ double settings_item_real(const struct settings *s, const char *list, int i,
     return real(find_in(s, list, i, key, KEY_REAL));
 }
 
+int settings_item_int(const struct settings *s, const char *list, int i,
+                      const char *key)
+{
+    return (int)real(find_in(s, list, i, key, KEY_INT));
+}
+
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key)
 {

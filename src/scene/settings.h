@@ -53,6 +53,8 @@ int settings_item_has(const struct settings *s, const char *list, int i,
                       const char *key);
 double settings_item_real(const struct settings *s, const char *list, int i,
                           const char *key);
+int settings_item_int(const struct settings *s, const char *list, int i,
+                      const char *key);
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key);
 /* A curve: its number of points, and one of them. */

@@ -1,0 +1,35 @@
+/* dem_options.h -- what the motion of the particles is to be like.  Chapter 2.
+ *
+ * Whatever a case leaves out is 0 here, and is not done.
+ */
+#ifndef DEM_OPTIONS_H
+#define DEM_OPTIONS_H
+
+#include "particles/attraction.h"
+#include "particles/driven.h"
+#include "particles/integrators.h"
+#include "particles/materials.h"
+#include "particles/surface.h"
+
+struct dem_options {
+    const struct contact_law *law;
+    struct material material;          /* number 0 */
+    const struct materials *materials; /* with others; NULL: there is no other.
+                                          Borrowed for as long as the dem is */
+    const struct integrator *integrator; /* NULL: velocity Verlet */
+    double step;                         /* [s] */
+    int link_cells;      /* [-] 1: no list, but all pairs sought in each step */
+    double skin;         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3]; /* [m] walls of the box */
+    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
+                            least 2 (d + skin + range) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
+    const struct attraction *attractions; /* borrowed likewise */
+    int n_attractions;                    /* [-] 0: only touching counts */
+    const struct driven
+        *driven; /* particles that move as prescribed; borrowed */
+    int n_driven;
+};
+
+#endif

@@ -1,0 +1,13 @@
+/* surface_start.h -- particles that begin in a wall.  Chapter 14. */
+#ifndef SURFACE_START_H
+#define SURFACE_START_H
+
+#include "particles/particles.h"
+#include "particles/surface.h"
+
+/* Non-zero after a message if one of the particles overlaps a surface, as it is
+ * at time 0, by more than a tenth of its radius. */
+int surface_start_wrong(const struct particles *ps, const struct surface *list,
+                        int n);
+
+#endif

@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/case_life.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/case_materials.h"
+#include "scene/case_sizes.h"
+
+static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
+
+/* More than this share of a region filled at random would take for ever. */
+static const double densest = 0.3;
+
+static int has(const struct settings *s, int i, const char *key)
+{
+    return settings_item_has(s, sources, i, key);
+}
+
+/* A region that is not given is the whole box. */
+static void region(const struct settings *s, const char *list, int i,
+                   double lo[3], double hi[3])
+{
+    settings_vector(s, "mesh.size", hi);
+    lo[0] = lo[1] = lo[2] = 0.0;
+    if (settings_item_has(s, list, i, "from"))
+        settings_item_vector(s, list, i, "from", lo);
+    if (settings_item_has(s, list, i, "to"))
+        settings_item_vector(s, list, i, "to", hi);
+}
+
+static int material_of(const struct settings *s, int i)
+{
+    return has(s, i, "material")
+               ? case_materials_number(
+                     s, settings_item_text(s, sources, i, "material"))
+               : 0;
+}
+
+/* Without a file; sizes and list come after. */
+static struct insertion_options options(const struct settings *s, int i)
+{
+    struct insertion_options o = {
+        .diameter = has(s, i, "diameter")
+                        ? settings_item_real(s, sources, i, "diameter")
+                        : 0.0,
+        .material = material_of(s, i),
+        .count =
+            has(s, i, "count") ? settings_item_int(s, sources, i, "count") : 0,
+        .rate =
+            has(s, i, "rate") ? settings_item_real(s, sources, i, "rate") : 0.0,
+        .start = settings_item_real(s, sources, i, "start"),
+        .seed = (unsigned long)settings_item_int(s, sources, i, "seed")};
+
+    region(s, sources, i, o.lo, o.hi);
+    settings_item_vector(s, sources, i, "velocity", o.velocity);
+    o.density = case_materials_density(s, o.material);
+    return o;
+}
+
+static struct sizes *sizes_of(const struct settings *s, int i)
+{
+    return has(s, i, "sizes")
+               ? case_sizes_create(s,
+                                   settings_item_text(s, sources, i, "sizes"))
+               : NULL;
+}
+
+/* One source whole; non-zero after a message if its file is wrong. */
+static int create_source(const struct settings *s, int i, struct insertion *in)
+{
+    *in = (struct insertion){.options = options(s, i),
+                             .own_sizes = sizes_of(s, i)};
+    in->options.sizes = in->own_sizes;
+    if (!has(s, i, "file")) return 0;
+    in->own_list = insertion_read(settings_item_text(s, sources, i, "file"),
+                                  &in->options.count);
+    in->options.list = in->own_list;
+    return in->own_list == NULL;
+}
+
+static void free_source(struct insertion *in)
+{
+    sizes_free(in->own_sizes);
+    free(in->own_list);
+}
+
+/* --- checks ------------------------------------------------------------------
+ */
+
+static int check_names(const struct settings *s, int i)
+{
+    if (has(s, i, "sizes") &&
+        case_sizes_check_name(s, sources,
+                              settings_item_text(s, sources, i, "sizes")) != 0)
+        return 2;
+    if (has(s, i, "material"))
+        return case_materials_check_name(
+            s, sources, settings_item_text(s, sources, i, "material"));
+    return 0;
+}
+
+static int check_given(const struct settings *s, int i)
+{
+    const int file = has(s, i, "file");
+    const int sized = has(s, i, "diameter") + has(s, i, "sizes");
+
+    if (file && (sized > 0 || has(s, i, "count")))
+        return settings_wrong(s, sources,
+                              "source %d: a file says how many there are and "
+                              "how large; leave out count, diameter and sizes",
+                              i);
+    if (!file && !has(s, i, "count"))
+        return settings_wrong(s, sources, "source %d asks for count or file",
+                              i);
+    if (!file && sized != 1)
+        return settings_wrong(s, sources,
+                              "source %d: give either diameter or sizes%s", i,
+                              sized > 1 ? ", not both" : "");
+    return 0;
+}
+
+/* The diameters that will come: smallest, largest, and volume of all [m^3]. */
+struct comers {
+    double least, most, volume;
+};
+
+static struct comers comers_of(const struct insertion_options *o)
+{
+    struct comers c = {0.0, 0.0, 0.0};
+
+    for (long k = 0; k < o->count; k++) {
+        const double d = insertion_diameter(o, k);
+        c.least = k == 0 ? d : fmin(c.least, d);
+        c.most = fmax(c.most, d);
+        c.volume += M_PI / 6.0 * d * d * d;
+    }
+    return c;
+}
+
+/* Who is in a list is inside of the box, and of nobody else. */
+static int check_list(const struct settings *s, int i,
+                      const struct insertion_options *o)
+{
+    double size[3];
+    int periodic[3];
+
+    settings_vector(s, "mesh.size", size);
+    settings_flags(s, "mesh.periodic", periodic);
+    for (long q = 0; q < o->count; q++)
+        for (int k = 0; k < 3; k++) {
+            const double margin = periodic[k] ? 0.0 : 0.5 * o->list[q].d;
+            if (o->list[q].x[k] < margin || o->list[q].x[k] > size[k] - margin)
+                return settings_wrong(
+                    s, sources, "source %d: sphere %ld is not inside the box",
+                    i, q);
+        }
+    return 0;
+}
+
+static int check_room(const struct settings *s, int i,
+                      const struct insertion_options *o)
+{
+    const struct comers c = comers_of(o);
+    double size[3], volume = 1.0;
+
+    if (o->list != NULL) return check_list(s, i, o);
+    settings_vector(s, "mesh.size", size);
+    for (int k = 0; k < 3; k++) {
+        volume *= o->hi[k] - o->lo[k];
+        if (o->lo[k] < 0.0 || o->hi[k] > size[k] ||
+            o->hi[k] - o->lo[k] < c.most)
+            return settings_wrong(
+                s, sources,
+                "source %d: its region, %g to %g m in direction %c, must be "
+                "inside the box, 0 to %g m, and have room for spheres of %g m",
+                i, o->lo[k], o->hi[k], 'x' + k, size[k], c.most);
+    }
+    if (o->rate > 0.0 || c.volume <= densest * volume) return 0;
+    return settings_wrong(
+        s, sources,
+        "source %d: %ld spheres would fill %.0f %% of its region; at random no "
+        "more than %.0f %% find room: give it a rate, or a larger region",
+        i, o->count, 100.0 * c.volume / volume, 100.0 * densest);
+}
+
+static int check_source(const struct settings *s, int i)
+{
+    struct insertion in;
+    int code = check_names(s, i);
+
+    if (code == 0) code = check_given(s, i);
+    if (code != 0) return code;
+    code = create_source(s, i, &in) != 0 ? 2 : check_room(s, i, &in.options);
+    free_source(&in);
+    return code;
+}
+
+static int check_sink(const struct settings *s, int i)
+{
+    const int side = settings_item_has(s, sinks, i, "side");
+    const int box = settings_item_has(s, sinks, i, "from") +
+                    settings_item_has(s, sinks, i, "to");
+
+    if (box > 0 ? !side : side) return 0;
+    return settings_wrong(s, sinks, "sink %d: give either side, or from and to",
+                          i);
+}
+
+int case_life_check(const struct settings *s)
+{
+    int code = 0;
+
+    for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
+        code = check_source(s, i);
+    for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
+        code = check_sink(s, i);
+    return code;
+}
+
+/* --- what there will be
+ * -------------------------------------------------------
+ */
+
+int case_life_count(const struct settings *s)
+{
+    long sum = 0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (create_source(s, i, &in) == 0) sum += in.options.count;
+        free_source(&in);
+    }
+    return (int)sum;
+}
+
+double case_life_smallest(const struct settings *s, int material)
+{
+    double least = 0.0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (material_of(s, i) == material && create_source(s, i, &in) == 0) {
+            const double d = comers_of(&in.options).least;
+            least = least > 0.0 ? fmin(least, d) : d;
+            free_source(&in);
+        }
+    }
+    return least;
+}
+
+double case_life_largest(const struct settings *s)
+{
+    double most = 0.0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (create_source(s, i, &in) == 0)
+            most = fmax(most, comers_of(&in.options).most);
+        free_source(&in);
+    }
+    return most;
+}
+
+static struct life_sink sink_of(const struct settings *s, int i)
+{
+    static const char *const side[6] = {"left", "right", "bottom",
+                                        "top",  "back",  "front"};
+    struct life_sink k = {.side = -1};
+
+    region(s, sinks, i, k.lo, k.hi);
+    for (int a = 0; a < 6; a++)
+        if (settings_item_has(s, sinks, i, "side") &&
+            strcmp(settings_item_text(s, sinks, i, "side"), side[a]) == 0)
+            k.side = a;
+    return k;
+}
+
+struct life *case_life_create(const struct settings *s,
+                              const struct domain *box, int *code)
+{
+    const int n = settings_length(s, sources), m = settings_length(s, sinks);
+
+    *code = 0;
+    if (n + m == 0) return NULL;
+    struct life *const l = life_create(box, n, m);
+    for (int i = 0; i < n && *code == 0; i++)
+        *code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
+    for (int i = 0; i < m; i++)
+        l->sinks[i] = sink_of(s, i);
+    if (*code == 0) return l;
+    life_free(l);
+    return NULL;
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/history_energy.h"
+
+#include "particles/energy.h"
+#include "particles/life.h"
+
+double history_energy_normal(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->normal;
+}
+
+double history_energy_tangential(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->tangential;
+}
+
+double history_energy_damped_n(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->damped_n;
+}
+
+double history_energy_damped_t(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->damped_t;
+}
+
+double history_energy_slid(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->slid;
+}
+
+double history_energy_released(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->released;
+}
+
+double history_energy_rolled(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->rolled;
+}
+
+double history_energy_work(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->work;
+}
+
+double history_energy_attracted(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->attracted;
+}
+
+double history_energy_walls(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->walls;
+}
+
+double history_energy_brought(const struct simulation *sim)
+{
+    return dem_energy(sim->dem)->brought;
+}
+
+double history_energy_residual(const struct simulation *sim)
+{
+    return energy_residual(dem_energy(sim->dem));
+}
+
+double history_particles(const struct simulation *sim)
+{
+    return sim->particles->n;
+}
+
+double history_came(const struct simulation *sim)
+{
+    return (double)sim->life->account.came;
+}
+
+double history_went(const struct simulation *sim)
+{
+    return (double)sim->life->account.went;
+}
+
+double history_waiting(const struct simulation *sim)
+{
+    return (double)sim->life->account.waiting;
+}
+
+double history_mass_in(const struct simulation *sim)
+{
+    return sim->life->account.mass_in;
+}
+
+double history_mass_out(const struct simulation *sim)
+{
+    return sim->life->account.mass_out;
+}

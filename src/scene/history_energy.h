@@ -1,0 +1,31 @@
+/* history_energy.h -- columns of the particles: their energy budget, and how
+ * many come and go. */
+#ifndef HISTORY_ENERGY_H
+#define HISTORY_ENERGY_H
+
+#include "exchange/simulation.h"
+
+/* All in J; what they mean stands in particles/energy.h. The budget must be
+ * kept. */
+double history_energy_normal(const struct simulation *sim);
+double history_energy_tangential(const struct simulation *sim);
+double history_energy_damped_n(const struct simulation *sim);
+double history_energy_damped_t(const struct simulation *sim);
+double history_energy_slid(const struct simulation *sim);
+double history_energy_released(const struct simulation *sim);
+double history_energy_rolled(const struct simulation *sim);
+double history_energy_work(const struct simulation *sim);
+double history_energy_attracted(const struct simulation *sim);
+double history_energy_walls(const struct simulation *sim);
+double history_energy_brought(const struct simulation *sim);
+double history_energy_residual(const struct simulation *sim);
+
+/* There must be a life (particles/life.h). Masses in kg. */
+double history_particles(const struct simulation *sim);
+double history_came(const struct simulation *sim);
+double history_went(const struct simulation *sim);
+double history_waiting(const struct simulation *sim);
+double history_mass_in(const struct simulation *sim);
+double history_mass_out(const struct simulation *sim);
+
+#endif

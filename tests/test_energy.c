@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The energy budget: it closes to the order of the integrator, and each of its
+ * terms is right where one of them acts alone. */
+#include <omp.h>
+#include <stdlib.h>
+
+#include "particles/electrostatic.h"
+#include "particles/energy.h"
+#include "spheres.h"
+
+/* 64 spheres of two sizes thrown about in a box, under gravity. */
+static struct energy of_a_cloud(const struct contact_law *law, double e,
+                                double mu, double step)
+{
+    struct particles *const ps = spheres_cloud(4, 0.008, 0.5, 0.0125, 1.0, 8);
+    struct dem_options o = spheres_options(law, step, 0.03);
+    struct dem_report r;
+
+    o.material.friction = mu;
+    o.material.restitution = e;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    for (int i = 0; i < ps->n; i++)
+        ps->ey[i] = -10.0 * ps->m[i];
+    ck_assert_int_eq(dem_run(dem, (int)lround(0.02 / step), &r), 0);
+    const struct energy found = *dem_energy(dem);
+    dem_free(dem);
+    particles_free(ps);
+    return found;
+}
+
+/* The force is taken with a velocity half a step old: first order where the
+ * velocity matters. The errors halve with the step, to 15 %. */
+START_TEST(the_energy_budget_closes_to_first_order_with_friction_and_damping)
+{
+    static const double e[3] = {0.8, 1.0, 0.8}, mu[3] = {0.0, 0.3, 0.3};
+    const struct contact_law *const law = contact_laws[_i / 3];
+    double share[2];
+
+    for (int k = 0; k < 2; k++) {
+        const struct energy b =
+            of_a_cloud(law, e[_i % 3], mu[_i % 3], k == 0 ? 5e-6 : 2.5e-6);
+        share[k] = energy_residual(&b) / b.brought;
+        ck_assert_double_gt(b.damped_n + b.slid, 0.1 * b.brought);
+    }
+    ck_assert_double_lt(fabs(share[1]), 3e-3);
+    ck_assert_double_eq_tol(share[1] / share[0], 0.5, 0.15);
+}
+END_TEST
+
+/* Two spheres that are pushed together, once; the largest residual on the way.
+ * Nothing damps: second order. */
+static double worst_residual(const struct contact_law *law, double step)
+{
+    struct particles *const ps = particles_create(2);
+    const struct dem_options o = spheres_options(law, step, 0.1);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+    double worst = 0.0;
+
+    dem_keep_energy(dem);
+    spheres_throw(ps, spheres_add(ps, -0.0051, 0, 0, 0.01), 1.0, 0, 0);
+    spheres_throw(ps, spheres_add(ps, 0.0051, 0, 0, 0.01), -1.0, 0, 0);
+    for (int k = 0; k * step < 2e-3; k++) {
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        const struct energy *const e = dem_energy(dem);
+        worst = fmax(worst, fabs(energy_residual(e)) / e->brought);
+    }
+    const double left = dem_energy(dem)->kinetic / dem_energy(dem)->brought;
+    ck_assert_double_eq_tol(left, 1.0, 1e-3);
+    dem_free(dem);
+    particles_free(ps);
+    return worst;
+}
+
+START_TEST(the_energy_budget_closes_to_second_order_where_nothing_damps)
+{
+    const double coarse = worst_residual(contact_laws[_i], 8e-6);
+    const double fine = worst_residual(contact_laws[_i], 2e-6);
+
+    ck_assert_double_lt(fine, 1e-3);
+    ck_assert_double_gt(coarse / fine, 12.0); /* 16, up to where it touches */
+    ck_assert_double_lt(coarse / fine, 20.0);
+}
+END_TEST
+
+/* --- one term at a time --------------------------------------------------- */
+
+/* One sphere of 1 cm at the floor of a high box, with a gravity of g. */
+struct lone {
+    struct particles *ps;
+    struct dem *dem;
+    double m;
+};
+
+static struct lone lone(double e, double mu, double rolling, double height,
+                        double g)
+{
+    struct lone one = {.ps = particles_create(2)};
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 1.0);
+
+    o.material.restitution = e;
+    o.material.friction = mu;
+    o.material.rolling = rolling;
+    one.dem = dem_create(one.ps, &o);
+    dem_keep_energy(one.dem);
+    spheres_add(one.ps, 0, -1.0 + 0.005 + height, 0, 0.01);
+    one.m = one.ps->m[0];
+    one.ps->ey[0] = -g * one.m;
+    return one;
+}
+
+static struct energy after(const struct lone *one, double time)
+{
+    struct dem_report r;
+
+    ck_assert_int_eq(dem_run(one->dem, (int)lround(time / 2e-6), &r), 0);
+    return *dem_energy(one->dem);
+}
+
+static void done(const struct lone *one)
+{
+    dem_free(one->dem);
+    particles_free(one->ps);
+}
+
+/* One bounce at 0.8: of (1/2) m v^2 the normal dashpot takes 1 - e^2. A tenth
+ * of a step's error in 200 a contact. */
+START_TEST(the_normal_dashpot_takes_1_less_e_squared)
+{
+    const struct lone one = lone(0.8, 0.0, 0.0, 0.001, 0.0);
+
+    one.ps->vy[0] = -1.0;
+    const struct energy e = after(&one, 0.004);
+    ck_assert_double_gt(one.ps->vy[0], 0.0);
+    ck_assert_double_eq_tol(e.damped_n / (0.5 * one.m), 1.0 - 0.64, 0.006);
+    ck_assert_double_eq_tol(e.normal, 0.0, 1e-15 * one.m);
+    done(&one);
+}
+END_TEST
+
+/* The work of gravity is m g h, to rounding, on the way down. */
+START_TEST(the_work_of_gravity_is_the_height_lost)
+{
+    const struct lone one = lone(1.0, 0.0, 0.0, 0.5, 9.81);
+    const struct energy e = after(&one, 0.1);
+    const double fallen = 0.5 * 9.81 * 0.1 * 0.1;
+
+    ck_assert_double_eq_tol(e.work / (one.m * 9.81 * fallen), 1.0, 1e-12);
+    ck_assert_double_eq_tol(e.kinetic / e.work, 1.0, 1e-12);
+    ck_assert_double_eq_tol(e.brought, 0.0, 1e-18);
+    done(&one);
+}
+END_TEST
+
+/* A sphere that is thrown along the floor rolls in the end, at 5/7 of its
+ * speed; sliding takes 2/7 of its energy, whatever the friction. It floats at
+ * rest on its spring when it begins: the overlap is m g / k. */
+START_TEST(sliding_takes_two_sevenths_until_it_rolls)
+{
+    struct lone one = lone(0.5, 0.3, 0.0, 0.0, 10.0);
+
+    one.ps->y[0] -= one.m * 10.0 / 1e4;
+    one.ps->vx[0] = 0.5;
+    const struct energy e = after(&one, 0.1);
+    const double whole = 0.5 * one.m * 0.25;
+    ck_assert_double_eq_tol(one.ps->vx[0], 0.5 * 5.0 / 7.0, 1e-3);
+    ck_assert_double_eq_tol(e.slid / whole, 2.0 / 7.0, 0.003);
+    ck_assert_double_lt(fabs(energy_residual(&e)), 1e-3 * whole);
+    ck_assert_double_lt(fabs(e.damped_t) + fabs(e.released), 2e-3 * whole);
+    done(&one);
+}
+END_TEST
+
+/* A sphere that rolls is stopped by rolling friction, which takes all of
+ * (7/10) m v^2. */
+START_TEST(rolling_friction_takes_what_a_rolling_sphere_has)
+{
+    struct lone one = lone(0.5, 0.8, 0.1, 0.0, 10.0);
+
+    one.ps->y[0] -= one.m * 10.0 / 1e4;
+    one.ps->vx[0] = 0.1;
+    one.ps->wz[0] = -0.1 / 0.005;
+    const struct energy e = after(&one, 0.25);
+    const double whole = 0.7 * one.m * 0.01;
+    ck_assert_double_lt(e.kinetic, 1e-4 * whole);
+    ck_assert_double_eq_tol(e.rolled / whole, 1.0, 0.03);
+    ck_assert_double_lt(fabs(energy_residual(&e)), 0.01 * whole);
+    done(&one);
+}
+END_TEST
+
+/* A sphere in the way of a plane that comes at 0.2 m/s leaves at 0.4 m/s: the
+ * plane did (1/2) m v^2, all that there is in the end. */
+START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
+{
+    struct particles *const ps = particles_create(1);
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
+    const struct surface piston = {.name = "piston",
+                                   .shape = SURFACE_PLANE,
+                                   .point = {-0.01, 0.0, 0.0},
+                                   .normal = {1.0, 0.0, 0.0},
+                                   .motion = {.velocity = {0.2, 0.0, 0.0}}};
+    struct dem_report r;
+
+    o.surfaces = &piston;
+    o.n_surfaces = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    dem_clock(dem, 0);
+    spheres_add(ps, 0.0, 0, 0, 0.01);
+    ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double whole = 0.5 * ps->m[0] * 0.16;
+    ck_assert_double_eq_tol(ps->vx[0], 0.4, 1e-3);
+    ck_assert_double_eq_tol(e->walls / whole, 1.0, 2e-3);
+    ck_assert_double_lt(fabs(energy_residual(e)), 2e-3 * whole);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Two unlike charges fall towards each other: what they move with is the work
+ * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
+START_TEST(attractions_do_the_work_that_comes_out_as_motion)
+{
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
+    const double charge[2] = {2e-8, -2e-8};
+    const struct attraction pull = {.law = &electrostatic,
+                                    .range = 0.05,
+                                    .strength = 1.0,
+                                    .charge = charge};
+    const struct material other = o.material;
+    const struct materials two = {.n = 2, .further = &other};
+    struct dem_report r;
+
+    o.attractions = &pull;
+    o.n_attractions = 1;
+    o.materials = &two;
+    particles_distinguish(ps);
+    spheres_add(ps, -0.015, 0, 0, 0.01);
+    ps->material[spheres_add(ps, 0.015, 0, 0, 0.01)] = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    ck_assert_int_eq(dem_run(dem, 30000, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double l = fabs(ps->x[1] - ps->x[0]);
+    const double exact = 8.9875518e9 * 4e-16 * (1.0 / l - 1.0 / 0.03);
+    ck_assert_double_lt(l, 0.029);
+    ck_assert_double_gt(l, 0.0101);
+    ck_assert_double_eq_tol(e->attracted / exact, 1.0, 1e-3);
+    ck_assert_double_eq_tol(e->kinetic / exact, 1.0, 1e-3);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* --- around runs ---------------------------------------------------------- */
+
+START_TEST(what_is_added_or_pushed_between_runs_was_brought)
+{
+    struct lone one = lone(1.0, 0.0, 0.0, 0.5, 0.0);
+
+    one.ps->vx[0] = 1.0;
+    const struct energy first = after(&one, 1e-4);
+    ck_assert_double_eq_tol(first.brought / (0.5 * one.m), 1.0, 1e-12);
+    one.ps->vx[0] = 2.0;
+    const int i = spheres_add(one.ps, 0.1, 0.1, 0.1, 0.01);
+    one.ps->vz[i] = 3.0;
+    dem_changed(one.dem);
+    const struct energy e = after(&one, 1e-4);
+    ck_assert_double_eq_tol(e.brought / (0.5 * one.m), 13.0, 1e-11);
+    ck_assert_double_eq_tol(energy_residual(&e) / one.m, 0.0, 1e-13);
+    done(&one);
+}
+END_TEST
+
+/* In pieces, with any number of threads, or not at all: the motion has the
+ * same bits, and the budget, too, in one run as in pieces to rounding. */
+static struct particles *moved(const struct contact_law *law, int keep,
+                               int pieces, struct energy *e)
+{
+    struct particles *const ps = spheres_cloud(14, 0.004, 0.5, 0.0062, 1.0, 8);
+    struct dem_options o = spheres_options(law, 5e-6, 0.0435);
+    struct dem_report r;
+
+    o.material.friction = 0.3;
+    o.material.restitution = 0.8;
+    o.periodic[2] = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    if (keep) dem_keep_energy(dem);
+    for (int k = 0; k < pieces; k++)
+        ck_assert_int_eq(dem_run(dem, 240 / pieces, &r), 0);
+    ck_assert_int_gt(r.contacts, 50);
+    if (keep)
+        *e = *dem_energy(dem);
+    else
+        ck_assert_ptr_null(dem_energy(dem));
+    dem_free(dem);
+    return ps;
+}
+
+START_TEST(a_budget_changes_no_bit_and_does_not_depend_on_threads)
+{
+    const struct contact_law *const law = contact_laws[_i];
+    struct energy one, three, pieces;
+
+    omp_set_num_threads(1);
+    struct particles *const plain = moved(law, 0, 1, NULL);
+    struct particles *const a = moved(law, 1, 1, &one);
+    omp_set_num_threads(2);
+    struct particles *const b = moved(law, 1, 1, &three);
+    struct particles *const c = moved(law, 1, 6, &pieces);
+    const size_t size = (size_t)plain->n * sizeof(double);
+    ck_assert_mem_eq(plain->x, a->x, size);
+    ck_assert_mem_eq(plain->wz, a->wz, size);
+    ck_assert_mem_eq(a->vy, b->vy, size);
+    ck_assert_mem_eq(&one, &three, sizeof one);
+    ck_assert_double_eq_tol(pieces.slid / one.slid, 1.0, 1e-9);
+    particles_free(plain);
+    particles_free(a);
+    particles_free(b);
+    particles_free(c);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("energy");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 30);
+    tcase_add_loop_test(
+        t, the_energy_budget_closes_to_first_order_with_friction_and_damping, 0,
+        6);
+    tcase_add_loop_test(
+        t, the_energy_budget_closes_to_second_order_where_nothing_damps, 0, 2);
+    tcase_add_test(t, the_normal_dashpot_takes_1_less_e_squared);
+    tcase_add_test(t, the_work_of_gravity_is_the_height_lost);
+    tcase_add_test(t, sliding_takes_two_sevenths_until_it_rolls);
+    tcase_add_test(t, rolling_friction_takes_what_a_rolling_sphere_has);
+    tcase_add_test(t, a_wall_that_moves_does_the_work_that_it_gives);
+    tcase_add_test(t, attractions_do_the_work_that_comes_out_as_motion);
+    tcase_add_test(t, what_is_added_or_pushed_between_runs_was_brought);
+    tcase_add_loop_test(
+        t, a_budget_changes_no_bit_and_does_not_depend_on_threads, 0, 2);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Each integrator has the order that is said of it, on an oscillator whose
+ * motion is known and on contacts whose is not. */
+#include <gsl/gsl_math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+#include "particles/energy.h"
+#include "particles/integrators.h"
+#include "spheres.h"
+
+static const char *const names[3] = {"velocity-verlet", "symplectic-euler",
+                                     "heun"};
+
+/* Two spheres that overlap and are pushed apart, as long as they touch: with
+ * law "linear" half of their distance is a damped oscillator,
+ *
+ *   x(t) = x_0 e^(-zeta w t) (cos(w_d t) + zeta w/w_d sin(w_d t)).
+ *
+ * The error of the overlap over its start after a fifth of a period. */
+static double error_of_oscillator(const char *integrator, double e, int steps)
+{
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 0.0, 0.1);
+    const double overlap = 1e-4;
+    struct dem_report r;
+
+    o.integrator = integrators_named(integrator);
+    o.material.restitution = e;
+    spheres_add(ps, -0.005 + 0.5 * overlap, 0, 0, 0.01);
+    spheres_add(ps, 0.005 - 0.5 * overlap, 0, 0, 0.01);
+    const double w = sqrt(2.0 * o.material.stiffness / ps->m[0]);
+    const double zeta = contact_damping_ratio(e);
+    const double w_d = w * sqrt(1.0 - zeta * zeta), T = 1.2 / w;
+    const double exact = overlap * exp(-zeta * w * T) *
+                         (cos(w_d * T) + zeta * w / w_d * sin(w_d * T));
+    o.step = T / steps;
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, steps, &r), 0);
+    ck_assert_int_eq(r.contacts, 1);
+    const double found =
+        0.01 - fabs(ps->x[spheres_place(ps, 1)] - ps->x[spheres_place(ps, 0)]);
+    dem_free(dem);
+    particles_free(ps);
+    return fabs(found - exact) / overlap;
+}
+
+/* 2, 1, 2 without damping; the velocity of half a step before makes it 1, 1, 2
+ * with. */
+START_TEST(each_integrator_has_its_order)
+{
+    static const double order[2][3] = {{2.0, 1.0, 2.0}, {1.0, 1.0, 2.0}};
+    const int damped = _i / 3, which = _i % 3;
+    const double e = damped ? 0.5 : 1.0;
+    const double coarse = error_of_oscillator(names[which], e, 40);
+    const double fine = error_of_oscillator(names[which], e, 80);
+
+    ck_assert_double_eq_tol(log2(coarse / fine), order[damped][which], 0.1);
+    ck_assert_double_lt(fine, order[damped][which] > 1.5 ? 1e-4 : 0.02);
+}
+END_TEST
+
+/* An oblique impact with friction that never slides: springs, dashpots and
+ * rotation together, up to the middle of the contact; against 64 times as many
+ * steps. */
+static double spin_after(const char *integrator, const struct contact_law *law,
+                         double e, int steps)
+{
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(law, 2e-4 / steps, 0.1);
+    struct dem_report r;
+
+    o.integrator = integrators_named(integrator);
+    o.material.restitution = e;
+    o.material.friction = 1e3;
+    spheres_throw(ps, spheres_add(ps, -0.0049, 0, 0, 0.01), 0.5, 0.3, 0.0);
+    spheres_add(ps, 0.005, 0, 0, 0.012);
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, steps, &r), 0);
+    ck_assert_int_eq(r.contacts, 1);
+    const double w = ps->wz[spheres_place(ps, 0)];
+    dem_free(dem);
+    particles_free(ps);
+    return w;
+}
+
+START_TEST(heun_is_of_second_order_with_springs_dashpots_and_spin)
+{
+    const struct contact_law *const law = contact_laws[_i];
+    const double exact = spin_after("heun", law, 0.7, 6400);
+    const double coarse = fabs(spin_after("heun", law, 0.7, 50) - exact);
+    const double fine = fabs(spin_after("heun", law, 0.7, 100) - exact);
+
+    ck_assert_double_eq_tol(log2(coarse / fine), 2.0, 0.25);
+    ck_assert_double_lt(fine, 2e-3 * fabs(exact));
+}
+END_TEST
+
+START_TEST(the_integrators_agree_in_the_end)
+{
+    const struct contact_law *const law = contact_laws[_i];
+    const double exact = spin_after("heun", law, 0.7, 6400);
+
+    for (int k = 0; k < 2; k++)
+        ck_assert_double_eq_tol(spin_after(names[k], law, 0.7, 6400) / exact,
+                                1.0, 2e-3);
+}
+END_TEST
+
+/* A sphere that hangs between two others, which it touches always, for 200
+ * periods of 25 steps: Verlet and Euler keep the energy for ever, Heun gains
+ * (w dt)^4 / 4 of it a step. */
+static double energy_after(const char *integrator, int steps)
+{
+    struct particles *const ps = particles_create(1);
+    struct dem_options o = spheres_options(&contact_linear, 0.0, 0.1);
+    struct dem_report r;
+
+    o.integrator = integrators_named(integrator);
+    o.lo[0] = -0.0049;
+    o.hi[0] = 0.0049;
+    spheres_throw(ps, spheres_add(ps, 0, 0, 0, 0.01), 0.01, 0, 0);
+    const double w = sqrt(2.0 * o.material.stiffness / ps->m[0]);
+    o.step = 2.0 * M_PI / w / 25.0;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    ck_assert_int_eq(dem_run(dem, steps, &r), 0);
+    const struct energy e = *dem_energy(dem);
+    dem_free(dem);
+    const double rest = 2.0 * 0.5 * 1e4 * 1e-8; /* both walls, in the middle */
+    const double gained =
+        (e.kinetic + e.normal - rest) / (0.5 * ps->m[0] * 1e-4);
+    particles_free(ps);
+    return gained;
+}
+
+START_TEST(verlet_and_euler_keep_energy_and_heun_gains_it)
+{
+    const double w_dt = 2.0 * M_PI / 25.0;
+    const double exact = pow(1.0 + 0.25 * gsl_pow_4(w_dt), 5000.0);
+
+    ck_assert_double_eq_tol(energy_after(names[0], 5000), 1.0, 0.02);
+    ck_assert_double_eq_tol(energy_after(names[1], 5000), 1.0, 0.3);
+    ck_assert_double_eq_tol(energy_after(names[2], 5000) / exact, 1.0, 0.01);
+}
+END_TEST
+
+/* --- the rest ------------------------------------------------------------- */
+
+/* 1000 spheres in a box that is periodic in one direction; and the same by 2
+ * threads, and in pieces. */
+static struct particles *moved(const char *integrator, int pieces)
+{
+    struct particles *const ps = spheres_cloud(13, 0.004, 0.5, 0.0062, 1.0, 8);
+    struct dem_options o = spheres_options(&contact_hertz, 5e-6, 0.0405);
+    struct dem_report r;
+
+    o.integrator = integrator != NULL ? integrators_named(integrator) : NULL;
+    o.material.friction = 0.3;
+    o.material.restitution = 0.8;
+    o.periodic[2] = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    for (int k = 0; k < pieces; k++)
+        ck_assert_int_eq(dem_run(dem, 240 / pieces, &r), 0);
+    ck_assert_int_gt(r.contacts, 50);
+    dem_free(dem);
+    return ps;
+}
+
+START_TEST(no_integrator_depends_on_the_number_of_threads)
+{
+    omp_set_num_threads(1);
+    struct particles *const one = moved(names[_i], 1);
+    omp_set_num_threads(2);
+    struct particles *const two = moved(names[_i], 1);
+    const size_t size = (size_t)one->n * sizeof(double);
+
+    ck_assert_mem_eq(one->x, two->x, size);
+    ck_assert_mem_eq(one->wz, two->wz, size);
+    particles_free(one);
+    particles_free(two);
+}
+END_TEST
+
+START_TEST(velocity_verlet_is_the_default_to_the_bit)
+{
+    struct particles *const named = moved("velocity-verlet", 1);
+    struct particles *const none = moved(NULL, 1);
+
+    ck_assert_mem_eq(named->x, none->x, (size_t)none->n * sizeof(double));
+    particles_free(named);
+    particles_free(none);
+}
+END_TEST
+
+/* A run in pieces is the same run: each begins where the last one ended. */
+START_TEST(a_run_in_pieces_is_one_run)
+{
+    struct particles *const whole = moved(names[_i], 1);
+    struct particles *const pieces = moved(names[_i], 8);
+    double worst = 0.0;
+
+    for (int id = 0; id < whole->n; id++)
+        worst = fmax(worst, fabs(whole->vx[spheres_place(whole, id)] -
+                                 pieces->vx[spheres_place(pieces, id)]));
+    ck_assert_double_lt(worst, 1e-9);
+    particles_free(whole);
+    particles_free(pieces);
+}
+END_TEST
+
+START_TEST(energy_closes_by_heun_to_second_order)
+{
+    double share[2];
+
+    for (int k = 0; k < 2; k++) {
+        struct particles *const ps = particles_create(2);
+        struct dem_options o =
+            spheres_options(&contact_hertz, k == 0 ? 4e-6 : 2e-6, 0.1);
+        struct dem_report r;
+        o.integrator = integrators_named("heun");
+        o.material.restitution = 0.7;
+        o.material.friction = 1e3;
+        spheres_throw(ps, spheres_add(ps, -0.0049, 0, 0, 0.01), 0.5, 0.3, 0.0);
+        ps->ex[0] = 10.0 * ps->m[0];
+        spheres_add(ps, 0.005, 0, 0, 0.012);
+        struct dem *const dem = dem_create(ps, &o);
+        dem_keep_energy(dem);
+        ck_assert_int_eq(dem_run(dem, k == 0 ? 50 : 100, &r), 0);
+        const struct energy *const e = dem_energy(dem);
+        share[k] = fabs(energy_residual(e)) / e->brought;
+        ck_assert_double_gt(e->damped_n, 0.05 * e->brought);
+        dem_free(dem);
+        particles_free(ps);
+    }
+    ck_assert_double_gt(log2(share[0] / share[1]), 1.8);
+    ck_assert_double_lt(share[1], 1e-4);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("integrators");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 30);
+    tcase_add_loop_test(t, each_integrator_has_its_order, 0, 6);
+    tcase_add_loop_test(
+        t, heun_is_of_second_order_with_springs_dashpots_and_spin, 0, 2);
+    tcase_add_loop_test(t, the_integrators_agree_in_the_end, 0, 2);
+    tcase_add_test(t, verlet_and_euler_keep_energy_and_heun_gains_it);
+    tcase_add_loop_test(t, no_integrator_depends_on_the_number_of_threads, 0,
+                        3);
+    tcase_add_test(t, velocity_verlet_is_the_default_to_the_bit);
+    tcase_add_loop_test(t, a_run_in_pieces_is_one_run, 0, 3);
+    tcase_add_test(t, energy_closes_by_heun_to_second_order);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

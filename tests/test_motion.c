@@ -1,0 +1,409 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Walls and particles that move as prescribed. */
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "base/vector.h"
+#include "particles/surface.h"
+#include "spheres.h"
+
+static const double g = 9.81; /* [m/s^2] */
+
+static struct surface plate(const struct motion *m)
+{
+    const struct surface s = {.name = "plate",
+                              .shape = SURFACE_PLANE,
+                              .normal = {0.0, 1.0, 0.0},
+                              .motion = *m};
+    return s;
+}
+
+/* The same plate as two triangles. */
+static struct surface sheet(const struct motion *m)
+{
+    double corner[2][3][3] = {{{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}},
+                              {{-3, 0, -3}, {3, 0, 3}, {-3, 0, 3}}};
+    const struct surface s = {.name = "sheet",
+                              .shape = SURFACE_TRIANGLES,
+                              .triangles = triangles_create(2, corner),
+                              .motion = *m};
+    return s;
+}
+
+static void forget(struct surface *s)
+{
+    triangles_free((struct triangles *)(uintptr_t)s->triangles);
+}
+
+static struct dem_options with(const struct surface *s, double step)
+{
+    struct dem_options o = spheres_options(&contact_linear, step, 2.0);
+
+    o.material.restitution = 0.5;
+    o.material.friction = 0.8;
+    o.surfaces = s;
+    o.n_surfaces = s != NULL;
+    return o;
+}
+
+/* One sphere of 0.1 m with its centre at x, y, 0. */
+static struct particles *sphere_at(double x, double y, double weight)
+{
+    struct particles *const ps = particles_create(2);
+
+    spheres_add(ps, x, y, 0.0, 0.1);
+    ps->ey[0] = -weight * g * ps->m[0];
+    return ps;
+}
+
+/* Its overlap at rest on a plate [m]. */
+static double sag(const struct particles *ps)
+{
+    return ps->m[0] * g / 1e4;
+}
+
+static struct dem *started(struct particles *ps, const struct dem_options *o)
+{
+    struct dem *const dem = dem_create(ps, o);
+
+    ck_assert_ptr_nonnull(dem);
+    dem_clock(dem, 0);
+    return dem;
+}
+
+/* --- the motion itself ---------------------------------------------------- */
+
+static const struct motion all_at_once = {.from = 0.2,
+                                          .until = 1.7,
+                                          .velocity = {0.1, -0.2, 0.3},
+                                          .amplitude = {0.05, 0.02, 0.0},
+                                          .frequency = 1.5,
+                                          .centre = {0.3, 0.1, -0.2},
+                                          .spin = {0.5, 1.0, -2.0}};
+
+/* Central differences, 1e-5 s: their error is about 1e-9. */
+START_TEST(velocity_of_a_motion_is_its_derivative)
+{
+    const double start[3] = {1.0, 2.0, -0.5}, h = 1e-5;
+
+    for (double t = 0.0; t < 2.0; t += 0.0611) {
+        const struct pose p = motion_pose(&all_at_once, t);
+        const struct pose a = motion_pose(&all_at_once, t - h);
+        const struct pose b = motion_pose(&all_at_once, t + h);
+        double x[3], before[3], after[3], v[3];
+        motion_place(&p, start, x);
+        motion_place(&a, start, before);
+        motion_place(&b, start, after);
+        motion_velocity(&p, x, v);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol(v[k], (after[k] - before[k]) / (2.0 * h),
+                                    1e-7);
+        ck_assert_double_le(vector_length(v), motion_speed(&all_at_once, 3.0));
+    }
+}
+END_TEST
+
+START_TEST(motion_leaves_distances_and_finds_back)
+{
+    const double one[3] = {1.0, 2.0, -0.5}, two[3] = {-0.4, 0.1, 0.7};
+    const struct pose p = motion_pose(&all_at_once, 1.234);
+    double x[3], y[3], back[3], apart[3], before[3];
+
+    motion_place(&p, one, x);
+    motion_place(&p, two, y);
+    motion_origin(&p, x, back);
+    vector_between(x, y, apart);
+    vector_between(one, two, before);
+    ck_assert_double_eq_tol(vector_length(apart), vector_length(before), 1e-14);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(back[k], one[k], 1e-14);
+}
+END_TEST
+
+/* --- walls ------------------------------------------------------------------
+ */
+
+/* A heavy wall gives (1 + e) V to what it meets; a triangle or a plane. The
+ * step is a 1000th of the contact, whose damping costs it 1e-3 of e. */
+START_TEST(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed)
+{
+    const struct motion m = {.velocity = {0.0, 0.5, 0.0}};
+    struct surface s = _i ? sheet(&m) : plate(&m);
+    const struct dem_options o = with(&s, 2e-5);
+    struct particles *const ps = sphere_at(0.2, 0.1, 0.0);
+    struct dem *const dem = started(ps, &o);
+    struct dem_report r;
+
+    ck_assert_int_eq(dem_run(dem, 10000, &r), 0);
+    ck_assert_double_eq_tol(ps->vy[0], 0.75, 1e-3);
+    ck_assert_double_eq_tol(dem_surface(dem, 0).work, ps->m[0] * 0.75 * 0.5,
+                            1e-3 * ps->m[0]);
+    dem_free(dem);
+    particles_free(ps);
+    forget(&s);
+}
+END_TEST
+
+/* It rests until the clock is started, and before `from`. */
+START_TEST(wall_rests_before_its_time)
+{
+    const struct motion m = {.from = 1.0, .velocity = {0.0, 0.5, 0.0}};
+    struct surface s = plate(&m);
+    const struct dem_options o = with(&s, 1e-3);
+    struct particles *const ps = sphere_at(0.2, 0.5, 0.0);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+
+    dem_run(dem, 1500, &r);
+    ck_assert_double_eq(dem_surface(dem, 0).pose.centre[1], 0.0);
+    dem_clock(dem, 0);
+    dem_run(dem, 900, &r);
+    ck_assert_double_eq(dem_surface(dem, 0).pose.centre[1], 0.0);
+    dem_run(dem, 200, &r);
+    ck_assert_double_eq_tol(dem_surface(dem, 0).pose.centre[1], 0.05, 1e-12);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* A solid sphere that rolls on a plate has 2/7 of its velocity, as its inertia
+ * is 2/5 m R^2. The plate swings slowly beside the contact's own frequency. */
+START_TEST(sphere_follows_a_swinging_plate_at_two_sevenths)
+{
+    const struct motion m = {.amplitude = {0.02, 0.0, 0.0}, .frequency = 1.0};
+    struct surface s = _i ? sheet(&m) : plate(&m);
+    const struct dem_options o = with(&s, 5e-5);
+    struct particles *const ps = sphere_at(0.2, 0.0, 1.0);
+    const double V = 0.02 * 2.0 * M_PI;
+
+    ps->y[0] = 0.05 - sag(ps);
+    spheres_throw(ps, 0, 2.0 / 7.0 * V, 0.0, 0.0); /* as if it always had */
+    spheres_spin(ps, 0, 0.0, 0.0, 5.0 / 7.0 * V / 0.05);
+    struct dem *const dem = started(ps, &o);
+    struct dem_report r;
+    for (int k = 1; k <= 40; k++) {
+        ck_assert_int_eq(dem_run(dem, 1000, &r), 0);
+        ck_assert_double_eq_tol(
+            ps->vx[0], 2.0 / 7.0 * V * cos(2.0 * M_PI * 0.05 * k), 0.01 * V);
+    }
+    dem_free(dem);
+    particles_free(ps);
+    forget(&s);
+}
+END_TEST
+
+/* On a turntable a sphere rolls in a circle, at 2/7 of the table's rate, from
+ * wherever it is and at whatever speed it starts. */
+START_TEST(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate)
+{
+    const struct motion m = {.centre = {0.1, 0.0, 0.3},
+                             .spin = {0.0, 3.0, 0.0}};
+    struct surface s = _i ? sheet(&m) : plate(&m);
+    struct dem_options o = with(&s, 5e-5);
+    struct particles *const ps = sphere_at(0.2, 0.0, 1.0);
+    const double rate = 2.0 / 7.0 * 3.0, v = 0.1, R = 0.05;
+    const int steps = (int)lround(2.0 * M_PI / rate / o.step);
+
+    o.material.stiffness = 1e6; /* so that the arm is R to 1e-4 */
+    ps->y[0] = R - 0.01 * sag(ps);
+    spheres_throw(ps, 0, v, 0.0, 0.0);
+    /* rolling: v + omega x (-R y) is the table's velocity, spin x (x - c) */
+    spheres_spin(ps, 0, 0.1 * 3.0 / R, 0.0, (-0.3 * 3.0 - v) / R);
+    struct dem *const dem = started(ps, &o);
+    struct dem_report r;
+    ck_assert_int_eq(dem_run(dem, steps / 2, &r), 0);
+    ck_assert_double_eq_tol(ps->z[0], -2.0 * v / rate, 2e-3);
+    ck_assert_double_eq_tol(ps->vx[0], -v, 1e-3);
+    ck_assert_int_eq(dem_run(dem, steps - steps / 2, &r), 0);
+    ck_assert_double_eq_tol(ps->x[0], 0.2, 2e-3);
+    ck_assert_double_eq_tol(ps->z[0], 0.0, 2e-3);
+    dem_free(dem);
+    particles_free(ps);
+    forget(&s);
+}
+END_TEST
+
+/* In a turning drum it stays at the bottom and spins with the wall. */
+START_TEST(sphere_in_a_drum_spins_with_the_wall)
+{
+    const struct surface s = {.name = "drum",
+                              .shape = SURFACE_CYLINDER,
+                              .normal = {0.0, 0.0, 1.0},
+                              .radius = 0.5,
+                              .inside = 1,
+                              .motion = {.spin = {0.0, 0.0, 0.5}}};
+    const struct dem_options o = with(&s, 1e-4);
+    struct particles *const ps = sphere_at(0.0, -0.45, 1.0);
+    struct dem *const dem = started(ps, &o);
+    struct dem_report r;
+
+    ps->wz[0] = 0.5 * 0.5 / 0.05;
+    ck_assert_int_eq(dem_run(dem, 50000, &r), 0);
+    ck_assert_double_eq_tol(ps->x[0], 0.0, 1e-3);
+    ck_assert_double_eq_tol(ps->wz[0], 5.0, 0.05);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* A sphere lies on a lift, off its centre: the lift receives the weight and its
+ * torque, and does m g h of work. */
+START_TEST(surface_accounts_for_force_torque_and_work)
+{
+    const struct motion m = {.velocity = {0.0, 0.2, 0.0},
+                             .centre = {-0.1, 0.0, 0.2}};
+    struct surface s = _i ? sheet(&m) : plate(&m);
+    const struct dem_options o = with(&s, 5e-5);
+    struct particles *const ps = sphere_at(0.2, 0.0, 1.0);
+    const double W = ps->m[0] * g;
+
+    ps->y[0] = 0.05 - sag(ps);
+    ps->vy[0] = 0.2;
+    struct dem *const dem = started(ps, &o);
+    struct dem_report r;
+    ck_assert_int_eq(dem_run(dem, 20000, &r), 0); /* 1 s */
+    const struct dem_surface a = dem_surface(dem, 0);
+    ck_assert_double_eq_tol(a.impulse[1], -W, 1e-3 * W);
+    ck_assert_double_eq_tol(a.impulse[0], 0.0, 1e-3 * W);
+    ck_assert_double_eq_tol(a.angular[0], -0.2 * W, 1e-3 * W);
+    ck_assert_double_eq_tol(a.angular[2], -0.3 * W, 1e-3 * W);
+    ck_assert_double_eq_tol(a.work, W * 0.2, 1e-3 * W);
+    dem_free(dem);
+    particles_free(ps);
+    forget(&s);
+}
+END_TEST
+
+/* --- driven particles --------------------------------------------------------
+ */
+
+START_TEST(driven_particle_is_free_and_then_circles)
+{
+    const struct driven one = {
+        .id = 0,
+        .motion = {.from = 0.5, .centre = {0.5, 0.0, 0.0}, .spin = {0, 0, 4}}};
+    struct dem_options o = with(NULL, 1e-3);
+    struct particles *const ps = sphere_at(0.0, 0.0, 0.0);
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    spheres_throw(ps, 0, 0.2, 0.0, 0.0);
+    struct dem *const dem = started(ps, &o);
+    dem_run(dem, 500, &r);
+    ck_assert_double_eq_tol(ps->x[0], 0.1, 1e-12);
+    ck_assert_double_eq_tol(ps->vx[0] + 1.0, 1.0, 1e-9); /* now driven */
+    for (int k = 1; k <= 50; k++) {
+        dem_run(dem, 37, &r);
+        const double a = 4.0 * 0.037 * k;
+        ck_assert_double_eq_tol(ps->x[0], 0.5 - 0.4 * cos(a), 1e-11);
+        ck_assert_double_eq_tol(ps->y[0], -0.4 * sin(a), 1e-11);
+        ck_assert_double_eq_tol(ps->vx[0], 1.6 * sin(a), 1e-9);
+        ck_assert_double_eq_tol(ps->wz[0], 4.0, 1e-12);
+        ck_assert_double_eq_tol(
+            r.translation + r.rotation,
+            0.5 * ps->m[0] * (1.6 * 1.6 + 0.4 * 0.05 * 0.05 * 16.0), 1e-9);
+    }
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* To the others it is a wall: (1 + e) V, though it weighs no more than they. */
+START_TEST(driven_particle_throws_another_as_a_wall_does)
+{
+    const struct driven one = {.id = 0,
+                               .motion = {.velocity = {0.5, 0.0, 0.0}}};
+    struct dem_options o = with(NULL, 2e-5);
+    struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    spheres_add(ps, 0.2, 0.0, 0.0, 0.1);
+    struct dem *const dem = started(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
+    ck_assert_double_eq_tol(ps->vx[spheres_place(ps, 1)], 0.75, 1e-3);
+    ck_assert_double_eq_tol(ps->vx[spheres_place(ps, 0)], 0.5, 1e-9);
+    ck_assert_double_eq_tol(ps->y[spheres_place(ps, 0)], 0.0, 1e-9);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* A run that is cut and goes on with a new dem, its clock set: nothing is
+ * remembered but particles, springs and the time. The springs are turned into
+ * the plane of contact once more, which changes their last bits, and bouncing
+ * makes more of them. */
+START_TEST(clock_is_all_that_a_motion_remembers)
+{
+    const struct motion m = {.centre = {0.1, 0.0, 0.3},
+                             .amplitude = {0.0, 0.01, 0.0},
+                             .frequency = 3.0,
+                             .spin = {0.0, 3.0, 0.0}};
+    struct surface s = sheet(&m);
+    const struct dem_options o = with(&s, 1e-4);
+    struct particles *ps[2];
+    struct dem_report r;
+    int n;
+
+    for (int k = 0; k < 2; k++) {
+        ps[k] = particles_create(1);
+        spheres_add(ps[k], 0.2, 0.063, 0.1, 0.125);
+        ps[k]->ey[0] = -g * ps[k]->m[0];
+    }
+    struct dem *const whole = started(ps[0], &o);
+    struct dem *const first = started(ps[1], &o);
+    dem_run(whole, 4000, &r);
+    dem_run(whole, 4000, &r);
+    dem_run(first, 4000, &r);
+    struct dem_spring *const list = dem_springs(first, &n);
+    struct dem *const second = started(ps[1], &o);
+    dem_clock(second, 4000);
+    dem_recall(second, list, n);
+    dem_run(second, 4000, &r);
+    ck_assert_double_eq_tol(ps[0]->x[0], ps[1]->x[0], 1e-10);
+    ck_assert_double_eq_tol(ps[0]->y[0], ps[1]->y[0], 1e-10);
+    ck_assert_double_eq_tol(ps[0]->wz[0], ps[1]->wz[0], 1e-7);
+    free(list);
+    dem_free(whole);
+    dem_free(first);
+    dem_free(second);
+    particles_free(ps[0]);
+    particles_free(ps[1]);
+    forget(&s);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *const s = suite_create("motion");
+    TCase *const t = tcase_create("motion");
+
+    tcase_add_test(t, velocity_of_a_motion_is_its_derivative);
+    tcase_add_test(t, motion_leaves_distances_and_finds_back);
+    tcase_add_loop_test(
+        t, moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 0, 2);
+    tcase_add_test(t, wall_rests_before_its_time);
+    tcase_add_loop_test(t, sphere_follows_a_swinging_plate_at_two_sevenths, 0,
+                        2);
+    tcase_add_loop_test(
+        t, sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 0, 2);
+    tcase_add_test(t, sphere_in_a_drum_spins_with_the_wall);
+    tcase_add_loop_test(t, surface_accounts_for_force_torque_and_work, 0, 2);
+    tcase_add_test(t, driven_particle_is_free_and_then_circles);
+    tcase_add_test(t, driven_particle_throws_another_as_a_wall_does);
+    tcase_add_test(t, clock_is_all_that_a_motion_remembers);
+    suite_add_tcase(s, t);
+    return s;
+}
+
+int main(void)
+{
+    SRunner *const runner = srunner_create(suite());
+
+    srunner_run_all(runner, CK_NORMAL);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Spheres that are in each other before time 0. */
+#include "particles/overlaps.h"
+#include "spheres.h"
+
+static struct domain box_of(double half, int periodic)
+{
+    const double lo[3] = {-half, -half, -half}, hi[3] = {half, half, half};
+    const int flags[3] = {periodic, 0, 0};
+    return bodies_domain(lo, hi, flags);
+}
+
+START_TEST(the_deepest_pair_is_found_also_across_a_seam)
+{
+    const struct domain box = box_of(0.1, _i);
+    struct particles *const ps = particles_create(4);
+
+    spheres_add(ps, 0.0, 0, 0, 0.01);
+    spheres_add(ps, 0.0095, 0, 0, 0.01); /* 5 % */
+    spheres_add(ps, 0.099, 0, 0, 0.01);
+    spheres_add(ps, -0.0982, 0, 0, 0.02); /* 81 % of 15 mm across the seam */
+    const struct overlap found = overlaps_deepest(ps, &box);
+    ck_assert_int_eq(found.i, _i ? 2 : 0);
+    ck_assert_int_eq(found.j, _i ? 3 : 1);
+    ck_assert_double_eq_tol(found.depth, _i ? 1.0 - 2.8 / 15.0 : 0.05, 1e-12);
+    particles_free(ps);
+}
+END_TEST
+
+START_TEST(touching_is_not_overlapping)
+{
+    const struct domain box = box_of(0.1, 0);
+    struct particles *const ps = particles_create(2);
+
+    ck_assert_int_eq(overlaps_deepest(ps, &box).j, -1);
+    spheres_add(ps, 0.0, 0, 0, 0.01);
+    ck_assert_int_eq(overlaps_deepest(ps, &box).j, -1);
+    spheres_add(ps, 0.01, 0, 0, 0.01);
+    ck_assert_double_lt(overlaps_deepest(ps, &box).depth, 1e-14);
+    particles_free(ps);
+}
+END_TEST
+
+/* 100 spheres thrown into a box, 12 % of it, many of them deep in each other
+ * and two in one place: none is after, and all are inside. */
+START_TEST(spheres_are_moved_apart_and_stay_inside)
+{
+    const struct domain box = box_of(0.02, _i);
+    struct particles *const ps = particles_create(102);
+    uint64_t seed = 3;
+
+    for (int k = 0; k < 100; k++)
+        spheres_add(ps, 0.02 * spheres_random(&seed),
+                    0.015 * spheres_random(&seed),
+                    0.015 * spheres_random(&seed), 0.005);
+    spheres_add(ps, 0.001, 0.002, 0.003, 0.008);
+    spheres_add(ps, 0.001, 0.002, 0.003, 0.008);
+    ck_assert_double_gt(overlaps_deepest(ps, &box).depth, 0.5);
+    ck_assert_int_gt(overlaps_relax(ps, &box, 1000), 0);
+    ck_assert_double_le(overlaps_deepest(ps, &box).depth, OVERLAPS_MOST);
+    for (int i = 0; i < ps->n; i++)
+        ck_assert_double_le(fabs(ps->y[i]) + 0.5 * ps->d[i], 0.02 + 1e-15);
+    particles_free(ps);
+}
+END_TEST
+
+START_TEST(no_room_is_said)
+{
+    const struct domain box = box_of(0.01, 0);
+    struct particles *const ps = particles_create(20);
+
+    for (int k = 0; k < 20; k++)
+        spheres_add(ps, 1e-4 * k, 0, 0, 0.01);
+    ck_assert_int_eq(overlaps_relax(ps, &box, 200), -1);
+    particles_free(ps);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("overlaps");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_loop_test(t, the_deepest_pair_is_found_also_across_a_seam, 0, 2);
+    tcase_add_test(t, touching_is_not_overlapping);
+    tcase_add_loop_test(t, spheres_are_moved_apart_and_stay_inside, 0, 2);
+    tcase_add_test(t, no_room_is_said);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
