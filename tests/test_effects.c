@@ -124,10 +124,9 @@ static void spy_after(void *memory, struct simulation *sim)
  * that is in it, none for one that is not, none where the hook is missing. */
 START_TEST(an_effect_that_is_not_named_is_never_called)
 {
-    static const struct effect both = {"spy", "",         "",        "",  NULL,
-                                       NULL,  spy_before, spy_after, NULL};
-    static const struct effect after = {"spy", "",   "",        "",  NULL,
-                                        NULL,  NULL, spy_after, NULL};
+    static const struct effect both = {
+        .name = "spy", .before_particles = spy_before, .after_step = spy_after};
+    static const struct effect after = {.name = "spy", .after_step = spy_after};
     struct effect_state list[2] = {{&both, NULL}, {&after, NULL}};
     struct simulation *const sim = build("");
     ck_assert_int_eq(sim->n_effects, 0);

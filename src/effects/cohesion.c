@@ -25,15 +25,13 @@ static const struct key electrostatic_keys[] = {
      "longest gap between two surfaces at which it acts", "", ""},
     {0}};
 
-const struct effect cohesion_electrostatic = {"electrostatic",
-                                              "force between electric charges",
-                                              "LS 4.13",
-                                              "electrostatic_force",
-                                              electrostatic_keys,
-                                              create,
-                                              NULL,
-                                              NULL,
-                                              NULL};
+const struct effect cohesion_electrostatic = {
+    .name = "electrostatic",
+    .what = "force between electric charges",
+    .equations = "LS 4.13",
+    .function = "electrostatic_force",
+    .keys = electrostatic_keys,
+    .create = create};
 
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -47,15 +45,13 @@ static const struct key van_der_waals_keys[] = {
      "longest gap between two surfaces at which it acts", "", ""},
     {0}};
 
-const struct effect cohesion_van_der_waals = {"van_der_waals",
-                                              "van der Waals attraction",
-                                              "LS 4.14",
-                                              "van_der_waals_force",
-                                              van_der_waals_keys,
-                                              create,
-                                              NULL,
-                                              NULL,
-                                              NULL};
+const struct effect cohesion_van_der_waals = {.name = "van_der_waals",
+                                              .what =
+                                                  "van der Waals attraction",
+                                              .equations = "LS 4.14",
+                                              .function = "van_der_waals_force",
+                                              .keys = van_der_waals_keys,
+                                              .create = create};
 
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -71,15 +67,12 @@ static const struct key capillary_keys[] = {
      ""},
     {0}};
 
-const struct effect cohesion_capillary = {"capillary",
-                                          "pull of bridges of liquid",
-                                          "LS 4.15",
-                                          "capillary_force",
-                                          capillary_keys,
-                                          create,
-                                          NULL,
-                                          NULL,
-                                          NULL};
+const struct effect cohesion_capillary = {.name = "capillary",
+                                          .what = "pull of bridges of liquid",
+                                          .equations = "LS 4.15",
+                                          .function = "capillary_force",
+                                          .keys = capillary_keys,
+                                          .create = create};
 
 const struct effect *const cohesion_all[] = {&cohesion_electrostatic,
                                              &cohesion_van_der_waals,

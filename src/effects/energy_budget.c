@@ -24,12 +24,10 @@ static const struct key keys[] = {
      "LS 4.16", "particles"},
     {0}};
 
-const struct effect energy_budget_effect = {"energy_budget",
-                                            "where the particles' energy goes",
-                                            "LS 4.16",
-                                            "energy_collect",
-                                            keys,
-                                            energy_budget_create,
-                                            NULL,
-                                            NULL,
-                                            NULL};
+const struct effect energy_budget_effect = {
+    .name = "energy_budget",
+    .what = "where the particles' energy goes",
+    .equations = "LS 4.16",
+    .function = "energy_collect",
+    .keys = keys,
+    .create = energy_budget_create};

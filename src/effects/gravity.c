@@ -32,12 +32,11 @@ static const struct key keys[] = {
      "particles"},
     {0}};
 
-const struct effect gravity_effect = {"gravity",
-                                      "weight of the particles",
-                                      "XS11 2.1",
-                                      "gravity_before_particles",
-                                      keys,
-                                      gravity_create,
-                                      gravity_before_particles,
-                                      NULL,
-                                      NULL};
+const struct effect gravity_effect = {.name = "gravity",
+                                      .what = "weight of the particles",
+                                      .equations = "XS11 2.1",
+                                      .function = "gravity_before_particles",
+                                      .keys = keys,
+                                      .create = gravity_create,
+                                      .before_particles =
+                                          gravity_before_particles};

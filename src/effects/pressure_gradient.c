@@ -6,7 +6,9 @@
  * p without its hydrostatic part, whose share is buoyancy. The gradient that a
  * particle feels is seen through the adjoint of averaging: then the sum of all
  * f_i is, to rounding, the share eps_s grad p that the fluid's equation leaves
- * out (gamma = eps in fluid.h), and momentum is exchanged exactly and at once.
+ * out (gamma = eps in fluid.h), and momentum is exchanged exactly and at once:
+ * model A. In model B the fluid keeps all of grad p, and f_i is returned to it
+ * like the drag, in its next step [SX15 2b, EW18 11].
  */
 #include "effects/effects.h"
 
@@ -14,7 +16,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "exchange/simulation.h"
+#include "exchange/coupling.h"
 
 struct pressure_gradient {
     double *gradient; /* [Pa/m] at the particles, 3 each */
@@ -43,13 +45,19 @@ static void pressure_gradient_before_particles(void *memory,
     const struct pressure_gradient *const self = memory;
     const struct particles *const ps = sim->particles;
     const double rho = sim->fluid->options.rho;
+    const int shared = sim->fluid->options.pressure_shared;
 
     averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
     for (int i = 0; i < ps->n; i++) {
         const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
-        for (int k = 0; k < 3; k++)
-            sim->held[3 * i + k] -=
-                V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
+        double impulse[3];
+        for (int k = 0; k < 3; k++) {
+            const double f =
+                -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
+            sim->held[3 * i + k] += f;
+            impulse[k] = f * sim->dt;
+        }
+        if (!shared) coupling_charge(sim, i, impulse);
     }
 }
 
@@ -60,12 +68,11 @@ static const struct key keys[] = {
     {0}};
 
 const struct effect pressure_gradient_effect = {
-    "pressure_gradient",
-    "force of the pressure gradient and buoyancy",
-    "LS 5.1, XS11 2.6, XS11 2.8",
-    "pressure_gradient_before_particles",
-    keys,
-    pressure_gradient_create,
-    pressure_gradient_before_particles,
-    NULL,
-    pressure_gradient_free};
+    .name = "pressure_gradient",
+    .what = "force of the pressure gradient and buoyancy",
+    .equations = "LS 5.1, XS11 2.6, XS11 2.8",
+    .function = "pressure_gradient_before_particles",
+    .keys = keys,
+    .create = pressure_gradient_create,
+    .before_particles = pressure_gradient_before_particles,
+    .free = pressure_gradient_free};

@@ -64,12 +64,11 @@ static const struct key keys[] = {
     {0}};
 
 const struct effect time_average_effect = {
-    "time_average",
-    "fading time means of the averaged fields",
-    "SX15 11-14",
-    "time_average_update",
-    keys,
-    time_average_create,
-    NULL,
-    time_average_after_step,
-    time_average_free};
+    .name = "time_average",
+    .what = "fading time means of the averaged fields",
+    .equations = "SX15 11-14",
+    .function = "time_average_update",
+    .keys = keys,
+    .create = time_average_create,
+    .after_step = time_average_after_step,
+    .free = time_average_free};

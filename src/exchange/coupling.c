@@ -82,6 +82,15 @@ static void hold_forces(struct simulation *sim)
     }
 }
 
+static void after_particles(struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->after_particles != NULL)
+            e->effect->after_particles(e->memory, sim);
+    }
+}
+
 static void apply_held_forces(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
@@ -180,17 +189,26 @@ int coupling_step(struct simulation *sim)
         /* 3, 4. Drag and collisions, sub-step by sub-step. */
         failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
                                        : move_freely(sim, &clock);
+        if (!failed) after_particles(sim);
 
         /* 5. New eps_s and u_s; from them Omega and A for the next step. */
         if (sim->coupling != NULL && !failed) {
             failed = transfer_average(sim);
             clock_add(&sim->seconds.averaging, &clock);
-            transfer_drag_terms(sim);
+            if (!failed) transfer_drag_terms(sim);
         }
     }
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);
     return failed;
+}
+
+void coupling_charge(struct simulation *sim, int i, const double impulse[3])
+{
+    struct coupling *const cp = sim->coupling;
+
+    for (int k = 0; k < 3 && cp->options.two_way; k++)
+        cp->owed[3 * i + k] += impulse[k];
 }
 
 void coupling_owed(const struct simulation *sim, double owed[3])

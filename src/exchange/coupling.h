@@ -77,6 +77,10 @@ int coupling_start(struct simulation *sim);
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);
 
+/* Particle i has received this impulse [N s] from the fluid, which will pay it
+ * in its next step. For effects, while the particles have their turn. */
+void coupling_charge(struct simulation *sim, int i, const double impulse[3]);
+
 /* Sum of owed over the particles [N s]. */
 void coupling_owed(const struct simulation *sim, double owed[3]);
 

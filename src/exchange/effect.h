@@ -28,6 +28,7 @@ struct effect {
     void *(*create)(struct simulation *sim, const double *parameters);
     /* Any of these may be NULL. */
     void (*before_particles)(void *memory, struct simulation *sim);
+    void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     void (*free)(void *memory);
 };

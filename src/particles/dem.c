@@ -49,7 +49,8 @@ static int options_wrong(const struct dem_options *o,
         if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {
             fprintf(stderr,
                     "winnow: the box is %g m long in the periodic direction "
-                    "%c; particles of %g m with a skin of %g m need %g m\n",
+                    "%c; particles of %g m that are listed up to a gap of %g m "
+                    "need %g m\n",
                     o->hi[k] - o->lo[k], 'x' + k, widest, skin,
                     2.0 * (widest + skin));
             return 1;

@@ -168,33 +168,39 @@ static int close_by(const struct bodies *b, int i, int j, double skin)
     return r2 <= reach * reach; /* [LS 5.15] */
 }
 
-static void find_in_cell(const struct grid *g, int cell, struct strip *s,
-                         const struct bodies *b, int i, double skin)
+/* Partners of i among the particles from ... to - 1. */
+static void find_among(const struct grid *g, int from, int to, struct strip *s,
+                       const struct bodies *b, int i, double skin)
 {
     const int ring = b->box.periodic[g->axis[2]];
-    const int first = !ring && g->start[cell] <= i ? i + 1 : g->start[cell];
 
-    for (int j = first; j < g->start[cell + 1]; j++)
+    for (int j = !ring && from <= i ? i + 1 : from; j < to; j++)
         if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin))
             strip_add_pair(s, j);
 }
 
+/* Cells that follow each other in the fastest direction are one stretch of
+ * particles. */
 static void find_pairs(const struct grid *g, struct strip *s,
                        const struct bodies *b, int i, double skin)
 {
     const int *const a = g->axis;
-    int at[3][3], count[3];
+    int at[3][3], count[3], c[3];
 
     for (int k = 0; k < 3; k++)
         count[k] = beside(g, k, coordinate(g, k, b->place[i][k]), at[k]);
     for (int p = 0; p < count[a[2]]; p++)
         for (int q = 0; q < count[a[1]]; q++)
-            for (int r = 0; r < count[a[0]]; r++) {
-                int c[3];
+            for (int r = 0, next; r < count[a[0]]; r = next) {
+                const int *const row = at[a[0]];
+                for (next = r + 1; next < count[a[0]]; next++)
+                    if (row[next] != row[next - 1] + 1) break;
                 c[a[2]] = at[a[2]][p];
                 c[a[1]] = at[a[1]][q];
-                c[a[0]] = at[a[0]][r];
-                find_in_cell(g, cell_number(g, c), s, b, i, skin);
+                c[a[0]] = row[r];
+                const int cell = cell_number(g, c);
+                find_among(g, g->start[cell], g->start[cell + next - r], s, b,
+                           i, skin);
             }
 }
 

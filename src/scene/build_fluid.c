@@ -178,7 +178,8 @@ void build_fluid(const struct settings *s, struct simulation *sim)
         .splitting = settings_real(s, "fluid.splitting"),
         .tolerance = settings_real(s, "fluid.tolerance"),
         .coupled = build_two_way(s),
-        .pressure_shared = build_two_way(s) && shared,
+        .pressure_shared = build_two_way(s) && shared &&
+                           strcmp(settings_text(s, "exchange.model"), "A") == 0,
         .boundaries = sim->boundaries};
     take_drive(s, &o);
     sim->fluid = fluid_create(sim->mesh, &o);

@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "particles/overlaps.h"
+#include "particles/surface_start.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
 #include "scene/case_surfaces.h"
@@ -152,6 +153,9 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wz[i] = w[2];
     }
     if (part_spheres(s, sim->particles, o) != 0) return 2;
+    if (strcmp(settings_text(s, "particles.overlaps"), "allow") != 0 &&
+        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0)
+        return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }

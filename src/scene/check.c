@@ -173,7 +173,9 @@ static void print_one(const struct scales *k, const struct case_limits *m)
              "Rayleigh's wave around the smallest particle");
         line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
     }
-    line("contact time", m->contact, "s", "of two of the smallest particles");
+    line("contact time", m->contact, "s",
+         m->contact < HUGE_VAL ? "of two of the smallest particles"
+                               : "critical damping: they never part");
     line("suggested step", m->suggested, "s", "");
     line("safe step", m->longest, "s", "");
 }

@@ -307,6 +307,10 @@ const struct key keys_core[] = {
      "how the drag on a particle goes on during a sub-step", "XS11 3.18", ""},
     {"exchange.substeps", KEY_INT, "-", "auto | >= 1", "auto",
      "drag updates in a fluid step, N_s", "XS11 3.18-3.20", ""},
+    {"exchange.model", KEY_NAME, "", "A | B", "A",
+     "A: the particles take their share of the pressure gradient from the "
+     "fluid's equation; B: the fluid keeps it, and they return it as a force",
+     "XS11 2.4-2.8, SX15 2b", ""},
     {"exchange.coupling", KEY_NAME, "", "two-way | one-way", "two-way",
      "one-way: the fluid does not feel the particles", "LS 5", ""},
 

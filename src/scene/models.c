@@ -175,6 +175,17 @@ static int relaxation(int i, struct model *m)
     return row(table, i, m);
 }
 
+static int form(int i, struct model *m)
+{
+    static const struct model table[] = {
+        {"A", "the fluid has its share of the pressure gradient, eps_f grad p",
+         "XS11 2.8", "pressure_gradient_before_particles", ""},
+        {"B", "the fluid has all of it, and what the particles feel returns",
+         "SX15 2b", "pressure_gradient_before_particles", ""},
+        {NULL, NULL, NULL, NULL, NULL}};
+    return row(table, i, m);
+}
+
 static int coupling(int i, struct model *m)
 {
     static const struct model table[] = {
@@ -293,6 +304,8 @@ const struct kind models_kinds[] = {
      treatment},
     {"relaxation", "courses of the drag during a sub-step",
      "exchange.relaxation", relaxation},
+    {"model", "forms of the averaged momentum equation", "exchange.model",
+     form},
     {"coupling", "directions of the coupling", "exchange.coupling", coupling},
     {"time", "time schemes of the fluid", "fluid.time", time_scheme},
     {"convection", "convection schemes", "fluid.convection", convection},

@@ -195,8 +195,9 @@ static int run(const char *law, const char *path, int steps)
     struct dem *const dem = dem_create(ps, &o);
     struct dem_report r;
 
-    for (int done = 0; done < steps; done += STEPS_A_RUN)
-        if (dem_run(dem, STEPS_A_RUN, &r) != 0) return 1;
+    for (int left = steps; left > 0; left -= STEPS_A_RUN)
+        if (dem_run(dem, left < STEPS_A_RUN ? left : STEPS_A_RUN, &r) != 0)
+            return 1;
     describe(dem, ps);
     dem_free(dem);
     particles_free(ps);

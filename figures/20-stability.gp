@@ -1,0 +1,43 @@
+# Where each treatment of drag is stable: figures/20-suspension.txt, 20-one.txt,
+# 20-bed.txt. Lines: where theory puts the edge.
+load "figures/style.gp"
+set terminal svg size 900,720 dynamic font "sans,12" background "#ffffff"
+set output "figures/20-stability.svg"
+set multiplot layout 3,4 margins 0.08,0.99,0.12,0.94 spacing 0.015,0.03
+set logscale xy
+set xrange [0.05:2e4]
+set yrange [4e-4:2.5e3]
+set xtics 0.1, 100
+set ytics 1e-3, 1000
+set format "10^{%T}"
+unset key
+eps = 0.45
+c = 1/eps**2 - 1
+coth(x) = (1 + exp(-x))/(1 - exp(-x))
+frozen(x) = x < 2 ? 2/x - 1 : 1/0
+systems = "suspension one bed"
+treatments = "explicit-frozen explicit-exponential semi-implicit-frozen semi-implicit-exponential"
+do for [r = 1:3] {
+    do for [k = 1:4] {
+        name = word(treatments, k)
+        file = "figures/20-" . word(systems, r) . ".txt"
+        of(v) = sprintf("< awk '$1 == \"%s\" && $4 == \"%s\" {print $2, $3}' %s", name, v, file)
+        set title (r == 1 ? name : "") offset 0,-0.6 noenhanced
+        if (k == 1) { set ylabel word(systems, r) . ":  M"; set format y "10^{%T}" } else { unset ylabel; set format y "" }
+        if (r == 3) { set xlabel "dt / tau"; set format x "10^{%T}" } else { unset xlabel; set format x "" }
+        unset arrow
+        if (r < 3 && k == 3) { set arrow 1 from 2, 4e-4 to 2, 2.5e3 nohead linecolor "#000000" linewidth 1.5 front }
+        edge = (k % 2 == 1) ? 2*eps**2 : log((1 + c)/(c - 1))
+        if (r == 3) {
+            set arrow 1 from edge, 1 to edge, (k < 3 && k % 2 == 1 ? 2/edge : 2.5e3) nohead linecolor "#000000" linewidth 1.5 front
+            set arrow 2 from 0.05, 1 to edge, 1 nohead linecolor "#000000" linewidth 1.5 front
+        }
+        curve(x) = r < 3 ? (k == 1 ? frozen(x) : k == 2 ? coth(x/2) : 1/0) : (k == 1 && x < edge ? 2/x : 1/0)
+        plot of("diverged") using 2:1 with points pointtype 2 pointsize 0.6 linecolor "#c2571a" linewidth 1.2, \
+             of("oscillating") using 2:1 with points pointtype 7 pointsize 0.8 linecolor "#e0a030", \
+             of("sluggish") using 2:1 with points pointtype 6 pointsize 0.8 linecolor "#0b5a8a" linewidth 1.2, \
+             of("stable") using 2:1 with points pointtype 7 pointsize 0.8 linecolor "#0b5a8a", \
+             curve(x) with lines linecolor "#000000" linewidth 1.5
+    }
+}
+unset multiplot

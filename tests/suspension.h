@@ -1,0 +1,189 @@
+/* suspension.h -- spheres that fly through a fluid, for the tests of the
+ * exchange: a periodic cube, put together by hand. */
+#ifndef SUSPENSION_H
+#define SUSPENSION_H
+
+#include <check.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "effects/effects.h"
+#include "exchange/coupling.h"
+
+/* A scene put together by hand: everything that a test wants to vary. */
+struct scene {
+    const char *averaging, *scheme, *interpolation, *drag;
+    enum relaxation relaxation;
+    enum treatment treatment;
+    enum continuity continuity;
+    int pressure_gradient, substeps, one_way;
+    int model_b;
+    double virtual_mass;  /* [-] C; 0: the effect is off */
+    double mean_gradient; /* [Pa/m] along x */
+    double rho, mu, dt;
+    double rho_s, d;
+    int n, dem_steps;
+    double size;  /* [m] of the cube */
+    int cells;    /* a side */
+    double width; /* [-] bandwidth in cells */
+    double gravity[3];
+};
+
+static const struct scene air = {.averaging = "diffusion",
+                                 .scheme = "exponential",
+                                 .interpolation = "same",
+                                 .drag = "syamlal-obrien",
+                                 .treatment = TREATMENT_SEMI_IMPLICIT,
+                                 .continuity = CONTINUITY_VOID_RATE,
+                                 .pressure_gradient = 1,
+                                 .rho = 1.2,
+                                 .mu = 1.8e-5,
+                                 .dt = 2e-4,
+                                 .rho_s = 1000.0,
+                                 .d = 1e-3,
+                                 .n = 400,
+                                 .dem_steps = 10,
+                                 .size = 0.012,
+                                 .cells = 6,
+                                 .width = 2.0};
+
+static inline void add_effect(struct simulation *sim, const struct effect *e,
+                              const double *numbers)
+{
+    sim->effects[sim->n_effects].effect = e;
+    sim->effects[sim->n_effects].memory = e->create(sim, numbers);
+    sim->n_effects++;
+}
+
+/* Spheres on a lattice with random velocities. */
+static inline void scatter(struct simulation *sim, const struct scene *s)
+{
+    const int side = (int)ceil(cbrt(s->n));
+    const double pitch = s->size / side;
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+
+    sim->particles = particles_create(s->n);
+    for (int k = 0; k < s->n; k++) {
+        const double x[3] = {(k % side + 0.5) * pitch,
+                             (k / side % side + 0.5) * pitch,
+                             (k / side / side + 0.5) * pitch};
+        const int i = particles_add(sim->particles, x, s->d, s->rho_s);
+        sim->particles->vx[i] = 0.5 * gsl_rng_uniform(random);
+        sim->particles->vy[i] = 0.5 * gsl_rng_uniform(random) - 0.25;
+        sim->particles->vz[i] = 0.5 * gsl_rng_uniform(random) - 0.25;
+    }
+    gsl_rng_free(random);
+}
+
+static inline void create_fluid(struct simulation *sim, const struct scene *s)
+{
+    const struct fluid_options fo = {
+        .rho = s->rho,
+        .mu = s->mu,
+        .dt = s->dt,
+        .convection = convection_scheme_named("upwind"),
+        .continuity = s->continuity,
+        .correctors = 2,
+        .tolerance = 1e-10,
+        .coupled = !s->one_way,
+        .mean_gradient = {s->mean_gradient, 0.0, 0.0},
+        .pressure_shared = s->pressure_gradient && !s->one_way && !s->model_b};
+
+    sim->fluid = fluid_create(sim->mesh, &fo);
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c] = 0.3;
+    for (int f = 0; f < sim->mesh->n_faces; f++)
+        sim->fluid->phi[f] = 0.3 * sim->mesh->S[3 * f];
+}
+
+static inline void create_coupling(struct simulation *sim,
+                                   const struct scene *s)
+{
+    const struct averaging_options ao = {.bandwidth =
+                                             s->width * s->size / s->cells,
+                                         .scheme = s->scheme,
+                                         .steps = 3,
+                                         .tolerance = 1e-13,
+                                         .fields = 4};
+    const struct coupling_options co = {
+        .law = drag_law_named(s->drag),
+        .treatment = s->treatment,
+        .relaxation = s->relaxation,
+        .interpolation = interpolation_named(s->interpolation),
+        .substeps = s->substeps,
+        .two_way = !s->one_way};
+
+    sim->averaging = averaging_create(averaging_method_named(s->averaging),
+                                      sim->mesh, sim->particles, &ao);
+    sim->coupling = coupling_create(sim, &co);
+}
+
+static inline struct simulation *build(const struct scene *s)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+    const struct box_spec spec = {{s->size, s->size, s->size},
+                                  {s->cells, s->cells, s->cells},
+                                  {1.0, 1.0, 1.0},
+                                  {1, 1, 1}};
+    struct dem_options o = {
+        .law = contact_law_named("linear"),
+        .material = {.stiffness = 100.0, .restitution = 0.9, .friction = 0.3},
+        .step = s->dt / s->dem_steps,
+        .hi = {s->size, s->size, s->size},
+        .periodic = {1, 1, 1}};
+
+    sim->mesh = mesh_create_box(&spec);
+    sim->dt = s->dt;
+    sim->dem_steps = s->dem_steps;
+    scatter(sim, s);
+    sim->held = alloc_doubles(3 * s->n);
+    particles_attach(sim->particles, sim->held, 3);
+    sim->dem = dem_create(sim->particles, &o);
+    create_fluid(sim, s);
+    create_coupling(sim, s);
+    sim->effects = alloc_zeroed(3, sizeof *sim->effects);
+    if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
+    if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
+    if (s->virtual_mass > 0.0)
+        add_effect(sim, &virtual_mass_effect, &s->virtual_mass);
+    ck_assert_int_eq(coupling_start(sim), 0);
+    return sim;
+}
+
+static inline void discard(struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->free != NULL)
+            sim->effects[i].effect->free(sim->effects[i].memory);
+    free(sim->effects);
+    coupling_free(sim->coupling);
+    averaging_free(sim->averaging);
+    dem_free(sim->dem);
+    particles_free(sim->particles);
+    fluid_free(sim->fluid);
+    free(sim->held);
+    mesh_free(sim->mesh);
+    free(sim);
+}
+
+static inline void run(struct simulation *sim, int steps)
+{
+    for (int i = 0; i < steps; i++)
+        ck_assert_int_eq(coupling_step(sim), 0);
+}
+
+/* Sum of |m v| of the particles: the scale of what is exchanged. */
+static inline double gross_momentum(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    double sum = 0.0;
+    for (int i = 0; i < ps->n; i++)
+        sum += ps->m[i] * (fabs(ps->vx[i]) + fabs(ps->vy[i]) + fabs(ps->vz[i]));
+    return sum;
+}
+
+#endif

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The forces beside the drag: virtual mass, pressure, and who pays for them. */
+#include "exchange/coupling.h"
+
+#include <omp.h>
+
+#include "suspension.h"
+
+/* Density of the spheres over that of the fluid: sand in air is far above. */
+static const double ratios[] = {10.0, 2.65, 1.0, 0.1};
+
+/* Without friction to speak of: over the few steps of a test the drag changes
+ * a velocity by less than 1e-9 of itself. */
+static struct scene inviscid(double ratio)
+{
+    struct scene s = air;
+
+    s.one_way = s.substeps = 1;
+    s.n = 1;
+    s.rho = 1000.0;
+    s.rho_s = ratio * s.rho;
+    s.mu = 1e-13;
+    s.drag = "schiller-naumann";
+    s.virtual_mass = 0.5;
+    return s;
+}
+
+static void let_go(struct simulation *sim, double u)
+{
+    for (int i = 0; i < sim->particles->n; i++)
+        sim->particles->vx[i] = sim->particles->vy[i] = sim->particles->vz[i] =
+            0.0;
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c] = u;
+    for (int f = 0; f < sim->mesh->n_faces; f++)
+        sim->fluid->phi[f] = u * sim->mesh->S[3 * f];
+    coupling_start(sim);
+}
+
+/* (rho_s + rho/2) dv/dt = (rho_s - rho) g from rest: light spheres rise with
+ * up to 2 g, not with 9 g. The drag of 10 steps, 0.44 of the dynamic pressure,
+ * comes to 3 C_d v^2/(4 d (ratio + 1/2)) t, below 1e-5 of v after 1e-4 s. */
+START_TEST(ls_5_3_a_sphere_let_go_falls_with_the_fluid_that_it_takes_along)
+{
+    struct scene s = inviscid(ratios[_i]);
+    s.gravity[1] = -9.81;
+    s.dt = 1e-6;
+    struct simulation *const sim = build(&s);
+    const double g = s.gravity[1] * (ratios[_i] - 1.0) / (ratios[_i] + 0.5);
+
+    let_go(sim, 0.0);
+    run(sim, 10);
+    ck_assert_double_eq_tol(sim->particles->vy[0], g * 1e-5,
+                            1e-5 * fabs(g) * 1e-5 + 1e-18);
+    discard(sim);
+}
+END_TEST
+
+/* A fluid that is accelerated as a whole takes a sphere along: pressure and
+ * virtual mass give (ratio + C) dv/dt = (1 + C) du/dt, so that one as heavy as
+ * the fluid stays with it and a light one runs ahead. The first step has no
+ * past and so only the pressure: it is left out. */
+START_TEST(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead)
+{
+    struct scene s = inviscid(ratios[_i]);
+    const double step = 1e-6, a = 5.0;
+    s.dt = step;
+    s.mean_gradient = -a * s.rho;
+    struct simulation *const sim = build(&s);
+
+    let_go(sim, 0.0);
+    run(sim, 1);
+    const double v = sim->particles->vx[0], u = sim->fluid->u[0];
+    ck_assert_double_eq_tol(u, a * step, 1e-12 * u);
+    run(sim, 10);
+    ck_assert_double_eq_tol(sim->particles->vx[0] - v,
+                            1.5 / (ratios[_i] + 0.5) * (sim->fluid->u[0] - u),
+                            1e-4 * u);
+    discard(sim);
+}
+END_TEST
+
+/* u . grad u: a steady stream that speeds up along its way. u = c x between
+ * the centres gives c^2 x; a sphere there, held by nothing else, feels it. */
+START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
+{
+    struct scene s = inviscid(1.0);
+    s.averaging = "pcm";
+    s.pressure_gradient = 0;
+    struct simulation *const sim = build(&s);
+    const struct mesh *const m = sim->mesh;
+    const double c = 3.0, dx = s.size / s.cells;
+    const int host = m->n_cells / 2 + s.cells / 2;
+
+    for (int i = 0; i < 2; i++) { /* twice: the field has a past, and stands */
+        for (int k = 0; k < m->n_cells; k++)
+            sim->fluid->u[3 * k] = c * m->centre[3 * k];
+        for (int f = 0; f < m->n_internal; f++)
+            sim->fluid->phi[f] =
+                c * m->S[3 * f] *
+                (m->centre[3 * m->owner[f]] + 0.5 * m->d[3 * f]);
+        memset(sim->held, 0, 3 * sizeof *sim->held);
+        sim->particles->x[0] = m->centre[3 * host];
+        sim->particles->y[0] = m->centre[3 * host + 1];
+        sim->particles->z[0] = m->centre[3 * host + 2];
+        averaging_bind(sim->averaging);
+        sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
+        sim->steps = 1;
+    }
+    const double V = particles_volume(sim->particles, 0);
+    ck_assert_double_gt(m->centre[3 * host], 2.0 * dx);
+    ck_assert_double_eq_tol(sim->held[0] / (0.5 * s.rho * V),
+                            c * c * m->centre[3 * host], 1e-12);
+    discard(sim);
+}
+END_TEST
+
+/* What is taken along comes out of the fluid: 4 densities x 2 treatments x 2
+ * relaxations x both forms of the momentum equation. 1e-12: as in
+ * test_coupling. Light spheres would leap without the added mass. */
+START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
+{
+    struct scene s = air;
+    double before[3], after[3];
+    s.rho = 1000.0;
+    s.mu = 1e-3;
+    s.rho_s = ratios[_i % 4] * s.rho;
+    s.virtual_mass = 0.5;
+    s.treatment = _i / 4 % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
+    s.relaxation = _i / 8 % 2 ? RELAXATION_EXPONENTIAL : RELAXATION_FROZEN;
+    s.model_b = _i / 16 % 2;
+    struct simulation *const sim = build(&s);
+    coupling_total_momentum(sim, before);
+    const double scale = gross_momentum(sim) + fabs(before[0]);
+    run(sim, 40);
+    coupling_total_momentum(sim, after);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_lt(
+            fabs(after[k] - before[k] - sim->fluid->relabelled[k]),
+            1e-12 * scale);
+    for (int i = 0; i < s.n; i++) /* as fast as what they started with */
+        ck_assert_double_lt(fabs(sim->particles->vx[i]), 0.6);
+    discard(sim);
+}
+END_TEST
+
+/* Largest difference of a velocity between the two forms after 2 ms, before any
+ * two of 64 spheres in a liquid meet. */
+static double difference(int halvings)
+{
+    double vx[64], most = 0.0;
+
+    for (int form = 0; form < 2; form++) {
+        struct scene s = air;
+        s.dt /= 1 << halvings;
+        s.n = 64;
+        s.rho = 100.0;
+        s.mu = 1e-3;
+        s.model_b = form;
+        s.gravity[1] = -9.81;
+        struct simulation *const sim = build(&s);
+        run(sim, 10 << halvings);
+        for (int i = 0; i < s.n; i++) {
+            const int id = sim->particles->id[i];
+            const double v = sim->particles->vx[i];
+            if (form == 1) most = fmax(most, fabs(v - vx[id]));
+            if (form == 0) vx[id] = v;
+        }
+        discard(sim);
+    }
+    return most;
+}
+
+/* The same forces, paid at once (A) or a step later (B): the trajectories
+ * differ by what a step is worth, and half of it with half the step. */
+START_TEST(sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero)
+{
+    const double coarse = difference(0), fine = difference(2);
+
+    ck_assert_double_lt(coarse, 1e-5); /* of 0.5 m/s */
+    ck_assert_double_gt(coarse / fine, 3.4);
+    ck_assert_double_lt(coarse / fine, 4.6);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("forces");
+    TCase *const t = tcase_create("forces");
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60.0);
+    tcase_add_loop_test(
+        t, ls_5_3_a_sphere_let_go_falls_with_the_fluid_that_it_takes_along, 0,
+        4);
+    tcase_add_loop_test(
+        t, ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 0, 4);
+    tcase_add_test(t, ls_5_3_a_converging_stream_accelerates_what_is_in_it);
+    tcase_add_loop_test(t, ls_5_3_virtual_mass_and_model_b_keep_total_momentum,
+                        0, 32);
+    tcase_add_test(t, sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
