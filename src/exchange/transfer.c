@@ -245,7 +245,7 @@ static void account(struct simulation *sim, int i, const double f[3],
     }
 }
 
-/* k (u_f - v): known at once, and constant. */
+/* k (u_f - v) [XS11 4.1]: known at once, and constant in the sub-step. */
 static void apply_frozen(struct simulation *sim, int i, double share)
 {
     struct particles *const ps = sim->particles;
