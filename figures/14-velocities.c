@@ -20,7 +20,8 @@ int main(int argc, char **argv)
     struct simulation *const sim = build_simulation(s, &code);
     if (sim == NULL) return code;
     const long steps = lround(settings_real(s, "output.end") / sim->dt);
-    while (sim->steps < steps && coupling_step(sim) == 0) {}
+    while (sim->steps < steps && coupling_step(sim) == 0) {
+    }
     const struct particles *const ps = sim->particles;
     printf("id    v_x    v_y    v_z [m/s]\n");
     for (int id = 0; id < ps->n; id++)

@@ -22,9 +22,9 @@ static struct table read_table(const char *path)
     char line[1024];
 
     while (f != NULL && fgets(line, sizeof line, f) != NULL)
-        if (t.n < 32 && sscanf(line, "%lf,%lf,%lf,%lf", &t.x[t.n],
-                               &t.value[t.n][0], &t.value[t.n][1],
-                               &t.value[t.n][2]) == 4)
+        if (t.n < 32 &&
+            sscanf(line, "%lf,%lf,%lf,%lf", &t.x[t.n], &t.value[t.n][0],
+                   &t.value[t.n][1], &t.value[t.n][2]) == 4)
             t.n++;
     if (f != NULL) fclose(f);
     return t;
@@ -52,15 +52,15 @@ static struct fluid *cavity(int n, double re, const struct boundary b[4])
 {
     const struct box_spec spec = {
         {1.0, 1.0, 0.1}, {n, n, 1}, {1.0, 1.0, 1.0}, {0, 0, 1}};
-    const struct fluid_options o = {
-        .rho = 1.0,
-        .mu = 1.0 / re,
-        .dt = 0.8 / n,
-        .convection = convection_scheme_named("linear"),
-        .correctors = 2,
-        .splitting = 1e-3,
-        .tolerance = 1e-6,
-        .boundaries = b};
+    const struct fluid_options o = {.rho = 1.0,
+                                    .mu = 1.0 / re,
+                                    .dt = 0.8 / n,
+                                    .convection =
+                                        convection_scheme_named("linear"),
+                                    .correctors = 2,
+                                    .splitting = 1e-3,
+                                    .tolerance = 1e-6,
+                                    .boundaries = b};
 
     return fluid_create(mesh_create_box(&spec), &o);
 }

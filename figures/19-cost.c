@@ -46,7 +46,8 @@ static double error_of(const struct fluid *fl)
     for (int c = 0; c < m->n_cells; c++) {
         double u[2];
         exact(m->centre[3 * c], m->centre[3 * c + 1], fl->t, u);
-        sum += pow(fl->u[3 * c] - u[0], 2.0) + pow(fl->u[3 * c + 1] - u[1], 2.0);
+        sum +=
+            pow(fl->u[3 * c] - u[0], 2.0) + pow(fl->u[3 * c + 1] - u[1], 2.0);
     }
     return sqrt(0.5 * sum / m->n_cells);
 }
@@ -76,12 +77,12 @@ static void run(const char *question, const char *setting, int n, double cfl,
 
 static struct fluid_options options(const char *time, const char *convection)
 {
-    const struct fluid_options o = {
-        .time = time_scheme_named(time),
-        .convection = convection_scheme_named(convection),
-        .blend = 0.8,
-        .correctors = 2,
-        .tolerance = 1e-6};
+    const struct fluid_options o = {.time = time_scheme_named(time),
+                                    .convection =
+                                        convection_scheme_named(convection),
+                                    .blend = 0.8,
+                                    .correctors = 2,
+                                    .tolerance = 1e-6};
 
     return o;
 }

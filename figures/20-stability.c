@@ -202,8 +202,7 @@ int main(int n, char **word)
     for (int i = 0; i < 3; i++)
         if (n > 1 && strcmp(word[1], systems[i]) == 0) system = i;
     /* what goes wrong is what is wanted here: it need not be said each time */
-    if (freopen("/dev/null", "w", stderr) == NULL)
-        return 4;
+    if (freopen("/dev/null", "w", stderr) == NULL) return 4;
     printf("# %s\n# treatment, M [-], x [-], verdict\n", systems[system]);
     for (int k = 0; k < 4; k++)
         for (int a = -3; a <= 3; a++)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The places of all spheres of a case at a time, in thousandths of a diameter.
  *
- *     sh figures/program.sh 21-bed cases/mueller-bed.cfg 0.3 >figures/data/21-bed.txt
+ *     sh figures/program.sh 21-bed cases/mueller-bed.cfg 0.3
+ * >figures/data/21-bed.txt
  */
 #include <math.h>
 #include <stdio.h>
