@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "linear/triples.h"
 
 static struct multigrid *pressure_hierarchy(const struct mesh *m)
 {
@@ -23,10 +24,10 @@ static struct multigrid *pressure_hierarchy(const struct mesh *m)
     return mg;
 }
 
-static int has_outlet(const struct fluid *fl)
+static int has(const struct fluid *fl, enum boundary_kind kind)
 {
     for (int i = 0; i < fl->mesh->n_patches; i++)
-        if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) return 1;
+        if (fl->options.boundaries[i].kind == kind) return 1;
     return 0;
 }
 
@@ -68,6 +69,10 @@ static void create_further(struct piso *ps, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
+    if (has(fl, BOUNDARY_SLIP)) {
+        ps->slip = alloc_doubles(3 * m->n_cells);
+        ps->held = alloc_doubles(3 * m->n_cells);
+    }
     if (storage_is_new(&fl->options)) ps->carry_own = alloc_doubles(m->n_faces);
     if (fl->u_older != NULL) {
         ps->storage_older = alloc_doubles(m->n_cells);
@@ -85,8 +90,11 @@ struct piso *piso_create(const struct fluid *fl)
     const int n = m->n_cells;
     struct piso *const ps = alloc_zeroed(1, sizeof *ps);
 
-    ps->momentum = csr_create(n, m->n_internal, m->owner, m->neighbour);
-    ps->pressure = csr_create(n, m->n_internal, m->owner, m->neighbour);
+    ps->runs =
+        runs_create(m->n_internal, m->n_faces, m->owner, m->neighbour);
+    ps->momentum =
+        ldu_create(n, m->n_internal, m->owner, m->neighbour, ps->runs);
+    ps->diag = alloc_doubles(n);
     ps->diag3 = alloc_doubles(3 * n);
     ps->b = alloc_doubles(3 * n);
     ps->storage = alloc_doubles(n);
@@ -98,18 +106,21 @@ struct piso *piso_create(const struct fluid *fl)
     ps->jump = alloc_doubles(m->n_internal);
     ps->share = alloc_doubles(m->n_internal);
     ps->inertia = alloc_doubles(3 * n);
-    ps->mobility = alloc_doubles(n);
-    ps->drive = alloc_doubles(3 * n);
+    ps->per_force = alloc_doubles(n);
+    ps->resistance = alloc_doubles(n);
+    if (fl->options.coupled) ps->drive = alloc_doubles(3 * n);
     ps->per_flux = alloc_doubles(n);
     ps->m_face = alloc_doubles(m->n_faces);
     ps->conductance = alloc_doubles(m->n_faces);
+    ps->kept = alloc_doubles(m->n_faces);
     ps->phi_old = alloc_doubles(m->n_faces);
+    ps->ground = alloc_doubles(n);
     ps->source = alloc_doubles(n);
     ps->divergence = alloc_doubles(n);
     create_links(ps, m);
     create_further(ps, fl);
     ps->oblique_slip = has_oblique_slip(fl);
-    ps->pinned = has_outlet(fl) ? -1 : 0;
+    ps->pinned = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     ps->mg = pressure_hierarchy(m);
     ps->cg = cg_work_create(n);
     ps->bicgstab = bicgstab_work_create(n);
@@ -119,9 +130,13 @@ struct piso *piso_create(const struct fluid *fl)
 void piso_free(struct piso *ps)
 {
     if (ps == NULL) return;
-    csr_free(ps->momentum);
-    csr_free(ps->pressure);
+    runs_free(ps->runs);
+    ldu_free(ps->momentum);
+    free(ps->diag);
+    free(ps->ground);
     free(ps->diag3);
+    free(ps->slip);
+    free(ps->held);
     free(ps->b);
     free(ps->storage);
     free(ps->past);
@@ -132,7 +147,8 @@ void piso_free(struct piso *ps)
     free(ps->jump);
     free(ps->share);
     free(ps->inertia);
-    free(ps->mobility);
+    free(ps->per_force);
+    free(ps->resistance);
     free(ps->drive);
     free(ps->per_flux);
     free(ps->SS);
@@ -140,6 +156,7 @@ void piso_free(struct piso *ps)
     free(ps->link);
     free(ps->m_face);
     free(ps->conductance);
+    free(ps->kept);
     free(ps->phi_old);
     free(ps->carry_own);
     free(ps->storage_older);
@@ -159,10 +176,11 @@ void piso_free(struct piso *ps)
 static void count_relabelled(struct fluid *fl)
 {
     const double scale = fl->options.rho * fl->options.dt;
+    double sum[3] = {0.0, 0.0, 0.0};
 
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            fl->relabelled[k] += scale * fl->u[3 * c + k] * fl->piso->defect[c];
+    triples_sum(fl->mesh->n_cells, fl->piso->defect, fl->u, sum);
+    for (int k = 0; k < 3; k++)
+        fl->relabelled[k] += scale * sum[k];
 }
 
 static int all_finite(const struct fluid *fl)
@@ -201,7 +219,10 @@ static void predict_and_correct(struct fluid *fl)
     continuity_source(fl);
     edge_inlet_fluxes(fl, fl->phi);
     for (int i = 0; i < fl->options.correctors; i++) {
-        momentum_neighbours(fl);
+        if (i == 0)
+            momentum_predicted(fl);
+        else
+            momentum_neighbours(fl);
         correct(fl);
     }
 }

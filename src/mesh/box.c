@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* box.c -- makes the face list of a box.
  *
- * Every cell offers the faces on its upper sides, in the order x, y, z; so
- * faces are numbered in the order in which a sweep over the cells meets them.
+ * Every cell offers the faces on its upper sides: those in x first, all over
+ * the box, then those in y, then z. So the faces between a row of cells and the
+ * next row are numbered in a row, too, and a loop over them reads memory as it
+ * lies (linear/runs.h).
  */
 #include "mesh/mesh.h"
 
@@ -90,10 +92,10 @@ static int inner_faces(struct mesh *m)
     const struct box *const b = &m->box;
     int f = 0, at[3];
 
-    for (at[2] = 0; at[2] < b->n[2]; at[2]++)
-        for (at[1] = 0; at[1] < b->n[1]; at[1]++)
-            for (at[0] = 0; at[0] < b->n[0]; at[0]++)
-                for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
+        for (at[2] = 0; at[2] < b->n[2]; at[2]++)
+            for (at[1] = 0; at[1] < b->n[1]; at[1]++)
+                for (at[0] = 0; at[0] < b->n[0]; at[0]++) {
                     const int last = at[k] == b->n[k] - 1;
                     if (last && !(b->periodic[k] && b->n[k] > 1)) continue;
                     if (m->owner != NULL) inner_face(m, f, k, at);
