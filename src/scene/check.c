@@ -2,13 +2,13 @@
 #include "scene/check.h"
 
 #include "averaging/averaging.h"
-#include "exchange/drag.h"
 #include "base/vector.h"
 #include "mesh/mesh.h"
 #include "particles/contact.h"
 #include "scene/build.h"
 #include "scene/build_particles.h"
 #include "scene/case_cohesion.h"
+#include "scene/case_drag.h"
 #include "scene/case_life.h"
 #include "scene/case_limits.h"
 #include "scene/case_materials.h"
@@ -299,26 +299,6 @@ static void print_averaging(const struct settings *s)
     mesh_free(m);
 }
 
-static void print_drag(const struct settings *s, const struct scales *k)
-{
-    const struct drag_law *const law =
-        drag_law_named(settings_text(s, "exchange.drag"));
-    const double rho_s = settings_real(s, "particles.grains.density");
-    const double rho_f = settings_real(s, "fluid.density");
-    const double mu = settings_real(s, "fluid.viscosity");
-    const int asked = settings_int(s, "exchange.substeps");
-    const double bed = drag_relaxation_time(law, rho_s, packed, rho_f, mu, k->d,
-                                            k->inlet / (1.0 - packed));
-    const double lone =
-        drag_relaxation_time(law, rho_s, 0.0, rho_f, mu, k->d, k->inlet);
-
-    puts("Drag");
-    line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
-    line("tau_p", lone, "s", "of a lone particle");
-    line("sub-steps", asked > 0 ? asked : fmax(1.0, ceil(k->dt / bed)), "-",
-         asked > 0 ? "as the case asks" : "drag updates in a step, about");
-}
-
 static void print_weight(const struct settings *s, const struct scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
@@ -378,7 +358,8 @@ int check_case(const struct settings *s)
     if (walls.surfaces > 0) print_walls(&walls, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
     if (settings_has(s, "averaging")) print_averaging(s);
-    if (settings_has(s, "exchange") && k.particles > 0) print_drag(s, &k);
+    if (settings_has(s, "exchange") && k.particles > 0)
+        case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);
     print_cost(s, &k);
     return 0;
