@@ -37,7 +37,7 @@ set format y "10^{%L}"
 one = "figures/08-steps.txt"
 bed = "figures/08-bed.txt"
 plot one index 0 using 2:3 with points pointtype 7 pointsize 1 \
-         linecolor "#0b5a8a" title "exponential", \
+         linecolor "#0b5a8a" title "exponential, by its series", \
      one index 2 using 2:3 with linespoints linetype 3 pointtype 7 \
          pointsize 0.4 title "implicit Euler, 1 to 32 steps", \
      one index 1 using 2:3 with linespoints linetype 2 pointtype 7 \

@@ -86,6 +86,12 @@ fact unknown_material_finds_the_one_meant 2 "did you mean felt?" \
 fact explain_names_rolling_friction 0 "sweep_roll" "$winnow" explain felt.cfg
 fact check_weighs_cohesion 0 "capillary / weight" \
     "$winnow" check tiny.cfg -s 'effects.capillary={tension=0.07;}'
+fact check_knows_the_longest_step_of_a_bed 0 "tau_p: NOT STABLE" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s fluid.viscosity=0.1
+fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
+fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 fact nothing_is_written_for_wrong_input 1 "" test -e out

@@ -22,7 +22,8 @@ struct scene {
     enum continuity continuity;
     int pressure_gradient, substeps, one_way;
     int model_b;
-    double virtual_mass;  /* [-] C; 0: the effect is off */
+    double virtual_mass; /* [-] C; 0: the effect is off */
+    int viscous_stress;
     double mean_gradient; /* [Pa/m] along x */
     double rho, mu, dt;
     double rho_s, d;
@@ -145,11 +146,12 @@ static inline struct simulation *build(const struct scene *s)
     sim->dem = dem_create(sim->particles, &o);
     create_fluid(sim, s);
     create_coupling(sim, s);
-    sim->effects = alloc_zeroed(3, sizeof *sim->effects);
+    sim->effects = alloc_zeroed(4, sizeof *sim->effects);
     if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
     if (s->virtual_mass > 0.0)
         add_effect(sim, &virtual_mass_effect, &s->virtual_mass);
+    if (s->viscous_stress) add_effect(sim, &viscous_stress_effect, NULL);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
 }

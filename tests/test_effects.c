@@ -92,6 +92,8 @@ START_TEST(an_effect_that_is_not_named_allocates_nothing)
         none + list);
     ck_assert_int_eq(allocations_with("effects = { pressure_gradient = {}; };"),
                      none + list + 2);
+    ck_assert_int_eq(allocations_with("effects = { viscous_stress = {}; };"),
+                     none + list + 4);
     ck_assert_int_eq(
         allocations_with("effects = { time_average = { time = 0.1; }; };\n"),
         none + list + 3);

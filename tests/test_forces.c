@@ -132,7 +132,7 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
     struct simulation *const sim = build(&s);
     coupling_total_momentum(sim, before);
     const double scale = gross_momentum(sim) + fabs(before[0]);
-    run(sim, 40);
+    run(sim, 10);
     coupling_total_momentum(sim, after);
     for (int k = 0; k < 3; k++)
         ck_assert_double_lt(
@@ -140,6 +140,94 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
             1e-12 * scale);
     for (int i = 0; i < s.n; i++) /* as fast as what they started with */
         ck_assert_double_lt(fabs(sim->particles->vx[i]), 0.6);
+    discard(sim);
+}
+END_TEST
+
+/* u_x = a y^2 between the centres: lap u = 2 a in every cell but those at the
+ * ends, wherever the sphere is. */
+START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
+{
+    struct scene s = inviscid(1.0);
+    s.averaging = "pcm";
+    s.pressure_gradient = 0;
+    s.virtual_mass = 0.0;
+    s.viscous_stress = 1;
+    s.mu = 0.7;
+    struct simulation *const sim = build(&s);
+    const struct mesh *const m = sim->mesh;
+    const int host = m->n_cells / 2 + s.cells / 2 * s.cells + s.cells / 2;
+    const double a = 3.0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        sim->fluid->u[3 * c] = a * gsl_pow_2(m->centre[3 * c + 1]);
+        sim->fluid->u[3 * c + 1] = -5.0 * m->centre[3 * c]; /* shear: none */
+    }
+    sim->particles->x[0] = m->centre[3 * host];
+    sim->particles->y[0] = m->centre[3 * host + 1];
+    sim->particles->z[0] = m->centre[3 * host + 2];
+    averaging_bind(sim->averaging);
+    memset(sim->held, 0, 3 * sizeof *sim->held);
+    sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
+    const double f = particles_volume(sim->particles, 0) * s.mu * 2.0 * a;
+    ck_assert_double_eq_tol(sim->held[0], f, 1e-10 * f);
+    ck_assert_double_lt(fabs(sim->held[1]), 1e-10 * f);
+    discard(sim);
+}
+END_TEST
+
+/* A wave of shear that decays: what stress does to the fluid in the place of
+ * the sphere, rho V du/dt, it does to the sphere, to the tolerance of the
+ * predictor. */
+START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
+{
+    struct scene s = inviscid(1.0);
+    s.averaging = "pcm";
+    s.pressure_gradient = 0;
+    s.virtual_mass = 0.0;
+    s.viscous_stress = 1;
+    s.mu = 10.0;
+    struct simulation *const sim = build(&s);
+    const struct mesh *const m = sim->mesh;
+
+    for (int f = 0; f < m->n_faces; f++)
+        sim->fluid->phi[f] = 0.0;
+    for (int c = 0; c < m->n_cells; c++)
+        sim->fluid->u[3 * c] = sin(2.0 * M_PI * m->centre[3 * c + 1] / s.size);
+    const int host = averaging_host(sim->averaging)[0];
+    const double before = sim->fluid->u[3 * host];
+    run(sim, 1);
+    const double decay = (sim->fluid->u[3 * host] - before) / s.dt;
+    const double force = s.rho * particles_volume(sim->particles, 0) * decay;
+    ck_assert_double_gt(fabs(decay), 100.0); /* m/s^2: there is something */
+    ck_assert_double_eq_tol(sim->held[0], force, 1e-8 * fabs(force));
+    discard(sim);
+}
+END_TEST
+
+/* The fluid pays: explicit and implicit drag, frozen and relaxed, model A and
+ * B, in a liquid thick enough for stress to matter. 1e-12 as above. */
+START_TEST(ls_5_1_viscous_stress_keeps_total_momentum)
+{
+    struct scene s = air;
+    double before[3], after[3];
+    s.viscous_stress = 1;
+    s.rho = 1000.0;
+    s.mu = 0.5;
+    s.substeps = 10;
+    s.relaxation = RELAXATION_EXPONENTIAL;
+    s.treatment = _i % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
+    s.model_b = _i / 2 % 2;
+    s.dt = _i % 2 ? 1e-6 : 2e-4;
+    struct simulation *const sim = build(&s);
+    coupling_total_momentum(sim, before);
+    const double scale = gross_momentum(sim) + fabs(before[0]);
+    run(sim, 40);
+    coupling_total_momentum(sim, after);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_lt(
+            fabs(after[k] - before[k] - sim->fluid->relabelled[k]),
+            1e-12 * scale);
     discard(sim);
 }
 END_TEST
@@ -198,6 +286,9 @@ int main(void)
     tcase_add_test(t, ls_5_3_a_converging_stream_accelerates_what_is_in_it);
     tcase_add_loop_test(t, ls_5_3_virtual_mass_and_model_b_keep_total_momentum,
                         0, 32);
+    tcase_add_test(t, ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
+    tcase_add_test(t, ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
+    tcase_add_loop_test(t, ls_5_1_viscous_stress_keeps_total_momentum, 0, 4);
     tcase_add_test(t, sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -10,6 +10,7 @@
 #include "averaging/averaging.h"
 #include "averaging/bandwidth.h"
 #include "averaging/hosts.h"
+#include "averaging/separable.h"
 #include "base/alloc.h"
 #include "linear/cg_many.h"
 #include "linear/chebyshev.h"
@@ -25,6 +26,7 @@ struct diffusion {
     int fields;             /* [-] room in the arrays below */
     double tolerance;       /* [-] */
     double dtau;            /* [m^2] T / steps */
+    struct separable *box;  /* of a box with one bandwidth; else NULL */
     struct csr *K;          /* [m] -V times div (D grad) */
     double most;            /* [-] largest D that the series is made for */
     struct chebyshev *series;
@@ -41,7 +43,7 @@ struct scheme {
     const char *name;
     double implicit; /* [-] share of dtau K in A */
     void (*step)(struct diffusion *, int m, double *u,
-                 struct averaging_report *r); /* NULL: the series, no steps */
+                 struct averaging_report *r); /* NULL: no steps */
 };
 
 double diffusion_kernel(double r, double b)
@@ -99,11 +101,15 @@ static void fill_matrix(struct csr *A, const struct mesh *m, const double *diag,
     }
 }
 
-static void apply_series(struct diffusion *d, int m, double *u,
-                         struct averaging_report *r)
+/* exp(-T L): in a box by its directions, else by the series. */
+static void apply_exponential(struct diffusion *d, int m, double *u,
+                              struct averaging_report *r)
 {
-    chebyshev_apply(d->series, m, u);
-    r->products = chebyshev_products(d->series);
+    if (d->box != NULL)
+        separable_apply(d->box, m, u);
+    else
+        chebyshev_apply(d->series, m, u);
+    r->products = d->box != NULL ? 0 : chebyshev_products(d->series);
     r->worst = (struct solve_report){.converged = 1};
 }
 
@@ -208,19 +214,21 @@ static void apply_padded(struct diffusion *d, int m, double *u,
 
 static const struct scheme schemes[] = {
     {"exponential", 0.0, NULL},
+    {"series", 0.0, NULL},
     {"crank-nicolson", 0.5, theta_step},
     {"implicit-euler", 1.0, theta_step},
     {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
 };
 
-const char *const diffusion_schemes[] = {"exponential", "crank-nicolson",
-                                         "implicit-euler", "sdirk2", NULL};
+const char *const diffusion_schemes[] = {"exponential",    "series",
+                                         "crank-nicolson", "implicit-euler",
+                                         "sdirk2",         NULL};
 
 static void smooth(struct diffusion *d, int m, double *u,
                    struct averaging_report *r)
 {
     if (d->scheme->step == NULL)
-        apply_series(d, m, u, r);
+        apply_exponential(d, m, u, r);
     else
         apply_padded(d, m, u, r);
 }
@@ -247,7 +255,7 @@ static int wrong_options(const struct averaging_options *o)
         return fprintf(
             stderr,
             "winnow: the diffusion has no scheme \"%s\"; expected "
-            "exponential, crank-nicolson, implicit-euler or sdirk2\n",
+            "exponential, series, crank-nicolson, implicit-euler or sdirk2\n",
             o->scheme);
     if (!is_a_rule(o->vary))
         return fprintf(stderr,
@@ -285,12 +293,25 @@ static void make_series(struct diffusion *d)
                                  d->fields);
 }
 
+/* Makes what the solver of a scheme with steps works on. */
+static void make_solver(struct diffusion *d)
+{
+    const struct mesh *const m = d->h->mesh;
+    const int n = m->n_cells;
+
+    d->A = csr_create(n, m->n_internal, m->owner, m->neighbour);
+    d->work = cg_many_work_create(n, d->fields);
+    d->rhs = alloc_doubles(n * d->fields);
+    d->stage = alloc_doubles(n * d->fields);
+    d->wide = alloc_doubles(n * d->fields);
+}
+
 static void *diffusion_create(const struct hosts *h,
                               const struct averaging_options *o)
 {
     if (wrong_options(o)) return NULL;
     struct diffusion *const d = alloc_zeroed(1, sizeof *d);
-    const int n = h->mesh->n_cells;
+    const struct mesh *const m = h->mesh;
 
     d->h = h;
     d->scheme = scheme_named(o->scheme);
@@ -299,19 +320,15 @@ static void *diffusion_create(const struct hosts *h,
     d->tolerance = o->tolerance;
     d->dtau = diffusion_time(o->bandwidth) / d->steps;
     d->vary = bandwidth_create(h, o);
-    d->K =
-        csr_create(n, h->mesh->n_internal, h->mesh->owner, h->mesh->neighbour);
-    d->smooth = alloc_doubles(n * d->fields);
-    if (d->scheme->step != NULL) {
-        d->A = csr_create(n, h->mesh->n_internal, h->mesh->owner,
-                          h->mesh->neighbour);
-        d->work = cg_many_work_create(n, d->fields);
-        d->rhs = alloc_doubles(n * d->fields);
-        d->stage = alloc_doubles(n * d->fields);
-        d->wide = alloc_doubles(n * d->fields);
-    } else {
+    d->smooth = alloc_doubles(m->n_cells * d->fields);
+    if (d->scheme == &schemes[0] && d->vary == NULL)
+        d->box = separable_create(&m->box, d->dtau * d->steps, d->tolerance);
+    if (d->box != NULL) return d;
+    d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
+    if (d->scheme->step != NULL)
+        make_solver(d);
+    else
         make_series(d);
-    }
     fill_matrices(d);
     return d;
 }
@@ -334,6 +351,7 @@ static void diffusion_free(void *state)
     struct diffusion *const d = state;
 
     bandwidth_free(d->vary);
+    separable_free(d->box);
     csr_free(d->K);
     csr_free(d->A);
     chebyshev_free(d->series);

@@ -10,8 +10,10 @@
  * out the sum of V phi stays what it is [SX15 A.3-A.6].
  *
  * The schemes in pseudo-time, where K is the mesh Laplacian times -V:
- *   exponential     exp(-T V^-1 K) by its Chebyshev series: no steps, no error
- *                   in tau beyond the tolerance
+ *   exponential     exp(-T V^-1 K): no steps, no error in tau beyond the
+ *                   tolerance; in a box direction by direction (separable.h),
+ *                   else by its Chebyshev series
+ *   series          the same, always by the series
  *   crank-nicolson  as [SX15]: second order; undershoots if the steps are few
  *   implicit-euler  first order; never undershoots
  */

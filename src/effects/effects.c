@@ -6,9 +6,11 @@
 #include <string.h>
 
 const struct effect *const effects_all[] = {
-    &gravity_effect,         &pressure_gradient_effect, &virtual_mass_effect,
-    &time_average_effect,    &energy_budget_effect,     &cohesion_electrostatic,
-    &cohesion_van_der_waals, &cohesion_capillary,       NULL};
+    &gravity_effect,         &pressure_gradient_effect,
+    &viscous_stress_effect,  &virtual_mass_effect,
+    &time_average_effect,    &energy_budget_effect,
+    &cohesion_electrostatic, &cohesion_van_der_waals,
+    &cohesion_capillary,     NULL};
 
 const struct effect *effects_named(const char *name)
 {

@@ -8,6 +8,7 @@ extern const struct effect energy_budget_effect;
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
 extern const struct effect virtual_mass_effect;
+extern const struct effect viscous_stress_effect;
 extern const struct effect time_average_effect;
 
 /* All of them, ended by NULL, and the one of that name or NULL. */

@@ -65,6 +65,8 @@ static void inner_pressures(int first, int last, struct fluid *fl)
         fl->p_face[f] +=
             jump_above_owner(fl, f) - (1.0 - w) * jump_pressure(fl, f);
     }
+    for (int f = first; f < last && fl->piso->rest; f++)
+        fl->p_face[f] += jump_rest_at_face(fl, f);
 }
 
 static void boundary_pressures(struct fluid *fl)
@@ -91,15 +93,15 @@ static void boundary_pressures(struct fluid *fl)
 static void add_faces(int first, int last, const struct fluid *fl, double *sum)
 {
     const struct mesh *const m = fl->mesh;
-    struct piece p = {0};
+    const struct runs *const r = fl->piso->runs;
+    struct piece next = {0};
 
-    for (int i = 3 * first; i < 3 * last && fl->piso->runs != NULL; i++)
+    for (int i = 3 * first; i < 3 * last && r != NULL; i++)
         sum[i] = 0.0;
-    while (fl->piso->runs != NULL &&
-           runs_next_of_cells(fl->piso->runs, first, last, &p))
-        triples_add(p.n, p.out, fl->p_face + p.link, m->S + 3L * p.link,
-                    sum + 3L * p.cell);
-    for (int c = first; c < last && fl->piso->runs == NULL; c++) {
+    while (r != NULL && runs_next_of_cells(r, first, last, &next))
+        triples_add(next.n, next.out, fl->p_face + next.link,
+                    m->S + 3L * next.link, sum + 3L * next.cell);
+    for (int c = first; c < last && r == NULL; c++) {
         double x = 0.0, y = 0.0, z = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const double *const S = &m->S[3 * m->cell_face[a]];

@@ -36,6 +36,8 @@ struct piso {
     double *jump;         /* [Pa] inertia at a face where eps jumps */
     double *share;        /* [-] of the owner in the carried velocity */
     double *inertia;      /* [N] what the jumps put on a cell, 3 each */
+    double *rest;         /* [N/m^3] what convection and viscosity do to a cell
+                             beside that, 3 each; or NULL: no face asks */
     double *per_force;    /* [1/m^3] 1 / (gamma V) */
     double *resistance;   /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
     double *drive;        /* [N] H less the inertia of jumps, 3 a cell; NULL if
@@ -72,17 +74,6 @@ struct piso {
 
 struct piso *piso_create(const struct fluid *fl);
 void piso_free(struct piso *ps);
-
-/* What flows out of cell c [m^3/s]. */
-static inline double piso_outflow(const struct mesh *m, const double *phi,
-                                  int c)
-{
-    double out = 0.0;
-
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        out += m->out[a] * phi[m->cell_face[a]];
-    return out;
-}
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */
@@ -147,6 +138,11 @@ void jump_update(struct fluid *fl);
 double jump_pressure(const struct fluid *fl, int f);
 /* By how much p_f lies above the owner's side of the face [Pa]. */
 double jump_above_owner(const struct fluid *fl, int f);
+/* Fills `rest` from the present H and u. What it adds to p_N - p_O across face
+ * f where gamma changes, and to p_f [Pa]. */
+void jump_rest(struct fluid *fl);
+double jump_of_rest(const struct fluid *fl, int f);
+double jump_rest_at_face(const struct fluid *fl, int f);
 
 /* balance.c: how far the momentum of the fluid, `before` the step and now,
  * changed otherwise than by the forces on it, over the sum of their sizes [-].

@@ -112,8 +112,9 @@ static int averaging(int i, struct model *m)
 static int scheme(int i, struct model *m)
 {
     static const struct model table[] = {
-        {"exponential", "series for the matrix exponential; no steps", "",
-         "apply_series", ""},
+        {"exponential", "the matrix exponential; no steps", "",
+         "apply_exponential", ""},
+        {"series", "the same, always by its series", "", "chebyshev_apply", ""},
         {"crank-nicolson", "second order; undershoots if the steps are few",
          "SX15 5", "theta_step", "averaging.steps"},
         {"implicit-euler", "first order; never undershoots", "", "theta_step",

@@ -1,0 +1,39 @@
+/* separable.h -- diffusion in a box, one direction after the other.  Chapter 8.
+ *
+ * The Laplacian of a box of cells is a sum of three, each of which knows one
+ * direction only, and these commute. So the exponential is a product:
+ *
+ *     exp(-T L) = exp(-T L_x) exp(-T L_y) exp(-T L_z)
+ *
+ * Each factor is a small matrix of n_k by n_k weights, the same for all lines
+ * of cells in its direction. They fall off like a Gaussian, and are kept as far
+ * as they matter. Nothing is solved and nothing is stepped; a field passes
+ * through memory three times. The weights are not negative, those of a cell add
+ * up to one, and V_i w_ij = V_j w_ji: constants stay, sums stay to rounding,
+ * nothing undershoots, and the operator is its own adjoint.
+ *
+ * Any grading, walls and periods; but one bandwidth, and no other mesh.
+ */
+#ifndef SEPARABLE_H
+#define SEPARABLE_H
+
+#include "mesh/mesh.h"
+
+struct separable;
+
+/* What is left away of the weights of a cell is less than tail [-] and stays
+ * where it is. NULL if the box is none, or has a direction of more than
+ * SEPARABLE_MOST cells, for which the weights would take long to find. */
+enum { SEPARABLE_MOST = 1024 };
+struct separable *separable_create(const struct box *box, double T /* [m^2] */,
+                                   double tail /* [-] */);
+void separable_free(struct separable *s);
+
+/* u becomes exp(-T L) u, for m fields side by side, u[m * i + k]. The bits do
+ * not depend on the number of threads. */
+void separable_apply(struct separable *s, int m, double *u);
+
+/* The weights [-] that a cell is given in direction k, at most. */
+int separable_reach(const struct separable *s, int k);
+
+#endif

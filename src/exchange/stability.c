@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "exchange/stability.h"
+
+double stability_longest_step(double eps_f, double tau_p)
+{
+    return 2.0 * eps_f * eps_f * tau_p; /* (20.6) */
+}
+
+double stability_loading(double rho_s, double eps_s, double rho_f)
+{
+    return eps_s * rho_s / ((1.0 - eps_s) * rho_f);
+}
+
+double stability_swing(double C, double rho_s, double eps_s, double rho_f)
+{
+    return (1.0 + C) / (rho_s / rho_f + C) * eps_s / (1.0 - eps_s); /* (20.9) */
+}
+
+double stability_densest(double C, double rho_s, double rho_f)
+{
+    const double heavy = (rho_s / rho_f + C) / (1.0 + C);
+
+    return heavy / (1.0 + heavy); /* (20.9) solved for eps_s */
+}

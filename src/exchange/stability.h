@@ -1,0 +1,27 @@
+/* stability.h -- what limits a coupled step beside the particles.  Chapter 20.
+ *
+ * A bed that moves as a whole is held back 1/eps_f^2 times as hard as one
+ * particle in it, by a fluid that stands still while the particles move; and
+ * the pressure that moved the particles is the next step's to make good:
+ *
+ *   dt < 2 eps_f^2 tau_p                                             (20.6)
+ *   lambda = (1 + C) / (rho_s / rho_f + C) * eps_s / eps_f < 1       (20.9)
+ */
+#ifndef STABILITY_H
+#define STABILITY_H
+
+/* The longest step [s] of the fluid above a packed bed of which eps_f [-] is
+ * fluid, and whose particles relax within tau_p [s]. */
+double stability_longest_step(double eps_f, double tau_p);
+
+/* Mass of the particles over that of the fluid beside them, M [-]. */
+double stability_loading(double rho_s, double eps_s, double rho_f);
+
+/* How much of a pressure swing is left, turned round, one step later [-]; C is
+ * the coefficient of virtual mass, 0 without it. From 1 on it grows. */
+double stability_swing(double C, double rho_s, double eps_s, double rho_f);
+
+/* The solid fraction [-] at which that is 1. */
+double stability_densest(double C, double rho_s, double rho_f);
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What limits the coupled step: the formulas, and the program beside them. */
+#include "exchange/stability.h"
+
+#include "suspension.h"
+
+/* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
+START_TEST(a_packed_bed_asks_for_less_than_half_its_relaxation_time)
+{
+    ck_assert_double_eq_tol(stability_longest_step(0.45, 1.0), 0.405, 1e-12);
+    ck_assert_double_eq_tol(stability_longest_step(1.0, 3.0), 6.0, 1e-12);
+}
+END_TEST
+
+/* Where (20.9) is 1: half of the room for neutral spheres, with added mass and
+ * without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
+START_TEST(the_swing_dies_out_below_the_densest_packing)
+{
+    static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
+    static const double C[] = {0.0, 0.5, 0.0, 0.5};
+    static const double densest[] = {0.5, 0.5, 0.1 / 1.1, 0.4 / 1.4};
+
+    for (int i = 0; i < 4; i++) {
+        const double eps_s = stability_densest(C[i], ratio[i], 1.0);
+        ck_assert_double_eq_tol(eps_s, densest[i], 1e-14);
+        ck_assert_double_eq_tol(stability_swing(C[i], ratio[i], eps_s, 1.0),
+                                1.0, 1e-14);
+    }
+}
+END_TEST
+
+/* Sand in air, 0.6 of the room: 1500 kg beside 0.48 kg. */
+START_TEST(the_loading_is_mass_beside_mass)
+{
+    ck_assert_double_eq_tol(stability_loading(2500.0, 0.6, 1.2), 3125.0, 1e-9);
+}
+END_TEST
+
+/* Largest momentum of 400 light spheres in a fluid without friction, over what
+ * they began with. 1 mm in 12 mm: eps_s = 0.12. */
+static double growth(double ratio, double C)
+{
+    struct scene s = air;
+
+    s.substeps = 1;
+    s.rho = 1000.0;
+    s.rho_s = ratio * s.rho;
+    s.mu = 1e-9;
+    s.drag = "schiller-naumann";
+    s.virtual_mass = C;
+    struct simulation *const sim = build(&s);
+    const double before = gross_momentum(sim);
+    double most = 0.0;
+    for (int i = 0; i < 60 && most < 1e3; i++) {
+        if (coupling_step(sim) != 0) break;
+        most = fmax(most, gross_momentum(sim) / before);
+    }
+    discard(sim);
+    return most;
+}
+
+/* Below 1 nothing grows, though the spheres weigh a fiftieth of the fluid; far
+ * above (the mean over 2 cells that a sphere sees takes some of it) the swing
+ * runs away, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
+START_TEST(light_spheres_are_held_by_the_swing_not_by_their_loading)
+{
+    const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;
+
+    ck_assert_double_lt(stability_loading(0.15, eps_s, 1.0), 0.03);
+    ck_assert_double_lt(stability_swing(0.0, 0.15, eps_s, 1.0), 1.0);
+    ck_assert_double_lt(growth(0.15, 0.0), 1.0);
+    ck_assert_double_gt(stability_swing(0.0, 0.02, eps_s, 1.0), 5.0);
+    ck_assert_double_gt(growth(0.02, 0.0), 100.0);
+    ck_assert_double_lt(stability_swing(0.5, 0.02, eps_s, 1.0), 0.5);
+    ck_assert_double_lt(growth(0.02, 0.5), 1.0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("stability");
+    TCase *const t = tcase_create("stability");
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60.0);
+    tcase_add_test(t, a_packed_bed_asks_for_less_than_half_its_relaxation_time);
+    tcase_add_test(t, the_swing_dies_out_below_the_densest_packing);
+    tcase_add_test(t, the_loading_is_mass_beside_mass);
+    tcase_add_test(t, light_spheres_are_held_by_the_swing_not_by_their_loading);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
