@@ -93,8 +93,7 @@ struct piso *piso_create(const struct fluid *fl)
     const int n = m->n_cells;
     struct piso *const ps = alloc_zeroed(1, sizeof *ps);
 
-    ps->runs =
-        runs_create(m->n_internal, m->n_faces, m->owner, m->neighbour);
+    ps->runs = runs_create(m->n_internal, m->n_faces, m->owner, m->neighbour);
     ps->momentum =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, ps->runs);
     ps->diag = alloc_doubles(n);
@@ -217,7 +216,8 @@ static void correct(struct fluid *fl)
 static void predict_and_correct(struct fluid *fl)
 {
     momentum_assemble(fl);
-    gradient_update(fl); /* with the drag of now */
+    if (fl->options.coupled || fl->dt_older == 0.0)
+        gradient_update(fl); /* with the drag of now, or for the first time */
     note_worst(&fl->report.momentum, momentum_predict(fl));
     pressure_assemble(fl);
     continuity_source(fl);

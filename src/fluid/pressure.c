@@ -42,7 +42,8 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
     const double *restrict diag = ps->diag;
     const double *restrict storage = ps->storage, *restrict eps_phi =
                                                       fl->eps_phi;
-    double *restrict per_flux = ps->per_flux, *restrict per_force = ps->per_force;
+    double *restrict per_flux = ps->per_flux, *restrict per_force =
+                                                  ps->per_force;
     double *restrict resistance = ps->resistance;
 
     for (int c = first; c < last; c++) {
@@ -70,8 +71,8 @@ static void keep_older_fluxes(struct fluid *fl)
                        ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
                         m->w[f] * older_per_flux(fl, m->neighbour[f]));
     for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
-        ps->kept[f] += ps->m_face[f] * fl->phi_older[f] *
-                       older_per_flux(fl, m->owner[f]);
+        ps->kept[f] +=
+            ps->m_face[f] * fl->phi_older[f] * older_per_flux(fl, m->owner[f]);
 }
 
 /* m_f, and what stays the same from corrector to corrector: the conductance and
@@ -84,8 +85,8 @@ FACE_LOOP inner_mobility(int f, int o, int n, const double *w,
 
     ps->m_face[f] = m;
     ps->conductance[f] = m * ps->link[f];
-    ps->kept[f] = m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) *
-                  ps->phi_old[f];
+    ps->kept[f] =
+        m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) * ps->phi_old[f];
 }
 
 static void inner_mobilities(int first, int last, const struct fluid *fl)
@@ -215,9 +216,8 @@ static void driven_fluxes(struct fluid *fl)
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
             const int o = m->owner[f];
-            fl->phi[f] =
-                ps->kept[f] + ps->m_face[f] * ps->per_force[o] *
-                                  dot3(&force[3 * o], &m->S[3 * f]);
+            fl->phi[f] = ps->kept[f] + ps->m_face[f] * ps->per_force[o] *
+                                           dot3(&force[3 * o], &m->S[3 * f]);
         }
     }
 }
@@ -317,10 +317,9 @@ struct solve_report pressure_correct(struct fluid *fl)
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
-    const struct solve_report report =
-        cg_reduce(NULL, ps->mg, ps->divergence, fl->p,
-                  last ? 0.0 : fl->options.enough,
-                  fl->options.tolerance * ps->scale, 500, ps->cg);
+    const struct solve_report report = cg_reduce(
+        NULL, ps->mg, ps->divergence, fl->p, last ? 0.0 : fl->options.enough,
+        fl->options.tolerance * ps->scale, 500, ps->cg);
     add_pressure_fluxes(fl);
     return report;
 }

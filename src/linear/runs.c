@@ -115,8 +115,8 @@ int runs_next_of_cells(const struct runs *r, int first, int last,
         if (p->run == 0)
             p->run = first_beyond(r->run, r->group[g].first, r->group[g].end,
                                   first - shift, 0);
-        if (p->run == r->group[g].end ||
-            r->run[p->run].owner >= last - shift) continue;
+        if (p->run == r->group[g].end || r->run[p->run].owner >= last - shift)
+            continue;
         cut(&r->run[p->run++], first - shift, last - shift, 0, p);
         p->cell += shift;
         p->other = inward ? p->cell - d : p->cell + d;

@@ -96,8 +96,8 @@ int runs_next_of_links(const struct runs *r, int first, int last,
             double *const s_ = (sum) + p_.cell;                                \
             const int at_ = p_.link;                                           \
             const double o_ = p_.out;                                          \
-            _Pragma("GCC ivdep") for (int j_ = 0; j_ < p_.n; j_++)             \
-                s_[j_] += each(at_ + j_, o_, __VA_ARGS__);                     \
+            _Pragma("GCC ivdep") for (int j_ = 0; j_ < p_.n; j_++) s_[j_] +=   \
+                each(at_ + j_, o_, __VA_ARGS__);                               \
         }                                                                      \
     } while (0)
 /* clang-format on */

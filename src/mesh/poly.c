@@ -2,9 +2,11 @@
 /* poly.c -- reads a mesh in OpenFOAM's format: cells of any number of faces,
  * faces of any number of points, in any order.
  *
- * What the files number is numbered anew, so that cells that touch have numbers
- * that are close: memory then comes in the order in which it is used. Ends of
- * type cyclic become inner faces whose links go round.
+ * Memory should come in the order in which it is used. So if the cells that
+ * touch have numbers far apart, the cells are numbered anew; and if they are
+ * few distances apart, as in blocks, the faces are sorted by distance, which
+ * gives runs (linear/runs.h), else by owner. Ends of type cyclic become inner
+ * faces whose links go round.
  */
 #include "mesh/poly.h"
 
@@ -39,7 +41,7 @@ static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
 
 /* Cuthill and McKee: from one cell in waves over its neighbours; where cells
  * remain, from the first of these. */
-static void number_cells(struct poly_raw *r)
+static void number_in_waves(struct poly_raw *r)
 {
     int *const start = alloc_ints(r->n_cells + 1);
     int *const beside = alloc_ints(2 * r->n_inner);
@@ -65,6 +67,35 @@ static void number_cells(struct poly_raw *r)
     free(start);
     free(beside);
     free(queue);
+}
+
+/* The sum over the inner faces of how far apart their cells are numbered. */
+static double spread(const struct poly_raw *r)
+{
+    double sum = 0.0;
+
+    for (int f = 0; f < r->n_inner; f++)
+        sum += abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
+    return sum;
+}
+
+/* In waves, unless the files' own numbers are as close. */
+static void number_cells(struct poly_raw *r)
+{
+    number_in_waves(r);
+
+    int *const waves = r->number;
+    const double in_waves = spread(r);
+
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = c;
+    if (spread(r) <= in_waves) {
+        free(waves);
+        return;
+    }
+    free(r->number);
+    r->number = waves;
 }
 
 /* --- the mesh --------------------------------------------------------------
@@ -229,29 +260,81 @@ static int list_inner(const struct poly_raw *r, struct join *list)
     return n;
 }
 
-/* In the order of their owners' new numbers, by counting. */
+/* How far apart the cells of an inner face are numbered, and the lower of them.
+ */
+static void place_of(const struct poly_raw *r, const struct join *one,
+                     int *distance, int *least)
+{
+    const int a = r->number[r->owner[one->f]];
+    const int b = r->number[one->far == one->f ? r->neighbour[one->f]
+                                               : r->owner[one->far]];
+
+    *distance = abs(b - a);
+    *least = a < b ? a : b;
+}
+
+/* Sorts the numbers in order by their keys 0 .. n_keys - 1, equal ones as they
+ * were. */
+static void sort_by(const int *key, int n_keys, int n, int *order)
+{
+    int *const next = alloc_ints(n_keys + 1), *const old = alloc_ints(n);
+
+    memcpy(old, order, (size_t)n * sizeof *order);
+    for (int i = 0; i < n; i++)
+        next[key[i] + 1]++;
+    for (int k = 0; k < n_keys; k++)
+        next[k + 1] += next[k];
+    for (int i = 0; i < n; i++)
+        order[next[key[old[i]]]++] = old[i];
+    free(next);
+    free(old);
+}
+
+enum { FEW = 8 }; /* distances: six links a cell, and some at seams */
+
+/* 1 if almost all faces lie between cells of a few distances. */
+static int has_rows(const int *distance, int n, int n_cells)
+{
+    int *const count = alloc_ints(n_cells + 1);
+    int left = n;
+
+    for (int i = 0; i < n; i++)
+        count[distance[i]]++;
+    for (int k = 0; k < FEW; k++) {
+        int most = 0;
+        for (int d = 1; d < n_cells; d++)
+            if (count[d] > count[most]) most = d;
+        left -= count[most];
+        count[most] = 0;
+    }
+    free(count);
+    return left <= n / 16;
+}
+
+/* By owners, and before that by distances where these are few. */
 static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 {
-    struct join *const list = alloc_zeroed((size_t)m->n_internal, sizeof *list);
-    int *const next = alloc_ints(m->n_cells + 1);
-    int *const least = alloc_ints(m->n_internal);
+    const int n = m->n_internal;
+    struct join *const list = alloc_zeroed((size_t)n, sizeof *list);
+    int *const least = alloc_ints(n), *const distance = alloc_ints(n);
+    int *const order = alloc_ints(n);
 
     list_inner(r, list);
-    for (int i = 0; i < m->n_internal; i++) {
-        const struct join *const one = &list[i];
-        const int a = r->number[r->owner[one->f]];
-        const int b = r->number[one->far == one->f ? r->neighbour[one->f]
-                                                   : r->owner[one->far]];
-        least[i] = a < b ? a : b;
-        next[least[i] + 1]++;
+    for (int i = 0; i < n; i++) {
+        place_of(r, &list[i], &distance[i], &least[i]);
+        order[i] = i;
     }
-    for (int c = 0; c < m->n_cells; c++)
-        next[c + 1] += next[c];
-    for (int i = 0; i < m->n_internal; i++)
-        set_inner(m, r, next[least[i]]++, list[i].f, list[i].far, list[i].lap);
+    sort_by(least, m->n_cells, n, order);
+    if (has_rows(distance, n, m->n_cells))
+        sort_by(distance, m->n_cells, n, order);
+    for (int i = 0; i < n; i++) {
+        const struct join *const one = &list[order[i]];
+        set_inner(m, r, i, one->f, one->far, one->lap);
+    }
     free(list);
-    free(next);
     free(least);
+    free(distance);
+    free(order);
 }
 
 static void set_patches(struct mesh *m, const struct poly_raw *r)
