@@ -207,7 +207,7 @@ static void correct(struct fluid *fl)
 {
     note_worst(&fl->report.pressure, pressure_correct(fl));
     gradient_update(fl);
-    momentum_correct(fl);
+    velocity_correct(fl);
     fl->report.correctors++;
 }
 
@@ -218,15 +218,15 @@ static void predict_and_correct(struct fluid *fl)
     momentum_assemble(fl);
     if (fl->options.coupled || fl->dt_older == 0.0)
         gradient_update(fl); /* with the drag of now, or for the first time */
-    note_worst(&fl->report.momentum, momentum_predict(fl));
+    note_worst(&fl->report.momentum, velocity_predict(fl));
     pressure_assemble(fl);
     continuity_source(fl);
     edge_inlet_fluxes(fl, fl->phi);
     for (int i = 0; i < fl->options.correctors; i++) {
         if (i == 0)
-            momentum_predicted(fl);
+            velocity_predicted(fl);
         else
-            momentum_neighbours(fl);
+            velocity_neighbours(fl);
         correct(fl);
     }
 }
@@ -238,11 +238,11 @@ static void correct_further(struct fluid *fl)
 {
     const double most = fl->options.splitting;
 
-    fl->report.splitting = momentum_rest(fl);
+    fl->report.splitting = velocity_rest(fl);
     while (most > 0.0 && fl->report.splitting > most &&
            fl->report.correctors < MOST_CORRECTORS) {
-        correct(fl); /* momentum_rest left H as it is now */
-        fl->report.splitting = momentum_rest(fl);
+        correct(fl); /* velocity_rest left H as it is now */
+        fl->report.splitting = velocity_rest(fl);
     }
 }
 

@@ -110,17 +110,18 @@ void deferred_add(struct fluid *fl);
 
 /* momentum.c: fills momentum, diag3, b, storage from the state. */
 void momentum_assemble(struct fluid *fl);
+/* velocity.c: */
 /* Solves for u with the present grad_p. */
-struct solve_report momentum_predict(struct fluid *fl);
+struct solve_report velocity_predict(struct fluid *fl);
 /* H = b - sum a_N u_N with the present u: at once after the prediction, whose
  * solver knows the sum, and at any time. */
-void momentum_predicted(struct fluid *fl);
-void momentum_neighbours(struct fluid *fl);
+void velocity_predicted(struct fluid *fl);
+void velocity_neighbours(struct fluid *fl);
 /* u = (H + past - gamma V grad p) / a. */
-void momentum_correct(struct fluid *fl);
+void velocity_correct(struct fluid *fl);
 /* What is left of the equation with the present u and p goes to `owed`;
  * returns its largest entry over the largest term of the equation [-]. */
-double momentum_rest(struct fluid *fl);
+double velocity_rest(struct fluid *fl);
 
 /* pressure.c: mobilities and the matrix; once a step. */
 void pressure_assemble(struct fluid *fl);

@@ -70,13 +70,13 @@ int runs_next_of_links(const struct runs *r, int first, int last,
     do {                                                                       \
         struct piece p_ = {0};                                                 \
         if ((r) == NULL) {                                                     \
-            _Pragma("GCC ivdep") for (int l_ = (first); l_ < (last); l_++)     \
+            _Pragma("omp simd") for (int l_ = (first); l_ < (last); l_++)      \
                 each(l_, (owner_)[l_], (neighbour_)[l_], __VA_ARGS__);         \
             break;                                                             \
         }                                                                      \
         while (runs_next_of_links(r, first, last, &p_)) {                      \
             const int at_ = p_.link, o_ = p_.cell, n_ = p_.other;              \
-            _Pragma("GCC ivdep") for (int j_ = 0; j_ < p_.n; j_++)             \
+            _Pragma("omp simd") for (int j_ = 0; j_ < p_.n; j_++)              \
                 each(at_ + j_, o_ + j_, n_ + j_, __VA_ARGS__);                 \
         }                                                                      \
     } while (0)
@@ -96,7 +96,7 @@ int runs_next_of_links(const struct runs *r, int first, int last,
             double *const s_ = (sum) + p_.cell;                                \
             const int at_ = p_.link;                                           \
             const double o_ = p_.out;                                          \
-            _Pragma("GCC ivdep") for (int j_ = 0; j_ < p_.n; j_++) s_[j_] +=   \
+            _Pragma("omp simd") for (int j_ = 0; j_ < p_.n; j_++) s_[j_] +=    \
                 each(at_ + j_, o_, __VA_ARGS__);                               \
         }                                                                      \
     } while (0)
