@@ -26,15 +26,26 @@ run: ## install what is missing, build, run the Mueller fluidized bed (a minute 
 
 check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
-	$(MAKE) $(CORES) $B/winnow tests
-	sh tests/run.sh $B/tests
-	$(MAKE) $(CORES) tests B=$B/san OPT="$(SANITIZE)" WERROR=
-	sh tests/run.sh $B/san/tests
-	sh tests/style.sh $B
-	sh tests/cli.sh $B/winnow
-	sh tests/vtk.sh $B
-	sh tests/book.sh
-	sh chapters/tools/check.sh $B/winnow
+	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
+
+# Side by side, what takes longest first; with -k all that is wrong is said.
+checks: solutions results sanitized facts style cli vtk tools text pages
+	@echo "all checks hold"
+facts: $(TESTS:=.facts)
+	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
+sanitized:
+	@$(MAKE) facts B=$B/san OPT="$(SANITIZE)" WERROR=
+style: $B/winnow
+	@sh tests/style.sh $B
+cli: $B/winnow
+	@sh tests/cli.sh $B/winnow
+vtk: $B/winnow $B/tests/test_vtk
+	@sh tests/vtk.sh $B
+tools:
+	@sh tests/book.sh
+solutions: tests
+solutions results text pages: $B/winnow
+	@sh chapters/tools/check.sh $B/winnow $@
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -79,7 +90,11 @@ $B/src/scene/ledger_rows.o: $B/src/scene/ledger_rows.c src/scene/ledger.h
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
 	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
+# Run anew each time: cases and data may have changed, too.
+$B/tests/%.facts: $B/tests/% always
+	@sh tests/run.sh $<
 
-.PHONY: all run check validate bench weave book help clean tests
+.PHONY: all run check checks facts sanitized style cli vtk tools solutions results \
+        text pages validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -44,7 +44,7 @@ static const struct hard hard_scenes[] = {
     /* 1 m/s from one step to the next, below a bed that it lifts. */
     {"an inlet switched on at once",
      "cases/small-bed.cfg",
-     200,
+     100,
      1.5,
      0,
      0,
@@ -76,7 +76,7 @@ static const struct hard hard_scenes[] = {
     /* A tenth as heavy as the liquid, from rest to its rise, 0.25 m/s. */
     {"light spheres rise",
      "cases/closed-box.cfg",
-     200,
+     100,
      1.0,
      0,
      0,
@@ -85,7 +85,7 @@ static const struct hard hard_scenes[] = {
     /* Cells smaller than a sphere: eps_f is cut off at 0.3. */
     {"cells with 0.3 of fluid",
      "cases/small-bed.cfg",
-     200,
+     100,
      1.5,
      0,
      1,

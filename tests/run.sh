@@ -1,38 +1,44 @@
 #!/bin/sh
-# Runs every test program in a folder and prints the facts that they show.
+# Runs test programs and prints the facts that they show.
 #
-#   sh tests/run.sh build/tests
+#   sh tests/run.sh build/tests              (all of a folder)
+#   sh tests/run.sh build/tests/test_drag
 #
 # Check writes one line a test to its log: file, line, P or F or E, name. The
-# names of the tests are the facts.
+# names of the tests are the facts; PROGRAM.facts holds those of a program.
 set -u
-dir=$1
-log=$dir/facts.log
-failed=0
-count=0
 # Instrumented tests are many times slower than the limit of 4 s is meant for.
 export CK_TIMEOUT_MULTIPLIER=20
 # Threads that wait should not keep others from working on a busy machine.
 export OMP_WAIT_POLICY=passive
+failed=0
+count=0
 
-for test in "$dir"/test_*; do
-    case $test in *.*) continue ;; esac
+run() { # program
+    log=$1.log
     : >"$log"
-    CK_LOG_FILE_NAME=$log "$test" >"$log.out" 2>&1 || failed=$((failed + 1))
+    CK_LOG_FILE_NAME=$log "$1" >"$1.out" 2>&1
+    code=$?
     # A test that loops over a table is one fact.
-    sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log" | uniq >"$log.facts"
-    passed=$(wc -l <"$log.facts")
+    sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log" | uniq >"$1.facts"
+    passed=$(wc -l <"$1.facts")
     count=$((count + passed))
-    echo "$(basename "$test"): $passed facts"
-    cat "$log.facts"
-    if grep -q ':[FE]:' "$log" || ! grep -q ':P:' "$log"; then
-        grep ':[FE]:' "$log" || cat "$log.out"
-        grep -A 12 -E 'Sanitizer|runtime error' "$log.out" # why it ended early
-        [ "$failed" -gt 0 ] || failed=1
+    echo "$(basename "$1"): $passed facts"
+    cat "$1.facts"
+    if [ $code -ne 0 ] || grep -q ':[FE]:' "$log" || [ "$passed" -eq 0 ]; then
+        grep ':[FE]:' "$log" || cat "$1.out"
+        grep -A 12 -E 'Sanitizer|runtime error' "$1.out" # why it ended early
+        failed=$((failed + 1))
     fi
+}
+
+[ -d "$1" ] && set -- "$1"/test_*
+for program in "$@"; do
+    case ${program##*/} in *.*) continue ;; esac
+    run "$program"
 done
 if [ "$failed" -gt 0 ]; then
     echo "$failed test programs failed"
     exit 1
 fi
-echo "$count passed, 0 failed"
+[ $# -eq 1 ] || echo "$count passed, 0 failed"

@@ -132,7 +132,7 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
     struct simulation *const sim = build(&s);
     coupling_total_momentum(sim, before);
     const double scale = gross_momentum(sim) + fabs(before[0]);
-    run(sim, 40);
+    run(sim, 10);
     coupling_total_momentum(sim, after);
     for (int k = 0; k < 3; k++)
         ck_assert_double_lt(

@@ -119,7 +119,38 @@ START_TEST(a_walk_finds_the_cell_of_a_point)
             ck_assert_int_eq(mesh_cell_from(m, from, x[0], x[1], x[2]), c);
         ck_assert_int_eq(mesh_cell_at(m, x[0], x[1], x[2]), c);
     }
-    ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+    if (m->n_periods == 0)
+        ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+    mesh_free(m);
+}
+END_TEST
+
+/* On a cyclic mesh: points near each centre and near each face, as they are and
+ * moved by a few periods, belong to one cell, and the way to them from its
+ * centre is the same. */
+START_TEST(a_period_more_is_the_same_point)
+{
+    struct mesh *const m = mesh_of("cyclic");
+    ck_assert_int_eq(m->n_periods, 1);
+    for (int a = 0; a < m->cell_start[m->n_cells]; a++) {
+        const int f = m->cell_face[a];
+        int c = 0;
+        while (m->cell_start[c + 1] <= a)
+            c++;
+        const double share = m->out[a] > 0.0 ? 1.0 - m->w[f] : -m->w[f];
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = m->centre[3 * c + k] + 0.99 * share * m->d[3 * f + k];
+        for (int laps = -2; laps < 3; laps++) {
+            double y[3], offset[3];
+            for (int k = 0; k < 3; k++)
+                y[k] = x[k] + laps * m->period[0][k];
+            ck_assert_int_eq(mesh_locate(m, y, offset), c);
+            for (int k = 0; k < 3; k++)
+                ck_assert_double_eq_tol(m->centre[3 * c + k] + offset[k], x[k],
+                                        1e-12);
+        }
+    }
     mesh_free(m);
 }
 END_TEST
@@ -251,7 +282,8 @@ int main(void)
     tcase_add_test(t, a_block_is_our_box);
     tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
     tcase_add_test(t, shuffled_cells_are_put_in_order);
-    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 4);
+    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
+    tcase_add_test(t, a_period_more_is_the_same_point);
     tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
     tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
     tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,

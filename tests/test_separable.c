@@ -130,7 +130,7 @@ START_TEST(it_is_its_own_adjoint)
 END_TEST
 
 /* Fields are alone, by whatever bundles they go, and so are threads: the same
- * bits. 33 fields do not go into one bundle of 32. */
+ * bits. 33 fields do not go into one bundle, or two. */
 START_TEST(fields_and_threads_do_not_change_the_bits)
 {
     enum { MOST = 33 };

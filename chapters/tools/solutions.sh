@@ -21,11 +21,12 @@ count=0
 # The build goes along, so that only what the patch touches is compiled anew.
 copy() {
     rm -rf "$tree"
-    mkdir -p "$tree/build" "$tree/chapters/tools"
+    mkdir -p "$tree/build/tests" "$tree/chapters/tools"
     cp -rp src tests cases Makefile "$tree"
     cp -p chapters/equations.md "$tree/chapters"
     cp -p chapters/tools/rows.awk "$tree/chapters/tools"
     cp -rp "$build/src" "$build/libwinnow.a" "$tree/build"
+    cp -p "$build"/tests/test_*.[od] "$tree/build/tests"
 }
 
 wanted() { # program, holds or fails
@@ -33,7 +34,7 @@ wanted() { # program, holds or fails
 }
 
 try() { # program
-    make -s -C "$tree" B=build "build/tests/$1" >"$facts.make" 2>&1 || {
+    MAKEFLAGS= make -s -C "$tree" B=build "build/tests/$1" >"$facts.make" 2>&1 || {
         tail -5 "$facts.make"
         echo "$patch: $1 does not build"
         return 1

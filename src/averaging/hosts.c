@@ -34,13 +34,30 @@ void hosts_free(struct hosts *h)
     free(h);
 }
 
-/* Host and offset of particle i. In a periodic direction the nearest image of
+/* 1 if the point is in cell c of the box, by the edges that mesh_cell_at goes
+ * by. Some points of the last cells are left to that. */
+static inline int is_in(const struct box *b, int c, const double x[3])
+{
+    if (c < 0 || b->n[0] == 0) return 0;
+    const int row = c / b->n[0];
+    const int at[3] = {c - row * b->n[0], row % b->n[1], row / b->n[1]};
+    int in = 1;
+
+    for (int k = 0; k < 3; k++)
+        in &= x[k] >= b->edge[k][at[k]] && x[k] < b->edge[k][at[k] + 1];
+    return in;
+}
+
+/* Host and offset of particle i. Most often the host is that of the particle
+ * of this number at the last time. In a periodic direction the nearest image of
  * the host counts. */
 static void find_one(struct hosts *h, int i)
 {
     const struct box *const b = &h->mesh->box;
     const double x[3] = {h->ps->x[i], h->ps->y[i], h->ps->z[i]};
-    const int c = mesh_cell_at(h->mesh, x[0], x[1], x[2]);
+    const int c = is_in(b, h->host[i], x)
+                      ? h->host[i]
+                      : mesh_cell_at(h->mesh, x[0], x[1], x[2]);
 
     h->host[i] = c;
     if (c < 0) return;

@@ -13,7 +13,7 @@
 #include "linear/chebyshev.h"
 #include "linear/strips.h"
 
-enum { WIDTH = 32 }; /* numbers side by side: four of the widest vectors */
+enum { WIDTH = 16 }; /* numbers side by side: two of the widest vectors */
 
 /* How exactly the weights themselves are found. */
 static const double exact = 1e-17; /* [-] */
@@ -234,18 +234,27 @@ static void continue_lines(const struct direction *d, double *line)
     }
 }
 
-/* sum = the weighted sum of n places. */
+/* sum = the weighted sum of n places: four at a time, for the sums to be
+ * touched less often (half the time). */
 static inline void weighted(int n, const double *restrict w,
                             const double *restrict x, double *restrict sum)
 {
-    double s[WIDTH];
+    enum { W = WIDTH };
+    double s[W];
+    int e = 0;
 
-    for (int k = 0; k < WIDTH; k++)
+    for (int k = 0; k < W; k++)
         s[k] = 0.0;
-    for (int e = 0; e < n; e++)
-        for (int k = 0; k < WIDTH; k++)
-            s[k] += w[e] * x[WIDTH * e + k];
-    for (int k = 0; k < WIDTH; k++)
+    for (; e + 4 <= n; e += 4) {
+        const double *restrict const at = x + W * e;
+        for (int k = 0; k < W; k++)
+            s[k] += (w[e] * at[k] + w[e + 1] * at[W + k]) +
+                    (w[e + 2] * at[2 * W + k] + w[e + 3] * at[3 * W + k]);
+    }
+    for (; e < n; e++)
+        for (int k = 0; k < W; k++)
+            s[k] += w[e] * x[W * e + k];
+    for (int k = 0; k < W; k++)
         sum[k] = s[k];
 }
 

@@ -158,6 +158,7 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
         m->box.periodic[k] = spec->periodic[k];
         m->box.edge[k] =
             edges_create(spec->size[k], spec->cells[k], spec->grading[k]);
+        m->hi[k] = spec->size[k];
     }
     m->n_cells = spec->cells[0] * spec->cells[1] * spec->cells[2];
     count_faces(m);

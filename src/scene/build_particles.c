@@ -13,6 +13,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_life.h"
 #include "scene/case_materials.h"
+#include "scene/case_mesh.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
 {
@@ -30,12 +31,9 @@ struct dem_options build_dem_options(const struct settings *s, double step)
             strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
-    double size[3];
 
-    settings_vector(s, "mesh.size", size);
-    settings_flags(s, "mesh.periodic", o.periodic);
-    for (int k = 0; k < 3; k++)
-        o.hi[k] = size[k];
+    case_mesh_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
     return o;
 }
 

@@ -10,6 +10,7 @@
 #include "base/vector.h"
 #include "particles/stl.h"
 #include "scene/case_materials.h"
+#include "scene/case_mesh.h"
 
 static const char list[] = "particles.surfaces", driven[] = "particles.driven";
 
@@ -49,16 +50,6 @@ static enum surface_shape shape_of(const struct settings *s, int i)
                                             : SURFACE_TRIANGLES;
 }
 
-/* A file lies beside its case. */
-static void file_path(const struct settings *s, const char *file, char *path,
-                      size_t room)
-{
-    const char *const at = settings_file(s), *const end = strrchr(at, '/');
-    const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
-
-    snprintf(path, room, "%.*s%s", folder, at, file);
-}
-
 static struct triangles *read_triangles(const struct settings *s, int i,
                                         const double origin[3])
 {
@@ -66,7 +57,8 @@ static struct triangles *read_triangles(const struct settings *s, int i,
     char path[4096];
     struct stl stl;
 
-    file_path(s, settings_item_text(s, list, i, "file"), path, sizeof path);
+    settings_beside(s, settings_item_text(s, list, i, "file"), path,
+                    sizeof path);
     if (stl_read(path, &stl) != 0) return NULL;
     if (stl.dropped > 0)
         fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
@@ -144,15 +136,14 @@ struct driven *case_surfaces_driven(const struct settings *s, int *n)
 
 int case_surfaces_measure(const struct settings *s, struct wall_scales *w)
 {
-    static const double lo[3] = {0.0, 0.0, 0.0};
-    double hi[3];
+    double lo[3], hi[3];
     int code;
     struct surface *const made = case_surfaces_create(s, &w->surfaces, &code);
 
     w->triangles = 0;
     w->speed = 0.0;
     if (code != 0) return code;
-    settings_vector(s, "mesh.size", hi);
+    case_mesh_ends(s, lo, hi);
     for (int i = 0; i < w->surfaces; i++) {
         const double reach = surface_reach(&made[i], lo, hi);
         if (made[i].shape == SURFACE_TRIANGLES)
