@@ -45,7 +45,10 @@ ramp() {
         run ramp-25x100 $ramp $fine -s output.end=15
         run ramp-pcm-25x100 $ramp $fine -s averaging.method=pcm -s output.end=15
     }
-    sh figures/20-ramp.sh $out >figures/20-ramps.txt
+    for name in ramp-15x75 ramp-25x100 ramp-pcm-25x100; do
+        sh figures/20-ramp.sh series $out $name >figures/20-$name.txt
+    done
+    sh figures/20-ramp.sh numbers figures/20-ramp*.txt >figures/20-ramp-numbers.txt
 }
 
 # Case 4, Figs. 10 and 11.
