@@ -59,6 +59,8 @@ static void inner_pressures(int first, int last, struct fluid *fl)
         fl->p_face[f] +=
             jump_above_owner(fl, f) - (1.0 - w) * jump_pressure(fl, f);
     }
+    for (int f = first; f < last && fl->piso->rest; f++)
+        fl->p_face[f] += jump_rest_at_face(fl, f);
 }
 
 static void boundary_pressures(struct fluid *fl)

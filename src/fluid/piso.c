@@ -73,6 +73,9 @@ static void create_further(struct piso *ps, const struct fluid *fl)
         ps->storage_older = alloc_doubles(m->n_cells);
         ps->u_known = alloc_doubles(3 * m->n_cells);
     }
+    if (fl->options.coupled && fl->options.pressure_shared &&
+        !fl->options.convection->damps)
+        ps->rest = alloc_doubles(3 * m->n_cells);
     if (deferred_exists(fl)) {
         ps->slope = alloc_doubles(9 * m->n_cells);
         ps->u_edge = alloc_doubles(3 * (m->n_faces - m->n_internal));
@@ -132,6 +135,7 @@ void piso_free(struct piso *ps)
     free(ps->jump);
     free(ps->share);
     free(ps->inertia);
+    free(ps->rest);
     free(ps->mobility);
     free(ps->drive);
     free(ps->per_flux);

@@ -30,6 +30,8 @@ struct piso {
     double *jump;         /* [Pa] inertia at a face where eps jumps */
     double *share;        /* [-] of the owner in the carried velocity */
     double *inertia;      /* [N] what the jumps put on a cell, 3 each */
+    double *rest;         /* [N/m^3] what convection and viscosity do to a cell
+                             beside that, 3 each; or NULL: no face asks */
     double *mobility;     /* [m^3 s/kg] m_P = eps gamma V / a_P */
     double *drive;        /* [Pa/m] H / (gamma V), 3 a cell */
     struct csr *pressure; /* [m^3/(Pa s)] */
@@ -134,6 +136,11 @@ void jump_update(struct fluid *fl);
 double jump_pressure(const struct fluid *fl, int f);
 /* By how much p_f lies above the owner's side of the face [Pa]. */
 double jump_above_owner(const struct fluid *fl, int f);
+/* Fills `rest` from the present H and u. What it adds to p_N - p_O across face
+ * f where gamma changes, and to p_f [Pa]. */
+void jump_rest(struct fluid *fl);
+double jump_of_rest(const struct fluid *fl, int f);
+double jump_rest_at_face(const struct fluid *fl, int f);
 
 /* balance.c: how far the momentum of the fluid, `before` the step and now,
  * changed otherwise than by the forces on it, over the sum of their sizes [-].

@@ -182,6 +182,8 @@ static void add_jumps(int first, int last, struct fluid *fl)
 {
     for (int f = first; f < last; f++)
         fl->phi[f] += fl->piso->conductance[f] * jump_pressure(fl, f);
+    for (int f = first; f < last && fl->piso->rest; f++)
+        fl->phi[f] += fl->piso->conductance[f] * jump_of_rest(fl, f);
 }
 
 /* The part of grad p . S that an oblique link does not see, from the last
@@ -211,6 +213,7 @@ static void driven_fluxes(struct fluid *fl)
 
     STRIPS_RUN(m->n_cells, 12, drives, fl);
     STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl);
+    if (ps->rest != NULL) jump_rest(fl);
     if (fl->options.coupled) STRIPS_RUN(m->n_internal, 8, add_jumps, fl);
     if (m->oblique) STRIPS_RUN(m->n_internal, 16, add_oblique, fl);
     for (int i = 0; i < m->n_patches; i++) {
