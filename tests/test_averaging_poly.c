@@ -13,7 +13,8 @@
 
 enum { N = 200, M = 4 };
 
-static const char *const meshes[] = {"box", "sheared", "shuffled", "dual"};
+static const char *const meshes[] = {"box", "sheared", "shuffled", "dual",
+                                     "cyclic"};
 static const struct {
     const char *method;
     struct averaging_options o;
@@ -27,7 +28,7 @@ static const struct {
     {"diffusion", {.bandwidth = 0.3, .tolerance = 1e-9}},
     {"diffusion", {.bandwidth = 0.3, .scheme = "sdirk2", .tolerance = 1e-13}},
     {"diffusion", {.bandwidth = 0.3, .vary = "cells", .tolerance = 1e-9}}};
-enum { MESHES = 4, WAYS = sizeof ways / sizeof *ways };
+enum { MESHES = 5, WAYS = sizeof ways / sizeof *ways };
 
 /* N particles near the centres of cells, each of a third of a cell's width. */
 static struct particles *near_centres(const struct mesh *m)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 #include "mesh/poly.h"
+#include "mesh/poly_raw.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #include "capture.h"
+#include "cloud.h"
 
 static const char *const all[] = {"box", "sheared", "shuffled", "dual",
                                   "cyclic"};
@@ -155,6 +157,108 @@ START_TEST(a_period_more_is_the_same_point)
 }
 END_TEST
 
+/* A box whose inner points are moved at random by up to a quarter of a cell:
+ * most faces are warped. */
+static struct mesh *warped(void)
+{
+    struct poly_raw r = {0};
+    uint64_t state = 5;
+
+    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
+    for (int i = 0; i < r.n_points; i++) {
+        double *const x = &r.point[3 * i];
+        const double along = x[0] - 0.4 * x[1];
+        const int inner = along > 1e-6 && along < 1.0 - 1e-6 && x[1] > 1e-6 &&
+                          x[1] < 1.0 - 1e-6 && x[2] > 1e-6 && x[2] < 0.5 - 1e-6;
+        for (int k = 0; k < 3 && inner; k++)
+            x[k] += 0.11 * (cloud_random(&state) - 0.5);
+    }
+    struct mesh *const m = poly_build(&r, "warped");
+    ck_assert_ptr_nonnull(m);
+    poly_raw_release(&r);
+    return m;
+}
+
+/* How many cells have the point behind all their faces, and the last one. */
+static int holders(const struct mesh *m, const double x[3], int *last)
+{
+    int n = 0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        int in = 1;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            double out = 0.0;
+            for (int k = 0; k < 3; k++)
+                out +=
+                    m->out[a] * m->S[3 * f + k] * (x[k] - m->middle[3 * f + k]);
+            in &= out <= 0.0;
+        }
+        n += in;
+        if (in) *last = c;
+    }
+    return n;
+}
+
+/* Points at random in a mesh of warped faces: those that one cell holds belong
+ * to it; those in gaps and overlaps, and there are some, to one cell too. */
+START_TEST(every_point_of_a_warped_mesh_has_one_cell)
+{
+    struct mesh *const m = warped();
+    uint64_t state = 9;
+    int gaps = 0, overlaps = 0;
+
+    for (int i = 0; i < 8000; i++) {
+        const double y = cloud_random(&state);
+        const double x[3] = {0.4 * y + cloud_random(&state), y,
+                             0.5 * cloud_random(&state)};
+        double offset[3];
+        int only = -1;
+        const int n = holders(m, x, &only);
+        const int c = mesh_locate(m, x, offset);
+        ck_assert_int_ge(c, 0);
+        if (n == 1) ck_assert_int_eq(c, only);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol(m->centre[3 * c + k] + offset[k], x[k],
+                                    1e-12);
+        gaps += n == 0;
+        overlaps += n > 1;
+    }
+    ck_assert_int_gt(gaps, 0);
+    ck_assert_int_gt(overlaps, 0);
+    mesh_free(m);
+}
+END_TEST
+
+/* Round a corner: the way from the near cell leads through the wall. */
+START_TEST(a_point_behind_a_corner_is_found)
+{
+    struct poly_raw r = {0};
+    struct mesh *m;
+
+    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
+    for (int i = 0; i < r.n_points; i++) { /* a quarter of a ring */
+        double *const x = &r.point[3 * i];
+        const double s = 0.5 + x[0] - 0.4 * x[1], turn = 1.5 * M_PI * x[1];
+        x[0] = s * cos(turn);
+        x[1] = s * sin(turn);
+    }
+    m = poly_build(&r, "ring");
+    ck_assert_ptr_nonnull(m);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int from = 0; from < m->n_cells; from++)
+            ck_assert_int_eq(mesh_cell_from(m, from, m->centre[3 * c],
+                                            m->centre[3 * c + 1],
+                                            m->centre[3 * c + 2]),
+                             c);
+    const double middle[3] = {0.0, 0.0, 0.25};
+    double offset[3];
+    ck_assert_int_eq(mesh_locate(m, middle, offset), -1);
+    poly_raw_release(&r);
+    mesh_free(m);
+}
+END_TEST
+
 /* --- flow ------------------------------------------------------------------
  */
 
@@ -287,7 +391,11 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
         {"owner", "^98$", "97", "owner"},
         {"boundary", "wall;", "processor;", "type processor is not read"},
         {"boundary", "startFace *46", "startFace 40", "not of the boundary"},
-        {"neighbour", "^46$", "4600000", "more than the file can hold"}};
+        {"neighbour", "^46$", "4600000", "more than the file can hold"},
+        {"owner", "^23$", "5", "is not closed: its faces miss"},
+        {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
+        {"boundary", "nFaces *8", "nFaces 7", "begins with face"},
+        {"boundary", "right", "left", "the name is there twice"}};
     spoil(rows[_i].name, rows[_i].old, rows[_i].by);
     struct mesh *m;
     char said[CAPTURE_TEXT];
@@ -310,11 +418,13 @@ int main(void)
     tcase_add_test(t, shuffled_cells_are_put_in_order);
     tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
     tcase_add_test(t, a_period_more_is_the_same_point);
+    tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);
+    tcase_add_test(t, a_point_behind_a_corner_is_found);
     tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
     tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
     tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
     tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
-                        7);
+                        11);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -15,6 +15,7 @@
 #include "scene/build_particles.h"
 #include "scene/case_mesh.h"
 #include "scene/case_surfaces.h"
+#include "scene/case_walls.h"
 #include "scene/scene.h"
 
 struct mesh *build_mesh(const struct settings *s)
@@ -169,6 +170,7 @@ void build_free(struct simulation *sim)
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->driven);
     life_free(sim->life);
+    case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

@@ -108,6 +108,19 @@ void case_mesh_periodic(const struct settings *s, int periodic[3])
         periodic[k] = mesh_period(m, k) > 0.0;
 }
 
+/* Of a box the product of its sides. */
+double case_mesh_volume(const struct settings *s)
+{
+    const struct mesh *const m = settings_mesh(s);
+    double size[3], sum = 0.0;
+
+    for (int c = 0; m != NULL && c < m->n_cells; c++)
+        sum += m->V[c];
+    if (m != NULL) return sum;
+    settings_vector(s, "mesh.size", size);
+    return size[0] * size[1] * size[2];
+}
+
 int case_mesh_holds(const struct settings *s, const double x[3])
 {
     const struct mesh *const m = settings_mesh(s);

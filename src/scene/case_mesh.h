@@ -22,6 +22,9 @@ struct mesh *case_mesh_create(const struct settings *s);
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);
 void case_mesh_periodic(const struct settings *s, int periodic[3]);
 
+/* [m^3] of all cells. */
+double case_mesh_volume(const struct settings *s);
+
 /* 1 if the point is inside [m]. */
 int case_mesh_holds(const struct settings *s, const double x[3]);
 

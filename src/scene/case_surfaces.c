@@ -10,6 +10,7 @@
 #include "base/vector.h"
 #include "particles/stl.h"
 #include "scene/case_materials.h"
+#include "scene/case_walls.h"
 #include "scene/case_mesh.h"
 
 static const char list[] = "particles.surfaces", driven[] = "particles.driven";
@@ -100,12 +101,16 @@ static int fill(const struct settings *s, int i, struct surface *one)
 struct surface *case_surfaces_create(const struct settings *s, int *n,
                                      int *code)
 {
-    *n = settings_length(s, list);
+    const int listed = settings_length(s, list);
+    const int walled = case_walls_count(s) > 0;
+
+    *n = listed + walled;
     *code = 0;
     if (*n == 0) return NULL;
     struct surface *const made = alloc_zeroed((size_t)*n, sizeof *made);
-    for (int i = 0; i < *n && *code == 0; i++)
+    for (int i = 0; i < listed && *code == 0; i++)
         if (fill(s, i, &made[i]) != 0) *code = 2;
+    if (walled) made[listed] = case_walls_surface(s);
     if (*code == 0) return made;
     case_surfaces_free(made, *n);
     return NULL;
@@ -164,6 +169,9 @@ static int check_name(const struct settings *s, int i)
         return settings_wrong(s, list,
                               "the name \"%s\" is empty or has a comma or a "
                               "quote in it",
+                              name);
+    if (case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0)
+        return settings_wrong(s, list, "the name %s is that of the walls",
                               name);
     for (int k = 0; k < i; k++)
         if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)

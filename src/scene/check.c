@@ -119,25 +119,13 @@ static double thrown(const struct settings *s)
     return fastest > 0.0 ? sqrt(fastest) : 1.0;
 }
 
-/* Of a box as the product of its sides, so that rounding stays as it was. */
-static double volume_of(const struct mesh *m)
-{
-    double product = 1.0, sum = 0.0;
-
-    for (int k = 0; k < 3; k++)
-        product *= m->hi[k] - m->lo[k];
-    for (int c = 0; c < m->n_cells && m->middle != NULL; c++)
-        sum += m->V[c];
-    return m->middle == NULL ? product : sum;
-}
-
 static struct scales scales_of(const struct settings *s)
 {
     struct mesh *const m = build_mesh(s);
     struct scales k = {.cells = m->n_cells, .dx = INFINITY};
     double g[3];
 
-    k.S_c = cbrt(volume_of(m) / k.cells); /* [SX15 10] */
+    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
     for (int i = 0; i < m->box.n[1]; i++)
         k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
     for (int f = 0; f < m->n_internal && m->middle != NULL; f++)

@@ -11,6 +11,7 @@
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_surfaces.h"
+#include "scene/case_walls.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
@@ -197,7 +198,7 @@ static int check_bed_fits(const struct settings *s)
                                   "%g m is more than the box has room for, "
                                   "%g m",
                                   range.most, size[k]);
-    const double share = range.volume / (size[0] * size[1] * size[2]);
+    const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
@@ -231,6 +232,11 @@ static int check_place(const struct settings *s)
                                       "diameter %g m is not inside the box",
                                       i, x[0], x[1], x[2], d);
         }
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "particles.place",
+                                  "sphere %d at [%g, %g, %g] m is not inside "
+                                  "the mesh",
+                                  i, x[0], x[1], x[2]);
     }
     return 0;
 }
@@ -259,6 +265,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_surfaces_check(s);
+    if (code == 0) code = case_walls_check(s);
     if (code != 0) return code;
     if (code == 0) code = case_life_check(s);
     if (code != 0) return code;
@@ -277,6 +284,11 @@ static int check_averaging(const struct settings *s)
     const int gauss =
         strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
 
+    if (strcmp(method, "images") == 0 && settings_mesh(s) != NULL)
+        return settings_wrong(s, "averaging.method",
+                              "images mirrors particles at the sides of a "
+                              "plain box, which this mesh is not; diffusion "
+                              "comes to the same on any mesh");
     if (delta && !gauss)
         return settings_wrong(s, "averaging.delta_05",
                               "only images and diffusion have a width at half "
@@ -326,10 +338,6 @@ int checks_whole(const struct settings *s)
         return settings_wrong(s, "mesh",
                               "there is neither fluid nor particles: nothing "
                               "to compute");
-    if (settings_has(s, "particles") && settings_mesh(s) != NULL)
-        return settings_wrong(s, "particles",
-                              "particles move in a plain box only, this mesh "
-                              "is none");
     if (settings_has(s, "fluid")) code = check_fluid(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
