@@ -45,7 +45,14 @@ ramp() {
         run ramp-25x100 $ramp $fine -s output.end=15
         run ramp-pcm-25x100 $ramp $fine -s averaging.method=pcm -s output.end=15
     }
-    sh figures/20-ramp.sh $out >figures/20-ramps.txt
+    made="# Made by: sh tests/validate/coupling.sh build/winnow ramp"
+    files=figures/20-ramp-stiff.txt
+    for name in ramp-15x75 ramp-25x100 ramp-pcm-25x100; do
+        sh figures/20-ramp.sh series $out $name >figures/20-$name.txt
+        files="$files figures/20-$name.txt"
+    done
+    # shellcheck disable=SC2086
+    { echo "$made"; sh figures/20-ramp.sh numbers $files; } >figures/20-ramp-numbers.txt
 }
 
 # Case 4, Figs. 10 and 11.
