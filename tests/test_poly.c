@@ -305,6 +305,32 @@ START_TEST(a_uniform_stream_stays_uniform_on_any_mesh)
 }
 END_TEST
 
+/* Whatever eps is and whatever it drags on, on any mesh, over any step: nothing
+ * drives a fluid at rest, and nothing moves. */
+START_TEST(fluid_at_rest_stays_at_rest_on_any_mesh)
+{
+    struct mesh *const m = mesh_of(all[_i % 5]);
+    struct boundary b[6];
+    struct fluid *const made = still(m, b);
+    struct fluid_options o = made->options;
+    fluid_free(made);
+    o.coupled = o.pressure_shared = 1;
+    o.dt = _i < 5 ? 0.01 : 100.0;
+    struct fluid *const fl = fluid_create(m, &o);
+    for (int c = 0; c < m->n_cells; c++) {
+        fl->eps[c] = 0.7 + 0.3 * sin(5.0 * c);
+        fl->K[c] = c % 3 ? 0.0 : 1e8;
+    }
+    fluid_settle_eps(fl);
+    for (int n = 0; n < 3; n++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq(fl->u[i], 0.0);
+    fluid_free(fl);
+    mesh_free(m);
+}
+END_TEST
+
 /* A lid in the sheared block: the same cells in another order, the same flow,
  * to what the solvers leave. */
 START_TEST(the_order_of_the_cells_does_not_matter_to_the_flow)
@@ -395,6 +421,7 @@ int main(void)
     tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);
     tcase_add_test(t, a_point_behind_a_corner_is_found);
     tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
+    tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
     tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
     tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
                         11);
