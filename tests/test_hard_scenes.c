@@ -3,113 +3,8 @@
  * accurate at these steps; all must stay finite and bounded, and balance. */
 #include "exchange/coupling.h"
 
-#include "scene/build.h"
-#include "scene/scene.h"
+#include "hard_scenes.h"
 #include "suspension.h"
-
-enum { MOST = 9 };
-
-struct hard {
-    const char *name, *file;
-    int steps;
-    double fastest; /* [m/s] bound of every particle, with its reason */
-    int turned;     /* 1: gravity turns round when the bed has settled */
-    int capped;     /* 1: cells are cut at a largest eps_s */
-    const char *overrides[MOST];
-};
-
-static const struct hard cases[] = {
-    /* K = 1e8 kg/(m^3 s) in every cell, dt/tau = 5000. They began with 0.35. */
-    {"drag that stops at once",
-     "cases/closed-box.cfg",
-     100,
-     0.4,
-     0,
-     0,
-     {"fluid.viscosity=300", "exchange.relaxation=exponential"}},
-    /* A packed layer below the lid, clear liquid below it: it falls, in
-     * fingers. One grain alone sinks with 0.16 m/s; a finger is some times as
-     * fast. */
-    {"a dense plug above clear liquid",
-     "cases/small-bed.cfg",
-     200,
-     1.0,
-     1,
-     0,
-     {"fluid.bottom=no-slip", "fluid.top=no-slip", "fluid.density=1000",
-      "fluid.viscosity=1e-3", "particles.grains.density=2500",
-      "effects.gravity=[0.0,9.81,0.0]", "effects.virtual_mass={}",
-      "fluid.step=5e-4"}},
-    /* 1 m/s from one step to the next, below a bed that it lifts. */
-    {"an inlet switched on at once",
-     "cases/small-bed.cfg",
-     100,
-     1.5,
-     0,
-     0,
-     {"fluid.bottom.inlet=1.0"}},
-    /* 30:1 in a liquid that pushes the small ones along with 0.1 m/s. */
-    {"grains of 0.083 mm beside 2.5 mm",
-     "cases/one-grain.cfg",
-     60,
-     0.3,
-     0,
-     0,
-     {"exchange.relaxation=exponential", "effects.gravity=[0.0,-9.81,0.0]",
-      "effects.pressure_gradient={}", "effects.virtual_mass={}",
-      "particles.grains.stiffness=5.0",
-      "averaging={method=\"diffusion\";bandwidth=4e-3;}",
-      "particles.place=("
-      "{position=[0.003,0.010,0.003];diameter=2.5e-3;},"
-      "{position=[0.003,0.0115,0.003];diameter=8.3e-5;},"
-      "{position=[0.0045,0.010,0.003];diameter=8.3e-5;},"
-      "{position=[0.003,0.0085,0.003];diameter=8.3e-5;},"
-      "{position=[0.0031,0.0084,0.0031];diameter=8.3e-5;})"}},
-    {"a single cell",
-     "cases/closed-box.cfg",
-     100,
-     0.4,
-     0,
-     0,
-     {"mesh.cells=[1,1,1]", "averaging={method=\"pcm\";}"}},
-    /* A tenth as heavy as the liquid, from rest to its rise, 0.25 m/s. */
-    {"light spheres rise",
-     "cases/closed-box.cfg",
-     100,
-     1.0,
-     0,
-     0,
-     {"particles.grains.density=10", "effects.gravity=[0.0,-9.81,0.0]",
-      "effects.pressure_gradient={}", "effects.virtual_mass={}"}},
-    /* Cells smaller than a sphere: eps_f is cut off at 0.3. */
-    {"cells with 0.3 of fluid",
-     "cases/small-bed.cfg",
-     100,
-     1.5,
-     0,
-     1,
-     {"mesh.cells=[16,64,1]", "averaging={method=\"pcm\";cap=0.7;}"}},
-};
-enum { CASES = sizeof cases / sizeof *cases };
-
-static struct simulation *prepare(const struct hard *h, const char *form)
-{
-    const char *list[MOST + 1];
-    char continuity[40];
-    int n = 0, code;
-
-    snprintf(continuity, sizeof continuity, "fluid.continuity=%s", form);
-    list[n++] = continuity;
-    for (int i = 0; i < MOST && h->overrides[i] != NULL; i++)
-        list[n++] = h->overrides[i];
-    struct settings *const s = scene_read(h->file, n, list, &code);
-    ck_assert_msg(s != NULL, "%s", h->name);
-    struct simulation *const sim = build_simulation(s, &code);
-    ck_assert_msg(sim != NULL, "%s", h->name);
-    settings_free(s);
-    if (h->turned) sim->gravity[1] = -sim->gravity[1];
-    return sim;
-}
 
 /* Continuity to the solver's 1e-6; what the fluid paid is what the particles
  * were charged, to rounding (sums of some thousand terms); but where a cap cuts
@@ -117,8 +12,11 @@ static struct simulation *prepare(const struct hard *h, const char *form)
  * part in a thousand, as reported. */
 START_TEST(hard_scenes_stay_finite_bounded_and_balanced)
 {
-    const struct hard *const h = &cases[_i / 2];
-    struct simulation *const sim = prepare(h, _i % 2 ? "mixture" : "void-rate");
+    const struct hard *const h = &hard_scenes[_i / 2];
+    struct simulation *const sim =
+        hard_build(h, _i % 2 ? "mixture" : "void-rate");
+
+    ck_assert_msg(sim != NULL, "%s", h->name);
 
     ck_assert_int_eq(coupling_start(sim), 0);
     for (int i = 0; i < h->steps; i++) {
@@ -179,7 +77,7 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_set_timeout(t, 120.0);
     tcase_add_loop_test(t, hard_scenes_stay_finite_bounded_and_balanced, 0,
-                        2 * CASES);
+                        2 * HARD_SCENES);
     tcase_add_loop_test(t, full_cells_become_empty_ones_in_one_step, 0, 2);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

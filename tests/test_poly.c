@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 #include "mesh/poly.h"
+#include "mesh/poly_raw.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #include "capture.h"
+#include "cloud.h"
 
 static const char *const all[] = {"box", "sheared", "shuffled", "dual",
                                   "cyclic"};
@@ -66,6 +68,21 @@ START_TEST(a_block_is_our_box)
 }
 END_TEST
 
+/* 1 if the inner faces come by their owners, or by how far apart their cells
+ * are and then by owners. */
+static int in_order(const struct mesh *m)
+{
+    int by_owner = 1, by_distance = 1;
+
+    for (int f = 1; f < m->n_internal; f++) {
+        const int up = m->owner[f] - m->owner[f - 1];
+        const int apart = m->neighbour[f] - m->neighbour[f - 1] - up;
+        by_owner &= up >= 0;
+        by_distance &= apart > 0 || (apart == 0 && up > 0);
+    }
+    return by_owner || by_distance;
+}
+
 /* Owner before neighbour, S along d, cells closed, volumes that fill what they
  * fill. The dual has 24 cells with more than six faces. */
 START_TEST(every_mesh_is_closed_and_in_order)
@@ -82,8 +99,8 @@ START_TEST(every_mesh_is_closed_and_in_order)
             Sd += m->S[3 * f + k] * m->d[3 * f + k];
         ck_assert_int_lt(m->owner[f], m->neighbour[f]);
         ck_assert_double_gt(Sd, 0.0);
-        if (f > 0) ck_assert_int_ge(m->owner[f], m->owner[f - 1]);
     }
+    ck_assert(in_order(m));
     for (int c = 0; c < m->n_cells; c++)
         many += m->cell_start[c + 1] - m->cell_start[c] > 6;
     if (_i == 3) ck_assert_int_eq(many, 24);
@@ -119,7 +136,140 @@ START_TEST(a_walk_finds_the_cell_of_a_point)
             ck_assert_int_eq(mesh_cell_from(m, from, x[0], x[1], x[2]), c);
         ck_assert_int_eq(mesh_cell_at(m, x[0], x[1], x[2]), c);
     }
-    ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+    if (m->n_periods == 0)
+        ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+    mesh_free(m);
+}
+END_TEST
+
+/* On a cyclic mesh: points near each centre and near each face, as they are and
+ * moved by a few periods, belong to one cell, and the way to them from its
+ * centre is the same. */
+START_TEST(a_period_more_is_the_same_point)
+{
+    struct mesh *const m = mesh_of("cyclic");
+    ck_assert_int_eq(m->n_periods, 1);
+    for (int a = 0; a < m->cell_start[m->n_cells]; a++) {
+        const int f = m->cell_face[a];
+        int c = 0;
+        while (m->cell_start[c + 1] <= a)
+            c++;
+        const double share = m->out[a] > 0.0 ? 1.0 - m->w[f] : -m->w[f];
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = m->centre[3 * c + k] + 0.99 * share * m->d[3 * f + k];
+        for (int laps = -2; laps < 3; laps++) {
+            double y[3], offset[3];
+            for (int k = 0; k < 3; k++)
+                y[k] = x[k] + laps * m->period[0][k];
+            ck_assert_int_eq(mesh_locate(m, y, offset), c);
+            for (int k = 0; k < 3; k++)
+                ck_assert_double_eq_tol(m->centre[3 * c + k] + offset[k], x[k],
+                                        1e-12);
+        }
+    }
+    mesh_free(m);
+}
+END_TEST
+
+/* A box whose inner points are moved at random by up to a quarter of a cell:
+ * most faces are warped. */
+static struct mesh *warped(void)
+{
+    struct poly_raw r = {0};
+    uint64_t state = 5;
+
+    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
+    for (int i = 0; i < r.n_points; i++) {
+        double *const x = &r.point[3 * i];
+        const double along = x[0] - 0.4 * x[1];
+        const int inner = along > 1e-6 && along < 1.0 - 1e-6 && x[1] > 1e-6 &&
+                          x[1] < 1.0 - 1e-6 && x[2] > 1e-6 && x[2] < 0.5 - 1e-6;
+        for (int k = 0; k < 3 && inner; k++)
+            x[k] += 0.11 * (cloud_random(&state) - 0.5);
+    }
+    struct mesh *const m = poly_build(&r, "warped");
+    ck_assert_ptr_nonnull(m);
+    poly_raw_release(&r);
+    return m;
+}
+
+/* How many cells have the point behind all their faces, and the last one. */
+static int holders(const struct mesh *m, const double x[3], int *last)
+{
+    int n = 0;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        int in = 1;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            double out = 0.0;
+            for (int k = 0; k < 3; k++)
+                out +=
+                    m->out[a] * m->S[3 * f + k] * (x[k] - m->middle[3 * f + k]);
+            in &= out <= 0.0;
+        }
+        n += in;
+        if (in) *last = c;
+    }
+    return n;
+}
+
+/* Points at random in a mesh of warped faces: those that one cell holds belong
+ * to it; those in gaps and overlaps, and there are some, to one cell too. */
+START_TEST(every_point_of_a_warped_mesh_has_one_cell)
+{
+    struct mesh *const m = warped();
+    uint64_t state = 9;
+    int gaps = 0, overlaps = 0;
+
+    for (int i = 0; i < 8000; i++) {
+        const double y = cloud_random(&state);
+        const double x[3] = {0.4 * y + cloud_random(&state), y,
+                             0.5 * cloud_random(&state)};
+        double offset[3];
+        int only = -1;
+        const int n = holders(m, x, &only);
+        const int c = mesh_locate(m, x, offset);
+        ck_assert_int_ge(c, 0);
+        if (n == 1) ck_assert_int_eq(c, only);
+        for (int k = 0; k < 3; k++)
+            ck_assert_double_eq_tol(m->centre[3 * c + k] + offset[k], x[k],
+                                    1e-12);
+        gaps += n == 0;
+        overlaps += n > 1;
+    }
+    ck_assert_int_gt(gaps, 0);
+    ck_assert_int_gt(overlaps, 0);
+    mesh_free(m);
+}
+END_TEST
+
+/* Round a corner: the way from the near cell leads through the wall. */
+START_TEST(a_point_behind_a_corner_is_found)
+{
+    struct poly_raw r = {0};
+    struct mesh *m;
+
+    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
+    for (int i = 0; i < r.n_points; i++) { /* a quarter of a ring */
+        double *const x = &r.point[3 * i];
+        const double s = 0.5 + x[0] - 0.4 * x[1], turn = 1.5 * M_PI * x[1];
+        x[0] = s * cos(turn);
+        x[1] = s * sin(turn);
+    }
+    m = poly_build(&r, "ring");
+    ck_assert_ptr_nonnull(m);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int from = 0; from < m->n_cells; from++)
+            ck_assert_int_eq(mesh_cell_from(m, from, m->centre[3 * c],
+                                            m->centre[3 * c + 1],
+                                            m->centre[3 * c + 2]),
+                             c);
+    const double middle[3] = {0.0, 0.0, 0.25};
+    double offset[3];
+    ck_assert_int_eq(mesh_locate(m, middle, offset), -1);
+    poly_raw_release(&r);
     mesh_free(m);
 }
 END_TEST
@@ -165,6 +315,32 @@ START_TEST(a_uniform_stream_stays_uniform_on_any_mesh)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 3 * m->n_cells; i++)
         ck_assert_double_eq_tol(fl->u[i], U[i % 3], 1e-8);
+    fluid_free(fl);
+    mesh_free(m);
+}
+END_TEST
+
+/* Whatever eps is and whatever it drags on, on any mesh, over any step: nothing
+ * drives a fluid at rest, and nothing moves. */
+START_TEST(fluid_at_rest_stays_at_rest_on_any_mesh)
+{
+    struct mesh *const m = mesh_of(all[_i % 5]);
+    struct boundary b[6];
+    struct fluid *const made = still(m, b);
+    struct fluid_options o = made->options;
+    fluid_free(made);
+    o.coupled = o.pressure_shared = 1;
+    o.dt = _i < 5 ? 0.01 : 100.0;
+    struct fluid *const fl = fluid_create(m, &o);
+    for (int c = 0; c < m->n_cells; c++) {
+        fl->eps[c] = 0.7 + 0.3 * sin(5.0 * c);
+        fl->K[c] = c % 3 ? 0.0 : 1e8;
+    }
+    fluid_settle_eps(fl);
+    for (int n = 0; n < 3; n++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq(fl->u[i], 0.0);
     fluid_free(fl);
     mesh_free(m);
 }
@@ -230,7 +406,11 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
         {"owner", "^98$", "97", "owner"},
         {"boundary", "wall;", "processor;", "type processor is not read"},
         {"boundary", "startFace *46", "startFace 40", "not of the boundary"},
-        {"neighbour", "^46$", "4600000", "more than the file can hold"}};
+        {"neighbour", "^46$", "4600000", "more than the file can hold"},
+        {"owner", "^23$", "5", "is not closed: its faces miss"},
+        {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
+        {"boundary", "nFaces *8", "nFaces 7", "begins with face"},
+        {"boundary", "right", "left", "the name is there twice"}};
     spoil(rows[_i].name, rows[_i].old, rows[_i].by);
     struct mesh *m;
     char said[CAPTURE_TEXT];
@@ -251,11 +431,15 @@ int main(void)
     tcase_add_test(t, a_block_is_our_box);
     tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
     tcase_add_test(t, shuffled_cells_are_put_in_order);
-    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 4);
+    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
+    tcase_add_test(t, a_period_more_is_the_same_point);
+    tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);
+    tcase_add_test(t, a_point_behind_a_corner_is_found);
     tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
+    tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
     tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
     tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
-                        7);
+                        11);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -64,6 +64,44 @@ START_TEST(pressure_balances_any_forces_on_the_cells_of_a_closed_column)
 }
 END_TEST
 
+/* A closed box of graded cells in which every cell has its own eps, and the
+ * density falls with height: the fluid's excess of weight, gamma rho'(y) g, is
+ * the gradient of a pressure, whatever eps is, and the column stands. 1e-13:
+ * rounding of the accelerations, 1 m/s^2, over three steps; a weight that is
+ * not balanced would leave 1e-4 m/s and more. */
+START_TEST(a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is)
+{
+    const struct box_spec spec = {
+        {0.1, 0.2, 0.1}, {4, 10, 3}, {2.0, 3.0, 1.0}, {0, 0, 0}};
+    struct boundary b[6];
+    for (int i = 0; i < 6; i++)
+        b[i] = (struct boundary){.kind = BOUNDARY_NO_SLIP};
+    const struct fluid_options o = {
+        .rho = 1000.0,
+        .mu = 1e-3,
+        .dt = 1e-3,
+        .convection = convection_scheme_named(_i / 2 ? "linear" : "upwind"),
+        .correctors = 3,
+        .tolerance = 1e-14,
+        .coupled = 1,
+        .pressure_shared = _i % 2,
+        .boundaries = b};
+    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double y = fl->mesh->centre[3 * c + 1];
+        fl->eps[c] = 0.7 + 0.3 * sin(5.0 * c);
+        fl->F[3 * c + 1] =
+            -9.81 * 100.0 * (1.0 - y / 0.2) * (_i % 2 ? fl->eps[c] : 1.0);
+    }
+    fluid_settle_eps(fl);
+    for (int n = 0; n < 3; n++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    for (int i = 0; i < 3 * fl->mesh->n_cells; i++)
+        ck_assert_double_eq_tol(fl->u[i], 0.0, 1e-13);
+    discard(fl);
+}
+END_TEST
+
 /* The linear mean of the two cells sees nothing of a pressure that alternates
  * from cell to cell, and grad_p is zero inside. The flux sees it. */
 START_TEST(a_checkerboard_of_pressure_is_gone_after_one_step)
@@ -161,6 +199,53 @@ START_TEST(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli)
 }
 END_TEST
 
+/* Air through the surface of a bed, h = 2.4 mm, with the share and without,
+ * with each scheme that does not smear: what the clear cells have too much or
+ * too little at the start, alternating, dies away, as each mode does, by 0.7/s
+ * or faster. With the mean of the slopes below and above the surface it grows
+ * with the linear scheme by 6/s: to a thousand times as much. */
+static double left_of_a_wave(const char *scheme, int shared)
+{
+    const double V = 0.9;
+    const struct box_spec spec = {
+        {2.4e-3, 0.048, 2.4e-3}, {1, 20, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct boundary b[6];
+    discard(column(b, 1, 1.0, 0, "upwind")); /* for b */
+    b[2].velocity = &V;
+    const struct fluid_options o = {.rho = 1.2,
+                                    .dt = 1e-3,
+                                    .convection =
+                                        convection_scheme_named(scheme),
+                                    .correctors = 2,
+                                    .tolerance = 1e-12,
+                                    .coupled = 1,
+                                    .pressure_shared = shared,
+                                    .boundaries = b};
+    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    for (int c = 0; c < 20; c++) {
+        fl->eps[c] = c < 10 ? 0.42 : 1.0;
+        fl->K[c] = c < 10 ? 1e3 : 0.0;
+        fl->u[3 * c + 1] = V / fl->eps[c] * (c % 3 ? 1.0 : 1.05);
+    }
+    for (int f = 0; f < fl->mesh->n_faces; f++)
+        fl->phi[f] = V * fl->mesh->S[3 * f + 1];
+    fluid_settle_eps(fl);
+    for (int n = 0; n < 2000; n++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    double most = 0.0;
+    for (int c = 0; c < 20; c++)
+        most = fmax(most, fabs(fl->u[3 * c + 1] * fl->eps[c] / V - 1.0));
+    discard(fl);
+    return most;
+}
+
+START_TEST(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme)
+{
+    ck_assert_double_lt(left_of_a_wave(_i / 2 ? "van-leer" : "linear", _i % 2),
+                        0.025);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("pressure");
@@ -168,6 +253,9 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_add_loop_test(
         t, pressure_balances_any_forces_on_the_cells_of_a_closed_column, 0, 2);
+    tcase_add_loop_test(
+        t, a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is, 0,
+        4);
     tcase_add_loop_test(t, a_checkerboard_of_pressure_is_gone_after_one_step, 0,
                         2);
     tcase_add_loop_test(
@@ -175,6 +263,8 @@ int main(void)
     tcase_add_test(t, xs11_2_4_with_the_particles_share_given_back_is_xs11_2_8);
     tcase_add_loop_test(
         t, a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli, 0, 2);
+    tcase_add_loop_test(
+        t, waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme, 0, 4);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -55,4 +55,22 @@ mkdir "$work/samples"
     cat "$work/said"
     exit 1
 }
-$python tests/vtk_check.py "$work/samples" "$work/run"
+
+# Flow through cells of every kind: hexahedra pushed out of the square, and
+# polyhedra.
+for mesh in sheared dual; do
+    cat >"$work/$mesh.cfg" <<END
+mesh = { polymesh = "$PWD/tests/data/poly/$mesh"; };
+fluid = { density = 1.2; viscosity = 0.1; step = 0.01;
+          bottom = { inlet = 0.2; }; top = { outlet = 0.0; };
+          left = "no-slip"; right = "no-slip"; front = "slip"; back = "slip"; };
+output = { end = 0.05; every = 0.05; };
+END
+    "$build/winnow" run "$work/$mesh.cfg" -o "$work/$mesh" --quiet \
+        >"$work/said" 2>&1 || {
+        cat "$work/said"
+        exit 1
+    }
+done
+$python tests/vtk_check.py "$work/samples" "$work/run" "$work/sheared" \
+    "$work/dual"

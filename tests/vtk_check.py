@@ -31,8 +31,10 @@ try:
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
     from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader,
-                                     vtkXMLRectilinearGridReader)
+                                     vtkXMLRectilinearGridReader,
+                                     vtkXMLUnstructuredGridReader)
 except ImportError as missing:
     print(f"vtk_check: no {missing.name} for Python here, left out "
           "(Debian: apt-get install python3-vtk9 python3-numpy)")
@@ -56,8 +58,9 @@ def read(path):
     """What VTK reads from the file, and what it says meanwhile."""
     window = vtkStringOutputWindow()
     vtkOutputWindow.SetInstance(window)
-    box = path.suffix == ".vtr"
-    reader = vtkXMLRectilinearGridReader() if box else vtkXMLPolyDataReader()
+    reader = {".vtr": vtkXMLRectilinearGridReader,
+              ".vtu": vtkXMLUnstructuredGridReader,
+              ".vtp": vtkXMLPolyDataReader}[path.suffix]()
     reader.SetFileName(str(path))
     reader.Update()
     said = " ".join(window.GetOutput().split())
@@ -88,7 +91,7 @@ def load(path):
 
 def on_cells(path):
     """A box and the walls have their numbers on cells, particles on points."""
-    return path.suffix == ".vtr" or path.stem.startswith("surfaces")
+    return path.suffix in (".vtr", ".vtu") or path.stem.startswith("surfaces")
 
 
 def arrays_of(path, data):
@@ -155,6 +158,21 @@ def check_polygons(path, data):
         ring = at[a:b] - at[a]
         area = np.cross(ring[1:-1], ring[2:]).sum(axis=0)
         check(np.linalg.norm(area) > 0, path, "a polygon has no area")
+
+
+def check_volumes(path, data):
+    """Each cell has a positive volume, and they fill what their box allows: a
+    cell whose points are in the wrong order is turned inside out."""
+    size = vtkCellSizeFilter()
+    size.SetInputData(data)
+    size.Update()
+    volumes = vtk_to_numpy(size.GetOutput().GetCellData().GetArray("Volume"))
+    x0, x1, y0, y1, z0, z1 = data.GetBounds()
+    room = (x1 - x0) * (y1 - y0) * (z1 - z0)
+    check(volumes.min() > 0, path, f"{(volumes <= 0).sum()} cells have no "
+          "volume or are inside out")
+    check(volumes.sum() <= room * (1 + 1e-9), path,
+          f"cells of {volumes.sum()} m3 in a box of {room} m3")
 
 
 # --- Samples -----------------------------------------------------------------
@@ -227,7 +245,7 @@ def check_collection(pvd, box):
         first = first or shapes
         check(shapes == first, path, "has other arrays than the first")
         check_sense(path, data, arrays, box)
-        if path.suffix == ".vtr":
+        if path.suffix in (".vtr", ".vtu"):
             box = data.GetBounds()
     return box
 
@@ -240,6 +258,8 @@ def check_sense(path, data, arrays, box):
     if void is not None:
         check(void.min() > 0 and void.max() <= 1, path,
               f"void_fraction goes from {void.min()} to {void.max()}")
+    if path.suffix == ".vtu":
+        check_volumes(path, data)
     if path.suffix != ".vtp":
         return
     if on_cells(path):

@@ -56,6 +56,11 @@ static void find_one(struct hosts *h, int i)
 {
     const struct box *const b = &h->mesh->box;
     const double x[3] = {h->ps->x[i], h->ps->y[i], h->ps->z[i]};
+
+    if (h->mesh->middle != NULL) {
+        h->host[i] = mesh_locate(h->mesh, x, &h->offset[3 * i]);
+        return;
+    }
     const int c = is_in(b, h->host[i], x)
                       ? h->host[i]
                       : mesh_cell_at(h->mesh, x[0], x[1], x[2]);

@@ -12,7 +12,8 @@ static const double slope_reach = 3.0; /* [-] of b */
 struct slope {
     const struct hosts *h; /* borrowed */
     struct stencil *near;
-    double b; /* [m] */
+    double b;    /* [m] */
+    int flat[3]; /* [-] 1: no two cells lie behind each other there */
 };
 
 /* Where A_jk is kept: xx, xy, xz, yy, yz, zz. */
@@ -117,12 +118,25 @@ static void find_one(const struct view *v, const double A[6], int m, int k,
     slope_solve(A, B, X);
 }
 
+/* 1 if no link leads along direction k. */
+static int is_flat(const struct mesh *m, int k)
+{
+    for (int f = 0; f < m->n_internal; f++) {
+        const double *const d = &m->d[3 * f];
+        const double d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (d[k] * d[k] > 1e-12 * d2) return 0;
+    }
+    return 1;
+}
+
 struct slope *slope_create(const struct hosts *h, double b)
 {
     struct slope *const s = alloc_zeroed(1, sizeof *s);
 
     s->h = h;
     s->b = b;
+    for (int k = 0; k < 3; k++)
+        s->flat[k] = is_flat(h->mesh, k);
     s->near = stencil_create(h->mesh, slope_reach * b, STENCIL_TO_CENTRE);
     return s;
 }
@@ -135,11 +149,11 @@ void slope_free(struct slope *s)
 }
 
 /* In a direction of one cell all r are alike, and tell of no slope. */
-static void blind_to_flat_directions(const struct mesh *m, double A[6])
+static void blind_to_flat_directions(const struct slope *s, double A[6])
 {
     for (int j = 0; j < 3; j++)
         for (int k = 0; k < 3; k++)
-            if (m->box.n[j] == 1) A[place(j, k)] = 0.0;
+            if (s->flat[j]) A[place(j, k)] = 0.0;
 }
 
 /* [EW18 B.6] for all particles, from particle to particle. */
@@ -154,7 +168,7 @@ void slope_find(const struct slope *s, int m, const double *field, double *X)
         v.host = h->host[i];
         look_round(s, i, &v);
         find_matrix(&v, A);
-        blind_to_flat_directions(h->mesh, A);
+        blind_to_flat_directions(s, A);
         for (int k = 0; k < m; k++)
             find_one(&v, A, m, k, field, &X[3 * (m * i + k)]);
     }

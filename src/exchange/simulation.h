@@ -30,6 +30,7 @@ struct simulation {
     int n_surfaces;
     struct driven *driven;       /* particles that move as prescribed; NULL */
     struct life *life;           /* NULL: nobody comes or goes */
+    struct case_walls *walls;    /* room in a mesh that is no box; or NULL */
     struct materials *materials; /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;

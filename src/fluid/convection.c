@@ -45,17 +45,17 @@ static double beyond_van_leer(double step, double rise, double reach)
 
 const struct convection_scheme convection_schemes[] = {
     {"upwind", "XS11", "first order, bounded at any step", "shares_upwind",
-     shares_upwind, NULL},
+     shares_upwind, NULL, 1},
     {"linear", "XS11", "second order (central), may overshoot", "shares_linear",
-     shares_linear, NULL},
+     shares_linear, NULL, 0},
     {"blended", "", "fluid.blend of linear, the rest upwind", "shares_blended",
-     shares_blended, NULL},
+     shares_blended, NULL, 0},
     {"second-upwind", "SX15",
      "second order, looks upstream only; may overshoot", "beyond_second_upwind",
-     shares_upwind, beyond_second_upwind},
+     shares_upwind, beyond_second_upwind, 0},
     {"van-leer", "VanLeer74", "second order where smooth, bounded where not",
-     "beyond_van_leer", shares_upwind, beyond_van_leer},
-    {NULL, NULL, NULL, NULL, NULL, NULL}};
+     "beyond_van_leer", shares_upwind, beyond_van_leer, 0},
+    {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
 
 const struct convection_scheme *convection_scheme_named(const char *name)
 {

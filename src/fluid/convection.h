@@ -29,6 +29,7 @@ struct convection_scheme {
      * u_C, D being downstream; rise: grad u_C along the link from C to D;
      * reach: the part of the link that is within C [-]. NULL: nothing. */
     double (*beyond)(double step, double rise, double reach);
+    int damps; /* 1: its own error damps what varies from cell to cell */
 };
 
 /* All schemes, ended by a row without a name; NULL for an unknown name. */

@@ -7,9 +7,29 @@
 
 #include "base/alloc.h"
 
+static void shape_free(struct mesh_shape *s)
+{
+    if (s == NULL) return;
+    free(s->point);
+    free(s->start);
+    free(s->corner);
+    free(s->cell_start);
+    free(s->polygon);
+    free(s->boundary);
+    free(s);
+}
+
+static void bins_free(struct mesh_bins *b)
+{
+    if (b == NULL) return;
+    free(b->start);
+    free(b->member);
+    free(b);
+}
+
 void mesh_free(struct mesh *m)
 {
-    if (m == NULL) return;
+    if (m == NULL || m->holders-- > 0) return;
     free(m->V);
     free(m->centre);
     free(m->owner);
@@ -22,9 +42,32 @@ void mesh_free(struct mesh *m)
     free(m->cell_face);
     free(m->out);
     free(m->middle);
+    free(m->lap);
+    shape_free(m->shape);
+    bins_free(m->bins);
     for (int k = 0; k < 3; k++)
         free(m->box.edge[k]);
     free(m);
+}
+
+struct mesh *mesh_hold(struct mesh *m)
+{
+    m->holders++;
+    return m;
+}
+
+double mesh_period(const struct mesh *m, int k)
+{
+    const struct box *const b = &m->box;
+
+    if (m->middle == NULL)
+        return b->periodic[k] ? b->edge[k][b->n[k]] - b->edge[k][0] : 0.0;
+    for (int i = 0; i < m->n_periods; i++) {
+        const double *const P = m->period[i];
+        const double rest = fabs(P[(k + 1) % 3]) + fabs(P[(k + 2) % 3]);
+        if (rest <= 1e-9 * fabs(P[k])) return fabs(P[k]);
+    }
+    return 0.0;
 }
 
 /* The interval of the edges that holds x: half open, the last one closed.
@@ -52,11 +95,12 @@ static double wrapped(double x, double lo, double hi)
 
 int mesh_cell_at(const struct mesh *m, double x, double y, double z)
 {
-    if (m->middle != NULL) return mesh_cell_from(m, 0, x, y, z);
     const struct box *const b = &m->box;
     const double point[3] = {x, y, z};
+    double offset[3];
     int at[3];
 
+    if (m->middle != NULL) return mesh_locate(m, point, offset);
     for (int k = 0; k < 3; k++) {
         const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
         const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];

@@ -16,8 +16,9 @@
 
 /* A named stretch of boundary faces: first .. first + n - 1. */
 struct patch {
-    char name[32];
+    char name[64];
     int first, n;
+    int slides; /* [-] 1: a symmetry, where nobody says otherwise */
 };
 
 /* What a box keeps of its regularity, to find cells and to write files. */
@@ -25,6 +26,26 @@ struct box {
     int n[3];        /* [-] cells per direction */
     int periodic[3]; /* [-] 1 where the two ends are one */
     double *edge[3]; /* [m] n + 1 cell edges per direction, ascending */
+};
+
+/* The corners of a mesh that is no box: what it takes to draw its cells and to
+ * put walls on its faces. */
+struct mesh_shape {
+    int n_points, n_polygons;
+    double *point;       /* [m] 3 a point */
+    int *start, *corner; /* [-] n_polygons + 1; the points of each */
+    int *cell_start;     /* [-] n_cells + 1; the polygons of each cell are */
+    int *polygon;        /* [-] polygon[cell_start[c]] ... */
+    int *boundary;       /* [-] the polygon of each boundary face */
+};
+
+/* Which cells a point can be in: a grid of bins, and for each the cells whose
+ * bounding boxes meet it. */
+struct mesh_bins {
+    int n[3];
+    double inverse[3];   /* [1/m] of a bin's width */
+    int *start, *member; /* [-] the cells of a bin, ascending */
+    double slack;        /* [m] gaps between warped faces are no wider */
 };
 
 struct mesh {
@@ -44,8 +65,17 @@ struct mesh {
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
     double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
     struct box box;  /* of a box; else n is 0 */
-    double *middle;  /* [m] of each face, 3; NULL for a box */
     int oblique;     /* 1: some link is not normal to its face */
+    double lo[3], hi[3]; /* [m] the smallest box around it */
+    int holders;         /* [-] who will still call mesh_free, but one */
+    /* Of a mesh that is no box; else NULL and 0. */
+    double *middle; /* [m] of each face, 3; as the owner sees it */
+    struct mesh_shape *shape;
+    struct mesh_bins *bins;
+    int n_periods;
+    double period[3][3]; /* [m] shifts that lead from one end to the other */
+    int *lap; /* [-] n_internal, NULL without periods: k + 1 if the neighbour
+                 sees the face moved by period k, -(k + 1) if by minus it */
 };
 
 /* A box of cells. grading is the ratio of the last to the first cell width, 1
@@ -59,7 +89,15 @@ struct box_spec {
 };
 
 struct mesh *mesh_create_box(const struct box_spec *spec);
+
+/* The same, pushed out of the square: x grows by shear[0] y + shear[1] z, y by
+ * shear[2] z. NULL after a message if it is too crooked to compute on. */
+struct mesh *mesh_create_sheared(const struct box_spec *spec,
+                                 const double shear[3]);
 void mesh_free(struct mesh *m);
+
+/* The same mesh for one more, who calls mesh_free too. */
+struct mesh *mesh_hold(struct mesh *m);
 
 /* The one cell that owns the point, or -1 outside. A point on a face belongs
  * to the cell above it, on the upper end of the box to the last cell; in a
@@ -69,9 +107,13 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 /* The same on any mesh, by a walk from face to face that begins in a cell near
  * by: through the face that the point is farthest beyond, until it is beyond
  * none. A walk that leads nowhere, round a hole or out of a hollow, is followed
- * by a look at all cells. -1 outside. */
+ * by a look at all cells of the point's bin. -1 outside. */
 int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
                    double z);
+
+/* mesh_cell_at, and how to get from the centre of the cell to the point, round
+ * the period [m]; that is left alone outside. */
+int mesh_locate(const struct mesh *m, const double x[3], double offset[3]);
 
 /* How good a mesh is. */
 struct mesh_quality {
@@ -79,18 +121,29 @@ struct mesh_quality {
     double non_orthogonal;  /* [deg] largest angle between S and d */
     double skewness;        /* [-] largest distance of a face's middle from
                                where its link crosses it, over the link */
+    double aspect;          /* [-] largest distance of a cell's centre from the
+                               middle of a face over the smallest */
+    double growth;          /* [-] largest ratio of the volumes of neighbours */
     double V_least, V_most; /* [m^3] */
+    int crooked, skewed, flat, small; /* [-] the cells where that is so */
 };
 struct mesh_quality mesh_quality(const struct mesh *m);
 
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
 
+/* The period in direction k, if there is one along that axis alone [m]; else
+ * 0. */
+double mesh_period(const struct mesh *m, int k);
+
 /* For those who make meshes. Makes the arrays for the numbers of cells, faces
  * and patches that m has; and, when all faces are there, finds the faces of the
  * cells and whether a link is oblique. */
 void mesh_allocate(struct mesh *m);
 void mesh_collect_faces(struct mesh *m);
+/* Needs all else; no corner is farther off the plane of its face than slack
+ * [m]. */
+void mesh_bins_create(struct mesh *m, double slack);
 
 /* S - d S.S / S.d: the part of the area of inner face f that its link does not
  * stand for [m^2]. */

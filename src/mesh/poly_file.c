@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 #include "base/alloc.h"
 
@@ -146,25 +147,49 @@ static void read_header(struct poly_file *p)
     }
 }
 
+/* All of a file, be it packed by gzip or not; NULL if it cannot be read. */
+static char *unpack(const char *path, long *size)
+{
+    const gzFile f = gzopen(path, "rb");
+    long room = 1 << 16;
+    char *text;
+    int n = 0;
+
+    *size = 0;
+    if (f == NULL) return NULL;
+    text = alloc_zeroed((size_t)room + 1, 1);
+    while ((n = gzread(f, &text[*size], (unsigned)(room - *size))) > 0) {
+        *size += n;
+        if (*size < room) continue;
+        char *const more = alloc_zeroed(2 * (size_t)room + 1, 1);
+        memcpy(more, text, (size_t)*size);
+        free(text);
+        text = more;
+        room *= 2;
+    }
+    gzclose(f);
+    if (n == 0) return text;
+    free(text);
+    return NULL;
+}
+
 void poly_file_open(struct poly_file *p, const char *dir, const char *name)
 {
     *p = (struct poly_file){.line = 1};
     snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
-    FILE *const f = fopen(p->path, "rb");
-    long size = 0;
-
-    if (f == NULL || fseek(f, 0, SEEK_END) != 0 || (size = ftell(f)) < 0) {
-        if (f != NULL) fclose(f);
-        poly_file_wrong(p, "cannot be read: %s", strerror(errno));
-        return;
+    errno = 0;
+    p->text = unpack(p->path, &p->size);
+    if (p->text == NULL && errno == ENOENT) {
+        snprintf(p->path, sizeof p->path, "%s/%s.gz", dir, name);
+        p->text = unpack(p->path, &p->size);
+        if (p->text == NULL)
+            snprintf(p->path, sizeof p->path, "%s/%s", dir, name);
     }
-    rewind(f);
-    p->size = size;
-    p->text = alloc_zeroed((size_t)size + 1, 1);
-    if (fread(p->text, 1, (size_t)size, f) != (size_t)size)
-        poly_file_wrong(p, "cannot be read: %s", strerror(errno));
-    fclose(f);
-    read_header(p);
+    if (p->text == NULL)
+        poly_file_wrong(p, "cannot be read: %s",
+                        errno != 0 ? strerror(errno) : "damaged");
+    else
+        read_header(p);
 }
 
 void poly_file_close(struct poly_file *p)

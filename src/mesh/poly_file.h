@@ -10,7 +10,7 @@
 enum { POLY_WORD = 128 };
 
 struct poly_file {
-    char path[512];
+    char path[1024];
     char *text; /* all of the file */
     long size;  /* [byte] */
     long at;    /* [-] the next character */
@@ -18,7 +18,8 @@ struct poly_file {
     int failed;
 };
 
-/* Reads the file dir/name and its header; format must be ascii. */
+/* Reads the file dir/name, or dir/name.gz, and its header; format must be
+ * ascii. */
 void poly_file_open(struct poly_file *p, const char *dir, const char *name);
 void poly_file_close(struct poly_file *p);
 

@@ -124,9 +124,9 @@ static void read_entry(struct poly_file *p, struct poly_part *part,
     else {
         poly_file_word(p, word);
         if (strcmp(key, "type") == 0)
-            snprintf(part->type, sizeof part->type, "%.31s", word);
+            snprintf(part->type, sizeof part->type, "%.63s", word);
         if (strcmp(key, "neighbourPatch") == 0)
-            snprintf(part->other, sizeof part->other, "%.31s", word);
+            snprintf(part->other, sizeof part->other, "%.63s", word);
     }
     do
         poly_file_word(p, word);
@@ -142,7 +142,14 @@ static void read_part(struct poly_raw *r, struct poly_file *p,
     int i = 0;
 
     poly_file_word(p, word);
-    snprintf(part->name, sizeof part->name, "%.31s", word);
+    part->line = p->line;
+    snprintf(part->name, sizeof part->name, "%.63s", word);
+    if (strcmp(word, part->name) != 0)
+        poly_file_wrong(p, "patch %s: the name is longer than 63 letters",
+                        word);
+    for (const struct poly_part *q = r->part; q < part; q++)
+        if (strcmp(q->name, part->name) == 0)
+            poly_file_wrong(p, "patch %s: the name is there twice", word);
     poly_file_expect(p, "{");
     for (poly_file_word(p, word); !p->failed && strcmp(word, "}") != 0;
          poly_file_word(p, word))
@@ -154,7 +161,8 @@ static void read_part(struct poly_raw *r, struct poly_file *p,
                         "patch %s: type %s is not read; expected patch, wall, "
                         "empty, symmetry, symmetryPlane or cyclic",
                         part->name, part->type);
-    if (part->first < r->n_inner || part->first > r->n_faces - part->n)
+    if (r->n_faces > 0 &&
+        (part->first < r->n_inner || part->first > r->n_faces - part->n))
         poly_file_wrong(p, "patch %s: faces %d to %d are not of the boundary",
                         part->name, part->first, part->first + part->n - 1);
 }
@@ -174,6 +182,11 @@ static int read_boundary(struct poly_raw *r, const char *dir)
     poly_file_expect(&p, ")");
     poly_file_close(&p);
     return p.failed;
+}
+
+int poly_raw_read_parts(struct poly_raw *r, const char *dir)
+{
+    return read_boundary(r, dir);
 }
 
 int poly_raw_read(struct poly_raw *r, const char *dir)
@@ -267,6 +280,92 @@ static void measure_cells(struct poly_raw *r)
     free(count);
 }
 
+/* The cell that is least closed, and by how much of its surface its faces miss
+ * to cancel. */
+static int least_closed(const struct poly_raw *r, double *worst)
+{
+    double *const sum = alloc_doubles(4 * r->n_cells);
+    int which = 0;
+
+    for (int f = 0; f < r->n_faces; f++)
+        for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+            const int c = side == 0 ? r->owner[f] : r->neighbour[f];
+            const double *const S = &r->area[3 * f];
+            for (int k = 0; k < 3; k++)
+                sum[4 * c + k] += side == 0 ? S[k] : -S[k];
+            sum[4 * c + 3] += sqrt(dot(S, S));
+        }
+    *worst = 0.0;
+    for (int c = 0; c < r->n_cells; c++) {
+        const double open = sqrt(dot(&sum[4 * c], &sum[4 * c]));
+        if (open <= *worst * sum[4 * c + 3]) continue;
+        *worst = open / sum[4 * c + 3];
+        which = c;
+    }
+    free(sum);
+    return which;
+}
+
+static int wrong_face(const struct poly_raw *r, const char *dir)
+{
+    for (int f = 0; f < r->n_faces; f++) {
+        const double *const S = &r->area[3 * f];
+        if (f < r->n_inner && r->owner[f] == r->neighbour[f]) {
+            fprintf(stderr,
+                    "winnow: %s/neighbour: face %d has the cell %d on both "
+                    "sides\n",
+                    dir, f, r->owner[f]);
+            return 1;
+        }
+        if (dot(S, S) > 0.0) continue;
+        fprintf(stderr, "winnow: %s/faces: face %d has no area\n", dir, f);
+        return 1;
+    }
+    return 0;
+}
+
+static int wrong_cell(const struct poly_raw *r, const char *dir)
+{
+    double open;
+    const int c = least_closed(r, &open);
+
+    if (open > 1e-6) {
+        fprintf(stderr,
+                "winnow: %s/owner: cell %d is not closed: its faces miss %.2g "
+                "of its surface; one is missing, has another cell, or its "
+                "points in the wrong order\n",
+                dir, c, open);
+        return 1;
+    }
+    for (int b = 0; b < r->n_cells; b++)
+        if (!(r->V[b] > 0.0)) {
+            fprintf(stderr,
+                    "winnow: %s: cell %d has the volume %g m^3, expected > 0; "
+                    "its faces do not close it or point inward\n",
+                    dir, b, r->V[b]);
+            return 1;
+        }
+    return 0;
+}
+
+/* The link from centre to centre goes with the face, not against it. */
+static int wrong_link(const struct poly_raw *r, const char *dir)
+{
+    for (int f = 0; f < r->n_inner; f++) {
+        const double *const a = &r->centre[3 * r->owner[f]];
+        const double *const b = &r->centre[3 * r->neighbour[f]];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        if (dot(d, &r->area[3 * f]) > 0.0) continue;
+        fprintf(stderr,
+                "winnow: %s/faces: face %d: the centres of the cells %d and "
+                "%d beside it do not lie on its two sides; such a mesh is too "
+                "crooked to compute on\n",
+                dir, f, r->owner[f], r->neighbour[f]);
+        return 1;
+    }
+    return 0;
+}
+
 int poly_raw_measure(struct poly_raw *r, const char *dir)
 {
     r->middle = alloc_doubles(3 * r->n_faces);
@@ -276,13 +375,22 @@ int poly_raw_measure(struct poly_raw *r, const char *dir)
     for (int f = 0; f < r->n_faces; f++)
         measure_face(r, f);
     measure_cells(r);
-    for (int c = 0; c < r->n_cells; c++)
-        if (!(r->V[c] > 0.0)) {
-            fprintf(stderr,
-                    "winnow: %s: cell %d has the volume %g m^3, expected > 0; "
-                    "its faces do not close it or point inward\n",
-                    dir, c, r->V[c]);
-            return 1;
+    return wrong_face(r, dir) || wrong_cell(r, dir) || wrong_link(r, dir);
+}
+
+/* How far any corner is off the plane of its face [m]. */
+double poly_raw_warp(const struct poly_raw *r)
+{
+    double most = 0.0;
+
+    for (int f = 0; f < r->n_faces; f++) {
+        const double *const S = &r->area[3 * f], *const x = &r->middle[3 * f];
+        const double size = sqrt(dot(S, S));
+        for (int i = r->start[f]; i < r->start[f + 1]; i++) {
+            const double *const p = &r->point[3 * r->corner[i]];
+            const double d[3] = {p[0] - x[0], p[1] - x[1], p[2] - x[2]};
+            most = fmax(most, fabs(dot(d, S)) / size);
         }
-    return 0;
+    }
+    return most;
 }

@@ -2,12 +2,16 @@
 #ifndef POLY_RAW_H
 #define POLY_RAW_H
 
+#include "mesh/mesh.h"
+
 enum { POLY_RAW_PATCHES = 64 };
 
 /* A patch as the file has it. */
 struct poly_part {
-    char name[32], type[32], other[32];
+    char name[64], type[64], other[64];
     int first, n;
+    int line; /* [-] of the file */
+    int lap;  /* [-] of a cyclic one: as mesh.h has it */
 };
 
 /* The files, and what is made of them on the way. */
@@ -25,10 +29,20 @@ struct poly_raw {
 /* Reads the files in dir; non-zero after one message. */
 int poly_raw_read(struct poly_raw *r, const char *dir);
 
+/* Only the patches. */
+int poly_raw_read_parts(struct poly_raw *r, const char *dir);
+
 /* Middles and areas of the faces, volumes and centres of the cells; non-zero
- * after one message if a volume is not positive. */
+ * after one message if a face has no area, a cell is not closed or its volume
+ * not positive. */
 int poly_raw_measure(struct poly_raw *r, const char *dir);
+double poly_raw_warp(const struct poly_raw *r);
 
 void poly_raw_release(struct poly_raw *r);
+
+/* The mesh of what was read or made; NULL after one message. The raw mesh
+ * gives its points and corners away, and is still to be released. */
+struct mesh *poly_build(struct poly_raw *r, const char *dir);
+struct mesh_shape *poly_shape_create(struct poly_raw *r);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* quality.c -- how far a mesh is from one of boxes; and which cell holds a
- * point where there is no box to tell. */
+/* quality.c -- how far a mesh is from one of boxes. */
 #include "mesh/mesh.h"
 
 #include <gsl/gsl_math.h>
@@ -25,63 +24,54 @@ static double skewness(const struct mesh *m, int f)
     return sqrt(dot(off, off) / dot(d, d));
 }
 
+/* Between a cell's centre and the middles of its faces: most over least. */
+static double aspect(const struct mesh *m, int c)
+{
+    double least = INFINITY, most = 0.0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        const double *const d = &m->d[3 * f];
+        const double own = m->out[a] > 0.0 ? 1.0 - m->w[f] : m->w[f];
+        const double way = own * sqrt(dot(d, d));
+        least = fmin(least, way);
+        most = fmax(most, way);
+    }
+    return most > 0.0 ? most / least : 1.0;
+}
+
+static void note(double value, int cell, double *worst, int *where)
+{
+    if (!(value > *worst)) return;
+    *worst = value;
+    *where = cell;
+}
+
+static void look_at_cells(const struct mesh *m, struct mesh_quality *q)
+{
+    q->V_least = INFINITY;
+    for (int c = 0; c < m->n_cells; c++) {
+        note(aspect(m, c), c, &q->aspect, &q->flat);
+        if (m->V[c] < q->V_least) q->small = c;
+        q->V_least = fmin(q->V_least, m->V[c]);
+        q->V_most = fmax(q->V_most, m->V[c]);
+    }
+}
+
 struct mesh_quality mesh_quality(const struct mesh *m)
 {
-    struct mesh_quality q = {mesh_openness(m), 0.0, 0.0, INFINITY, 0.0};
+    struct mesh_quality q = {.openness = mesh_openness(m), .growth = 1.0};
 
-    for (int c = 0; c < m->n_cells; c++) {
-        q.V_least = fmin(q.V_least, m->V[c]);
-        q.V_most = fmax(q.V_most, m->V[c]);
-    }
+    look_at_cells(m, &q);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        const int c = m->owner[f];
         const double cosine = dot(S, d) / sqrt(dot(S, S) * dot(d, d));
-        q.non_orthogonal =
-            fmax(q.non_orthogonal, acos(fmin(1.0, cosine)) * 180.0 / M_PI);
-        if (m->middle != NULL) q.skewness = fmax(q.skewness, skewness(m, f));
+        const double ratio = m->V[c] / m->V[m->neighbour[f]];
+        note(acos(fmin(1.0, cosine)) * 180.0 / M_PI, c, &q.non_orthogonal,
+             &q.crooked);
+        if (m->middle != NULL) note(skewness(m, f), c, &q.skewness, &q.skewed);
+        q.growth = fmax(q.growth, fmax(ratio, 1.0 / ratio));
     }
     return q;
-}
-
-/* How far the point is beyond face a of the cell's list [m]. */
-static double beyond(const struct mesh *m, int a, const double point[3])
-{
-    const int f = m->cell_face[a];
-    const double *const S = &m->S[3 * f], *const x = &m->middle[3 * f];
-    const double r[3] = {point[0] - x[0], point[1] - x[1], point[2] - x[2]};
-
-    return m->out[a] * dot(r, S) / sqrt(dot(S, S));
-}
-
-/* The face of cell c that the point is farthest beyond, or -1. */
-static int way_out(const struct mesh *m, int c, const double point[3])
-{
-    double most = 1e-12 * cbrt(m->V[c]);
-    int way = -1;
-
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        if (beyond(m, a, point) > most) {
-            most = beyond(m, a, point);
-            way = a;
-        }
-    return way;
-}
-
-int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
-                   double z)
-{
-    const double point[3] = {x, y, z};
-    int c = begin;
-
-    if (m->middle == NULL) return mesh_cell_at(m, x, y, z);
-    for (int steps = 0; steps < m->n_cells; steps++) {
-        const int way = way_out(m, c, point);
-        if (way < 0) return c;
-        const int f = m->cell_face[way];
-        if (f >= m->n_internal) break;
-        c = m->out[way] > 0.0 ? m->neighbour[f] : m->owner[f];
-    }
-    for (c = 0; c < m->n_cells; c++)
-        if (way_out(m, c, point) < 0) return c;
-    return -1;
 }

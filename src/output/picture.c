@@ -17,6 +17,9 @@ struct disc {
     double speed;   /* [m/s] */
 };
 
+/* More would not be seen. */
+static const double most_squares[3] = {200.0, 400.0, 50.0}; /* [-] */
+
 static int by_depth(const void *a, const void *b)
 {
     const struct disc *const p = a, *const q = b;
@@ -78,22 +81,74 @@ static double depth_average(const struct mesh *m, const double *eps, int i,
     return amount / volume;
 }
 
+static void put_columns(FILE *out, const struct picture *p)
+{
+    const struct box *const b = &p->mesh->box;
+    const double *const x = b->edge[0], *const y = b->edge[1];
+
+    for (int j = 0; p->eps && j < b->n[1]; j++)
+        for (int i = 0; i < b->n[0]; i++) {
+            const double eps = depth_average(p->mesh, p->eps, i, j);
+            put_row(out, 5, (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
+        }
+}
+
+/* Mean of the cells met at n points behind each other, which begin at x; 0 if
+ * there are none. */
+static double sampled(const struct picture *p, double x[3], double step, int n)
+{
+    double sum = 0.0, offset[3];
+    int met = 0;
+
+    for (int k = 0; k < n; k++, x[2] += step) {
+        const int c = mesh_locate(p->mesh, x, offset);
+        if (c < 0) continue;
+        sum += p->eps[c];
+        met++;
+    }
+    return met > 0 ? sum / met : 0.0;
+}
+
+/* A mesh that is no box has no columns: points in squares half as wide as a
+ * mean cell stand for them. */
+static void put_squares(FILE *out, const struct picture *p)
+{
+    const struct mesh *const m = p->mesh;
+    double volume = 0.0, width[3];
+    int n[3];
+
+    for (int c = 0; c < m->n_cells; c++)
+        volume += m->V[c];
+    for (int k = 0; k < 3; k++) {
+        const double L = m->hi[k] - m->lo[k];
+        const double fit = ceil(2.0 * L / cbrt(volume / m->n_cells));
+        n[k] = (int)fmin(most_squares[k], fit);
+        width[k] = L / n[k];
+    }
+    for (int j = 0; p->eps && j < n[1]; j++)
+        for (int i = 0; i < n[0]; i++) {
+            const double x = m->lo[0] + i * width[0];
+            const double y = m->lo[1] + j * width[1];
+            double point[3] = {x + 0.5 * width[0], y + 0.5 * width[1],
+                               m->lo[2] + 0.5 * width[2]};
+            const double eps = sampled(p, point, width[2], n[2]);
+            if (eps > 0.0)
+                put_row(out, 5,
+                        (double[5]){x, x + width[0], y, y + width[1], eps});
+        }
+}
+
 static int put_void_fraction(const char *folder, const struct picture *p)
 {
     struct file *const f = opened(folder, "void_fraction.txt");
     if (f == NULL) return 1;
 
-    const struct box *const b = &p->mesh->box;
-    const double *const x = b->edge[0], *const y = b->edge[1];
-
     fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
                             "top [m]  void fraction [-]\n");
-    for (int j = 0; p->eps && j < b->n[1]; j++)
-        for (int i = 0; i < b->n[0]; i++) {
-            const double eps = depth_average(p->mesh, p->eps, i, j);
-            put_row(file_stream(f), 5,
-                    (double[5]){x[i], x[i + 1], y[j], y[j + 1], eps});
-        }
+    if (p->mesh->shape == NULL)
+        put_columns(file_stream(f), p);
+    else
+        put_squares(file_stream(f), p);
     return file_commit(f);
 }
 
@@ -132,15 +187,15 @@ static int put_script(const char *folder, const struct picture *p, double speed)
     if (f == NULL) return 1;
 
     FILE *const out = file_stream(f);
-    const struct box *const b = &p->mesh->box;
+    const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
 
     fprintf(out, "# The numbers of this run.\n");
     put_title(out, p->title);
     put_definition(out, "time", p->time, "s");
-    put_definition(out, "x0", b->edge[0][0], "m");
-    put_definition(out, "x1", b->edge[0][b->n[0]], "m");
-    put_definition(out, "y0", b->edge[1][0], "m");
-    put_definition(out, "y1", b->edge[1][b->n[1]], "m");
+    put_definition(out, "x0", lo[0], "m");
+    put_definition(out, "x1", hi[0], "m");
+    put_definition(out, "y0", lo[1], "m");
+    put_definition(out, "y1", hi[1], "m");
     put_definition(out, "fast", speed, "m/s, which 99 of 100 keep below");
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
             p->eps != NULL, p->pressure);

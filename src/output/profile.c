@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "output/mean.h"
+#include "output/probe.h"
 #include "output/table.h"
 
 #include <assert.h>
@@ -16,12 +17,13 @@ struct profile {
     struct profile_line line;
     int n_fields, n; /* n points on the line */
     struct profile_field *fields;
-    double *x;       /* [m] of each point */
-    int row[2];      /* [-] rows of cells below and above the line */
-    double share[2]; /* [-] what each counts */
-    int n_deep;      /* [-] cells in the depth */
-    double *dz;      /* [-] width of each over the whole depth */
-    int step[3];     /* [-] from a cell to the next along, up, deep */
+    double *x;           /* [m] of each point */
+    int row[2];          /* [-] rows of cells below and above the line */
+    double share[2];     /* [-] what each counts */
+    int n_deep;          /* [-] cells in the depth */
+    double *dz;          /* [-] width of each over the whole depth */
+    int step[3];         /* [-] from a cell to the next along, up, deep */
+    struct probe *probe; /* n times n_deep, of a mesh that is no box */
     double *sample, *weight;
     struct mean *mean;
 };
@@ -69,24 +71,57 @@ static void lay_out(struct profile *p, const struct box *b)
     find_rows(p, b);
 }
 
+/* Points half a mean cell apart, from one end of the mesh to the other. */
+static double points_along(const struct mesh *m, int k, int *n)
+{
+    const double L = m->hi[k] - m->lo[k];
+    double volume = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        volume += m->V[c];
+    *n = (int)fmax(1.0, ceil(2.0 * L / cbrt(volume / m->n_cells)));
+    return L / *n;
+}
+
+static void lay_probes(struct profile *p, const struct mesh *m)
+{
+    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const double dx = points_along(m, a, &p->n);
+    const double dz = points_along(m, deep, &p->n_deep);
+
+    p->x = alloc_doubles(p->n);
+    p->probe = alloc_zeroed((size_t)p->n * (size_t)p->n_deep, sizeof *p->probe);
+    for (int i = 0; i < p->n; i++) {
+        double x[3];
+        x[a] = p->x[i] = m->lo[a] + (i + 0.5) * dx;
+        x[p->line.up] = p->line.height;
+        for (int j = 0; j < p->n_deep; j++) {
+            x[deep] = m->lo[deep] + (j + 0.5) * dz;
+            p->probe[i * p->n_deep + j] = probe_at(m, x);
+        }
+    }
+}
+
 struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line, int n_fields,
                                const struct profile_field *fields)
 {
-    const double *const y = m->box.edge[line->up];
-    const double top = y[m->box.n[line->up]];
+    const double bottom = m->lo[line->up], top = m->hi[line->up];
 
     assert(line->along != line->up);
-    if (!(line->height >= y[0] && line->height <= top)) {
+    if (!(line->height >= bottom && line->height <= top)) {
         fprintf(stderr,
                 "winnow: a profile at height %g m is outside the box, which "
                 "goes from %g to %g m\n",
-                line->height, y[0], top);
+                line->height, bottom, top);
         return NULL;
     }
     struct profile *const p = alloc_zeroed(1, sizeof *p);
     p->line = *line;
-    lay_out(p, &m->box);
+    if (m->middle == NULL)
+        lay_out(p, &m->box);
+    else
+        lay_probes(p, m);
     p->n_fields = n_fields;
     p->fields = alloc_zeroed((size_t)n_fields, sizeof p->fields[0]);
     memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);
@@ -102,10 +137,25 @@ void profile_free(struct profile *p)
     free(p->fields);
     free(p->x);
     free(p->dz);
+    free(p->probe);
     free(p->sample);
     free(p->weight);
     mean_free(p->mean);
     free(p);
+}
+
+/* The same through the probes; nothing weighs where all are outside. */
+static double seen(const struct profile *p, const struct profile_field *f,
+                   int i, double *weight)
+{
+    double amount = 0.0;
+
+    for (int j = 0; j < p->n_deep; j++)
+        amount += probe_amount(&p->probe[i * p->n_deep + j], f->values,
+                               f->components, f->component, f->weight, weight);
+    amount = *weight > 0.0 ? amount / *weight : 0.0;
+    *weight /= p->n_deep;
+    return amount;
 }
 
 /* One field at point i of the line: its sample, and how much it weighs. */
@@ -115,6 +165,7 @@ static double sampled(const struct profile *p, const struct profile_field *f,
     double amount = 0.0;
 
     *weight = 0.0;
+    if (p->probe != NULL) return seen(p, f, i, weight);
     for (int r = 0; r < 2; r++)
         for (int k = 0; k < p->n_deep; k++) {
             const int c =

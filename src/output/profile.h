@@ -3,7 +3,9 @@
  * The line runs along one direction (x) at a given height in a second (y); the
  * third (z), the depth, is averaged over. Between the rows of cell centres the
  * values are linear in the height; below the first and above the last row they
- * are those of that row. One point for each column of cells.
+ * are those of that row. One point for each column of cells. A mesh that is no
+ * box is looked at through probes half a mean cell apart, along the line and in
+ * the depth.
  *
  * A field may be weighted by another: a particle velocity by the solids
  * fraction, so that cells without particles do not count:

@@ -2,7 +2,7 @@
 #include "output/vtk.h"
 
 #include "base/alloc.h"
-#include "output/vtk_file.h"
+#include "output/vtk_cells.h"
 
 #include <stdlib.h>
 
@@ -54,6 +54,19 @@ int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
             n[1], n[2]);
     put_edges(f, &m->box);
     vtk_file_section(f, "CellData", m->n_cells, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
+}
+
+int vtk_write_cells(struct vtk_writer *w, const char *path,
+                    const struct vtk_cells *c, double time, int n_arrays,
+                    const struct vtk_array *arrays)
+{
+    struct vtk_file *const f = w->file;
+
+    if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
+    vtk_cells_put(f, c);
+    vtk_file_section(f, "CellData", vtk_cells_number(c), n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);
 }

@@ -1,9 +1,9 @@
-/* vtk.h -- the files that ParaView opens: a box of cells, particles, walls.
+/* vtk.h -- the files that ParaView opens: cells, particles, walls.
  *
- * .vtr: the cells of a box, with values a cell. .vtp: a point a particle, with
- * values a particle; or polygons with values each. XML with the numbers behind
- * it, compressed by zlib; the time of the state is in the file. Which values,
- * says the caller.
+ * .vtr: the cells of a box, with values a cell; .vtu: those of any mesh. .vtp:
+ * a point a particle, with values a particle; or polygons with values each. XML
+ * with the numbers behind it, compressed by zlib; the time of the state is in
+ * the file. Which values, says the caller.
  *
  * Nothing is allocated by a write, but for the file's own stream and once more
  * when an array is larger than any before.
@@ -24,6 +24,15 @@ void vtk_writer_free(struct vtk_writer *w);
  * then it is not there at all. Time in s; names must differ. */
 int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays);
+
+/* The same for a mesh that is no box, .vtu: hexahedra and tetrahedra as such,
+ * all other cells as polyhedra. */
+struct vtk_cells;
+struct vtk_cells *vtk_cells_create(const struct mesh *m);
+void vtk_cells_free(struct vtk_cells *c);
+int vtk_write_cells(struct vtk_writer *w, const char *path,
+                    const struct vtk_cells *c, double time, int n_arrays,
+                    const struct vtk_array *arrays);
 
 /* n particles, 0 allowed, with centres x[0][i], x[1][i], x[2][i] [m]. */
 int vtk_write_particles(struct vtk_writer *w, const char *path, int n,

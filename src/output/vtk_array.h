@@ -15,15 +15,16 @@
 
 struct vtk_array {
     const char *name;
-    int components;         /* [-] numbers a point or cell, 1 to 9 */
-    const double *values;   /* side by side, [components * i + k]; or */
-    const double *split[3]; /* one array a component; or */
-    const int *ints;        /* whole numbers, side by side, Int32; or */
-    int from;               /* none of these: from, from + 1, ... as Int32 */
-    int single;             /* [-] 1: Float32 */
+    int components;             /* [-] numbers a point or cell, 1 to 9 */
+    const double *values;       /* side by side, [components * i + k]; or */
+    const double *split[3];     /* one array a component; or */
+    const int *ints;            /* whole numbers, side by side, Int32; or */
+    const unsigned char *bytes; /* small ones, UInt8; or */
+    int from;   /* none of these: from, from + 1, ... as Int32 */
+    int single; /* [-] 1: Float32 */
 };
 
-/* VTK's name of its type: "Float64", "Float32", "Int32". */
+/* VTK's name of its type: "Float64", "Float32", "Int32", "UInt8". */
 const char *vtk_array_type(const struct vtk_array *a);
 
 /* Bytes of one number in the file. */

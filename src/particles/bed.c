@@ -140,6 +140,45 @@ static void fill_lattice(struct particles *ps, const struct lattice *l,
     gsl_rng_free(random);
 }
 
+/* The same where not every site has room: site after site, until all spheres
+ * have theirs. Non-zero after a message if there are not so many. */
+static int fill_room(struct particles *ps, const struct lattice *l,
+                     const double *d, const struct bed_options *bed,
+                     const struct dem_options *dem)
+{
+    const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
+    const double height = dem->hi[l->up] - dem->lo[l->up];
+    const long layer = (long)l->n[a] * l->n[c];
+    const long sites = layer * (long)(height / l->space[l->up]);
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+    int i = 0;
+
+    gsl_rng_set(random, bed->seed);
+    for (long q = 0; q < sites && i < bed->count; q++) {
+        long site[3];
+        double x[3];
+        site[a] = q % l->n[a];
+        site[c] = q / l->n[a] % l->n[c];
+        site[l->up] = q / layer;
+        for (int k = 0; k < 3; k++) {
+            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double shift = room * (gsl_rng_uniform(random) - 0.5);
+            const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
+            x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
+        }
+        if (!bed->room.holds(bed->room.where, x, 0.5 * d[i])) continue;
+        particles_add(ps, x, d[i], bed->density);
+        i++;
+    }
+    gsl_rng_free(random);
+    if (i == bed->count) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: the mesh has room for %d of its %d "
+            "spheres on a lattice\n",
+            i, bed->count);
+    return 1;
+}
+
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem)
 {
@@ -147,11 +186,16 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
 
     widest.diameter = bed_range(bed).most;
     const struct lattice l = lattice_of(&widest, dem);
-    if (lattice_wrong(&l, &widest, dem)) return 1;
+    const int anywhere = bed->room.holds == NULL;
+    if (anywhere && lattice_wrong(&l, &widest, dem)) return 1;
     double *const d = draw_sizes(bed);
-    fill_lattice(ps, &l, d, bed, dem);
+    int wrong = 0;
+    if (anywhere)
+        fill_lattice(ps, &l, d, bed, dem);
+    else
+        wrong = fill_room(ps, &l, d, bed, dem);
     free(d);
-    return 0;
+    return wrong;
 }
 
 /* While a bed of several sizes settles, the small ones have the inertia of the

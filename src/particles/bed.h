@@ -10,6 +10,7 @@
 #define BED_H
 
 #include "particles/dem.h"
+#include "particles/room.h"
 #include "particles/sizes.h"
 
 struct bed_options {
@@ -22,6 +23,7 @@ struct bed_options {
     double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
                           are those of the dem_options */
     double settle;     /* [s] longest time; 0 leaves the lattice */
+    struct room room;  /* sites without room stay empty */
 };
 
 struct bed_report {

@@ -118,6 +118,8 @@ static int place_next(struct insertion *in, struct crowd *c,
     for (int a = 0; a < (o->list != NULL ? 1 : ATTEMPTS); a++) {
         insertion_place(o, in->done, in->tried++, d, x);
         if (!is_free(c, ps, box, x, d)) continue;
+        if (o->room.holds != NULL && !o->room.holds(o->room.where, x, 0.5 * d))
+            continue;
         const int i = particles_add(ps, x, d, o->density);
         if (ps->material != NULL) ps->material[i] = o->material;
         ps->vx[i] = o->velocity[0];

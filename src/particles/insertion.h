@@ -13,6 +13,7 @@
 #include <stdio.h>
 
 #include "particles/bodies.h"
+#include "particles/room.h"
 #include "particles/sizes.h"
 
 /* One sphere of a list. */
@@ -32,6 +33,7 @@ struct insertion_options {
     double rate;               /* [1/s]; 0: all at once */
     double start;              /* [s] time of the first */
     unsigned long seed;
+    struct room room;                 /* places without room count as tried */
     const struct insertion_one *list; /* borrowed; count of them, instead of
                                          chance; or NULL */
 };

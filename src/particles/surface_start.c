@@ -42,6 +42,17 @@ static int starts_wrong(const struct particles *ps, int i,
     return 1;
 }
 
+double surface_start_distance(const struct surface *s, const double x[3],
+                              double R)
+{
+    const struct pose p = motion_pose(&s->motion, 0.0);
+    struct triangle_list near = {0, 0, NULL};
+    const double r = distance(s, &p, x, R, &near);
+
+    free(near.number);
+    return r;
+}
+
 int surface_start_wrong(const struct particles *ps, const struct surface *list,
                         int n)
 {

@@ -10,4 +10,9 @@
 int surface_start_wrong(const struct particles *ps, const struct surface *list,
                         int n);
 
+/* Distance of x from the surface, as it is at time 0, or R if it is farther
+ * [m]. */
+double surface_start_distance(const struct surface *s, const double x[3],
+                              double R);
+
 #endif

@@ -13,18 +13,14 @@
 #include "particles/life.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_mesh.h"
 #include "scene/case_surfaces.h"
+#include "scene/case_walls.h"
 #include "scene/scene.h"
 
 struct mesh *build_mesh(const struct settings *s)
 {
-    struct box_spec spec;
-
-    settings_vector(s, "mesh.size", spec.size);
-    settings_counts(s, "mesh.cells", spec.cells);
-    settings_vector(s, "mesh.grading", spec.grading);
-    settings_flags(s, "mesh.periodic", spec.periodic);
-    return mesh_create_box(&spec);
+    return case_mesh_create(s);
 }
 
 int build_gravity(const struct settings *s, double g[3])
@@ -174,6 +170,7 @@ void build_free(struct simulation *sim)
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->driven);
     life_free(sim->life);
+    case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "scene/case_mesh.h"
 
 int build_two_way(const struct settings *s)
 {
@@ -13,18 +14,22 @@ int build_two_way(const struct settings *s)
            strcmp(settings_text(s, "exchange.coupling"), "two-way") == 0;
 }
 
-/* The path of a key of one side. */
-static const char *of_side(const struct settings *s, const struct patch *p,
-                           const char *key, char path[96])
+/* 1 if the case gives a key of one side, whose path this makes. A symmetry of
+ * the mesh may be left out. */
+static int has(const struct settings *s, const struct patch *p, const char *key,
+               char path[128])
 {
-    snprintf(path, 96, "%s.%s", settings_side(s, p->name), key);
-    return path;
+    const char *const side = settings_side(s, p->name);
+
+    if (side == NULL) return 0;
+    snprintf(path, 128, "%s.%s", side, key);
+    return settings_has(s, path);
 }
 
 static int has_profile(const struct settings *s, const struct patch *p)
 {
-    char path[96];
-    return settings_has(s, of_side(s, p, "profile", path)) &&
+    char path[128];
+    return has(s, p, "profile", path) &&
            strcmp(settings_text(s, path), "parabola") == 0;
 }
 
@@ -32,12 +37,12 @@ static int has_profile(const struct settings *s, const struct patch *p)
  * for each face of a profile. */
 static int count_numbers(const struct settings *s, const struct mesh *m)
 {
-    char path[96];
+    char path[128];
     int n = 0;
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
-        if (!settings_has(s, of_side(s, p, "inlet", path))) continue;
+        if (!has(s, p, "inlet", path)) continue;
         n += 2 * settings_points(s, path) + (has_profile(s, p) ? p->n : 0);
     }
     return n;
@@ -51,7 +56,7 @@ static int between_walls(const struct settings *s, int k)
 
     for (int i = 0; i < 2; i++) {
         const char *const side = settings_side(s, ends[k][i]);
-        char path[96];
+        char path[128];
         if (side == NULL) return 0; /* periodic */
         snprintf(path, sizeof path, "%s.wall", side);
         const char *const word = settings_text(s, side);
@@ -86,8 +91,8 @@ static void fill_profile(const struct settings *s, const struct mesh *m,
 static struct boundary inlet(const struct settings *s, const struct mesh *m,
                              const struct patch *p, double **next)
 {
-    char path[96];
-    const int n = settings_points(s, of_side(s, p, "inlet", path));
+    char path[128];
+    const int n = has(s, p, "inlet", path) ? settings_points(s, path) : 0;
     double *const time = *next, *const velocity = time + n;
 
     for (int i = 0; i < n; i++)
@@ -113,14 +118,14 @@ static struct boundary one_boundary(const struct settings *s,
                                     double **next)
 {
     struct boundary b = {.kind = BOUNDARY_SLIP};
-    char path[96];
+    char path[128];
 
-    if (settings_has(s, of_side(s, p, "inlet", path)))
-        return inlet(s, m, p, next);
-    if (settings_has(s, of_side(s, p, "outlet", path))) {
+    if (settings_side(s, p->name) == NULL) return b;
+    if (has(s, p, "inlet", path)) return inlet(s, m, p, next);
+    if (has(s, p, "outlet", path)) {
         b.kind = BOUNDARY_OUTLET;
         b.pressure = settings_real(s, path);
-    } else if (settings_has(s, of_side(s, p, "wall", path))) {
+    } else if (has(s, p, "wall", path)) {
         b.kind = BOUNDARY_NO_SLIP;
         settings_vector(s, path, b.wall);
     } else if (strcmp(settings_text(s, settings_side(s, p->name)), "no-slip") ==
@@ -148,7 +153,7 @@ static void take_drive(const struct settings *s, struct fluid_options *o)
         settings_vector(s, "fluid.mean_gradient", o->mean_gradient);
     if (!settings_has(s, "fluid.mean_flow")) return;
     settings_vector(s, "fluid.mean_flow", o->mean_flow);
-    settings_flags(s, "mesh.periodic", o->keeps_flow);
+    case_mesh_periodic(s, o->keeps_flow);
 }
 
 void build_fluid(const struct settings *s, struct simulation *sim)

@@ -13,6 +13,8 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_life.h"
 #include "scene/case_materials.h"
+#include "scene/case_walls.h"
+#include "scene/case_mesh.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
 {
@@ -30,12 +32,9 @@ struct dem_options build_dem_options(const struct settings *s, double step)
             strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
-    double size[3];
 
-    settings_vector(s, "mesh.size", size);
-    settings_flags(s, "mesh.periodic", o.periodic);
-    for (int k = 0; k < 3; k++)
-        o.hi[k] = size[k];
+    case_walls_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
     return o;
 }
 
@@ -73,12 +72,13 @@ static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
     struct sizes *sizes;
-    const struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s, &sizes);
     const char *const path = settings_has(s, "particles.bed.file")
                                  ? settings_text(s, "particles.bed.file")
                                  : NULL;
     struct bed_report r;
 
+    b.room = case_walls_room(sim->walls);
     sim->particles = particles_create(b.count + case_life_count(s));
     sim->dem = dem_create(sim->particles, o);
     const int found = sim->dem == NULL
@@ -87,7 +87,11 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
     if (found != BED_MADE) return 2;
-    if (r.steps > 0)
+    if (r.steps > 0 && sim->walls != NULL)
+        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
+                r.time, r.kinetic,
+                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+    else if (r.steps > 0)
         fprintf(stderr,
                 "settled in %.3g s: height %.4g m, solid fraction %.3f, "
                 "kinetic energy %.1g m g d%s\n",
@@ -188,6 +192,8 @@ int build_particles(const struct settings *s, struct simulation *sim)
         case_surfaces_create(s, &sim->n_surfaces, &code);
     o.n_surfaces = sim->n_surfaces;
     if (code != 0) return code;
+    sim->walls = case_walls_create(
+        s, case_walls_count(s) > 0 ? &sim->surfaces[o.n_surfaces - 1] : NULL);
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);
     else
@@ -195,9 +201,13 @@ int build_particles(const struct settings *s, struct simulation *sim)
     if (code != 0) return code;
     if (driven_missing(s, sim->particles) != 0) return 2;
     dem_clock(sim->dem, 0);
-    const struct domain box = bodies_domain(o.lo, o.hi, o.periodic);
+    double lo[3], hi[3];
+    case_mesh_ends(s, lo, hi);
+    const struct domain box = bodies_domain(lo, hi, o.periodic);
     sim->life = case_life_create(s, &box, &code);
     if (code != 0) return code;
+    for (int i = 0; sim->life != NULL && i < sim->life->n_sources; i++)
+        sim->life->sources[i].options.room = case_walls_room(sim->walls);
     sim->held = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held, 3);
     return 0;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/case_materials.h"
+#include "scene/case_mesh.h"
 #include "scene/case_sizes.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
@@ -23,8 +24,7 @@ static int has(const struct settings *s, int i, const char *key)
 static void region(const struct settings *s, const char *list, int i,
                    double lo[3], double hi[3])
 {
-    settings_vector(s, "mesh.size", hi);
-    lo[0] = lo[1] = lo[2] = 0.0;
+    case_mesh_ends(s, lo, hi);
     if (settings_item_has(s, list, i, "from"))
         settings_item_vector(s, list, i, "from", lo);
     if (settings_item_has(s, list, i, "to"))
@@ -144,15 +144,16 @@ static struct comers comers_of(const struct insertion_options *o)
 static int check_list(const struct settings *s, int i,
                       const struct insertion_options *o)
 {
-    double size[3];
+    double lo[3], hi[3];
     int periodic[3];
 
-    settings_vector(s, "mesh.size", size);
-    settings_flags(s, "mesh.periodic", periodic);
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
     for (long q = 0; q < o->count; q++)
         for (int k = 0; k < 3; k++) {
             const double margin = periodic[k] ? 0.0 : 0.5 * o->list[q].d;
-            if (o->list[q].x[k] < margin || o->list[q].x[k] > size[k] - margin)
+            if (o->list[q].x[k] < lo[k] + margin ||
+                o->list[q].x[k] > hi[k] - margin)
                 return settings_wrong(
                     s, sources, "source %d: sphere %ld is not inside the box",
                     i, q);
@@ -164,19 +165,20 @@ static int check_room(const struct settings *s, int i,
                       const struct insertion_options *o)
 {
     const struct comers c = comers_of(o);
-    double size[3], volume = 1.0;
+    double lo[3], hi[3], volume = 1.0;
 
     if (o->list != NULL) return check_list(s, i, o);
-    settings_vector(s, "mesh.size", size);
+    case_mesh_ends(s, lo, hi);
     for (int k = 0; k < 3; k++) {
         volume *= o->hi[k] - o->lo[k];
-        if (o->lo[k] < 0.0 || o->hi[k] > size[k] ||
+        if (o->lo[k] < lo[k] || o->hi[k] > hi[k] ||
             o->hi[k] - o->lo[k] < c.most)
             return settings_wrong(
                 s, sources,
                 "source %d: its region, %g to %g m in direction %c, must be "
-                "inside the box, 0 to %g m, and have room for spheres of %g m",
-                i, o->lo[k], o->hi[k], 'x' + k, size[k], c.most);
+                "inside the box, %g to %g m, and have room for spheres of %g "
+                "m",
+                i, o->lo[k], o->hi[k], 'x' + k, lo[k], hi[k], c.most);
     }
     if (o->rate > 0.0 || c.volume <= densest * volume) return 0;
     return settings_wrong(

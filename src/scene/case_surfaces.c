@@ -10,6 +10,8 @@
 #include "base/vector.h"
 #include "particles/stl.h"
 #include "scene/case_materials.h"
+#include "scene/case_walls.h"
+#include "scene/case_mesh.h"
 
 static const char list[] = "particles.surfaces", driven[] = "particles.driven";
 
@@ -49,16 +51,6 @@ static enum surface_shape shape_of(const struct settings *s, int i)
                                             : SURFACE_TRIANGLES;
 }
 
-/* A file lies beside its case. */
-static void file_path(const struct settings *s, const char *file, char *path,
-                      size_t room)
-{
-    const char *const at = settings_file(s), *const end = strrchr(at, '/');
-    const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
-
-    snprintf(path, room, "%.*s%s", folder, at, file);
-}
-
 static struct triangles *read_triangles(const struct settings *s, int i,
                                         const double origin[3])
 {
@@ -66,7 +58,8 @@ static struct triangles *read_triangles(const struct settings *s, int i,
     char path[4096];
     struct stl stl;
 
-    file_path(s, settings_item_text(s, list, i, "file"), path, sizeof path);
+    settings_beside(s, settings_item_text(s, list, i, "file"), path,
+                    sizeof path);
     if (stl_read(path, &stl) != 0) return NULL;
     if (stl.dropped > 0)
         fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
@@ -108,12 +101,16 @@ static int fill(const struct settings *s, int i, struct surface *one)
 struct surface *case_surfaces_create(const struct settings *s, int *n,
                                      int *code)
 {
-    *n = settings_length(s, list);
+    const int listed = settings_length(s, list);
+    const int walled = case_walls_count(s) > 0;
+
+    *n = listed + walled;
     *code = 0;
     if (*n == 0) return NULL;
     struct surface *const made = alloc_zeroed((size_t)*n, sizeof *made);
-    for (int i = 0; i < *n && *code == 0; i++)
+    for (int i = 0; i < listed && *code == 0; i++)
         if (fill(s, i, &made[i]) != 0) *code = 2;
+    if (walled) made[listed] = case_walls_surface(s);
     if (*code == 0) return made;
     case_surfaces_free(made, *n);
     return NULL;
@@ -144,15 +141,14 @@ struct driven *case_surfaces_driven(const struct settings *s, int *n)
 
 int case_surfaces_measure(const struct settings *s, struct wall_scales *w)
 {
-    static const double lo[3] = {0.0, 0.0, 0.0};
-    double hi[3];
+    double lo[3], hi[3];
     int code;
     struct surface *const made = case_surfaces_create(s, &w->surfaces, &code);
 
     w->triangles = 0;
     w->speed = 0.0;
     if (code != 0) return code;
-    settings_vector(s, "mesh.size", hi);
+    case_mesh_ends(s, lo, hi);
     for (int i = 0; i < w->surfaces; i++) {
         const double reach = surface_reach(&made[i], lo, hi);
         if (made[i].shape == SURFACE_TRIANGLES)
@@ -173,6 +169,9 @@ static int check_name(const struct settings *s, int i)
         return settings_wrong(s, list,
                               "the name \"%s\" is empty or has a comma or a "
                               "quote in it",
+                              name);
+    if (case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0)
+        return settings_wrong(s, list, "the name %s is that of the walls",
                               name);
     for (int k = 0; k < i; k++)
         if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)

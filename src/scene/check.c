@@ -2,6 +2,7 @@
 #include "scene/check.h"
 
 #include "averaging/averaging.h"
+#include "base/vector.h"
 #include "mesh/mesh.h"
 #include "particles/contact.h"
 #include "scene/build.h"
@@ -11,6 +12,7 @@
 #include "scene/case_life.h"
 #include "scene/case_limits.h"
 #include "scene/case_materials.h"
+#include "scene/case_mesh.h"
 #include "scene/case_surfaces.h"
 
 #include <math.h>
@@ -89,10 +91,11 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
     double largest = 0.0;
 
     for (int i = 0; i < m->n_patches; i++) {
-        char path[64];
+        const char *const side = settings_side(s, m->patches[i].name);
+        char path[128];
 
-        snprintf(path, sizeof path, "%s.inlet",
-                 settings_side(s, m->patches[i].name));
+        if (side == NULL) continue;
+        snprintf(path, sizeof path, "%s.inlet", side);
         for (int j = 0; settings_has(s, path) && j < settings_points(s, path);
              j++) {
             double t, u;
@@ -120,12 +123,13 @@ static struct scales scales_of(const struct settings *s)
 {
     struct mesh *const m = build_mesh(s);
     struct scales k = {.cells = m->n_cells, .dx = INFINITY};
-    double g[3], size[3];
+    double g[3];
 
-    settings_vector(s, "mesh.size", size);
-    k.S_c = cbrt(size[0] * size[1] * size[2] / k.cells); /* [SX15 10] */
+    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
     for (int i = 0; i < m->box.n[1]; i++)
         k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
+    for (int f = 0; f < m->n_internal && m->middle != NULL; f++)
+        k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
     k.end = settings_real(s, "output.end");
     k.dem_steps = build_steps(s, &k.dt);
     if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
@@ -141,16 +145,52 @@ static struct scales scales_of(const struct settings *s)
     return k;
 }
 
-/* What a graded mesh is worth: a box has no oblique links and no skewness. */
+/* A line with the place of the cell in question. */
+static void line_at(const char *name, double value, const char *unit,
+                    const struct mesh *m, int c, const char *advice)
+{
+    const double *const x = &m->centre[3 * c];
+    char remark[256];
+
+    snprintf(remark, sizeof remark, "at [%.3g, %.3g, %.3g] m%s%s", x[0], x[1],
+             x[2], advice[0] != '\0' ? ": " : "", advice);
+    line(name, value, unit, remark);
+}
+
+/* What links that are not normal to their faces cost: the part along the face
+ * is added from the step before, so it wants repeats. */
+static void print_crooked(const struct mesh *m, const struct mesh_quality *q)
+{
+    const double angle = q->non_orthogonal;
+
+    line_at("largest non-orthogonality", angle, "deg", m, q->crooked,
+            angle > 70.0   ? "TOO CROOKED: expect divergence, mend the mesh"
+            : angle > 45.0 ? "high: give fluid.repeats 1 or 2"
+                           : "good");
+    line_at("largest skewness", q->skewness, "-", m, q->skewed,
+            q->skewness > 0.5   ? "HIGH: faces are not met by their links"
+            : q->skewness > 0.1 ? "second order is lost near by"
+                                : "good");
+    line_at("largest aspect ratio", q->aspect, "-", m, q->flat,
+            q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");
+    line("openness", q->openness, "-", "of the worst cell: closed");
+    line_at("smallest cell", q->V_least, "m^3", m, q->small, "");
+}
+
+/* What a mesh is worth: a box has no oblique links and no skewness. */
 static void print_quality(const struct settings *s)
 {
     struct mesh *const m = build_mesh(s);
     const struct mesh_quality q = mesh_quality(m);
 
+    if (m->middle != NULL) print_crooked(m, &q);
     if (q.V_most > q.V_least * (1.0 + 1e-9))
         line("largest over smallest cell", q.V_most / q.V_least, "-",
              "volumes; what the schemes assume is near 1 between neighbours");
-    if (q.openness > 1e-10)
+    if (m->middle != NULL && q.growth > 1.0 + 1e-9)
+        line("largest between neighbours", q.growth, "-",
+             q.growth > 2.1 ? "HIGH: second order is lost there" : "good");
+    if (m->middle == NULL && q.openness > 1e-10)
         line("openness", q.openness, "-", "NOT CLOSED: a cell has a gap");
     mesh_free(m);
 }
@@ -250,9 +290,10 @@ static void print_averaging(const struct settings *s)
 static void print_weight(const struct settings *s, const struct scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
-    double size[3], g[3];
+    double lo[3], size[3], g[3];
 
-    settings_vector(s, "mesh.size", size);
+    case_mesh_ends(s, lo, size);
+    if (settings_mesh(s) != NULL) return; /* it has no one section */
     if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
     line("weight of the bed over its area",
          k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",

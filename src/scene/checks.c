@@ -11,8 +11,10 @@
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_surfaces.h"
+#include "scene/case_walls.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
+#include "scene/case_mesh.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -57,17 +59,17 @@ static int check_direction(const struct settings *s, int k)
     return 0;
 }
 
-/* How many of the sides are a group with that key. */
+/* How many of the sides or patches are a group with that key. */
 static int count_sides(const struct settings *s, const char *key)
 {
+    const char *side;
     int n = 0;
 
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++) {
-            char path[64];
-            snprintf(path, sizeof path, "fluid.%s.%s", sides[k][i], key);
-            n += settings_has(s, path);
-        }
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "%s.%s", side, key);
+        n += settings_has(s, path);
+    }
     return n;
 }
 
@@ -98,7 +100,7 @@ static int check_drive(const struct settings *s)
                                         "fluid.mean_flow"};
     int periodic[3];
 
-    settings_flags(s, "mesh.periodic", periodic);
+    case_mesh_periodic(s, periodic);
     for (int i = 0; i < 2; i++) {
         double v[3];
         if (!settings_has(s, paths[i])) continue;
@@ -129,16 +131,17 @@ static int check_parts(const struct settings *s)
 
 static int check_fluid(const struct settings *s)
 {
-    int code = 0;
+    const int files = settings_has(s, "mesh.polymesh");
+    int code = case_mesh_check_fluid(s);
 
-    for (int k = 0; k < 3 && code == 0; k++)
+    for (int k = 0; k < 3 && code == 0 && !files; k++)
         code = check_direction(s, k);
     if (code == 0 && count_sides(s, "inlet") > 0 &&
         count_sides(s, "outlet") == 0)
         return settings_wrong(s, "fluid",
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
-    if (code == 0) code = check_walls(s);
+    if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
     if (code == 0) code = check_drive(s);
     return code != 0 ? code : check_parts(s);
 }
@@ -183,17 +186,19 @@ static int check_bed_fits(const struct settings *s)
     const struct bed_range range = bed_range(&b);
     const char *const key =
         sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
-    double size[3];
+    double lo[3], size[3];
 
     sizes_free(sizes);
-    settings_vector(s, "mesh.size", size);
+    case_mesh_ends(s, lo, size);
+    for (int k = 0; k < 3; k++)
+        size[k] -= lo[k];
     for (int k = 0; k < 3; k++)
         if (range.most > size[k] && b.count > 0)
             return settings_wrong(s, key,
                                   "%g m is more than the box has room for, "
                                   "%g m",
                                   range.most, size[k]);
-    const double share = range.volume / (size[0] * size[1] * size[2]);
+    const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
@@ -210,23 +215,28 @@ static int check_bed(const struct settings *s)
 
 static int check_place(const struct settings *s)
 {
-    double size[3], x[3];
+    double lo[3], hi[3], x[3];
     int periodic[3];
 
-    settings_vector(s, "mesh.size", size);
-    settings_flags(s, "mesh.periodic", periodic);
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
     for (int i = 0; i < settings_length(s, "particles.place"); i++) {
         const double d =
             settings_item_real(s, "particles.place", i, "diameter");
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
             const double margin = periodic[k] ? 0.0 : 0.5 * d;
-            if (x[k] < margin || x[k] > size[k] - margin)
+            if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(s, "particles.place",
                                       "sphere %d at [%g, %g, %g] m with "
                                       "diameter %g m is not inside the box",
                                       i, x[0], x[1], x[2], d);
         }
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "particles.place",
+                                  "sphere %d at [%g, %g, %g] m is not inside "
+                                  "the mesh",
+                                  i, x[0], x[1], x[2]);
     }
     return 0;
 }
@@ -255,6 +265,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_surfaces_check(s);
+    if (code == 0) code = case_walls_check(s);
     if (code != 0) return code;
     if (code == 0) code = case_life_check(s);
     if (code != 0) return code;
@@ -273,6 +284,11 @@ static int check_averaging(const struct settings *s)
     const int gauss =
         strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
 
+    if (strcmp(method, "images") == 0 && settings_mesh(s) != NULL)
+        return settings_wrong(s, "averaging.method",
+                              "images mirrors particles at the sides of a "
+                              "plain box, which this mesh is not; diffusion "
+                              "comes to the same on any mesh");
     if (delta && !gauss)
         return settings_wrong(s, "averaging.delta_05",
                               "only images and diffusion have a width at half "
@@ -292,25 +308,24 @@ static int check_averaging(const struct settings *s)
 
 static int check_output(const struct settings *s)
 {
-    double size[3];
+    double lo[3], hi[3];
 
-    settings_vector(s, "mesh.size", size);
+    case_mesh_ends(s, lo, hi);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
         const double y = settings_item_real(s, "output.profiles", i, "height");
-        if (y > size[1])
-            return settings_wrong(s, "output.profiles",
-                                  "height %g m is above the box, %g m", y,
-                                  size[1]);
+        if (y > hi[1] || y < lo[1])
+            return settings_wrong(
+                s, "output.profiles", "height %g m is %s the box, %g m", y,
+                y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
     }
     for (int i = 0; i < settings_length(s, "output.probes"); i++) {
         double x[3];
         settings_item_vector(s, "output.probes", i, "position", x);
-        for (int k = 0; k < 3; k++)
-            if (!(x[k] >= 0.0 && x[k] <= size[k]))
-                return settings_wrong(s, "output.probes",
-                                      "the point [%g, %g, %g] m is outside "
-                                      "the box",
-                                      x[0], x[1], x[2]);
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "output.probes",
+                                  "the point [%g, %g, %g] m is outside the %s",
+                                  x[0], x[1], x[2],
+                                  settings_mesh(s) == NULL ? "box" : "mesh");
     }
     return 0;
 }

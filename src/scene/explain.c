@@ -54,10 +54,11 @@ static void print_line(const char *source, const char *function,
 /* 1 if a side of the box is the patch, or a group with it as key. */
 static int is_some_side(const struct settings *s, const char *patch)
 {
-    for (int i = 0; rows_patches[i] != NULL; i++) {
-        char side[64], key[128];
+    const char *side;
 
-        snprintf(side, sizeof side, "fluid.%s", rows_patches[i]);
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char key[128];
+
         if (!settings_has(s, side)) continue;
         if (settings_text(s, side) != NULL) {
             if (strcmp(settings_text(s, side), patch) == 0) return 1;

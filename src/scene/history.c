@@ -34,19 +34,23 @@ double history_pressure_drop(const struct simulation *sim)
     return fluid_patch_pressure(fl, in) - fluid_patch_pressure(fl, out);
 }
 
-/* Extent of the box along gravity over its volume: one over the section. */
+/* Extent along gravity over the volume: one over the section, of a mesh that is
+ * no box one over the mean section. */
 static double per_section(const struct simulation *sim, double *g)
 {
-    const struct box *const b = &sim->mesh->box;
+    const struct mesh *const m = sim->mesh;
     double volume = 1.0, along = 0.0;
 
     *g = 0.0;
     for (int k = 0; k < 3; k++) {
-        const double length = b->edge[k][b->n[k]] - b->edge[k][0];
+        const double length = m->hi[k] - m->lo[k];
         volume *= length;
         along += fabs(sim->gravity[k]) * length;
         *g += sim->gravity[k] * sim->gravity[k];
     }
+    if (m->middle != NULL) volume = 0.0;
+    for (int c = 0; c < m->n_cells && m->middle != NULL; c++)
+        volume += m->V[c];
     *g = sqrt(*g);
     return *g > 0.0 ? along / (*g * volume) : 0.0;
 }

@@ -16,7 +16,8 @@ struct pictures {
     struct series *fluid, *particles, *surfaces; /* NULL where there are none */
     struct outline outline;
     struct vtk_writer *writer;
-    double last; /* [s] */
+    struct vtk_cells *cells; /* NULL for a box */
+    double last;             /* [s] */
 };
 
 static const struct time_average *means_of(const struct simulation *sim)
@@ -36,7 +37,11 @@ struct pictures *pictures_create(const struct simulation *sim, const char *dir)
     p->means = means_of(sim);
     p->writer = vtk_writer_create();
     p->last = -1.0;
-    if (sim->fluid != NULL) p->fluid = series_create(dir, "fluid", "vtr");
+    if (sim->fluid != NULL && p->mesh->shape != NULL)
+        p->cells = vtk_cells_create(p->mesh);
+    if (sim->fluid != NULL)
+        p->fluid =
+            series_create(dir, "fluid", p->cells != NULL ? "vtu" : "vtr");
     if (sim->particles != NULL)
         p->particles = series_create(dir, "particles", "vtp");
     if (sim->n_surfaces > 0)
@@ -56,6 +61,7 @@ void pictures_free(struct pictures *p)
     series_free(p->particles);
     series_free(p->surfaces);
     outline_release(&p->outline);
+    vtk_cells_free(p->cells);
     vtk_writer_free(p->writer);
     free(p);
 }
@@ -83,9 +89,12 @@ static int add_fluid(struct pictures *p, const struct snapshot *s)
                                          .values = p->means->eps_us,
                                          .single = 1};
     }
-    return vtk_write_box(p->writer, series_next(p->fluid), p->mesh, s->t, n,
-                         arrays) != 0 ||
-           series_add(p->fluid, s->t) != 0;
+    const char *const path = series_next(p->fluid);
+    const int failed =
+        p->cells != NULL
+            ? vtk_write_cells(p->writer, path, p->cells, s->t, n, arrays)
+            : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
+    return failed != 0 || series_add(p->fluid, s->t) != 0;
 }
 
 static int add_particles(struct pictures *p, const struct snapshot *s)
@@ -125,14 +134,9 @@ static int add_surfaces(struct pictures *p, double t)
     const struct mesh *const m = p->mesh;
     const struct simulation *const sim = p->sim;
     struct outline *const o = &p->outline;
-    double lo[3], hi[3];
 
     if (series_count(p->surfaces) > 0 && !any_moves(sim)) return 0;
-    for (int k = 0; k < 3; k++) {
-        lo[k] = m->box.edge[k][0];
-        hi[k] = m->box.edge[k][m->box.n[k]];
-    }
-    outline_draw(o, sim->surfaces, sim->n_surfaces, lo, hi, t);
+    outline_draw(o, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
     const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
                                        o->corner, o->end};
     const struct vtk_array of = {

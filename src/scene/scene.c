@@ -2,6 +2,7 @@
 #include "scene/scene.h"
 
 #include "effects/effects.h"
+#include "scene/case_mesh.h"
 #include "scene/case_surfaces.h"
 #include "scene/checks.h"
 #include "scene/keys.h"
@@ -31,7 +32,8 @@ struct settings *scene_read(const char *file, int n_overrides,
     scene_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    *code = checks_whole(s);
+    *code = case_mesh_read(s);
+    if (*code == 0) *code = checks_whole(s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

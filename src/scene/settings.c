@@ -2,7 +2,9 @@
 #include "scene/settings.h"
 
 #include "base/alloc.h"
+#include "mesh/poly.h"
 #include "scene/override.h"
+#include "scene/patch_rows.h"
 #include "scene/rows.h"
 #include "scene/source.h"
 #include "scene/strict.h"
@@ -16,8 +18,64 @@
 struct settings {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
+    struct key *patches;       /* the one of them that is ours, or NULL */
     char *file;
+    struct mesh *mesh; /* NULL for a box */
 };
+
+void settings_beside(const struct settings *s, const char *file, char *path,
+                     size_t room)
+{
+    const char *const at = s->file, *const end = strrchr(at, '/');
+    const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
+
+    snprintf(path, room, "%.*s%s", folder, at, file);
+}
+
+/* 1 after a message if a case could not name one of the patches. */
+static int unnameable(const struct settings *s, const config_setting_t *at,
+                      int n, const struct poly_patch *patch)
+{
+    for (int i = 0; i < n; i++) {
+        const char *const why = patch_rows_wrong(s->tables, patch[i].name);
+        if (why == NULL) continue;
+        source_wrong(at,
+                     "mesh.polymesh: the patch %s cannot be named in a case: "
+                     "%s; rename it in the file boundary",
+                     patch[i].name, why);
+        return 1;
+    }
+    return 0;
+}
+
+/* Where the mesh comes from files, its patches take the place of the sides. */
+static int take_patches(struct settings *s)
+{
+    const config_setting_t *const at = config_lookup(&s->tree, "mesh.polymesh");
+    struct poly_patch *patch;
+    char dir[POLY_FOLDER];
+
+    if (at == NULL || config_setting_type(at) != CONFIG_TYPE_STRING) return 0;
+    settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
+    if (!poly_is(dir))
+        return source_wrong(at,
+                            "mesh.polymesh: there is no mesh in the folder %s: "
+                            "no file boundary in it, in polyMesh or in "
+                            "constant/polyMesh",
+                            dir);
+    const int n = poly_patches(dir, &patch);
+    if (n < 0) return 2;
+    if (unnameable(s, at, n, patch)) {
+        free(patch);
+        return 2;
+    }
+    for (int i = 0; s->tables[i] != NULL && s->patches == NULL; i++) {
+        s->patches = patch_rows_create(s->tables[i], n, patch);
+        if (s->patches != NULL) s->tables[i] = s->patches;
+    }
+    free(patch);
+    return 0;
+}
 
 struct settings *settings_create(const char *file, int n_overrides,
                                  const char *const *overrides,
@@ -34,9 +92,10 @@ struct settings *settings_create(const char *file, int n_overrides,
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = override_apply(&s->tree, overrides[i]);
-    if (*code == 0) *code = strict_check(&s->tree, tables);
+    if (*code == 0) *code = take_patches(s);
+    if (*code == 0) *code = strict_check(&s->tree, s->tables);
     if (*code == 0) {
-        strict_fill(&s->tree, tables);
+        strict_fill(&s->tree, s->tables);
         return s;
     }
     settings_free(s);
@@ -48,7 +107,9 @@ void settings_free(struct settings *s)
     if (s == NULL) return;
     config_destroy(&s->tree);
     free(s->tables);
+    free(s->patches);
     free(s->file);
+    mesh_free(s->mesh);
     free(s);
 }
 
@@ -267,6 +328,25 @@ void settings_item_vector(const struct settings *s, const char *list, int i,
     vector(find_in(s, list, i, key, KEY_VECTOR), v);
 }
 
+/* The path of the i-th patch of the mesh from files, or NULL. */
+static const char *patch_path(const struct settings *s, int i)
+{
+    for (const struct key *k = s->patches; k->path != NULL; k++)
+        if (k->type == KEY_PATCH && i-- == 0) return k->path;
+    return NULL;
+}
+
+const char *settings_any_side(const struct settings *s, int i)
+{
+    static const char *const sides[] = {
+        "fluid.left",       "fluid.right", "fluid.bottom", "fluid.top",
+        "fluid.back",       "fluid.front", "fluid.sides",  "fluid.bottom_top",
+        "fluid.front_back", NULL};
+
+    if (s->patches != NULL) return patch_path(s, i);
+    return i < 9 ? sides[i] : NULL;
+}
+
 const char *settings_side(const struct settings *s, const char *patch)
 {
     static const char *const sides[][3] = {
@@ -276,11 +356,26 @@ const char *settings_side(const struct settings *s, const char *patch)
         {"top", "fluid.top", "fluid.bottom_top"},
         {"back", "fluid.back", "fluid.front_back"},
         {"front", "fluid.front", "fluid.front_back"}};
+    const char *path;
 
+    for (int i = 0; s->patches != NULL && (path = patch_path(s, i)); i++)
+        if (strcmp(strchr(path, '.') + 1, patch) == 0)
+            return settings_has(s, path) ? path : NULL;
+    if (s->patches != NULL) return NULL;
     for (int i = 0; i < 6; i++)
         for (int k = 1; k < 3 && strcmp(sides[i][0], patch) == 0; k++)
             if (settings_has(s, sides[i][k])) return sides[i][k];
     return NULL;
+}
+
+void settings_keep_mesh(struct settings *s, struct mesh *m)
+{
+    s->mesh = m;
+}
+
+const struct mesh *settings_mesh(const struct settings *s)
+{
+    return s->mesh;
 }
 
 int settings_wrong(const struct settings *s, const char *path,

@@ -14,6 +14,9 @@
 #define SETTINGS_H
 
 #include "base/key.h"
+#include "mesh/mesh.h"
+
+#include <stddef.h>
 
 struct settings;
 
@@ -65,9 +68,22 @@ void settings_item_point(const struct settings *s, const char *list, int i,
 void settings_item_vector(const struct settings *s, const char *list, int i,
                           const char *key, double v[3]);
 
-/* The key under which the case describes a side of the box: "fluid.left" or
- * "fluid.sides" for "left"; NULL if it does not. */
+/* The key under which the case describes a side of the box or a patch of its
+ * mesh: "fluid.left" or "fluid.sides" for "left"; NULL if it does not. */
 const char *settings_side(const struct settings *s, const char *patch);
+
+/* The i-th of all keys of sides or patches that there could be; NULL after the
+ * last. */
+const char *settings_any_side(const struct settings *s, int i);
+
+/* A file or folder that the case names lies beside the case. */
+void settings_beside(const struct settings *s, const char *file, char *path,
+                     size_t room);
+
+/* The mesh of a case that is no plain box, kept here and freed with it; NULL
+ * for a box. */
+void settings_keep_mesh(struct settings *s, struct mesh *m);
+const struct mesh *settings_mesh(const struct settings *s);
 
 /* Says on stderr what is wrong with a key, with the place where the case sets
  * it. Returns 2. For what only the builder of the simulation can see. */

@@ -1,0 +1,303 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* locate.c -- which cell holds a point where there is no box to tell.
+ *
+ * A walk goes from cell to cell through the face that the point is farthest
+ * beyond. Where a face leads round a period, the point is moved by the period:
+ * the neighbour sees that face at the other end of the mesh. (To look at it
+ * where the owner has it is to be a whole period beyond it.)
+ *
+ * Faces with four corners or more may be warped. Their planes then leave gaps
+ * between cells, no wider than a corner is off its plane; a point in a gap
+ * belongs to the cell that it is least beyond. The walk begins in a cell that
+ * the place alone decides, so a point has one owner, whenever it is asked for.
+ *
+ * A walk that ends at the boundary or turns in a circle says nothing: the mesh
+ * may be hollow. Then all cells are asked whose bounding boxes could hold the
+ * point.
+ */
+#include "mesh/mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+/* A point on its way, and the best cell so far. */
+struct walk {
+    const struct mesh *m;
+    double x[3];      /* [m] as the present cell sees it */
+    int best;         /* [-] cell, or -1 */
+    double excess;    /* [m] that the point is beyond the best cell's faces */
+    double offset[3]; /* [m] from its centre to the point */
+};
+
+/* How far the point is beyond face a of the cell's list [m]. */
+static double beyond(const struct walk *w, int a)
+{
+    const struct mesh *const m = w->m;
+    const int f = m->cell_face[a];
+    const double *const S = &m->S[3 * f], *const x = &m->middle[3 * f];
+    const int lap =
+        m->lap != NULL && f < m->n_internal && m->out[a] < 0.0 ? m->lap[f] : 0;
+    double r[3];
+
+    for (int k = 0; k < 3; k++)
+        r[k] = w->x[k] - x[k];
+    for (int k = 0; k < 3 && lap != 0; k++)
+        r[k] -= lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k];
+    return m->out[a] * vector_dot(r, S) / vector_length(S);
+}
+
+/* The inner face of cell c that the point is farthest beyond, or -1; *most is
+ * how far it is beyond any of its faces. */
+static int way_out(const struct walk *w, int c, double *most)
+{
+    const struct mesh *const m = w->m;
+    double farthest = 1e-12 * cbrt(m->V[c]);
+    int way = -1;
+
+    *most = 0.0;
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const double r = beyond(w, a);
+        *most = fmax(*most, r);
+        if (r <= farthest || m->cell_face[a] >= m->n_internal) continue;
+        farthest = r;
+        way = a;
+    }
+    if (*most <= 1e-12 * cbrt(m->V[c])) *most = 0.0;
+    return way;
+}
+
+/* The nearest image, where the cell is one of its own neighbours: its faces do
+ * not stop the walk there. */
+static void nearest_image(const struct mesh *m, double o[3])
+{
+    for (int i = 0; i < m->n_periods; i++) {
+        const double *const P = m->period[i];
+        const double laps = rint(vector_dot(o, P) / vector_dot(P, P));
+        for (int k = 0; k < 3 && laps != 0.0; k++)
+            o[k] -= laps * P[k];
+    }
+}
+
+static void try_cell(struct walk *w, int c, double excess)
+{
+    if (w->best >= 0 && excess >= w->excess) return;
+    w->best = c;
+    w->excess = excess;
+    for (int k = 0; k < 3; k++)
+        w->offset[k] = w->x[k] - w->m->centre[3 * c + k];
+    nearest_image(w->m, w->offset);
+}
+
+/* Goes through face a of the cell's list; returns the cell behind it. */
+static int go_through(struct walk *w, int a)
+{
+    const struct mesh *const m = w->m;
+    const int f = m->cell_face[a], lap = m->lap != NULL ? m->lap[f] : 0;
+
+    for (int k = 0; k < 3 && lap != 0; k++)
+        w->x[k] += m->out[a] *
+                   (lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k]);
+    return m->out[a] > 0.0 ? m->neighbour[f] : m->owner[f];
+}
+
+/* 1 if a cell was found. */
+static int walk_from(struct walk *w, int c)
+{
+    const int longest = 32 + 8 * (int)cbrt(w->m->n_cells);
+
+    for (int steps = 0; steps < longest; steps++) {
+        double excess;
+        const int way = way_out(w, c, &excess);
+        try_cell(w, c, excess);
+        if (excess == 0.0) return 1;
+        if (way < 0) break;
+        c = go_through(w, way);
+    }
+    return 0;
+}
+
+/* The bin of a point, or -1. */
+static int bin_of(const struct mesh *m, const double x[3])
+{
+    const struct mesh_bins *const b = m->bins;
+    int at[3];
+
+    for (int k = 0; k < 3; k++) {
+        if (!(x[k] >= m->lo[k] - b->slack && x[k] <= m->hi[k] + b->slack))
+            return -1;
+        const double j = floor((x[k] - m->lo[k]) * b->inverse[k]);
+        at[k] = (int)fmax(0.0, fmin(b->n[k] - 1, j));
+    }
+    return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
+}
+
+/* All cells of the bin of the point as it is, and of its images. */
+static int look_around(struct walk *w, const double x[3])
+{
+    const struct mesh *const m = w->m;
+    int images = 1;
+
+    for (int i = 0; i < m->n_periods; i++)
+        images *= 3;
+    for (int image = 0; image < images; image++) {
+        for (int k = 0; k < 3; k++)
+            w->x[k] = x[k];
+        for (int i = 0, rest = image; i < m->n_periods; i++, rest /= 3)
+            for (int k = 0; k < 3; k++)
+                w->x[k] += (rest % 3 == 2 ? -1 : rest % 3) * m->period[i][k];
+        const int bin = bin_of(m, w->x);
+        if (bin < 0) continue;
+        for (int a = m->bins->start[bin]; a < m->bins->start[bin + 1]; a++) {
+            double excess;
+            way_out(w, m->bins->member[a], &excess);
+            try_cell(w, m->bins->member[a], excess);
+        }
+    }
+    return w->best >= 0 && w->excess <= m->bins->slack;
+}
+
+/* begin: a cell, or -1 for none. */
+static int locate_from(const struct mesh *m, int begin, const double x[3],
+                       double offset[3])
+{
+    struct walk w = {.m = m, .best = -1};
+
+    if (!(isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]))) return -1;
+    for (int k = 0; k < 3; k++)
+        w.x[k] = x[k];
+    if (!(begin >= 0 && walk_from(&w, begin)) && !look_around(&w, x)) return -1;
+    for (int k = 0; k < 3; k++)
+        offset[k] = w.offset[k];
+    return w.best;
+}
+
+/* The first cell of the point's bin, or -1. */
+static int begin_at(const struct mesh *m, const double x[3])
+{
+    const int bin = bin_of(m, x);
+    const struct mesh_bins *const b = m->bins;
+
+    return bin < 0 || b->start[bin] == b->start[bin + 1]
+               ? -1
+               : b->member[b->start[bin]];
+}
+
+/* By whole periods to where the mesh is, or next to it. */
+static void fold(const struct mesh *m, const double x[3], double y[3])
+{
+    double o[3];
+
+    for (int k = 0; k < 3; k++)
+        o[k] = x[k] - 0.5 * (m->lo[k] + m->hi[k]);
+    nearest_image(m, o);
+    for (int k = 0; k < 3; k++)
+        y[k] = m->n_periods > 0 ? o[k] + 0.5 * (m->lo[k] + m->hi[k]) : x[k];
+}
+
+int mesh_locate(const struct mesh *m, const double x[3], double offset[3])
+{
+    if (m->middle != NULL) {
+        double y[3];
+        fold(m, x, y);
+        return locate_from(m, begin_at(m, y), y, offset);
+    }
+    const int c = mesh_cell_at(m, x[0], x[1], x[2]);
+    for (int k = 0; k < 3 && c >= 0; k++) {
+        const double period = mesh_period(m, k);
+        offset[k] = x[k] - m->centre[3 * c + k];
+        if (period > 0.0) offset[k] -= period * rint(offset[k] / period);
+    }
+    return c;
+}
+
+int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
+                   double z)
+{
+    const double point[3] = {x, y, z};
+    double offset[3];
+
+    if (m->middle == NULL) return mesh_cell_at(m, x, y, z);
+    return locate_from(m, begin, point, offset);
+}
+
+/* --- bins ----------------------------------------------------------------- */
+
+/* About as many bins as cells, as wide in each direction. */
+static void size_bins(const struct mesh *m, struct mesh_bins *b)
+{
+    double volume = 1.0;
+
+    for (int k = 0; k < 3; k++)
+        volume *= m->hi[k] - m->lo[k];
+    const double width = cbrt(volume / m->n_cells);
+    for (int k = 0; k < 3; k++) {
+        const double L = m->hi[k] - m->lo[k];
+        b->n[k] = (int)fmin(1024.0, fmax(1.0, floor(L / width)));
+        b->inverse[k] = b->n[k] / L;
+    }
+}
+
+/* The bins that the bounding box of cell c meets, first and last a direction.
+ */
+static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
+{
+    const struct mesh_shape *const s = m->shape;
+    const struct mesh_bins *const b = m->bins;
+
+    for (int k = 0; k < 3; k++) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
+            for (int a = s->start[s->polygon[i]];
+                 a < s->start[s->polygon[i] + 1]; a++) {
+                lo = fmin(lo, s->point[3 * s->corner[a] + k]);
+                hi = fmax(hi, s->point[3 * s->corner[a] + k]);
+            }
+        const double margin = b->slack + 1e-9 * (hi - lo);
+        const double low = floor((lo - margin - m->lo[k]) * b->inverse[k]);
+        const double high = floor((hi + margin - m->lo[k]) * b->inverse[k]);
+        first[k] = (int)fmax(0.0, fmin(b->n[k] - 1, low));
+        last[k] = (int)fmax(0.0, fmin(b->n[k] - 1, high));
+    }
+}
+
+/* Counts the cells of each bin, or lists them. */
+static void fill_bins(const struct mesh *m, int *used)
+{
+    const struct mesh_bins *const b = m->bins;
+
+    for (int c = 0; c < m->n_cells; c++) {
+        int first[3], last[3];
+        bins_of_cell(m, c, first, last);
+        for (int k = first[2]; k <= last[2]; k++)
+            for (int j = first[1]; j <= last[1]; j++)
+                for (int i = first[0]; i <= last[0]; i++) {
+                    const int bin = i + b->n[0] * (j + b->n[1] * k);
+                    if (b->member != NULL)
+                        b->member[b->start[bin] + used[bin]] = c;
+                    used[bin]++;
+                }
+    }
+}
+
+void mesh_bins_create(struct mesh *m, double slack)
+{
+    struct mesh_bins *const b = alloc_zeroed(1, sizeof *b);
+
+    m->bins = b;
+    b->slack = slack;
+    size_bins(m, b);
+    const int bins = b->n[0] * b->n[1] * b->n[2];
+    int *const used = alloc_ints(bins);
+    b->start = alloc_ints(bins + 1);
+    fill_bins(m, used);
+    for (int i = 0; i < bins; i++) {
+        b->start[i + 1] = b->start[i] + used[i];
+        used[i] = 0;
+    }
+    b->member = alloc_ints(b->start[bins]);
+    fill_bins(m, used);
+    free(used);
+}

@@ -1,0 +1,22 @@
+/* patch_rows.h -- the rows of <patch>, for a mesh that has its own patches.
+ *
+ * A box has sides whose names are known; a mesh from files brings names of its
+ * own. So each row of <patch> is written out once for each of them. Then a
+ * misspelt patch is an unknown key like any other, and finds the nearest.
+ */
+#ifndef PATCH_ROWS_H
+#define PATCH_ROWS_H
+
+#include "base/key.h"
+#include "mesh/poly.h"
+
+/* The table with <patch> replaced by the n patches; NULL if the table has no
+ * such row. One block: free() it. */
+struct key *patch_rows_create(const struct key *table, int n,
+                              const struct poly_patch *patch);
+
+/* NULL if a case can name the patch; else why it cannot: no letter first, a
+ * sign that no key has, or a key of the fluid's own. */
+const char *patch_rows_wrong(const struct key *const *tables, const char *name);
+
+#endif
