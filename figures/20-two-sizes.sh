@@ -1,12 +1,13 @@
 #!/bin/sh
 # XS11 Case 2: what four runs of cases/fluidization-two-sizes.cfg say about the mesh.
 #
-#   20-two-sizes.sh series|numbers DIR
+#   20-two-sizes.sh series|numbers|steps DIR
 #
 # DIR holds kernel-12x60, kernel-8x40, pcm-12x60, pcm-8x40, made by
 # tests/validate/coupling.sh. series: drop between the sensors [Pa] and us_y [m/s]
 # at the lower one, means over 0.05 s. numbers: means and standard deviations from
 # 1 s on, with the statistical error of ten blocks; and the differences of the meshes.
+# steps: the first seconds with a particle step half as long (short-step).
 set -eu
 runs="kernel-12x60 kernel-8x40 pcm-12x60 pcm-8x40"
 series() {
@@ -59,7 +60,31 @@ differences() { # of the coarse mesh from the fine one, from the numbers
         }
         END { compare("kernel"); compare("pcm") }'
 }
+# Mean drop of a run within a span of time, its error by six blocks, its deviation.
+span() { # FILE FROM TO
+    awk -F, -v from="$2" -v to="$3" 'NR > 1 && $1 > from && $1 <= to { d[++n] = $2 - $3 }
+        END {
+            part = int(n / 6)
+            for (i = 1; i <= n; i++) m += d[i] / n
+            for (i = 1; i <= n; i++) s += (d[i] - m) ^ 2 / n
+            for (i = 0; i < 6; i++) {
+                b = 0
+                for (k = 1; k <= part; k++) b += d[i * part + k] / part
+                e += (b - m) ^ 2 / 30
+            }
+            printf "drop = %.1f [Pa]\ndrop_error = %.1f\ndrop_deviation = %.1f\n",
+                m, sqrt(e), sqrt(s)
+        }' "$1"
+}
+steps() { # of the particles: 4e-6 and 2e-6 s, from 0.4 s to the end of the shorter run
+    end=$(tail -n 1 "$1/short-step/probes.csv" | cut -d, -f1)
+    printf '## 4e-6\n'
+    span "$1/kernel-12x60/probes.csv" 0.4 "$end"
+    printf '## 2e-6\nend = %.2f [s]\n' "$end"
+    span "$1/short-step/probes.csv" 0.4 "$end"
+}
 case $1 in
+steps) steps "$2" ;;
 series) series "$2" ;;
 numbers) numbers "$2" | tee "$2/numbers"; differences <"$2/numbers" ;;
 esac

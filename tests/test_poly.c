@@ -68,6 +68,21 @@ START_TEST(a_block_is_our_box)
 }
 END_TEST
 
+/* 1 if the inner faces come by their owners, or by how far apart their cells
+ * are and then by owners. */
+static int in_order(const struct mesh *m)
+{
+    int by_owner = 1, by_distance = 1;
+
+    for (int f = 1; f < m->n_internal; f++) {
+        const int up = m->owner[f] - m->owner[f - 1];
+        const int apart = m->neighbour[f] - m->neighbour[f - 1] - up;
+        by_owner &= up >= 0;
+        by_distance &= apart > 0 || (apart == 0 && up > 0);
+    }
+    return by_owner || by_distance;
+}
+
 /* Owner before neighbour, S along d, cells closed, volumes that fill what they
  * fill. The dual has 24 cells with more than six faces. */
 START_TEST(every_mesh_is_closed_and_in_order)
@@ -84,8 +99,8 @@ START_TEST(every_mesh_is_closed_and_in_order)
             Sd += m->S[3 * f + k] * m->d[3 * f + k];
         ck_assert_int_lt(m->owner[f], m->neighbour[f]);
         ck_assert_double_gt(Sd, 0.0);
-        if (f > 0) ck_assert_int_ge(m->owner[f], m->owner[f - 1]);
     }
+    ck_assert(in_order(m));
     for (int c = 0; c < m->n_cells; c++)
         many += m->cell_start[c + 1] - m->cell_start[c] > 6;
     if (_i == 3) ck_assert_int_eq(many, 24);

@@ -44,9 +44,10 @@ START_TEST(the_cases_are_right)
 {
     static const char *const cases[] = {
         "cases/mueller-bed.cfg", "cases/small-bed.cfg",
-        "cases/settling-sphere.cfg", "cases/packed-column.cfg"};
+        "cases/settling-sphere.cfg", "cases/packed-column.cfg",
+        "cases/tapered-bed.cfg"};
 
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         int code;
         struct settings *const s = read_case(cases[i], NULL, &code);
 

@@ -56,24 +56,39 @@ static double larger(double a, double b)
     return b > a ? b : a;
 }
 
+FACE_SUM outflow(int f, double out, const double *phi)
+{
+    return out * phi[f];
+}
+
+FACE_SUM half_size(int f, double out, const double *phi)
+{
+    (void)out;
+    return 0.5 * fabs(phi[f]);
+}
+
 static void residual_rows(int first, int last, const struct fluid *fl,
                           struct largest *strip)
 {
     const struct mesh *const m = fl->mesh;
+    const double *restrict source = fl->piso->source, *restrict V = m->V;
+    double *restrict rest = fl->piso->divergence; /* room that is free now */
+    double *restrict through = fl->piso->resistance;
     struct largest l = {0.0, 0.0, 0.0};
 
     for (int c = first; c < last; c++) {
-        double rest = fl->piso->source[c], through = 0.0;
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const double phi = fl->phi[m->cell_face[a]];
-            rest += m->out[a] * phi;
-            through += 0.5 * fabs(phi);
-        }
-        l.rest = larger(l.rest, fabs(rest));
-        l.through =
-            larger(l.through, through + 0.5 * fabs(fl->piso->source[c]));
+        rest[c] = source[c];
+        through[c] = 0.0;
+    }
+    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
+              rest, outflow, fl->phi);
+    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
+              through, half_size, fl->phi);
+    for (int c = first; c < last; c++) {
+        l.rest = larger(l.rest, fabs(rest[c]));
+        l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));
         l.cfl =
-            larger(l.cfl, through * fl->options.dt / (fl->eps[c] * m->V[c]));
+            larger(l.cfl, through[c] * fl->options.dt / (fl->eps[c] * V[c]));
     }
     strip[strips_of(m->n_cells, first)] = l;
 }

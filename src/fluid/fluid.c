@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "fluid/piso.h"
+#include "linear/triples.h"
 
 static double *filled(int n, double value)
 {
@@ -73,19 +74,42 @@ void fluid_settle_eps(struct fluid *fl)
     memcpy(fl->eps_start, fl->eps, size);
 }
 
+/* The sum over a strip of cells of the momentum they have, and of the force
+ * they still owe [N s], [N]. */
+struct carried {
+    double has[3], owes[3];
+};
+
+static void add_carried(int first, int last, const struct fluid *fl,
+                        const double *eps, struct carried *strip)
+{
+    struct carried *const s = &strip[strips_of(fl->mesh->n_cells, first)];
+    double mass[TRIPLES], one[TRIPLES];
+
+    for (int i = 0; i < TRIPLES; i++)
+        one[i] = 1.0;
+    for (int n; first < last; first += n) {
+        n = last - first < TRIPLES ? last - first : TRIPLES;
+        for (int i = 0; i < n; i++)
+            mass[i] = fl->options.rho * eps[first + i] * fl->mesh->V[first + i];
+        triples_sum(n, mass, fl->u + 3L * first, s->has);
+        triples_sum(n, one, fl->piso->owed + 3L * first, s->owes);
+    }
+}
+
 void fluid_momentum(const struct fluid *fl, double momentum[3])
 {
-    const struct fluid_options *const o = &fl->options;
-    const double *const eps = storage_is_new(o) ? fl->eps_phi : fl->eps_start;
+    const double *const eps =
+        storage_is_new(&fl->options) ? fl->eps_phi : fl->eps_start;
     const double dt = fl->dt_older; /* owed is a force in the last step */
+    struct carried strip[STRIPS] = {{{0.0}, {0.0}}};
 
-    momentum[0] = momentum[1] = momentum[2] = 0.0;
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            momentum[k] += o->rho * eps[c] * fl->mesh->V[c] * fl->u[3 * c + k] +
-                           dt * fl->piso->owed[3 * c + k];
-    for (int k = 0; k < 3; k++)
-        momentum[k] += fl->ahead[k];
+    STRIPS_RUN(fl->mesh->n_cells, 8, add_carried, fl, eps, strip);
+    for (int k = 0; k < 3; k++) {
+        momentum[k] = fl->ahead[k];
+        for (int s = 0; s < STRIPS; s++)
+            momentum[k] += strip[s].has[k] + dt * strip[s].owes[k];
+    }
 }
 
 void fluid_mean_flow(const struct fluid *fl, double flow[3])

@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "linear/triples.h"
+
 /* Slope of p that would balance the drag in cell c at face f, along S. */
 static double drag_slope(const struct fluid *fl, int c, int f, double area)
 {
@@ -33,14 +35,18 @@ static double face_length(const struct mesh *m, int f, double area)
     return (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]) / area;
 }
 
+FACE_LOOP linear_pressure(int f, int o, int n, const double *w, const double *p,
+                          double *p_face)
+{
+    p_face[f] = w[f] * p[o] + (1.0 - w[f]) * p[n];
+}
+
 static void linear_pressures(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict w = m->w, *restrict p = fl->p;
-    double *restrict p_face = fl->p_face;
 
-    for (int f = first; f < last; f++)
-        p_face[f] = w[f] * p[m->owner[f]] + (1.0 - w[f]) * p[m->neighbour[f]];
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
+              linear_pressure, m->w, fl->p, fl->p_face);
 }
 
 static void inner_pressures(int first, int last, struct fluid *fl)
@@ -83,24 +89,43 @@ static void boundary_pressures(struct fluid *fl)
     }
 }
 
-static void gradient_rows(int first, int last, struct fluid *fl)
+/* sum = the sum of p_f S over the faces of cells first .. last - 1. */
+static void add_faces(int first, int last, const struct fluid *fl, double *sum)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict p_face = fl->p_face, *restrict S = m->S;
-    double *restrict grad_p = fl->grad_p;
+    const struct runs *const r = fl->piso->runs;
+    struct piece next = {0};
 
-    for (int c = first; c < last; c++) {
+    for (int i = 3 * first; i < 3 * last && r != NULL; i++)
+        sum[i] = 0.0;
+    while (r != NULL && runs_next_of_cells(r, first, last, &next))
+        triples_add(next.n, next.out, fl->p_face + next.link,
+                    m->S + 3L * next.link, sum + 3L * next.cell);
+    for (int c = first; c < last && r == NULL; c++) {
         double x = 0.0, y = 0.0, z = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const int f = m->cell_face[a];
-            const double p = m->out[a] * p_face[f];
-            x += p * S[3 * f];
-            y += p * S[3 * f + 1];
-            z += p * S[3 * f + 2];
+            const double *const S = &m->S[3 * m->cell_face[a]];
+            const double p = m->out[a] * fl->p_face[m->cell_face[a]];
+            x += p * S[0];
+            y += p * S[1];
+            z += p * S[2];
         }
-        grad_p[3 * c] = x / m->V[c] + fl->mean_gradient[0];
-        grad_p[3 * c + 1] = y / m->V[c] + fl->mean_gradient[1];
-        grad_p[3 * c + 2] = z / m->V[c] + fl->mean_gradient[2];
+        sum[3 * c] = x;
+        sum[3 * c + 1] = y;
+        sum[3 * c + 2] = z;
+    }
+}
+
+static void gradient_rows(int first, int last, struct fluid *fl)
+{
+    const double *const V = fl->mesh->V, *const G = fl->mean_gradient;
+    double *restrict grad_p = fl->grad_p;
+
+    add_faces(first, last, fl, grad_p);
+    for (int c = first; c < last; c++) {
+        const double per_V = 1.0 / V[c];
+        for (int k = 0; k < 3; k++)
+            grad_p[3 * c + k] = grad_p[3 * c + k] * per_V + G[k];
     }
 }
 

@@ -68,8 +68,7 @@ static void rest_rows(int first, int last, struct fluid *fl)
         const double V = fl->mesh->V[c];
         const double older =
             ps->storage_older != NULL ? ps->storage_older[c] : 0.0;
-        const double own =
-            ps->momentum->diag[c] - ps->storage[c] - older - fl->K[c] * V;
+        const double own = ps->diag[c] - ps->storage[c] - older - fl->K[c] * V;
         for (int k = 0; k < 3; k++) {
             const int i = 3 * c + k;
             ps->rest[i] =

@@ -16,14 +16,17 @@
 #include <math.h>
 #include <string.h>
 
-/* The two coefficients of each face; no two faces have the same entry. */
+#include "linear/triples.h"
+
+/* The two coefficients of each face. */
 static void link_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
-    const struct csr *const A = fl->piso->momentum;
     const double *restrict carry = fl->piso->carry;
     const double *restrict link = fl->piso->link;
-    double *restrict share = fl->piso->share, *restrict entry = A->a;
+    double *restrict share = fl->piso->share;
+    double *restrict upper = fl->piso->momentum->upper;
+    double *restrict lower = fl->piso->momentum->lower;
     const struct convection_faces faces = {last - first, carry + first,
                                            fl->mesh->w + first, o->blend};
 
@@ -31,8 +34,8 @@ static void link_coefficients(int first, int last, struct fluid *fl)
     for (int f = first; f < last; f++) {
         const double flow = o->rho * carry[f]; /* [kg/s] */
         const double D = o->mu * link[f];
-        entry[A->upper[f]] = flow * (1.0 - share[f]) - D;
-        entry[A->lower[f]] = -flow * share[f] - D;
+        upper[f] = flow * (1.0 - share[f]) - D;
+        lower[f] = -flow * share[f] - D;
     }
 }
 
@@ -46,24 +49,29 @@ static double mass_change(const struct piso *ps, int c)
                                  : change;
 }
 
+FACE_SUM outflow(int f, double out, const double *phi)
+{
+    return out * phi[f];
+}
+
 /* Diagonal and right side of the cells, boundaries aside. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
-    struct csr *const A = ps->momentum;
+    double *restrict diag = ps->diag, *restrict defect = ps->defect;
 
+    ldu_row_sums(first, last, ps->momentum, diag);
     for (int c = first; c < last; c++) {
-        const double out = piso_outflow(m, ps->carry, c);
-        double sum = 0.0;
-        for (int e = A->start[c]; e < A->start[c + 1]; e++)
-            sum += A->a[e];
-        ps->defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt + out;
-        A->diag[c] = ps->storage[c] - sum;
-        if (ps->storage_older != NULL) A->diag[c] += ps->storage_older[c];
-        for (int k = 0; k < 3; k++)
-            ps->b[3 * c + k] = ps->owed[3 * c + k];
+        diag[c] = ps->storage[c] - diag[c];
+        defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt;
     }
+    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
+              defect, outflow, ps->carry);
+    for (int c = first; c < last && ps->storage_older != NULL; c++)
+        diag[c] += ps->storage_older[c];
+    for (int i = 3 * first; i < 3 * last; i++)
+        ps->b[i] = ps->owed[i];
 }
 
 /* [XS11 3.13, 3.14]: the explicit part of the drag to the right, the implicit
@@ -74,7 +82,7 @@ static void add_drag(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     for (int c = 0; c < m->n_cells; c++) {
-        ps->momentum->diag[c] += fl->K[c] * m->V[c];
+        ps->diag[c] += fl->K[c] * m->V[c];
         for (int k = 0; k < 3; k++)
             ps->b[3 * c + k] += fl->F[3 * c + k] * m->V[c];
     }
@@ -90,7 +98,7 @@ static void add_inlet_face(struct fluid *fl, int f)
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
     const double a = fl->options.mu * fl->piso->link[f] - fl->options.rho * phi;
 
-    fl->piso->momentum->diag[c] += a;
+    fl->piso->diag[c] += a;
     for (int k = 0; k < 3; k++)
         fl->piso->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
 }
@@ -101,7 +109,7 @@ static void add_wall_face(struct fluid *fl, const double wall[3], int f)
     const int c = fl->mesh->owner[f];
     const double D = fl->options.mu * fl->piso->link[f];
 
-    fl->piso->momentum->diag[c] += D;
+    fl->piso->diag[c] += D;
     for (int k = 0; k < 3; k++)
         fl->piso->b[3 * c + k] += D * wall[k];
 }
@@ -116,7 +124,7 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
     else if (b->kind == BOUNDARY_INLET)
         add_inlet_face(fl, f);
     else if (b->kind == BOUNDARY_OUTLET && phi < 0.0) { /* enters at rest */
-        fl->piso->momentum->diag[c] -= fl->options.rho * phi;
+        fl->piso->diag[c] -= fl->options.rho * phi;
         fl->report.backflow_faces++;
     }
 }
@@ -137,34 +145,38 @@ static void add_slip_face(struct fluid *fl, int f)
         fl->piso->diag3[3 * c + k] += D * S[k] * S[k] / SS;
 }
 
-/* The rest of it, -D n_k (n . u - n_k u_k) for an oblique wall, goes to the
- * right with the velocity of now. */
-static void add_slip_rest(const struct fluid *fl, double *right)
+/* Three diagonals a cell, equal until slip walls add theirs. */
+static void spread_diagonal(int first, int last, struct piso *ps)
+{
+    triples_spread(last - first, ps->diag + first, ps->diag3 + 3L * first);
+}
+
+/* What the slip walls have added, and what divides the velocity. H has their
+ * part with the velocity from before. Where viscosity crosses the cell within a
+ * step that would overshoot from one corrector to the next, and it is held back
+ * with the new velocity. */
+static void slip_diagonal(int first, int last, struct piso *ps)
+{
+    for (int c = first; c < last; c++)
+        for (int i = 3 * c; i < 3 * c + 3; i++) {
+            const double slip = ps->diag3[i] - ps->diag[c];
+            const int stiff = slip > 0.25 * ps->storage[c];
+            ps->slip[i] = slip;
+            ps->held[i] = stiff ? slip : 0.0;
+        }
+}
+
+static void add_slip_faces(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const S = &m->S[3 * f];
-            const double *const u = &fl->u[3 * m->owner[f]];
-            const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-            const double Su = S[0] * u[0] + S[1] * u[1] + S[2] * u[2];
-            const double D = fl->options.mu * fl->piso->link[f];
-            for (int k = 0; k < 3; k++)
-                right[3 * m->owner[f] + k] -=
-                    D * S[k] * (Su - S[k] * u[k]) / SS;
-        }
+        for (int f = p->first; f < p->first + p->n; f++)
+            add_slip_face(fl, f);
     }
-}
-
-static void spread_diagonal(int first, int last, const double *restrict diag,
-                            double *restrict diag3)
-{
-    for (int c = first; c < last; c++)
-        for (int k = 0; k < 3; k++)
-            diag3[3 * c + k] = diag[c];
+    STRIPS_RUN(m->n_cells, 4, slip_diagonal, fl->piso);
 }
 
 static void add_boundaries(struct fluid *fl)
@@ -178,19 +190,15 @@ static void add_boundaries(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_boundary_face(fl, &fl->options.boundaries[i], f);
     }
-    STRIPS_RUN(m->n_cells, 4, spread_diagonal, ps->momentum->diag, ps->diag3);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_slip_face(fl, f);
-    }
+    STRIPS_RUN(m->n_cells, 4, spread_diagonal, ps);
+    if (ps->slip != NULL) add_slip_faces(fl);
 }
 
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
     STRIPS_RUN(fl->mesh->n_internal, 4, link_coefficients, fl);
+    ldu_update(fl->piso->momentum);
     STRIPS_RUN(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
         add_drag(fl);
@@ -198,127 +206,4 @@ void momentum_assemble(struct fluid *fl)
     }
     if (fl->piso->slope != NULL) deferred_add(fl);
     add_boundaries(fl);
-}
-
-/* Adds the terms that stay on the right for a given pressure [N]: the past,
- * and -gamma V grad p. */
-static void known_rows(int first, int last, const struct fluid *fl,
-                       const double *restrict to, double *restrict right)
-{
-    const double *restrict past = fl->piso->past, *restrict grad_p = fl->grad_p;
-    const double *restrict V = fl->mesh->V;
-
-    for (int c = first; c < last; c++) {
-        const double share = piso_gamma(fl, c) * V[c];
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            right[i] = to[i] + (past[i] - share * grad_p[i]);
-        }
-    }
-}
-
-struct solve_report momentum_predict(struct fluid *fl)
-{
-    struct piso *const ps = fl->piso;
-
-    STRIPS_RUN(fl->mesh->n_cells, 12, known_rows, fl, ps->b, ps->rhs);
-    if (ps->oblique_slip) add_slip_rest(fl, ps->rhs);
-    const double tolerance = fl->options.predictor > 0.0
-                                 ? fl->options.predictor
-                                 : fl->options.tolerance;
-
-    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u, tolerance,
-                          1e-300, 200, ps->bicgstab);
-}
-
-/* H = b - slip u - H, where H has sum a_N u_N. */
-static void neighbour_rows(int first, int last, const struct fluid *fl)
-{
-    const struct piso *const ps = fl->piso;
-    const double *restrict diag = ps->momentum->diag, *restrict u = fl->u;
-    const double *restrict b = ps->b, *restrict diag3 = ps->diag3;
-    double *restrict H = ps->H;
-
-    for (int c = first; c < last; c++)
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            H[i] = b[i] - H[i] - (diag3[i] - diag[c]) * u[i];
-        }
-}
-
-void momentum_neighbours(struct fluid *fl)
-{
-    struct piso *const ps = fl->piso;
-
-    csr_multiply_each(ps->momentum, 3, NULL, fl->u, ps->H);
-    STRIPS_RUN(fl->mesh->n_cells, 12, neighbour_rows, fl);
-    if (ps->oblique_slip) add_slip_rest(fl, ps->H);
-}
-
-/* H has the slip walls' part with the velocity from before. Where viscosity
- * crosses the cell within a step that would overshoot from one corrector to the
- * next, and the new velocity is taken. */
-static void correct_rows(int first, int last, struct fluid *fl)
-{
-    const struct piso *const ps = fl->piso;
-    const double *restrict diag = ps->momentum->diag;
-    const double *restrict diag3 = ps->diag3, *restrict right = ps->rhs;
-    const double *restrict storage = ps->storage;
-    double *restrict u = fl->u;
-
-    for (int c = first; c < last; c++)
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            const double slip = diag3[i] - diag[c];
-            const int stiff = slip > 0.25 * storage[c];
-            const double above = right[i] + (stiff ? slip * u[i] : 0.0);
-            u[i] = above / (stiff ? diag3[i] : diag[c]);
-        }
-}
-
-void momentum_correct(struct fluid *fl)
-{
-    struct piso *const ps = fl->piso;
-
-    STRIPS_RUN(fl->mesh->n_cells, 12, known_rows, fl, ps->H, ps->rhs);
-    STRIPS_RUN(fl->mesh->n_cells, 12, correct_rows, fl);
-}
-
-/* The largest of what is left and of the terms, one pair a strip. */
-struct rest {
-    double worst, largest; /* [N] */
-};
-
-static void rest_rows(int first, int last, struct fluid *fl, struct rest *rest)
-{
-    struct piso *const ps = fl->piso;
-    const double *restrict diag = ps->momentum->diag, *restrict u = fl->u;
-    const double *restrict right = ps->rhs;
-    double *restrict owed = ps->owed;
-    struct rest r = {0.0, 0.0};
-
-    for (int c = first; c < last; c++)
-        for (int k = 0; k < 3; k++) {
-            const int i = 3 * c + k;
-            const double own = diag[c] * u[i];
-            owed[i] = right[i] - own;
-            r.worst = fabs(owed[i]) > r.worst ? fabs(owed[i]) : r.worst;
-            r.largest = fabs(own) > r.largest ? fabs(own) : r.largest;
-        }
-    rest[strips_of(fl->mesh->n_cells, first)] = r;
-}
-
-double momentum_rest(struct fluid *fl)
-{
-    const int n = fl->mesh->n_cells;
-    struct rest rest[STRIPS] = {{0.0, 0.0}}, all = {0.0, 0.0};
-
-    momentum_neighbours(fl);
-    STRIPS_RUN(n, 12, known_rows, fl, fl->piso->H, fl->piso->rhs);
-    STRIPS_RUN(n, 12, rest_rows, fl, rest);
-    for (int s = 0; s < STRIPS; s++) {
-        all.worst = fmax(all.worst, rest[s].worst);
-        all.largest = fmax(all.largest, rest[s].largest);
-    }
-    return all.largest > 0.0 ? all.worst / all.largest : 0.0;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "linear/triples.h"
 
 static struct multigrid *pressure_hierarchy(const struct mesh *m)
 {
@@ -23,10 +24,10 @@ static struct multigrid *pressure_hierarchy(const struct mesh *m)
     return mg;
 }
 
-static int has_outlet(const struct fluid *fl)
+static int has(const struct fluid *fl, enum boundary_kind kind)
 {
     for (int i = 0; i < fl->mesh->n_patches; i++)
-        if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) return 1;
+        if (fl->options.boundaries[i].kind == kind) return 1;
     return 0;
 }
 
@@ -68,6 +69,10 @@ static void create_further(struct piso *ps, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
+    if (has(fl, BOUNDARY_SLIP)) {
+        ps->slip = alloc_doubles(3 * m->n_cells);
+        ps->held = alloc_doubles(3 * m->n_cells);
+    }
     if (storage_is_new(&fl->options)) ps->carry_own = alloc_doubles(m->n_faces);
     if (fl->u_older != NULL) {
         ps->storage_older = alloc_doubles(m->n_cells);
@@ -88,8 +93,10 @@ struct piso *piso_create(const struct fluid *fl)
     const int n = m->n_cells;
     struct piso *const ps = alloc_zeroed(1, sizeof *ps);
 
-    ps->momentum = csr_create(n, m->n_internal, m->owner, m->neighbour);
-    ps->pressure = csr_create(n, m->n_internal, m->owner, m->neighbour);
+    ps->runs = runs_create(m->n_internal, m->n_faces, m->owner, m->neighbour);
+    ps->momentum =
+        ldu_create(n, m->n_internal, m->owner, m->neighbour, ps->runs);
+    ps->diag = alloc_doubles(n);
     ps->diag3 = alloc_doubles(3 * n);
     ps->b = alloc_doubles(3 * n);
     ps->storage = alloc_doubles(n);
@@ -101,18 +108,21 @@ struct piso *piso_create(const struct fluid *fl)
     ps->jump = alloc_doubles(m->n_internal);
     ps->share = alloc_doubles(m->n_internal);
     ps->inertia = alloc_doubles(3 * n);
-    ps->mobility = alloc_doubles(n);
-    ps->drive = alloc_doubles(3 * n);
+    ps->per_force = alloc_doubles(n);
+    ps->resistance = alloc_doubles(n);
+    if (fl->options.coupled) ps->drive = alloc_doubles(3 * n);
     ps->per_flux = alloc_doubles(n);
     ps->m_face = alloc_doubles(m->n_faces);
     ps->conductance = alloc_doubles(m->n_faces);
+    ps->kept = alloc_doubles(m->n_faces);
     ps->phi_old = alloc_doubles(m->n_faces);
+    ps->ground = alloc_doubles(n);
     ps->source = alloc_doubles(n);
     ps->divergence = alloc_doubles(n);
     create_links(ps, m);
     create_further(ps, fl);
     ps->oblique_slip = has_oblique_slip(fl);
-    ps->pinned = has_outlet(fl) ? -1 : 0;
+    ps->pinned = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     ps->mg = pressure_hierarchy(m);
     ps->cg = cg_work_create(n);
     ps->bicgstab = bicgstab_work_create(n);
@@ -122,9 +132,13 @@ struct piso *piso_create(const struct fluid *fl)
 void piso_free(struct piso *ps)
 {
     if (ps == NULL) return;
-    csr_free(ps->momentum);
-    csr_free(ps->pressure);
+    runs_free(ps->runs);
+    ldu_free(ps->momentum);
+    free(ps->diag);
+    free(ps->ground);
     free(ps->diag3);
+    free(ps->slip);
+    free(ps->held);
     free(ps->b);
     free(ps->storage);
     free(ps->past);
@@ -135,8 +149,9 @@ void piso_free(struct piso *ps)
     free(ps->jump);
     free(ps->share);
     free(ps->inertia);
+    free(ps->per_force);
+    free(ps->resistance);
     free(ps->rest);
-    free(ps->mobility);
     free(ps->drive);
     free(ps->per_flux);
     free(ps->SS);
@@ -144,6 +159,7 @@ void piso_free(struct piso *ps)
     free(ps->link);
     free(ps->m_face);
     free(ps->conductance);
+    free(ps->kept);
     free(ps->phi_old);
     free(ps->carry_own);
     free(ps->storage_older);
@@ -163,10 +179,11 @@ void piso_free(struct piso *ps)
 static void count_relabelled(struct fluid *fl)
 {
     const double scale = fl->options.rho * fl->options.dt;
+    double sum[3] = {0.0, 0.0, 0.0};
 
-    for (int c = 0; c < fl->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            fl->relabelled[k] += scale * fl->u[3 * c + k] * fl->piso->defect[c];
+    triples_sum(fl->mesh->n_cells, fl->piso->defect, fl->u, sum);
+    for (int k = 0; k < 3; k++)
+        fl->relabelled[k] += scale * sum[k];
 }
 
 static int all_finite(const struct fluid *fl)
@@ -190,7 +207,7 @@ static void correct(struct fluid *fl)
 {
     note_worst(&fl->report.pressure, pressure_correct(fl));
     gradient_update(fl);
-    momentum_correct(fl);
+    velocity_correct(fl);
     fl->report.correctors++;
 }
 
@@ -199,13 +216,17 @@ static void correct(struct fluid *fl)
 static void predict_and_correct(struct fluid *fl)
 {
     momentum_assemble(fl);
-    gradient_update(fl); /* with the drag of now */
-    note_worst(&fl->report.momentum, momentum_predict(fl));
+    if (fl->options.coupled || fl->dt_older == 0.0)
+        gradient_update(fl); /* with the drag of now, or for the first time */
+    note_worst(&fl->report.momentum, velocity_predict(fl));
     pressure_assemble(fl);
     continuity_source(fl);
     edge_inlet_fluxes(fl, fl->phi);
     for (int i = 0; i < fl->options.correctors; i++) {
-        momentum_neighbours(fl);
+        if (i == 0)
+            velocity_predicted(fl);
+        else
+            velocity_neighbours(fl);
         correct(fl);
     }
 }
@@ -217,11 +238,11 @@ static void correct_further(struct fluid *fl)
 {
     const double most = fl->options.splitting;
 
-    fl->report.splitting = momentum_rest(fl);
+    fl->report.splitting = velocity_rest(fl);
     while (most > 0.0 && fl->report.splitting > most &&
            fl->report.correctors < MOST_CORRECTORS) {
-        correct(fl); /* momentum_rest left H as it is now */
-        fl->report.splitting = momentum_rest(fl);
+        correct(fl); /* velocity_rest left H as it is now */
+        fl->report.splitting = velocity_rest(fl);
     }
 }
 

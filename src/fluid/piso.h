@@ -11,13 +11,19 @@
 #include "fluid/fluid.h"
 #include "linear/bicgstab.h"
 #include "linear/cg.h"
-#include "linear/csr.h"
+#include "linear/ldu.h"
 #include "linear/multigrid.h"
+#include "linear/runs.h"
 #include "linear/strips.h"
 
 struct piso {
-    struct csr *momentum; /* [kg/s] */
+    struct runs *runs;    /* of the mesh's faces; NULL: go by lists */
+    struct ldu *momentum; /* [kg/s] */
+    double *diag;         /* [kg/s] a_P */
     double *diag3;        /* [kg/s] a_P and, on slip walls, their stress */
+    double *slip, *held;  /* [kg/s] that stress, and where it is so stiff that
+                             the new velocity must bear it; 3 a cell, NULL
+                             without slip walls */
     int oblique_slip;     /* 1: a slip wall is not normal to an axis */
     double *b;            /* [N] right side but for pressure and storage */
     double *storage;      /* [kg/s] rho eps_start V / dt */
@@ -32,14 +38,18 @@ struct piso {
     double *inertia;      /* [N] what the jumps put on a cell, 3 each */
     double *rest;         /* [N/m^3] what convection and viscosity do to a cell
                              beside that, 3 each; or NULL: no face asks */
-    double *mobility;     /* [m^3 s/kg] m_P = eps gamma V / a_P */
-    double *drive;        /* [Pa/m] H / (gamma V), 3 a cell */
-    struct csr *pressure; /* [m^3/(Pa s)] */
+    double *per_force;    /* [1/m^3] 1 / (gamma V) */
+    double *resistance;   /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
+    double *drive;        /* [N] H less the inertia of jumps, 3 a cell; NULL if
+                             there are no particles */
+    double *ground;       /* [m^3/(Pa s)] from a cell to a given pressure: row
+                             sums of the pressure's matrix, of conductances */
     double *per_flux;     /* [kg/(m^3 s)] storage per superficial flux */
     double *SS, *Sd;      /* [m^2], [m^3] S.S and S.d of the faces */
     double *link;         /* [m] S.S / S.d: area over length of the link */
     double *m_face;       /* [m^3 s/kg] mobility of a face */
     double *conductance;  /* [m^3/(Pa s)] m_face S.S / S.d */
+    double *kept;         /* [m^3/s] of the flux before, by storage */
     double *phi_old;      /* [m^3/s] */
     const double
         *carry;        /* [m^3/s] the flux that carries momentum: phi_old, or */
@@ -55,6 +65,7 @@ struct piso {
                                if nothing looks beyond two cells */
     double *source;         /* [m^3/s] d(eps V)/dt or the solid's flux */
     double *divergence;     /* [m^3/s] */
+    double scale;           /* [m^3/s] of it: 2-norm of what meets in a cell */
     int pinned;             /* cell whose level is fixed, or -1: an outlet */
     struct multigrid *mg;
     struct cg_work *cg;
@@ -63,17 +74,6 @@ struct piso {
 
 struct piso *piso_create(const struct fluid *fl);
 void piso_free(struct piso *ps);
-
-/* What flows out of cell c [m^3/s]. */
-static inline double piso_outflow(const struct mesh *m, const double *phi,
-                                  int c)
-{
-    double out = 0.0;
-
-    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        out += m->out[a] * phi[m->cell_face[a]];
-    return out;
-}
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */
@@ -110,15 +110,18 @@ void deferred_add(struct fluid *fl);
 
 /* momentum.c: fills momentum, diag3, b, storage from the state. */
 void momentum_assemble(struct fluid *fl);
+/* velocity.c: */
 /* Solves for u with the present grad_p. */
-struct solve_report momentum_predict(struct fluid *fl);
-/* H = b - sum a_N u_N with the present u. */
-void momentum_neighbours(struct fluid *fl);
+struct solve_report velocity_predict(struct fluid *fl);
+/* H = b - sum a_N u_N with the present u: at once after the prediction, whose
+ * solver knows the sum, and at any time. */
+void velocity_predicted(struct fluid *fl);
+void velocity_neighbours(struct fluid *fl);
 /* u = (H + past - gamma V grad p) / a. */
-void momentum_correct(struct fluid *fl);
+void velocity_correct(struct fluid *fl);
 /* What is left of the equation with the present u and p goes to `owed`;
  * returns its largest entry over the largest term of the equation [-]. */
-double momentum_rest(struct fluid *fl);
+double velocity_rest(struct fluid *fl);
 
 /* pressure.c: mobilities and the matrix; once a step. */
 void pressure_assemble(struct fluid *fl);

@@ -20,6 +20,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "linear/reduce.h"
+
 static double dot3(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -30,69 +32,69 @@ static int is_outlet(const struct fluid *fl, int patch)
     return fl->options.boundaries[patch].kind == BOUNDARY_OUTLET;
 }
 
-/* rho eps_start / (gamma dt eps_phi): storage per superficial flux; and the
- * mobility of the cells. */
-static void cell_mobilities(int first, int last, const struct fluid *fl)
+/* What a cell brings to its faces, once a step: rho eps_start / (gamma dt
+ * eps_phi), its storage per superficial flux; 1 / (gamma V), for its forces;
+ * and 1 / m_P. */
+static void cell_resistances(int first, int last, const struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
-    const double *restrict diag = ps->momentum->diag;
+    const double *restrict diag = ps->diag;
     const double *restrict storage = ps->storage, *restrict eps_phi =
                                                       fl->eps_phi;
-    double *restrict per_flux = ps->per_flux, *restrict mobility = ps->mobility;
+    double *restrict per_flux = ps->per_flux, *restrict per_force =
+                                                  ps->per_force;
+    double *restrict resistance = ps->resistance;
 
     for (int c = first; c < last; c++) {
-        const double gamma = piso_gamma(fl, c);
-        per_flux[c] = storage[c] / (gamma * V[c] * eps_phi[c]);
-        mobility[c] = eps[c] * gamma * V[c] / diag[c];
+        per_force[c] = 1.0 / (piso_gamma(fl, c) * V[c]);
+        per_flux[c] = storage[c] * per_force[c] / eps_phi[c];
+        resistance[c] = diag[c] * per_force[c] / eps[c];
     }
 }
 
 /* The same for the flux before it, if the scheme looks there. */
 static double older_per_flux(const struct fluid *fl, int c)
 {
-    return fl->piso->storage_older[c] /
-           (piso_gamma(fl, c) * fl->mesh->V[c] * fl->eps_start[c]);
+    return fl->piso->storage_older[c] * fl->piso->per_force[c] /
+           fl->eps_start[c];
 }
 
 /* A scheme of two steps: the flux before the last, with its storage. */
-static void add_older_fluxes(struct fluid *fl)
+static void keep_older_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
     for (int f = 0; f < m->n_internal; f++)
-        fl->phi[f] += ps->m_face[f] * fl->phi_older[f] *
-                      ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
-                       m->w[f] * older_per_flux(fl, m->neighbour[f]));
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
-            fl->phi[f] += ps->m_face[f] * fl->phi_older[f] *
-                          older_per_flux(fl, m->owner[f]);
-    }
+        ps->kept[f] += ps->m_face[f] * fl->phi_older[f] *
+                       ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
+                        m->w[f] * older_per_flux(fl, m->neighbour[f]));
+    for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
+        ps->kept[f] +=
+            ps->m_face[f] * fl->phi_older[f] * older_per_flux(fl, m->owner[f]);
+}
+
+/* m_f, and what stays the same from corrector to corrector: the conductance and
+ * the flux that the storage keeps up. */
+FACE_LOOP inner_mobility(int f, int o, int n, const double *w,
+                         const struct piso *ps)
+{
+    const double *const r = ps->resistance, *const per_flux = ps->per_flux;
+    const double m = 1.0 / ((1.0 - w[f]) * r[o] + w[f] * r[n]);
+
+    ps->m_face[f] = m;
+    ps->conductance[f] = m * ps->link[f];
+    ps->kept[f] =
+        m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) * ps->phi_old[f];
 }
 
 static void inner_mobilities(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict mobility = fl->piso->mobility, *restrict w = m->w;
-    const int *restrict owner = m->owner, *restrict neighbour = m->neighbour;
-    double *restrict m_face = fl->piso->m_face;
 
-    for (int f = first; f < last; f++)
-        m_face[f] = 1.0 / ((1.0 - w[f]) / mobility[owner[f]] +
-                           w[f] / mobility[neighbour[f]]);
-}
-
-static void conductances(int first, int last, const struct piso *ps)
-{
-    const double *restrict m_face = ps->m_face;
-    const double *restrict SS = ps->SS, *restrict Sd = ps->Sd;
-    double *restrict conductance = ps->conductance;
-
-    for (int f = first; f < last; f++)
-        conductance[f] = m_face[f] * SS[f] / Sd[f];
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
+              inner_mobility, m->w, fl->piso);
 }
 
 static void face_mobilities(struct fluid *fl)
@@ -100,82 +102,75 @@ static void face_mobilities(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_cells, 4, cell_mobilities, fl);
+    STRIPS_RUN(m->n_cells, 4, cell_resistances, fl);
     STRIPS_RUN(m->n_internal, 4, inner_mobilities, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            ps->m_face[f] = is_outlet(fl, i) ? ps->mobility[m->owner[f]] : 0.0;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const int o = m->owner[f];
+            ps->m_face[f] = is_outlet(fl, i) ? 1.0 / ps->resistance[o] : 0.0;
+            ps->conductance[f] = ps->m_face[f] * ps->link[f];
+            ps->kept[f] = ps->m_face[f] * ps->per_flux[o] * ps->phi_old[f];
+        }
     }
-    STRIPS_RUN(m->n_faces, 4, conductances, ps);
+    if (ps->storage_older != NULL) keep_older_fluxes(fl);
 }
 
-static void fill_links(int first, int last, struct piso *ps)
-{
-    const double *restrict conductance = ps->conductance;
-    const struct csr *const A = ps->pressure;
-    double *restrict entry = A->a;
-
-    for (int f = first; f < last; f++)
-        entry[A->upper[f]] = entry[A->lower[f]] = -conductance[f];
-}
-
-static void fill_diagonal(int first, int last, const struct fluid *fl)
+/* Without an outlet one cell ties the level of the pressure to zero, as firmly
+ * as it is tied to the others. */
+static double tie(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict conductance = fl->piso->conductance;
+    double sum = 0.0;
 
-    for (int c = first; c < last; c++) {
-        double sum = 0.0;
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            sum += conductance[m->cell_face[a]];
-        fl->piso->pressure->diag[c] = sum;
-    }
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        sum += fl->piso->conductance[m->cell_face[a]];
+    return sum > 0.0 ? sum : 1.0; /* a single cell */
 }
 
 void pressure_assemble(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
-    struct csr *const A = ps->pressure;
 
     face_mobilities(fl);
-    STRIPS_RUN(m->n_internal, 4, fill_links, ps);
-    STRIPS_RUN(m->n_cells, 8, fill_diagonal, fl);
-    if (ps->pinned >= 0) /* no outlet: one cell ties the level to zero */
-        A->diag[ps->pinned] += A->diag[ps->pinned] + (m->n_cells == 1);
-    multigrid_update(ps->mg, A);
+    memset(ps->ground, 0, (size_t)m->n_cells * sizeof *ps->ground);
+    for (int f = m->n_internal; f < m->n_faces; f++)
+        ps->ground[m->owner[f]] += ps->conductance[f];
+    if (ps->pinned >= 0) ps->ground[ps->pinned] += tie(fl, ps->pinned);
+    multigrid_take(ps->mg, ps->conductance, ps->ground);
 }
 
-static void drives(int first, int last, const struct fluid *fl)
+/* The forces that drive the fluxes [N]: H, but for what the jumps take over. */
+static void drives(int first, int last, const struct piso *ps)
 {
-    const double *restrict H = fl->piso->H, *restrict V = fl->mesh->V;
-    const double *restrict inertia = fl->piso->inertia;
-    double *restrict drive = fl->piso->drive;
+    const double *restrict H = ps->H, *restrict inertia = ps->inertia;
+    double *restrict drive = ps->drive;
 
-    for (int c = first; c < last; c++) {
-        const double share = piso_gamma(fl, c) * V[c];
-        for (int k = 0; k < 3; k++)
-            drive[3 * c + k] = (H[3 * c + k] - inertia[3 * c + k]) / share;
-    }
+    for (int i = 3 * first; i < 3 * last; i++)
+        drive[i] = H[i] - inertia[i];
 }
 
-static void inner_fluxes(int first, int last, struct fluid *fl)
+FACE_LOOP inner_flux(int f, int o, int n, const struct mesh *m,
+                     const struct piso *ps, const double *force, double *phi)
+{
+    const double w = m->w[f];
+    const double from_o = (1.0 - w) * ps->per_force[o];
+    const double from_n = w * ps->per_force[n];
+    const double *const a = &force[3 * o], *const b = &force[3 * n];
+    const double *const S = &m->S[3 * f];
+
+    phi[f] = ps->kept[f] +
+             ps->m_face[f] * (from_o * dot3(a, S) + from_n * dot3(b, S));
+}
+
+static void inner_fluxes(int first, int last, struct fluid *fl,
+                         const double *force)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
-    const double *restrict per_flux = ps->per_flux, *restrict cells = ps->drive;
-    const double *restrict m_face = ps->m_face, *restrict phi_old = ps->phi_old;
-    double *restrict phi = fl->phi;
 
-    for (int f = first; f < last; f++) {
-        const int o = m->owner[f], n = m->neighbour[f];
-        const double *const S = &m->S[3 * f], w = m->w[f];
-        const double drive =
-            (1.0 - w) * dot3(&cells[3 * o], S) + w * dot3(&cells[3 * n], S);
-        const double storage = (1.0 - w) * per_flux[o] + w * per_flux[n];
-        phi[f] = m_face[f] * (drive + storage * phi_old[f]);
-    }
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, inner_flux,
+              m, fl->piso, force, fl->phi);
 }
 
 static void add_jumps(int first, int last, struct fluid *fl)
@@ -210,9 +205,10 @@ static void driven_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
+    const double *const force = fl->options.coupled ? ps->drive : ps->H;
 
-    STRIPS_RUN(m->n_cells, 12, drives, fl);
-    STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl);
+    if (fl->options.coupled) STRIPS_RUN(m->n_cells, 12, drives, ps);
+    STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl, force);
     if (ps->rest != NULL) jump_rest(fl);
     if (fl->options.coupled) STRIPS_RUN(m->n_internal, 8, add_jumps, fl);
     if (m->oblique) STRIPS_RUN(m->n_internal, 16, add_oblique, fl);
@@ -220,61 +216,83 @@ static void driven_fluxes(struct fluid *fl)
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
             const int o = m->owner[f];
-            fl->phi[f] =
-                ps->m_face[f] * (dot3(&ps->drive[3 * o], &m->S[3 * f]) +
-                                 ps->per_flux[o] * ps->phi_old[f]);
+            fl->phi[f] = ps->kept[f] + ps->m_face[f] * ps->per_force[o] *
+                                           dot3(&force[3 * o], &m->S[3 * f]);
         }
     }
 }
 
-/* Returns the sum of squares of what meets in the cells [(m^3/s)^2]. */
-static double rhs_rows(int first, int last, const struct fluid *fl)
+FACE_SUM inflow(int f, double out, const double *phi)
+{
+    return -out * phi[f];
+}
+
+/* What the fluxes leave of continuity, for p to make good. */
+static void rhs_rows(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
-    const double *restrict phi = fl->phi, *restrict phi_old = ps->phi_old;
-    double scale = 0.0;
 
-    for (int c = first; c < last; c++) {
-        double out = 0.0, through = fabs(ps->source[c]);
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-            const int f = m->cell_face[a];
-            out += m->out[a] * phi[f];
-            through += 0.5 * (fabs(phi[f]) + fabs(phi_old[f]));
-        }
-        ps->divergence[c] = -out - ps->source[c];
-        scale += through * through;
-    }
-    return scale;
+    for (int c = first; c < last; c++)
+        ps->divergence[c] = -ps->source[c];
+    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
+              ps->divergence, inflow, fl->phi);
 }
 
-/* Right side of the pressure equation; returns the 2-norm of the fluxes that
- * meet in the cells, the scale of its residual [m^3/s]. */
-static double pressure_rhs(struct fluid *fl)
+FACE_SUM size(int f, double out, const double *phi, const double *phi_old)
+{
+    (void)out;
+    return 0.5 * (fabs(phi[f]) + fabs(phi_old[f]));
+}
+
+/* Returns the sum of squares of what meets in the cells [(m^3/s)^2]; the
+ * divergence is not yet needed and serves as room. */
+static double scale_rows(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+
+    for (int c = first; c < last; c++)
+        ps->divergence[c] = fabs(ps->source[c]);
+    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
+              ps->divergence, size, fl->phi, ps->phi_old);
+    return reduce_range(first, last, ps->divergence, ps->divergence);
+}
+
+/* The right side of the pressure equation. The first time in a step also the
+ * 2-norm of the fluxes that meet in the cells, the scale of its residual. */
+static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
-    double scale;
 
-    STRIPS_SUM(scale, m->n_cells, 8, rhs_rows, fl);
+    if (fl->report.correctors == 0) {
+        double squares;
+
+        STRIPS_SUM(squares, m->n_cells, 8, scale_rows, fl);
+        ps->scale = sqrt(squares);
+    }
+    STRIPS_RUN(m->n_cells, 8, rhs_rows, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
             ps->divergence[m->owner[f]] +=
                 ps->conductance[f] * fl->options.boundaries[i].pressure;
     }
-    return sqrt(scale);
+}
+
+FACE_LOOP inner_pressure_flux(int f, int o, int n, const double *conductance,
+                              const double *p, double *phi)
+{
+    phi[f] -= conductance[f] * (p[n] - p[o]);
 }
 
 static void subtract_pressure(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict conductance = fl->piso->conductance;
-    const double *restrict p = fl->p;
-    double *restrict phi = fl->phi;
 
-    for (int f = first; f < last; f++)
-        phi[f] -= conductance[f] * (p[m->neighbour[f]] - p[m->owner[f]]);
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
+              inner_pressure_flux, fl->piso->conductance, fl->p, fl->phi);
 }
 
 static void add_pressure_fluxes(struct fluid *fl)
@@ -296,14 +314,12 @@ struct solve_report pressure_correct(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     driven_fluxes(fl);
-    if (ps->storage_older != NULL) add_older_fluxes(fl);
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
-    const double scale = pressure_rhs(fl);
+    pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
-    const struct solve_report report =
-        cg_reduce(ps->pressure, ps->mg, ps->divergence, fl->p,
-                  last ? 0.0 : fl->options.enough,
-                  fl->options.tolerance * scale, 500, ps->cg);
+    const struct solve_report report = cg_reduce(
+        NULL, ps->mg, ps->divergence, fl->p, last ? 0.0 : fl->options.enough,
+        fl->options.tolerance * ps->scale, 500, ps->cg);
     add_pressure_fluxes(fl);
     return report;
 }

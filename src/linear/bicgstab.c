@@ -11,7 +11,8 @@
 
 /* The vectors of the method [Saad03, 9.5]: residual r (also s, its half-way
  * value), shadow residual, direction p, v = A ph and t = A sh with ph and sh
- * the preconditioned p and s. */
+ * the preconditioned p and s. Each loop takes along the scalar products of what
+ * it has just computed. */
 struct bicgstab_work {
     int n;
     double *r, *shadow, *p, *ph, *v, *sh, *t;
@@ -26,10 +27,17 @@ struct triple {
 /* A residual whose cosine with the shadow is less gives no direction. */
 static const double square = 1e-14;
 
-/* The same for eight rows: loops over 24 numbers run at vector speed. */
-enum { LANES = 24 };
+enum {
+    LANES = 24, /* eight rows: loops over so many run at vector speed */
+    BLOCK = 512 /* rows worked on at once: they stay in the nearest cache */
+};
 struct lanes {
     double at[LANES];
+};
+
+/* Scalar products of strips. */
+struct products {
+    struct triple a[STRIPS], b[STRIPS];
 };
 
 struct bicgstab_work *bicgstab_work_create(int n)
@@ -71,30 +79,59 @@ static struct lanes spread(const struct triple *c)
     return l;
 }
 
-/* p = r + beta (p - omega v), ph = p / diag. */
-static inline void turn_rows(int width, long i, const struct bicgstab_work *w,
-                             const double *beta, const double *omega)
+static struct triple total(const struct triple *strip)
+{
+    struct triple sum = {{0.0}};
+
+    for (int s = 0; s < STRIPS; s++)
+        for (int k = 0; k < 3; k++)
+            sum.at[k] += strip[s].at[k];
+    return sum;
+}
+
+/* strip += x.y of rows first .. last - 1 of n */
+static void add_products(int first, int last, int n, const double *x,
+                         const double *y, struct triple *strip)
+{
+    double dot[3];
+
+    reduce_range_many(first, last, 3, x, y, dot);
+    for (int k = 0; k < 3; k++)
+        strip[strips_of(n, first)].at[k] += dot[k];
+}
+
+static int block_end(int first, int last)
+{
+    return first + BLOCK < last ? first + BLOCK : last;
+}
+
+/* p = r + beta (p - omega v), ph = p / diag; p is the shadow at first. */
+static void turn_rows(int width, long i, const struct bicgstab_work *w,
+                      const double *old, const double *beta,
+                      const double *omega)
 {
     const double *restrict r = w->r + i, *restrict v = w->v + i;
     const double *restrict inverse = w->inverse + i;
     double *restrict p = w->p + i, *restrict ph = w->ph + i;
 
+    old += i;
     for (int q = 0; q < width; q++) {
-        p[q] = r[q] + beta[q] * (p[q] - omega[q] * v[q]);
+        p[q] = r[q] + beta[q] * (old[q] - omega[q] * v[q]);
         ph[q] = p[q] * inverse[q];
     }
 }
 
 static void turn(int first, int last, const struct bicgstab_work *w,
-                 const struct triple *beta, const struct triple *omega)
+                 const double *old, const struct triple *beta,
+                 const struct triple *omega)
 {
     const struct lanes b = spread(beta), o = spread(omega);
     long i = 3L * first;
 
     for (; i + LANES <= 3L * last; i += LANES)
-        turn_rows(LANES, i, w, b.at, o.at);
+        turn_rows(LANES, i, w, old, b.at, o.at);
     for (; i < 3L * last; i += 3)
-        turn_rows(3, i, w, b.at, o.at);
+        turn_rows(3, i, w, old, b.at, o.at);
 }
 
 /* s = r - alpha v in the place of r, sh = s / diag. */
@@ -110,16 +147,21 @@ static inline void half_rows(int width, long i, const struct bicgstab_work *w,
     }
 }
 
+/* With it s.s. */
 static void half(int first, int last, const struct bicgstab_work *w,
-                 const struct triple *alpha)
+                 const struct triple *alpha, struct products *found)
 {
     const struct lanes a = spread(alpha);
-    long i = 3L * first;
 
-    for (; i + LANES <= 3L * last; i += LANES)
-        half_rows(LANES, i, w, a.at);
-    for (; i < 3L * last; i += 3)
-        half_rows(3, i, w, a.at);
+    for (int end; first < last; first = end) {
+        long i = 3L * first;
+        end = block_end(first, last);
+        for (; i + LANES <= 3L * end; i += LANES)
+            half_rows(LANES, i, w, a.at);
+        for (; i < 3L * end; i += 3)
+            half_rows(3, i, w, a.at);
+        add_products(first, end, w->n, w->r, w->r, found->a);
+    }
 }
 
 /* x += alpha ph + omega sh, r = s - omega t. */
@@ -137,44 +179,75 @@ static inline void move_rows(int width, long i, const struct bicgstab_work *w,
     }
 }
 
+/* With it r.r and shadow.r. */
 static void move(int first, int last, const struct bicgstab_work *w,
                  const struct triple *alpha, const struct triple *omega,
-                 double *x)
+                 double *x, struct products *found)
 {
     const struct lanes a = spread(alpha), o = spread(omega);
-    long i = 3L * first;
 
-    for (; i + LANES <= 3L * last; i += LANES)
-        move_rows(LANES, i, w, a.at, o.at, x);
-    for (; i < 3L * last; i += 3)
-        move_rows(3, i, w, a.at, o.at, x);
-}
-
-/* r = b - r, and with it the first shadow and direction. */
-static void begin_rows(int first, int last, const struct bicgstab_work *w,
-                       const double *b, const double *diag)
-{
-    for (long i = 3L * first; i < 3L * last; i++) {
-        const double r = b[i] - w->r[i];
-
-        w->inverse[i] = 1.0 / diag[i];
-        w->r[i] = w->shadow[i] = w->p[i] = r;
-        w->ph[i] = r * w->inverse[i];
+    for (int end; first < last; first = end) {
+        long i = 3L * first;
+        end = block_end(first, last);
+        for (; i + LANES <= 3L * end; i += LANES)
+            move_rows(LANES, i, w, a.at, o.at, x);
+        for (; i < 3L * end; i += 3)
+            move_rows(3, i, w, a.at, o.at, x);
+        add_products(first, end, w->n, w->r, w->r, found->a);
+        add_products(first, end, w->n, w->shadow, w->r, found->b);
     }
 }
 
-static struct triple dot(int n, const double *x, const double *y)
+/* r = b - A x, and with it the first shadow, direction and r.r. */
+static void begin_rows(int first, int last, const struct ldu *A,
+                       const double *diag, const double *b, const double *x,
+                       const struct bicgstab_work *w, struct products *found)
 {
-    struct triple sum;
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        ldu_rows(first, end, A, diag, x, w->r);
+        for (long i = 3L * first; i < 3L * end; i++) {
+            const double r = b[i] - w->r[i];
 
-    reduce_dot_many(n, 3, x, y, sum.at);
-    return sum;
+            w->inverse[i] = 1.0 / diag[i];
+            w->r[i] = w->shadow[i] = r;
+            w->ph[i] = r * w->inverse[i];
+        }
+        add_products(first, end, w->n, w->r, w->r, found->a);
+    }
+}
+
+/* v = A ph, and with it shadow.v. */
+static void first_product(int first, int last, const struct ldu *A,
+                          const double *diag, const struct bicgstab_work *w,
+                          struct products *found)
+{
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        ldu_rows(first, end, A, diag, w->ph, w->v);
+        add_products(first, end, w->n, w->shadow, w->v, found->a);
+    }
+}
+
+/* t = A sh, and with it t.s and t.t. */
+static void second_product(int first, int last, const struct ldu *A,
+                           const double *diag, const struct bicgstab_work *w,
+                           struct products *found)
+{
+    for (int end; first < last; first = end) {
+        end = block_end(first, last);
+        ldu_rows(first, end, A, diag, w->sh, w->t);
+        add_products(first, end, w->n, w->t, w->r, found->a);
+        add_products(first, end, w->n, w->t, w->t, found->b);
+    }
 }
 
 /* Where an iteration stands. */
 struct state {
     struct triple rr, rho;      /* r.r, shadow.r */
     struct triple alpha, omega; /* the last steps */
+    struct triple shadow_r;     /* after them */
+    const double *old;          /* the direction p before */
     double start;               /* |r| of the worst component at begin */
 };
 
@@ -187,13 +260,15 @@ static double worst(const struct triple *rr)
     return sqrt(most);
 }
 
-static void begin(const struct csr *A, const double *diag3, const double *b3,
+static void begin(const struct ldu *A, const double *diag3, const double *b3,
                   const double *x3, struct bicgstab_work *w, struct state *s)
 {
-    csr_multiply_each(A, 3, diag3, x3, w->r);
-    STRIPS_RUN(w->n, 3, begin_rows, w, b3, diag3);
-    s->rr = s->rho = dot(w->n, w->r, w->r);
+    struct products found = {0};
+
+    STRIPS_RUN(w->n, 12, begin_rows, A, diag3, b3, x3, w, &found);
+    s->rr = s->rho = total(found.a);
     s->start = worst(&s->rr);
+    s->old = w->shadow;
 }
 
 /* top / bottom for the components still at work; 0 for those that rest,
@@ -213,34 +288,36 @@ static struct triple ratio(const struct triple *top,
 }
 
 /* From one residual to the next, without a new direction. */
-static void step(const struct csr *A, const double *diag3, double *x3,
+static void step(const struct ldu *A, const double *diag3, double *x3,
                  double target, struct bicgstab_work *w, struct state *s)
 {
-    csr_multiply_each(A, 3, diag3, w->ph, w->v);
+    struct products v = {0}, half_way = {0}, t = {0}, end = {0};
 
-    const struct triple sv = dot(w->n, w->shadow, w->v);
+    STRIPS_RUN(w->n, 12, first_product, A, diag3, w, &v);
+
+    const struct triple sv = total(v.a);
 
     s->alpha = ratio(&s->rho, &sv, &s->rr, target);
     s->omega = (struct triple){{0.0}};
-    STRIPS_RUN(w->n, 3, half, w, &s->alpha);
-    s->rr = dot(w->n, w->r, w->r);
+    STRIPS_RUN(w->n, 3, half, w, &s->alpha, &half_way);
+    s->rr = total(half_way.a);
     if (worst(&s->rr) > target) {
-        csr_multiply_each(A, 3, diag3, w->sh, w->t);
+        STRIPS_RUN(w->n, 12, second_product, A, diag3, w, &t);
 
-        const struct triple ts = dot(w->n, w->t, w->r);
-        const struct triple tt = dot(w->n, w->t, w->t);
+        const struct triple ts = total(t.a), tt = total(t.b);
 
         s->omega = ratio(&ts, &tt, &s->rr, target);
     }
-    STRIPS_RUN(w->n, 3, move, w, &s->alpha, &s->omega, x3);
-    s->rr = dot(w->n, w->r, w->r);
+    STRIPS_RUN(w->n, 3, move, w, &s->alpha, &s->omega, x3, &end);
+    s->rr = total(end.a);
+    s->shadow_r = total(end.b);
 }
 
 /* The next direction, or 0 if a component at work has none: its step was zero,
  * or its residual has turned square to the shadow. */
 static int redirect(double target, struct bicgstab_work *w, struct state *s)
 {
-    const struct triple rho = dot(w->n, w->shadow, w->r);
+    const struct triple rho = s->shadow_r;
     struct triple beta = {{0.0}};
 
     for (int k = 0; k < 3; k++) {
@@ -253,11 +330,12 @@ static int redirect(double target, struct bicgstab_work *w, struct state *s)
         beta.at[k] = b;
     }
     s->rho = rho;
-    STRIPS_RUN(w->n, 3, turn, w, &beta, &s->omega);
+    STRIPS_RUN(w->n, 3, turn, w, s->old, &beta, &s->omega);
+    s->old = w->p;
     return 1;
 }
 
-struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
+struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
                                    const double *b3, double *x3,
                                    double tolerance, double absolute,
                                    int max_iterations, struct bicgstab_work *w)
@@ -269,6 +347,7 @@ struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
 
     if (scale == 0.0) {
         memset(x3, 0, 3 * (size_t)w->n * sizeof *x3);
+        memset(w->r, 0, 3 * (size_t)w->n * sizeof *w->r);
         return report;
     }
     begin(A, diag3, b3, x3, w, &s);
@@ -286,4 +365,9 @@ struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
     report.after = worst(&s.rr) / scale;
     report.converged = worst(&s.rr) <= target;
     return report;
+}
+
+const double *bicgstab_residual(const struct bicgstab_work *w)
+{
+    return w->r;
 }

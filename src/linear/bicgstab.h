@@ -2,14 +2,14 @@
  * Chapter 7.
  *
  * The components lie side by side, x[3 * i + k]. They share the entries off
- * the diagonal; each has its own diagonal, diag3[3 * i + k], which stands in
- * for A->diag and is the preconditioner (Jacobi). Each component has its own
+ * the diagonal; each has its own diagonal, diag3[3 * i + k], which is also the
+ * preconditioner (Jacobi). Each component has its own
  * step lengths and stops on its own.
  */
 #ifndef BICGSTAB_H
 #define BICGSTAB_H
 
-#include "linear/csr.h"
+#include "linear/ldu.h"
 #include "linear/report.h"
 
 struct bicgstab_work;
@@ -23,10 +23,13 @@ void bicgstab_work_free(struct bicgstab_work *w);
  * asked for more than it matters. The report is that of the worst component;
  * a guess that is good enough costs 0 iterations. After a breakdown the method
  * starts afresh from where it is, if it moved at all. diag3 has no zeros. */
-struct solve_report bicgstab_solve(const struct csr *A, const double *diag3,
+struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
                                    const double *b3, double *x3,
                                    double tolerance /* [-] */,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
+
+/* b - A x of the last solution, as the iteration has carried it along: 3 n. */
+const double *bicgstab_residual(const struct bicgstab_work *w);
 
 #endif

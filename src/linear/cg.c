@@ -55,12 +55,13 @@ static double subtract(int first, int last, const double *b, double *r)
 
 /* r = b - A x; returns r.r */
 static double residual(const struct csr *A, const struct multigrid *mg,
-                       const double *b, const double *x, double *r)
+                       const double *b, const double *x,
+                       const struct cg_work *w)
 {
     double rr;
 
-    multiply(A, mg, x, r);
-    STRIPS_SUM(rr, A->n, 1, subtract, b, r);
+    multiply(A, mg, x, w->r);
+    STRIPS_SUM(rr, w->n, 1, subtract, b, w->r);
     return rr;
 }
 
@@ -115,12 +116,12 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
         const double rz = precondition(A, mg, w->r, w->z);
 
-        STRIPS_RUN(A->n, 1, turn, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
+        STRIPS_RUN(w->n, 1, turn, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
 
         const double pq = multiply(A, mg, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
-        STRIPS_SUM(rr, A->n, 1, advance, rz / pq, w, x);
+        STRIPS_SUM(rr, w->n, 1, advance, rz / pq, w, x);
         rz_old = rz;
         *iterations = it + 1;
     }
@@ -135,7 +136,7 @@ static struct solve_report solve(const struct csr *A, struct multigrid *mg,
                                  int max_iterations, struct cg_work *w)
 {
     struct solve_report report = {0, 0.0, 0.0, 1};
-    const double rr = residual(A, mg, b, x, w->r);
+    const double rr = residual(A, mg, b, x, w);
     const double goal = fmax(target, enough * sqrt(rr));
     const double after =
         iterate(A, mg, x, rr, goal, max_iterations, w, &report.iterations);
@@ -151,7 +152,7 @@ struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              double absolute, int max_iterations,
                              struct cg_work *w)
 {
-    const double scale = sqrt(reduce_dot(A->n, b, b));
+    const double scale = sqrt(reduce_dot(w->n, b, b));
 
     if (scale == 0.0) {
         memset(x, 0, (size_t)A->n * sizeof *x);
@@ -166,7 +167,7 @@ struct solve_report cg_reduce(const struct csr *A, struct multigrid *mg,
                               double absolute, int max_iterations,
                               struct cg_work *w)
 {
-    const double scale = sqrt(reduce_dot(A->n, b, b));
+    const double scale = sqrt(reduce_dot(w->n, b, b));
 
     return solve(A, mg, b, x, scale > 0.0 ? scale : 1.0, absolute, enough,
                  max_iterations, w);

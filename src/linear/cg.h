@@ -14,9 +14,10 @@ struct cg_work *cg_work_create(int n);
 void cg_work_free(struct cg_work *w);
 
 /* Solves A x = b from the guess in x, preconditioned by mg (updated from the
- * same A) or, if mg is NULL, by the diagonal. Stops when |b - A x|_2 <=
- * max(tolerance |b|_2, absolute), after max_iterations, or when a number is no
- * longer finite or A proves not to be positive. b = 0 gives x = 0. */
+ * same A; A itself may then be NULL) or, if mg is NULL, by the diagonal. Stops
+ * when |b - A x|_2 <= max(tolerance |b|_2, absolute), after max_iterations, or
+ * when a number is no longer finite or A proves not to be positive. b = 0 gives
+ * x = 0. */
 struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              const double *b, double *x,
                              double tolerance /* [-] */,

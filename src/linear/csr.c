@@ -147,8 +147,8 @@ void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
     STRIPS_RUN(A->n, 4 * m, rows_many, A, m, x, y);
 }
 
-static void rows_each(int first, int last, const struct csr *A, int m,
-                      const double *diag, const double *x, double *y)
+void csr_rows_each(int first, int last, const struct csr *A, int m,
+                   const double *diag, const double *x, double *y)
 {
     FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
@@ -156,5 +156,5 @@ static void rows_each(int first, int last, const struct csr *A, int m,
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y)
 {
-    STRIPS_RUN(A->n, 4 * m, rows_each, A, m, diag, x, y);
+    STRIPS_RUN(A->n, 4 * m, csr_rows_each, A, m, diag, x, y);
 }

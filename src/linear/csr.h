@@ -42,4 +42,9 @@ void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y);
 
+/* Rows first .. last - 1 of that, for a caller who goes on with them while they
+ * are cached. */
+void csr_rows_each(int first, int last, const struct csr *A, int m,
+                   const double *diag, const double *x, double *y);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static struct members members_of(int n_groups, int n, const int *group)
 {
@@ -90,28 +91,11 @@ void level_tie(struct level *v, const struct graph *fine,
             cells->share[s] = wall_share(fine, cells->list[s], coarse, I);
 }
 
-static void take_links(int first, int last, struct level *v,
-                       const struct csr *A)
+void level_take_over(struct level *v, const double *g, const double *sums,
+                     double unit)
 {
-    for (int l = first; l < last; l++)
-        v->g[l] = -A->a[A->upper[l]];
-}
-
-static void take_sums(int first, int last, struct level *v, const struct csr *A)
-{
-    for (int i = first; i < last; i++) {
-        double sum = A->diag[i];
-
-        for (int e = A->start[i]; e < A->start[i + 1]; e++)
-            sum += A->a[e];
-        v->sums[i] = sum;
-    }
-}
-
-void level_take_over(struct level *v, const struct csr *A, double unit)
-{
-    STRIPS_RUN(v->n_links, 2, take_links, v, A);
-    STRIPS_RUN(v->n, 4, take_sums, v, A);
+    memcpy(v->g, g, (size_t)v->n_links * sizeof *g);
+    memcpy(v->sums, sums, (size_t)v->n * sizeof *sums);
     symmetric_fill(v->A, v->g, v->sums, unit);
 }
 

@@ -38,9 +38,10 @@ void level_tie(struct level *v, const struct graph *fine,
                const struct graph *coarse, const int *parent,
                const int *bundle);
 
-/* The coefficients: on the finest level those of A, on the others summed from
- * the finer level. unit as in symmetric_fill. */
-void level_take_over(struct level *v, const struct csr *A, double unit);
+/* The coefficients and row sums: on the finest level those given, on the others
+ * summed from the finer level. unit as in symmetric_fill. */
+void level_take_over(struct level *v, const double *g, const double *sums,
+                     double unit);
 void level_sum_up(struct level *v, const struct level *fine, double unit);
 
 /* The right-hand side of v is the residual of the finer level, summed; the

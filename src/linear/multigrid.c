@@ -110,15 +110,33 @@ static void factor_coarsest(struct multigrid *mg)
     dense_factor(mg->coarsest);
 }
 
-void multigrid_update(struct multigrid *mg, const struct csr *A)
+void multigrid_take(struct multigrid *mg, const double *g, const double *sums)
 {
     struct level *const v = mg->level;
 
-    mg->unit = 1.0 / reduce_rms(A->n, A->diag);
-    level_take_over(v, A, mg->unit);
+    mg->unit = 1.0 / (v->n_links > 0 ? reduce_rms(v->n_links, g)
+                                     : reduce_rms(v->n, sums));
+    level_take_over(v, g, sums, mg->unit);
     for (int k = 1; k < mg->n_levels; k++)
         level_sum_up(&v[k], &v[k - 1], mg->unit);
     if (mg->coarsest != NULL) factor_coarsest(mg);
+}
+
+void multigrid_update(struct multigrid *mg, const struct csr *A)
+{
+    double *const g = alloc_doubles(A->n_links);
+    double *const sums = alloc_doubles(A->n);
+
+    for (int l = 0; l < A->n_links; l++)
+        g[l] = -A->a[A->upper[l]];
+    for (int i = 0; i < A->n; i++) {
+        sums[i] = A->diag[i];
+        for (int e = A->start[i]; e < A->start[i + 1]; e++)
+            sums[i] += A->a[e];
+    }
+    multigrid_take(mg, g, sums);
+    free(g);
+    free(sums);
 }
 
 /* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */

@@ -29,6 +29,10 @@ void multigrid_free(struct multigrid *mg);
  * the diagonal <= 0, rows weakly diagonally dominant. */
 void multigrid_update(struct multigrid *mg, const struct csr *A);
 
+/* The same from the coefficients g of the links, entries -g off the diagonal,
+ * and the sums of the rows; both >= 0. */
+void multigrid_take(struct multigrid *mg, const double *g, const double *sums);
+
 /* z = M r, one cycle from zero, in single precision inside: a symmetric
  * positive definite M. Returns r.z. */
 double multigrid_apply(struct multigrid *mg, const double *r, double *z);

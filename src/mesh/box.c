@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* box.c -- makes the face list of a box.
  *
- * Every cell offers the faces on its upper sides, in the order x, y, z; so
- * faces are numbered in the order in which a sweep over the cells meets them.
+ * Every cell offers the faces on its upper sides: those in x first, all over
+ * the box, then those that lead round its end; then those in y, then z. So the
+ * faces between a row of cells and the next row are numbered in a row, too, and
+ * a loop over them reads memory as it lies (linear/runs.h).
  */
 #include "mesh/mesh.h"
 
@@ -84,21 +86,34 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
     m->w[f] = h1 / (h0 + h1);
 }
 
-/* Calls inner_face for all; with m->owner NULL it only counts. */
-static int inner_faces(struct mesh *m)
+/* The faces in direction k within the box, or (round) those that lead round its
+ * end, numbered from f on; with m->owner NULL it only counts. Returns the next
+ * number. */
+static int faces_across(struct mesh *m, int f, int k, int round)
 {
     const struct box *const b = &m->box;
-    int f = 0, at[3];
+    int at[3];
 
     for (at[2] = 0; at[2] < b->n[2]; at[2]++)
         for (at[1] = 0; at[1] < b->n[1]; at[1]++)
-            for (at[0] = 0; at[0] < b->n[0]; at[0]++)
-                for (int k = 0; k < 3; k++) {
-                    const int last = at[k] == b->n[k] - 1;
-                    if (last && !(b->periodic[k] && b->n[k] > 1)) continue;
-                    if (m->owner != NULL) inner_face(m, f, k, at);
-                    f++;
-                }
+            for (at[0] = 0; at[0] < b->n[0]; at[0]++) {
+                if ((at[k] == b->n[k] - 1) != round) continue;
+                if (m->owner != NULL) inner_face(m, f, k, at);
+                f++;
+            }
+    return f;
+}
+
+/* All inner faces; returns how many. */
+static int inner_faces(struct mesh *m)
+{
+    const struct box *const b = &m->box;
+    int f = 0;
+
+    for (int k = 0; k < 3; k++) {
+        f = faces_across(m, f, k, 0);
+        if (b->periodic[k] && b->n[k] > 1) f = faces_across(m, f, k, 1);
+    }
     return f;
 }
 

@@ -2,9 +2,8 @@
 /* poly.c -- reads a mesh in OpenFOAM's format: cells of any number of faces,
  * faces of any number of points, in any order.
  *
- * What the files number is numbered anew, so that cells that touch have numbers
- * that are close: memory then comes in the order in which it is used. Ends of
- * type cyclic become inner faces whose links go round.
+ * Cells and faces are put in order (poly_order.h). Ends of type cyclic become
+ * inner faces whose links go round.
  */
 #include "mesh/poly.h"
 
@@ -14,58 +13,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "mesh/poly_order.h"
 #include "mesh/poly_raw.h"
-
-/* --- order ---------------------------------------------------------------- */
-
-/* The cells beside each, one row a cell. */
-static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
-{
-    int *const used = alloc_ints(r->n_cells);
-
-    for (int f = 0; f < r->n_inner; f++) {
-        start[r->owner[f] + 1]++;
-        start[r->neighbour[f] + 1]++;
-    }
-    for (int c = 0; c < r->n_cells; c++)
-        start[c + 1] += start[c];
-    for (int f = 0; f < r->n_inner; f++) {
-        const int o = r->owner[f], n = r->neighbour[f];
-        beside[start[o] + used[o]++] = n;
-        beside[start[n] + used[n]++] = o;
-    }
-    free(used);
-}
-
-/* Cuthill and McKee: from one cell in waves over its neighbours; where cells
- * remain, from the first of these. */
-static void number_cells(struct poly_raw *r)
-{
-    int *const start = alloc_ints(r->n_cells + 1);
-    int *const beside = alloc_ints(2 * r->n_inner);
-    int *const queue = alloc_ints(r->n_cells);
-    int n = 0, done = 0;
-
-    neighbours_of(r, start, beside);
-    r->number = alloc_ints(r->n_cells);
-    for (int c = 0; c < r->n_cells; c++)
-        r->number[c] = -1;
-    for (int first = 0; first < r->n_cells; first++) {
-        if (r->number[first] >= 0) continue;
-        queue[n] = first;
-        r->number[first] = n++;
-        for (; done < n; done++)
-            for (int e = start[queue[done]]; e < start[queue[done] + 1]; e++) {
-                const int c = beside[e];
-                if (r->number[c] >= 0) continue;
-                queue[n] = c;
-                r->number[c] = n++;
-            }
-    }
-    free(start);
-    free(beside);
-    free(queue);
-}
 
 /* --- the mesh --------------------------------------------------------------
  */
@@ -229,29 +178,39 @@ static int list_inner(const struct poly_raw *r, struct join *list)
     return n;
 }
 
-/* In the order of their owners' new numbers, by counting. */
+/* How far apart the cells of an inner face are numbered, and the lower of them.
+ */
+static void place_of(const struct poly_raw *r, const struct join *one,
+                     int *distance, int *least)
+{
+    const int a = r->number[r->owner[one->f]];
+    const int b = r->number[one->far == one->f ? r->neighbour[one->f]
+                                               : r->owner[one->far]];
+
+    *distance = abs(b - a);
+    *least = a < b ? a : b;
+}
+
 static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 {
-    struct join *const list = alloc_zeroed((size_t)m->n_internal, sizeof *list);
-    int *const next = alloc_ints(m->n_cells + 1);
-    int *const least = alloc_ints(m->n_internal);
+    const int n = m->n_internal;
+    struct join *const list = alloc_zeroed((size_t)n, sizeof *list);
+    int *const least = alloc_ints(n), *const distance = alloc_ints(n);
 
     list_inner(r, list);
-    for (int i = 0; i < m->n_internal; i++) {
-        const struct join *const one = &list[i];
-        const int a = r->number[r->owner[one->f]];
-        const int b = r->number[one->far == one->f ? r->neighbour[one->f]
-                                                   : r->owner[one->far]];
-        least[i] = a < b ? a : b;
-        next[least[i] + 1]++;
+    for (int i = 0; i < n; i++)
+        place_of(r, &list[i], &distance[i], &least[i]);
+
+    int *const order = poly_face_order(n, m->n_cells, least, distance);
+
+    for (int i = 0; i < n; i++) {
+        const struct join *const one = &list[order[i]];
+        set_inner(m, r, i, one->f, one->far, one->lap);
     }
-    for (int c = 0; c < m->n_cells; c++)
-        next[c + 1] += next[c];
-    for (int i = 0; i < m->n_internal; i++)
-        set_inner(m, r, next[least[i]]++, list[i].f, list[i].far, list[i].lap);
     free(list);
-    free(next);
     free(least);
+    free(distance);
+    free(order);
 }
 
 static void set_patches(struct mesh *m, const struct poly_raw *r)
@@ -305,7 +264,7 @@ static void build(struct mesh *m, struct poly_raw *r)
     m->n_cells = r->n_cells;
     m->n_internal = list_inner(r, NULL);
     m->n_faces = m->n_internal + r->n_faces - r->n_inner - joined;
-    number_cells(r);
+    poly_number_cells(r);
     mesh_allocate(m);
     m->middle = alloc_doubles(3 * m->n_faces);
     if (m->n_periods > 0) m->lap = alloc_ints(m->n_internal);

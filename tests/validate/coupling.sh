@@ -28,11 +28,12 @@ two() {
         run kernel-8x40 $two $coarse
         run pcm-12x60 $two $sums
         run pcm-8x40 $two $sums $coarse
-        run short-step $two -s particles.step=2e-6 -s output.end=3
+        run short-step $two -s particles.step=2e-6 -s output.end=1.6
     }
     made="# Made by: sh tests/validate/coupling.sh build/winnow two"
     { echo "$made"; sh figures/20-two-sizes.sh series $out; } >figures/20-two-sizes.txt
     { echo "$made"; sh figures/20-two-sizes.sh numbers $out; } >figures/20-two-numbers.txt
+    { echo "$made"; sh figures/20-two-sizes.sh steps $out; } >figures/20-two-steps.txt
 }
 
 # Case 1, Figs. 4 and 5, with springs ten times as soft.

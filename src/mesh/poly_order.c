@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly_order.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+/* The cells beside each, one row a cell. */
+static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
+{
+    int *const used = alloc_ints(r->n_cells);
+
+    for (int f = 0; f < r->n_inner; f++) {
+        start[r->owner[f] + 1]++;
+        start[r->neighbour[f] + 1]++;
+    }
+    for (int c = 0; c < r->n_cells; c++)
+        start[c + 1] += start[c];
+    for (int f = 0; f < r->n_inner; f++) {
+        const int o = r->owner[f], n = r->neighbour[f];
+        beside[start[o] + used[o]++] = n;
+        beside[start[n] + used[n]++] = o;
+    }
+    free(used);
+}
+
+/* Cuthill and McKee: from one cell in waves over its neighbours; where cells
+ * remain, from the first of these. */
+static void number_in_waves(struct poly_raw *r)
+{
+    int *const start = alloc_ints(r->n_cells + 1);
+    int *const beside = alloc_ints(2 * r->n_inner);
+    int *const queue = alloc_ints(r->n_cells);
+    int n = 0, done = 0;
+
+    neighbours_of(r, start, beside);
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = -1;
+    for (int first = 0; first < r->n_cells; first++) {
+        if (r->number[first] >= 0) continue;
+        queue[n] = first;
+        r->number[first] = n++;
+        for (; done < n; done++)
+            for (int e = start[queue[done]]; e < start[queue[done] + 1]; e++) {
+                const int c = beside[e];
+                if (r->number[c] >= 0) continue;
+                queue[n] = c;
+                r->number[c] = n++;
+            }
+    }
+    free(start);
+    free(beside);
+    free(queue);
+}
+
+/* The sum over the inner faces of how far apart their cells are numbered. */
+static double spread(const struct poly_raw *r)
+{
+    double sum = 0.0;
+
+    for (int f = 0; f < r->n_inner; f++)
+        sum += abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
+    return sum;
+}
+
+void poly_number_cells(struct poly_raw *r)
+{
+    number_in_waves(r);
+
+    int *const waves = r->number;
+    const double in_waves = spread(r);
+
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = c;
+    if (spread(r) <= in_waves) {
+        free(waves);
+        return;
+    }
+    free(r->number);
+    r->number = waves;
+}
+
+/* Sorts the numbers in order by their keys 0 .. n_keys - 1, equal ones as they
+ * were. */
+static void sort_by(const int *key, int n_keys, int n, int *order)
+{
+    int *const next = alloc_ints(n_keys + 1), *const old = alloc_ints(n);
+
+    memcpy(old, order, (size_t)n * sizeof *order);
+    for (int i = 0; i < n; i++)
+        next[key[i] + 1]++;
+    for (int k = 0; k < n_keys; k++)
+        next[k + 1] += next[k];
+    for (int i = 0; i < n; i++)
+        order[next[key[old[i]]]++] = old[i];
+    free(next);
+    free(old);
+}
+
+enum { FEW = 8 }; /* distances: six links a cell, and some at seams */
+
+/* 1 if almost all faces lie between cells of a few distances. */
+static int has_rows(const int *distance, int n, int n_cells)
+{
+    int *const count = alloc_ints(n_cells + 1);
+    int left = n;
+
+    for (int i = 0; i < n; i++)
+        count[distance[i]]++;
+    for (int k = 0; k < FEW; k++) {
+        int most = 0;
+        for (int d = 1; d < n_cells; d++)
+            if (count[d] > count[most]) most = d;
+        left -= count[most];
+        count[most] = 0;
+    }
+    free(count);
+    return left <= n / 16;
+}
+
+int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
+{
+    int *const order = alloc_ints(n);
+
+    for (int i = 0; i < n; i++)
+        order[i] = i;
+    sort_by(least, n_cells, n, order);
+    if (has_rows(distance, n, n_cells)) sort_by(distance, n_cells, n, order);
+    return order;
+}
