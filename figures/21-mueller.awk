@@ -35,14 +35,22 @@ function from_mirror(key,  i, n, sum) {
     return sqrt(sum / n)
 }
 
-function from_finest(key, fine,  i, j, n, per, mean, sum) {
+# Of a profile that is constant in each of its cells, the mean from x1 to x2.
+function mean_between(key, x1, x2,  i, n, w, low, high, sum) {
     n = count[key]
-    per = count[fine] / n
+    w = 0.044 / n
     for (i = 1; i <= n; i++) {
-        mean = 0
-        for (j = 1; j <= per; j++) mean += Y[fine, (i - 1) * per + j] / per
-        sum += (Y[key, i] - mean) ^ 2
+        low = (i - 1) * w > x1 ? (i - 1) * w : x1
+        high = i * w < x2 ? i * w : x2
+        if (high > low) sum += (high - low) * Y[key, i]
     }
+    return sum / (x2 - x1)
+}
+
+function from_finest(key, fine,  i, n, sum) {
+    n = count[key]
+    for (i = 1; i <= n; i++)
+        sum += (Y[key, i] - mean_between(fine, (i - 1) * 0.044 / n, i * 0.044 / n)) ^ 2
     return sqrt(sum / n)
 }
 

@@ -37,9 +37,9 @@ collect() { # mesh cells method
         "$(value steps_with_capped_cells) $(value eps_f_lowest)" \
         "$(value mean_pressure_drop)"
     for file in "$dir"/profiles/*.csv; do
-        name=$(basename "$file" .csv) # eps_f_y16.4mm
-        height=${name##*_y}
-        awk -F, -v of="at $1 $3 ${name%_y*} ${height%mm}" \
+        line=$(basename "$file" .csv) # eps_f_y16.4mm
+        height=${line##*_y}
+        awk -F, -v of="at $1 $3 ${line%_y*} ${height%mm}" \
             'NR > 1 { printf "%s %.5f %.5f %.5f\n", of, $1, $2, $3 }' "$file"
     done
 }

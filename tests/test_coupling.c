@@ -313,6 +313,32 @@ START_TEST(xs11_2_6_a_pressure_gradient_pushes_by_the_volume)
 }
 END_TEST
 
+/* Two cells beside each other 0.85 and 0.92 full, all else empty: the slope of
+ * eps_f in the first is -0.459 over its width (half of 0.15 - 1 and half of
+ * 0.084 - 0.15), and near its far side there is less than nothing. */
+START_TEST(a_sphere_that_sees_no_fluid_on_a_slope_ends_the_run)
+{
+    struct scene s = air;
+    s.averaging = "pcm";
+    s.interpolation = "linear";
+    s.n = 27;
+    struct simulation *const sim = build(&s);
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        ps->x[i] = i < 13 ? 5e-3 : 7e-3;
+        ps->y[i] = ps->z[i] = 5e-3;
+    }
+    ck_assert_int_eq(transfer_average(sim), 0);
+    ps->x[0] = 5.9e-3;
+    ck_assert_int_ne(transfer_average(sim), 0);
+    ck_assert_double_eq_tol(sim->coupling->report.eps_lowest, 0.0837, 1e-3);
+    ck_assert_double_eq_tol(sim->coupling->report.seen_lowest,
+                            0.149 - 0.45 * 0.459, 2e-3);
+    discard(sim);
+}
+END_TEST
+
 /* A sphere as heavy as the fluid floats: weight and buoyancy cancel in each
  * step, for any g, while the pressure has no hydrostatic part. */
 START_TEST(ls_5_1_a_neutral_sphere_floats)
@@ -456,6 +482,7 @@ static Suite *suite(void)
     tcase_add_test(t,
                    xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);
     tcase_add_test(t, xs11_2_6_a_pressure_gradient_pushes_by_the_volume);
+    tcase_add_test(t, a_sphere_that_sees_no_fluid_on_a_slope_ends_the_run);
     tcase_add_test(t, ls_5_1_a_neutral_sphere_floats);
     tcase_add_loop_test(t, ls_5_27_a_fixed_bed_has_erguns_pressure_drop, 0, 4);
     tcase_add_test(t, ls_5_one_way_leaves_the_fluid_alone);

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -127,10 +128,32 @@ int hosts_find(struct hosts *h)
     return 0;
 }
 
+/* Particle after particle, in their order: each cell adds up in the same order
+ * as below, and it is faster (half the time for a bed whose neighbours are not
+ * neighbours in memory), but two threads would write to one cell. */
+static void add_up(const struct hosts *h, int m, const double *q, double *field)
+{
+    const int n = m * h->mesh->n_cells;
+
+    for (int e = 0; e < n; e++)
+        field[e] = 0.0;
+    for (int i = 0; i < h->n; i++) {
+        double *const f = &field[m * h->host[i]];
+        for (int k = 0; k < m; k++)
+            f[k] += q[m * i + k];
+    }
+    for (int e = 0; e < n; e++)
+        field[e] /= h->mesh->V[e / m];
+}
+
 void hosts_sum(const struct hosts *h, int m, const double *q, double *field)
 {
     const int n_cells = h->mesh->n_cells;
 
+    if (omp_get_max_threads() == 1) {
+        add_up(h, m, q, field);
+        return;
+    }
 #pragma omp parallel for schedule(static) if (m * h->n > WORTH_A_THREAD)
     for (int c = 0; c < n_cells; c++) {
         double *const f = &field[m * c];

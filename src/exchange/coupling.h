@@ -45,6 +45,8 @@ struct coupling_report {
     double exchange_residual; /* [-] |what the fluid paid - what the particles
                                  were charged| over what was paid, summed */
     double eps_lowest;        /* [-] smallest fluid fraction of a cell */
+    double seen_lowest;       /* [-] and smallest that a particle sees, which a
+                                 slope may make less */
 };
 
 struct coupling {

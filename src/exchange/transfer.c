@@ -98,7 +98,10 @@ int transfer_average(struct simulation *sim)
     take_solids(sim, m);
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
                                      cp->eps);
-    return cp->report.eps_lowest <= 0.0;
+    cp->report.seen_lowest = 1.0;
+    for (int i = 0; i < ps->n; i++)
+        cp->report.seen_lowest = fmin(cp->report.seen_lowest, cp->eps[i]);
+    return cp->report.eps_lowest <= 0.0 || cp->report.seen_lowest <= 0.0;
 }
 
 /* What the fluid is charged with in its next step, for each particle: a rate

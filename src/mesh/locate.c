@@ -35,18 +35,8 @@ struct walk {
 /* How far the point is beyond face a of the cell's list [m]. */
 static double beyond(const struct walk *w, int a)
 {
-    const struct mesh *const m = w->m;
-    const int f = m->cell_face[a];
-    const double *const S = &m->S[3 * f], *const x = &m->middle[3 * f];
-    const int lap =
-        m->lap != NULL && f < m->n_internal && m->out[a] < 0.0 ? m->lap[f] : 0;
-    double r[3];
-
-    for (int k = 0; k < 3; k++)
-        r[k] = w->x[k] - x[k];
-    for (int k = 0; k < 3 && lap != 0; k++)
-        r[k] -= lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k];
-    return m->out[a] * vector_dot(r, S) / vector_length(S);
+    const double *const p = &w->m->bins->plane[4 * a];
+    return p[0] * w->x[0] + p[1] * w->x[1] + p[2] * w->x[2] - p[3];
 }
 
 /* The inner face of cell c that the point is farthest beyond, or -1; *most is
@@ -54,18 +44,17 @@ static double beyond(const struct walk *w, int a)
 static int way_out(const struct walk *w, int c, double *most)
 {
     const struct mesh *const m = w->m;
-    double farthest = 1e-12 * cbrt(m->V[c]);
+    double any = m->bins->tiny, inner = any;
     int way = -1;
 
-    *most = 0.0;
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const double r = beyond(w, a);
-        *most = fmax(*most, r);
-        if (r <= farthest || m->cell_face[a] >= m->n_internal) continue;
-        farthest = r;
+        if (r > any) any = r;
+        if (r <= inner || m->cell_face[a] >= m->n_internal) continue;
+        inner = r;
         way = a;
     }
-    if (*most <= 1e-12 * cbrt(m->V[c])) *most = 0.0;
+    *most = any > m->bins->tiny ? any : 0.0;
     return way;
 }
 
@@ -128,8 +117,8 @@ static int bin_of(const struct mesh *m, const double x[3])
     for (int k = 0; k < 3; k++) {
         if (!(x[k] >= m->lo[k] - b->slack && x[k] <= m->hi[k] + b->slack))
             return -1;
-        const double j = floor((x[k] - m->lo[k]) * b->inverse[k]);
-        at[k] = (int)fmax(0.0, fmin(b->n[k] - 1, j));
+        const int j = (int)((x[k] - m->lo[k]) * b->inverse[k]);
+        at[k] = j < 0 ? 0 : j < b->n[k] ? j : b->n[k] - 1;
     }
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
@@ -174,15 +163,11 @@ static int locate_from(const struct mesh *m, int begin, const double x[3],
     return w.best;
 }
 
-/* The first cell of the point's bin, or -1. */
+/* The cell to begin with, or -1. */
 static int begin_at(const struct mesh *m, const double x[3])
 {
     const int bin = bin_of(m, x);
-    const struct mesh_bins *const b = m->bins;
-
-    return bin < 0 || b->start[bin] == b->start[bin + 1]
-               ? -1
-               : b->member[b->start[bin]];
+    return bin < 0 ? -1 : m->bins->begin[bin];
 }
 
 /* By whole periods to where the mesh is, or next to it. */
@@ -282,6 +267,61 @@ static void fill_bins(const struct mesh *m, int *used)
     }
 }
 
+/* What the product of a place and a normal is off by, and a little more where
+ * cells are large beside that [m]. */
+static double rounding(const struct mesh *m)
+{
+    double least = INFINITY, farthest = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        least = fmin(least, m->V[c]);
+    for (int k = 0; k < 3; k++)
+        farthest = fmax(farthest, fmax(fabs(m->lo[k]), fabs(m->hi[k])));
+    return fmax(1e-12 * cbrt(least), 4e-15 * farthest);
+}
+
+/* Of face a of a cell's list; round a period the neighbour sees it moved. */
+static void set_plane(const struct mesh *m, int a)
+{
+    const int f = m->cell_face[a];
+    const int lap =
+        m->lap != NULL && f < m->n_internal && m->out[a] < 0.0 ? m->lap[f] : 0;
+    const double *const S = &m->S[3 * f], area = vector_length(S);
+    double *const p = &m->bins->plane[4 * a];
+
+    for (int k = 0; k < 3; k++) {
+        double x = m->middle[3 * f + k];
+        if (lap != 0)
+            x += lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k];
+        p[k] = m->out[a] * S[k] / area;
+        p[3] += p[k] * x;
+    }
+}
+
+/* The cell of each bin whose centre is nearest to that of the bin. */
+static void choose_begins(const struct mesh *m)
+{
+    struct mesh_bins *const b = m->bins;
+
+    for (int bin = 0; bin < b->n[0] * b->n[1] * b->n[2]; bin++) {
+        const int at[3] = {bin % b->n[0], bin / b->n[0] % b->n[1],
+                           bin / b->n[0] / b->n[1]};
+        double nearest = INFINITY;
+        b->begin[bin] = -1;
+        for (int i = b->start[bin]; i < b->start[bin + 1]; i++) {
+            double r2 = 0.0;
+            for (int k = 0; k < 3; k++) {
+                const double d = m->centre[3 * b->member[i] + k] - m->lo[k] -
+                                 (at[k] + 0.5) / b->inverse[k];
+                r2 += d * d;
+            }
+            if (r2 >= nearest) continue;
+            nearest = r2;
+            b->begin[bin] = b->member[i];
+        }
+    }
+}
+
 void mesh_bins_create(struct mesh *m, double slack)
 {
     struct mesh_bins *const b = alloc_zeroed(1, sizeof *b);
@@ -300,4 +340,10 @@ void mesh_bins_create(struct mesh *m, double slack)
     b->member = alloc_ints(b->start[bins]);
     fill_bins(m, used);
     free(used);
+    b->begin = alloc_ints(bins);
+    choose_begins(m);
+    b->plane = alloc_doubles(4 * m->cell_start[m->n_cells]);
+    for (int a = 0; a < m->cell_start[m->n_cells]; a++)
+        set_plane(m, a);
+    b->tiny = rounding(m);
 }

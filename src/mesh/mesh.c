@@ -24,6 +24,8 @@ static void bins_free(struct mesh_bins *b)
     if (b == NULL) return;
     free(b->start);
     free(b->member);
+    free(b->begin);
+    free(b->plane);
     free(b);
 }
 

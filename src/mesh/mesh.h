@@ -45,6 +45,11 @@ struct mesh_bins {
     int n[3];
     double inverse[3];   /* [1/m] of a bin's width */
     int *start, *member; /* [-] the cells of a bin, ascending */
+    int *begin;          /* [-] whose centre is nearest to the bin's; or -1 */
+    double *plane;       /* [-], [m] beside cell_face, 4 each: the normal out of
+                            the cell, and its product with the face's middle as
+                            this cell sees it */
+    double tiny;         /* [m] rounding: as good as inside */
     double slack;        /* [m] gaps between warped faces are no wider */
 };
 

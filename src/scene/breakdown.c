@@ -71,6 +71,19 @@ static void describe_solids(const struct simulation *sim, const char *when,
              when, sim->coupling->report.eps_lowest);
 }
 
+/* No cell is overfull, but a slope between cells leads below zero. */
+static void describe_seen(const struct simulation *sim, const char *when,
+                          char text[BREAKDOWN_TEXT])
+{
+    snprintf(text, BREAKDOWN_TEXT,
+             "a particle sees a fluid fraction of %.3g %s, on the slope "
+             "between cells, none of which is below %.3g.\nTry "
+             "averaging.method = \"diffusion\" or \"kernel\", larger cells, "
+             "or averaging.interpolation = \"nearest\"",
+             sim->coupling->report.seen_lowest, when,
+             sim->coupling->report.eps_lowest);
+}
+
 void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
 {
     char when[64];
@@ -86,6 +99,8 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_lost(sim, when, text);
     else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
         describe_solids(sim, when, text);
+    else if (sim->coupling != NULL && sim->coupling->report.seen_lowest <= 0.0)
+        describe_seen(sim, when, text);
     else
         snprintf(text, BREAKDOWN_TEXT,
                  "a value is no longer finite %s.\nTry "

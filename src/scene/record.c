@@ -300,9 +300,10 @@ void record_report(const struct record *r)
 
     if (r->drop_rows > 0 && sim->particles != NULL)
         printf("pressure drop %.1f Pa (mean of the second half), weight of the "
-               "bed %.1f Pa\n",
+               "bed %.1f Pa%s\n",
                r->drop_sum / (double)r->drop_rows,
-               r->weight_sum / (double)r->drop_rows);
+               r->weight_sum / (double)r->drop_rows,
+               sim->mesh->shape != NULL ? " over the mean section" : "");
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", r->dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "bed.h"
 #include "particles/bed.h"
 
 /* Of several beds the highest spheres are left out: 6 x 6 hold 331 776. */
@@ -134,40 +135,6 @@ static int write_bed(const char *law, const char *path, int tiles, double throw)
     return fclose(f) != 0;
 }
 
-static void give_up(const char *path)
-{
-    fprintf(stderr, "%s: not a bed that `dem bed` wrote\n", path);
-    exit(1);
-}
-
-static struct particles *read_bed(const char *path, double hi[3])
-{
-    FILE *const f = fopen(path, "r");
-    int n = 0, id;
-
-    if (f == NULL ||
-        fscanf(f,
-               "bed %d atoms 1 atom types 0 %lf xlo xhi 0 %lf ylo yhi 0 %lf "
-               "zlo zhi Atoms",
-               &n, &hi[0], &hi[1], &hi[2]) != 4)
-        give_up(path);
-    struct particles *const ps = particles_create(n);
-    for (int i = 0; i < n; i++) {
-        double x[3], d, rho;
-        if (fscanf(f, "%d 1 %lf %lf %lf %lf %lf", &id, &d, &rho, &x[0], &x[1],
-                   &x[2]) != 6)
-            give_up(path);
-        ps->ey[particles_add(ps, x, d, rho)] = -g * rho * M_PI / 6 * d * d * d;
-    }
-    if (fscanf(f, " Velocities%n", &id) != 0) give_up(path);
-    for (int i = 0; i < n; i++)
-        if (fscanf(f, "%d %lf %lf %lf 0 0 0", &id, &ps->vx[i], &ps->vy[i],
-                   &ps->vz[i]) != 4)
-            give_up(path);
-    fclose(f);
-    return ps;
-}
-
 /* What must come out alike of all programs. */
 static void describe(struct dem *dem, const struct particles *ps)
 {
@@ -195,6 +162,8 @@ static int run(const char *law, const char *path, int steps)
     struct dem *const dem = dem_create(ps, &o);
     struct dem_report r;
 
+    for (int i = 0; i < ps->n; i++)
+        ps->ey[i] = -g * ps->m[i];
     for (int left = steps; left > 0; left -= STEPS_A_RUN)
         if (dem_run(dem, left < STEPS_A_RUN ? left : STEPS_A_RUN, &r) != 0)
             return 1;

@@ -15,14 +15,8 @@ fluid=$1/fluid
 rounds=${2:-3}
 out=$1/run/fluid
 export OMP_NUM_THREADS=1
-export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}" # Debian's place
+. "$(dirname "$0")/icofoam.inc"
 mkdir -p "$out"
-
-dictionary() { # class object file
-    printf 'FoamFile { version 2.0; format ascii; class %s; object %s; }\n' \
-        "$1" "$2" >"$3"
-    cat >>"$3"
-}
 
 ends() { # what a field says of back and front
     if [ "$dimensions" = 3 ]; then
@@ -33,7 +27,8 @@ ends() { # what a field says of back and front
 }
 
 make_case() { # in the present folder
-    mkdir -p system constant 0
+    solver_files "$(awk "BEGIN { print $steps * 0.05 / $cells }")" \
+        "$(awk "BEGIN { print 0.05 / $cells }")" 1e-04
     depth=0.01 layers=1 type=empty
     [ "$dimensions" = 2 ] || { depth=0.1 layers=$cells type=wall; }
     dictionary dictionary blockMeshDict system/blockMeshDict <<END
@@ -44,31 +39,6 @@ boundary (
     lid { type wall; faces ((3 7 6 2)); }
     sides { type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0)); }
     ends { type $type; faces ((0 3 2 1) (4 5 6 7)); });
-END
-    dictionary dictionary controlDict system/controlDict <<END
-application icoFoam; startFrom startTime; startTime 0; stopAt endTime;
-endTime $(awk "BEGIN { print $steps * 0.05 / $cells }");
-deltaT $(awk "BEGIN { print 0.05 / $cells }");
-writeControl timeStep; writeInterval 1000000; timePrecision 8;
-END
-    dictionary dictionary fvSchemes system/fvSchemes <<END
-ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
-divSchemes { default none; div(phi,U) Gauss linear; }
-laplacianSchemes { default Gauss linear orthogonal; }
-interpolationSchemes { default linear; }
-snGradSchemes { default orthogonal; }
-END
-    dictionary dictionary fvSolution system/fvSolution <<END
-solvers {
-    p { solver GAMG; smoother GaussSeidel; tolerance 1e-06; relTol 0.05; }
-    pFinal { solver GAMG; smoother GaussSeidel; tolerance 1e-06; relTol 0; }
-    U { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-05; relTol 0; }
-}
-PISO { nCorrectors 2; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }
-END
-    dictionary dictionary transportProperties constant/transportProperties <<END
-nu [0 2 -1 0 0 0 0] 1e-04;
 END
     dictionary volVectorField U 0/U <<END
 dimensions [0 1 -1 0 0 0 0];
