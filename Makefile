@@ -13,6 +13,7 @@ LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/scene/ledger_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
+PATCHES := $(wildcard chapters/solutions/*.patch)
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
 # All cores, unless make was told how many.
 CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
@@ -43,8 +44,10 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
-solutions: tests
-solutions results text pages: $B/winnow
+solutions: $(PATCHES:=.tried)
+chapters/solutions/%.tried: tests
+	@sh chapters/tools/solutions.sh $B $(@:.tried=)
+results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
 
 validate: $B/winnow ## long runs against measurements and papers (hours)

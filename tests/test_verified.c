@@ -290,6 +290,56 @@ START_TEST(the_cavity_has_the_profile_of_ghia_at_re_100)
 }
 END_TEST
 
+/* Half of a cube whose other half is its image, Re 1000, n^3 cells. Root mean
+ * square of u - u_AK on the vertical centreline over 15 points [m/s]. */
+static double cube_error(int n)
+{
+    static const double y[] = {0.0547, 0.0625, 0.0703, 0.1016, 0.1719,
+                               0.2813, 0.4531, 0.5000, 0.6172, 0.7344,
+                               0.8516, 0.9531, 0.9609, 0.9688, 0.9766};
+    static const double u[] = {-0.20623, -0.22283, -0.23696, -0.27293, -0.25160,
+                               -0.10999, -0.00612, 0.00802,  0.03905,  0.07334,
+                               0.12183,  0.33171,  0.39821,  0.48443,  0.58964};
+    const struct box_spec spec = {
+        {1.0, 1.0, 0.5}, {n, n, n / 2}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct boundary b[6];
+    double sum = 0.0;
+
+    for (int i = 0; i < 6; i++)
+        b[i] = (struct boundary){.kind =
+                                     i == 5 ? BOUNDARY_SLIP : BOUNDARY_NO_SLIP};
+    b[3].wall[0] = 1.0;
+    const struct fluid_options o = {.rho = 1.0,
+                                    .mu = 1e-3,
+                                    .dt = 1.0 / n,
+                                    .convection =
+                                        convection_scheme_named("linear"),
+                                    .correctors = 2,
+                                    .splitting = 1e-3,
+                                    .tolerance = 1e-4,
+                                    .boundaries = b};
+    struct fluid *const fl = fluid_create(mesh_create_box(&spec), &o);
+    for (int i = 0; i < 25 * n; i++)
+        ck_assert_int_eq(fluid_step(fl), 0);
+    for (int i = 0; i < 15; i++) {
+        fl->u += 3 * n * n * (n / 2 - 1); /* the layer at the middle */
+        sum += gsl_pow_2(on_centreline(fl, n, y[i]) - u[i]) / 15.0;
+        fl->u -= 3 * n * n * (n / 2 - 1);
+    }
+    discard(fl);
+    return sqrt(sum);
+}
+
+/* [Albensoeder05, Table 5]: coarse, and nearer with each cell; Chapter 19 has
+ * finer meshes. */
+START_TEST(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000)
+{
+    const double fine = cube_error(16);
+    ck_assert_double_lt(fine, 0.08);
+    ck_assert_double_gt(cube_error(8), 1.2 * fine);
+}
+END_TEST
+
 /* --- hard cases ----------------------------------------------------------- */
 
 static void stream_boundaries(struct boundary b[6], const double *U)
@@ -413,6 +463,8 @@ int main(void)
                         0, 2);
     tcase_add_test(t, a_travelling_void_has_order_two_in_space_and_time);
     tcase_add_test(t, the_cavity_has_the_profile_of_ghia_at_re_100);
+    tcase_add_test(t,
+                   the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);
     tcase_add_loop_test(
         t, a_stream_switched_on_at_once_comes_to_its_steady_state, 0, 6);
     tcase_add_test(t, a_cavity_at_courant_number_5_stays_below_its_lid);

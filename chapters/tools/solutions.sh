@@ -13,8 +13,8 @@ set -u
 build=$1
 shift
 [ $# -gt 0 ] || set -- chapters/solutions/*.patch
-tree=$build/solution
-facts=$build/solution.facts
+tree=$build/solution.$$ # several may run side by side
+facts=$tree.facts
 failed=0
 count=0
 
@@ -68,6 +68,6 @@ for patch in "$@"; do
     [ -n "$programs" ] || { echo "$patch: names no test"; failed=1; }
     for program in $programs; do try "$program" || failed=1; done
 done
-rm -rf "$tree" "$facts" "$facts".*
-[ $failed = 0 ] && echo "solutions: $count are right"
+rm -rf "$tree" "$tree".*
+[ $failed = 0 ] && echo "solutions: $count right, the last $(basename "$patch")"
 exit $failed
