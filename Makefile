@@ -3,9 +3,10 @@ CC       = gcc
 WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Wno-pass-failed $(WERROR)
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
-FAST     = -O3 -march=native -fno-math-errno -fno-trapping-math $(WIDE)
+TUNE     = -march=native
+FAST     = -O3 $(TUNE) -fno-math-errno -fno-trapping-math $(WIDE)
 WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
-SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+SANITIZE = -O2 -g $(TUNE) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
