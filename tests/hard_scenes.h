@@ -8,7 +8,13 @@
 #include "scene/build.h"
 #include "scene/scene.h"
 
-enum { HARD_MOST = 9 };
+enum { HARD_MOST = 14 };
+
+/* Half of the small bed, still moving a little when the scene begins: it takes
+ * a quarter of the time of all. */
+#define HALF_BED                                                               \
+    "mesh.size=[0.008,0.04,0.0015]", "particles.bed.count=150",                \
+        "particles.bed.settle=0.08", "particles.step=2e-5"
 
 struct hard {
     const char *name, *file;
@@ -37,10 +43,10 @@ static const struct hard hard_scenes[] = {
      1.0,
      1,
      0,
-     {"fluid.bottom=no-slip", "fluid.top=no-slip", "fluid.density=1000",
-      "fluid.viscosity=1e-3", "particles.grains.density=2500",
-      "effects.gravity=[0.0,9.81,0.0]", "effects.virtual_mass={}",
-      "fluid.step=5e-4"}},
+     {HALF_BED, "mesh.cells=[4,20,1]", "fluid.bottom=no-slip",
+      "fluid.top=no-slip", "fluid.density=1000", "fluid.viscosity=1e-3",
+      "particles.grains.density=2500", "effects.gravity=[0.0,9.81,0.0]",
+      "effects.virtual_mass={}", "fluid.step=5e-4"}},
     /* 1 m/s from one step to the next, below a bed that it lifts. */
     {"an inlet switched on at once",
      "cases/small-bed.cfg",
@@ -48,7 +54,7 @@ static const struct hard hard_scenes[] = {
      1.5,
      0,
      0,
-     {"fluid.bottom.inlet=1.0"}},
+     {HALF_BED, "mesh.cells=[4,20,1]", "fluid.bottom.inlet=1.0"}},
     /* 30:1 in a liquid that pushes the small ones along with 0.1 m/s. */
     {"grains of 0.083 mm beside 2.5 mm",
      "cases/one-grain.cfg",
@@ -89,7 +95,8 @@ static const struct hard hard_scenes[] = {
      1.5,
      0,
      1,
-     {"mesh.cells=[16,64,1]", "averaging={method=\"pcm\";cap=0.7;}"}},
+     {HALF_BED, "mesh.cells=[8,40,1]", "averaging={method=\"pcm\";cap=0.7;}",
+      "particles.bed.settle=0.05"}},
 };
 enum { HARD_SCENES = sizeof hard_scenes / sizeof *hard_scenes };
 

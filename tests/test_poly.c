@@ -12,6 +12,7 @@
 
 #include "capture.h"
 #include "cloud.h"
+#include "warped.h"
 
 static const char *const all[] = {"box", "sheared", "shuffled", "dual",
                                   "cyclic"};
@@ -171,28 +172,6 @@ START_TEST(a_period_more_is_the_same_point)
     mesh_free(m);
 }
 END_TEST
-
-/* A box whose inner points are moved at random by up to a quarter of a cell:
- * most faces are warped. */
-static struct mesh *warped(void)
-{
-    struct poly_raw r = {0};
-    uint64_t state = 5;
-
-    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
-    for (int i = 0; i < r.n_points; i++) {
-        double *const x = &r.point[3 * i];
-        const double along = x[0] - 0.4 * x[1];
-        const int inner = along > 1e-6 && along < 1.0 - 1e-6 && x[1] > 1e-6 &&
-                          x[1] < 1.0 - 1e-6 && x[2] > 1e-6 && x[2] < 0.5 - 1e-6;
-        for (int k = 0; k < 3 && inner; k++)
-            x[k] += 0.11 * (cloud_random(&state) - 0.5);
-    }
-    struct mesh *const m = poly_build(&r, "warped");
-    ck_assert_ptr_nonnull(m);
-    poly_raw_release(&r);
-    return m;
-}
 
 /* How many cells have the point behind all their faces, and the last one. */
 static int holders(const struct mesh *m, const double x[3], int *last)

@@ -154,7 +154,6 @@ static void finish_step(struct simulation *sim)
     }
 }
 
-/* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 /* Who comes and goes before this step. Whoever comes has had, until now, the
  * velocity that it comes with. */
 static void greet(struct simulation *sim)
@@ -169,6 +168,7 @@ static void greet(struct simulation *sim)
     }
 }
 
+/* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 int coupling_step(struct simulation *sim)
 {
     double clock = clock_now();

@@ -17,15 +17,18 @@ static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
             for (int side = 0; side < 1 + (f < r->n_inner); side++) {
                 const int c =
                     r->number[side == 0 ? r->owner[f] : r->neighbour[f]];
-                if (pass == 0)
+                if (pass == 0) {
                     s->cell_start[c + 1]++;
-                else
-                    s->polygon[s->cell_start[c] + used[c]++] = f;
+                    continue;
+                }
+                s->turned[s->cell_start[c] + used[c]] = side == 0 ? 1 : -1;
+                s->polygon[s->cell_start[c] + used[c]++] = f;
             }
         if (pass == 1) break;
         for (int c = 0; c < r->n_cells; c++)
             s->cell_start[c + 1] += s->cell_start[c];
         s->polygon = alloc_ints(s->cell_start[r->n_cells]);
+        s->turned = alloc_ints(s->cell_start[r->n_cells]);
     }
     free(used);
 }
