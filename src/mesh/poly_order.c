@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "mesh/poly_rows.h"
 
 /* The cells beside each, one row a cell. */
 static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
@@ -65,24 +66,6 @@ static double spread(const struct poly_raw *r)
     return sum;
 }
 
-void poly_number_cells(struct poly_raw *r)
-{
-    number_in_waves(r);
-
-    int *const waves = r->number;
-    const double in_waves = spread(r);
-
-    r->number = alloc_ints(r->n_cells);
-    for (int c = 0; c < r->n_cells; c++)
-        r->number[c] = c;
-    if (spread(r) <= in_waves) {
-        free(waves);
-        return;
-    }
-    free(r->number);
-    r->number = waves;
-}
-
 /* Sorts the numbers in order by their keys 0 .. n_keys - 1, equal ones as they
  * were. */
 static void sort_by(const int *key, int n_keys, int n, int *order)
@@ -91,7 +74,7 @@ static void sort_by(const int *key, int n_keys, int n, int *order)
 
     memcpy(old, order, (size_t)n * sizeof *order);
     for (int i = 0; i < n; i++)
-        next[key[i] + 1]++;
+        next[key[order[i]] + 1]++;
     for (int k = 0; k < n_keys; k++)
         next[k + 1] += next[k];
     for (int i = 0; i < n; i++)
@@ -103,7 +86,7 @@ static void sort_by(const int *key, int n_keys, int n, int *order)
 enum { FEW = 8 }; /* distances: six links a cell, and some at seams */
 
 /* 1 if almost all faces lie between cells of a few distances. */
-static int has_rows(const int *distance, int n, int n_cells)
+static int are_few(const int *distance, int n, int n_cells)
 {
     int *const count = alloc_ints(n_cells + 1);
     int left = n;
@@ -121,6 +104,99 @@ static int has_rows(const int *distance, int n, int n_cells)
     return left <= n / 16;
 }
 
+static void number_as_filed(struct poly_raw *r)
+{
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = c;
+}
+
+static int has_rows(const struct poly_raw *r)
+{
+    int *const distance = alloc_ints(r->n_inner);
+
+    for (int f = 0; f < r->n_inner; f++)
+        distance[f] = abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
+    const int few = are_few(distance, r->n_inner, r->n_cells);
+    free(distance);
+    return few;
+}
+
+/* Cells by their three integers, those of the longest direction side by side.
+ * 0 if they have none. */
+static int number_in_rows(struct poly_raw *r)
+{
+    int extent[3], by[3] = {0, 1, 2};
+    int *const at = poly_rows_find(r, extent);
+
+    if (at == NULL) return 0;
+    int *const order = alloc_ints(r->n_cells), *const key =
+                                                   alloc_ints(r->n_cells);
+    for (int i = 0; i < 3; i++) /* longest first, else as they come */
+        for (int j = i; j > 0 && extent[by[j]] > extent[by[j - 1]]; j--) {
+            const int k = by[j];
+            by[j] = by[j - 1];
+            by[j - 1] = k;
+        }
+    for (int c = 0; c < r->n_cells; c++)
+        order[c] = c;
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < r->n_cells; c++)
+            key[c] = at[3 * c + by[i]];
+        sort_by(key, extent[by[i]], r->n_cells, order);
+    }
+    r->number = alloc_ints(r->n_cells);
+    for (int i = 0; i < r->n_cells; i++)
+        r->number[order[i]] = i;
+    free(at);
+    free(order);
+    free(key);
+    return 1;
+}
+
+/* If the numbers so far are not wanted, forgets them. */
+static int keep(struct poly_raw *r, int wanted)
+{
+    if (!wanted) {
+        free(r->number);
+        r->number = NULL;
+    }
+    return wanted;
+}
+
+void poly_number_cells(struct poly_raw *r)
+{
+    number_as_filed(r);
+    const double as_filed = spread(r);
+
+    if (keep(r, has_rows(r))) return;
+    if (number_in_rows(r) && keep(r, has_rows(r))) return;
+    number_in_waves(r);
+    if (keep(r, spread(r) < as_filed)) return;
+    number_as_filed(r);
+}
+
+/* The boundary faces, patch after patch, in the order of their cells. */
+int *poly_boundary_order(const struct poly_raw *r)
+{
+    int *const order = alloc_ints(r->n_faces - r->n_inner);
+    int *const key = alloc_ints(r->n_faces);
+    int n = 0;
+
+    for (int f = r->n_inner; f < r->n_faces; f++)
+        key[f] = r->number[r->owner[f]];
+    for (int i = 0; i < r->n_parts; i++) {
+        const struct poly_part *const part = &r->part[i];
+        if (part->lap != 0) continue;
+        for (int j = 0; j < part->n; j++)
+            order[n + j] = part->first + j;
+        sort_by(key, r->n_cells, part->n, order + n);
+        n += part->n;
+    }
+    free(key);
+    return order;
+}
+
 int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
 {
     int *const order = alloc_ints(n);
@@ -128,6 +204,6 @@ int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
     for (int i = 0; i < n; i++)
         order[i] = i;
     sort_by(least, n_cells, n, order);
-    if (has_rows(distance, n, n_cells)) sort_by(distance, n_cells, n, order);
+    if (are_few(distance, n, n_cells)) sort_by(distance, n_cells, n, order);
     return order;
 }
