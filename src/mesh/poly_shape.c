@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* poly_shape.c -- the corners of a mesh, kept for files, pictures and walls. */
-#include "mesh/poly_raw.h"
+#include "mesh/poly_order.h"
 
 #include <stdlib.h>
 
@@ -33,18 +33,6 @@ static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
     free(used);
 }
 
-/* The boundary faces of the mesh are those of the files without the cyclic
- * ones, patch after patch. */
-static void list_boundary(const struct poly_raw *r, struct mesh_shape *s)
-{
-    int n = 0;
-
-    s->boundary = alloc_ints(r->n_faces - r->n_inner);
-    for (int i = 0; i < r->n_parts; i++)
-        for (int j = 0; r->part[i].lap == 0 && j < r->part[i].n; j++)
-            s->boundary[n++] = r->part[i].first + j;
-}
-
 struct mesh_shape *poly_shape_create(struct poly_raw *r)
 {
     struct mesh_shape *const s = alloc_zeroed(1, sizeof *s);
@@ -52,7 +40,7 @@ struct mesh_shape *poly_shape_create(struct poly_raw *r)
     s->n_points = r->n_points;
     s->n_polygons = r->n_faces;
     list_polygons(r, s);
-    list_boundary(r, s);
+    s->boundary = poly_boundary_order(r);
     s->point = r->point;
     s->start = r->start;
     s->corner = r->corner;
