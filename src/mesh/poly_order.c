@@ -83,25 +83,26 @@ static void sort_by(const int *key, int n_keys, int n, int *order)
     free(old);
 }
 
-enum { FEW = 8 }; /* distances: six links a cell, and some at seams */
+enum { ROW = 8 }; /* faces in a row, on average, that are worth it */
 
-/* 1 if almost all faces lie between cells of a few distances. */
-static int are_few(const int *distance, int n, int n_cells)
+/* The order of faces by distance, and of equal ones by the lower cell; or,
+ * where too few of these follow each other, NULL. */
+static int *order_in_rows(int n, int n_cells, const int *least,
+                          const int *distance)
 {
-    int *const count = alloc_ints(n_cells + 1);
-    int left = n;
+    int *const order = alloc_ints(n);
+    int rows = 0;
 
     for (int i = 0; i < n; i++)
-        count[distance[i]]++;
-    for (int k = 0; k < FEW; k++) {
-        int most = 0;
-        for (int d = 1; d < n_cells; d++)
-            if (count[d] > count[most]) most = d;
-        left -= count[most];
-        count[most] = 0;
-    }
-    free(count);
-    return left <= n / 16;
+        order[i] = i;
+    sort_by(least, n_cells, n, order);
+    sort_by(distance, n_cells, n, order);
+    for (int i = 0; i < n; i++)
+        rows += i == 0 || distance[order[i]] != distance[order[i - 1]] ||
+                least[order[i]] != least[order[i - 1]] + 1;
+    if ((long)rows * ROW <= n) return order;
+    free(order);
+    return NULL;
 }
 
 static void number_as_filed(struct poly_raw *r)
@@ -113,13 +114,20 @@ static void number_as_filed(struct poly_raw *r)
 
 static int has_rows(const struct poly_raw *r)
 {
+    int *const least = alloc_ints(r->n_inner);
     int *const distance = alloc_ints(r->n_inner);
 
-    for (int f = 0; f < r->n_inner; f++)
-        distance[f] = abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
-    const int few = are_few(distance, r->n_inner, r->n_cells);
+    for (int f = 0; f < r->n_inner; f++) {
+        const int a = r->number[r->owner[f]], b = r->number[r->neighbour[f]];
+        least[f] = a < b ? a : b;
+        distance[f] = abs(b - a);
+    }
+    int *const order = order_in_rows(r->n_inner, r->n_cells, least, distance);
+    const int found = order != NULL;
+    free(least);
     free(distance);
-    return few;
+    free(order);
+    return found;
 }
 
 /* Cells by their three integers, those of the longest direction side by side.
@@ -154,56 +162,89 @@ static int number_in_rows(struct poly_raw *r)
     return 1;
 }
 
-/* If the numbers so far are not wanted, forgets them. */
-static int keep(struct poly_raw *r, int wanted)
+/* Takes these numbers in place of those so far. */
+static void take(struct poly_raw *r, int *number)
 {
-    if (!wanted) {
-        free(r->number);
-        r->number = NULL;
-    }
-    return wanted;
+    free(r->number);
+    r->number = number;
 }
 
+/* Of two numberings with rows, or of two without, the closer one; the first if
+ * they are equal. */
 void poly_number_cells(struct poly_raw *r)
 {
     number_as_filed(r);
-    const double as_filed = spread(r);
 
-    if (keep(r, has_rows(r))) return;
-    if (number_in_rows(r) && keep(r, has_rows(r))) return;
+    int *const as_filed = r->number;
+    const double far = spread(r);
+    const int rows = has_rows(r);
+
+    r->number = NULL;
+    if (number_in_rows(r)) {
+        const int better = has_rows(r) && (!rows || spread(r) < far);
+        if (better) {
+            free(as_filed);
+            return;
+        }
+    }
+    take(r, as_filed);
+    if (rows) return;
+    r->number = NULL;
     number_in_waves(r);
-    if (keep(r, spread(r) < as_filed)) return;
-    number_as_filed(r);
+    if (spread(r) < far)
+        free(as_filed);
+    else
+        take(r, as_filed);
 }
 
-/* The boundary faces, patch after patch, in the order of their cells. */
+/* Of the faces of a patch, those of cells that have several there come one a
+ * cell, again and again: so that they make rows, too. */
+static void sort_patch(const struct poly_raw *r, int n, int *face, int *key,
+                       int *met)
+{
+    for (int i = 0; i < n; i++)
+        key[face[i]] = r->number[r->owner[face[i]]];
+    sort_by(key, r->n_cells, n, face);
+    for (int i = 0; i < n; i++)
+        key[face[i]] = met[r->owner[face[i]]]++;
+    for (int i = 0; i < n; i++)
+        met[r->owner[face[i]]] = 0;
+
+    int most = 0;
+
+    for (int i = 0; i < n; i++)
+        most = key[face[i]] > most ? key[face[i]] : most;
+    sort_by(key, most + 1, n, face);
+}
+
 int *poly_boundary_order(const struct poly_raw *r)
 {
     int *const order = alloc_ints(r->n_faces - r->n_inner);
-    int *const key = alloc_ints(r->n_faces);
+    int *const key = alloc_ints(r->n_faces), *const met =
+                                                 alloc_ints(r->n_cells);
     int n = 0;
 
-    for (int f = r->n_inner; f < r->n_faces; f++)
-        key[f] = r->number[r->owner[f]];
     for (int i = 0; i < r->n_parts; i++) {
         const struct poly_part *const part = &r->part[i];
         if (part->lap != 0) continue;
         for (int j = 0; j < part->n; j++)
             order[n + j] = part->first + j;
-        sort_by(key, r->n_cells, part->n, order + n);
+        sort_patch(r, part->n, order + n, key, met);
         n += part->n;
     }
     free(key);
+    free(met);
     return order;
 }
 
 int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
 {
-    int *const order = alloc_ints(n);
+    int *order = order_in_rows(n, n_cells, least, distance);
 
+    if (order != NULL) return order;
+    order = alloc_ints(n);
     for (int i = 0; i < n; i++)
         order[i] = i;
     sort_by(least, n_cells, n, order);
-    if (are_few(distance, n, n_cells)) sort_by(distance, n_cells, n, order);
     return order;
 }
