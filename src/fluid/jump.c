@@ -30,8 +30,10 @@
  *   j = rho (phi / A) q (1 / eps_O - 1 / eps_N)
  *   q = w eps_O u_O + (1 - w) eps_N u_N
  *
- * and it leans upstream by the share 2 |eps_O - eps_N| / (eps_O + eps_N), which
- * where eps is smooth is of the order of a cell, and the error of the second.
+ * and what is left of the difference across the face is carried upstream's way,
+ * by the part 2 |eps_O - eps_N| / (eps_O + eps_N), which where eps is smooth is
+ * of the order of a cell, and the error of the second. Bernoulli's pressure
+ * stays; waves of a purely central scheme still ring, but come to an end.
  */
 #include "fluid/piso.h"
 
@@ -48,7 +50,9 @@ void jump_lean(int first, int last, struct fluid *fl)
     for (int f = first; f < last; f++) {
         const double a = fl->eps[m->owner[f]], b = fl->eps[m->neighbour[f]];
         const double lean = fmin(1.0, 2.0 * fabs(a - b) / (a + b));
-        share[f] += lean * ((carry[f] >= 0.0 ? 1.0 : 0.0) - share[f]);
+        fl->piso->upstream[f] =
+            lean * ((carry[f] >= 0.0 ? 1.0 : 0.0) - share[f]);
+        share[f] += fl->piso->upstream[f];
     }
 }
 
@@ -56,7 +60,7 @@ void jump_lean(int first, int last, struct fluid *fl)
 FACE_LOOP parts_by_cells(int f, int o, int n, const struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
-    const double s = ps->share[f], w = fl->mesh->w[f];
+    const double s = ps->share[f] - ps->upstream[f], w = fl->mesh->w[f];
     const double *const S = &fl->mesh->S[3 * f];
     const double *const u = &fl->u[3 * o], *const v = &fl->u[3 * n];
     const double q =
@@ -120,10 +124,28 @@ static void inertia_rows(int first, int last, const struct fluid *fl)
         }
 }
 
+/* The jump itself stays where the scheme had it: what leaning took from the
+ * neighbour is put back. */
+static void put_back(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+
+    for (int f = 0; f < m->n_internal; f++) {
+        const double j = ps->jump_owner[f] + ps->jump_neighbour[f];
+        for (int k = 0; k < 3; k++) {
+            const double force = ps->upstream[f] * j * m->S[3 * f + k];
+            ps->b[3 * m->owner[f] + k] += force;
+            ps->b[3 * m->neighbour[f] + k] -= force;
+        }
+    }
+}
+
 void jump_update(struct fluid *fl)
 {
     STRIPS_RUN(fl->mesh->n_internal, 8, face_parts, fl);
     STRIPS_RUN(fl->mesh->n_cells, 12, inertia_rows, fl);
+    if (piso_rings(fl)) put_back(fl);
 }
 
 static void rest_rows(int first, int last, struct fluid *fl)

@@ -89,6 +89,7 @@ static void create_further(struct piso *ps, const struct fluid *fl)
         ps->storage_older = alloc_doubles(m->n_cells);
         ps->u_known = alloc_doubles(3 * m->n_cells);
     }
+    if (piso_rings(fl)) ps->upstream = alloc_doubles(m->n_internal);
     if (piso_rings(fl) && fl->options.pressure_shared)
         ps->rest = alloc_doubles(3 * m->n_cells);
     if (deferred_exists(fl)) {
@@ -162,6 +163,7 @@ void piso_free(struct piso *ps)
     free(ps->per_force);
     free(ps->resistance);
     free(ps->rest);
+    free(ps->upstream);
     free(ps->per_flux);
     free(ps->SS);
     free(ps->Sd);

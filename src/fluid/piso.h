@@ -36,6 +36,7 @@ struct piso {
     double *jump_owner;   /* [Pa] inertia at a face where eps jumps: what the */
     double *jump_neighbour; /* [Pa] cells on either side have of it */
     double *share;          /* [-] of the owner in the carried velocity */
+    double *upstream;       /* [-] by how much it leans upstream; or NULL */
     double *inertia;        /* [N] what the jumps put on a cell, 3 each */
     double *bend, *lean;    /* [Pa], [Pa s/m^3] p_f beside the linear mean: by
                                drag and inertia, and for each m^3/s */
