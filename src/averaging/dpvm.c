@@ -10,15 +10,15 @@
 #include "averaging/shares.h"
 #include "base/alloc.h"
 
+struct dpvm;
+
 /* The body, for boxes and for other cells. */
 struct body {
-    double (*overlap)(double R, const double lo[3], const double hi[3]);
+    void (*divide)(const struct dpvm *d, const struct around *near,
+                   const double o[3], double R, double *w);
     enum facets_body kind;
     double corner; /* [-] of R: its farthest point */
 };
-
-static const struct body sphere = {overlap_sphere, FACETS_SPHERE, 1.0};
-static const struct body cube = {overlap_cube, FACETS_CUBE, M_SQRT3};
 
 struct dpvm {
     const struct hosts *h; /* borrowed */
@@ -38,6 +38,59 @@ static int is_within(const double o[3], double R, const double half[3])
            fabs(o[2]) + R <= half[2];
 }
 
+/* The ends of entry e as the centre of particle i sees them. */
+static void ends_of(const struct dpvm *d, const struct around *near, int e,
+                    const double o[3], double lo[3], double hi[3])
+{
+    const double *const half = &d->half[3 * (near->host + near->step[e])];
+    const double at[3] = {near->dx[e] - o[0], near->dy[e] - o[1],
+                          near->dz[e] - o[2]};
+
+    for (int k = 0; k < 3; k++) {
+        lo[k] = at[k] - half[k];
+        hi[k] = at[k] + half[k];
+    }
+}
+
+static int reaches(double R, const double lo[3], const double hi[3])
+{
+    return lo[0] < R && hi[0] > -R && lo[1] < R && hi[1] > -R && lo[2] < R &&
+           hi[2] > -R;
+}
+
+/* The volumes that the entries have of the sphere; in very small cells each for
+ * itself. */
+static void divide_sphere(const struct dpvm *d, const struct around *near,
+                          const double o[3], double R, double *w)
+{
+    struct overlap_grid g;
+    double lo[3], hi[3];
+    int few = 1;
+
+    overlap_grid_start(&g, R);
+    for (int e = 0; e < near->n && few; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        if (reaches(R, lo, hi)) few = overlap_grid_add(&g, lo, hi);
+    }
+    if (few) overlap_grid_prepare(&g);
+    for (int e = 0; e < near->n; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = !reaches(R, lo, hi) ? 0.0
+               : few               ? overlap_grid_cell(&g, lo, hi)
+                                   : overlap_sphere(R, lo, hi);
+    }
+}
+
+static void divide_cube(const struct dpvm *d, const struct around *near,
+                        const double o[3], double R, double *w)
+{
+    for (int e = 0; e < near->n; e++) {
+        double lo[3], hi[3];
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = overlap_cube(R, lo, hi);
+    }
+}
+
 /* In boxes. */
 static int dpvm_weights(const void *state, int i, const struct around *near,
                         double *w)
@@ -47,15 +100,9 @@ static int dpvm_weights(const void *state, int i, const struct around *near,
     double sum = 0.0;
 
     if (is_within(o, R, &d->half[3 * near->host])) return 0;
-    for (int e = 0; e < near->n; e++) {
-        const double *const half = &d->half[3 * (near->host + near->step[e])];
-        const double x = near->dx[e] - o[0], y = near->dy[e] - o[1],
-                     z = near->dz[e] - o[2];
-        const double lo[3] = {x - half[0], y - half[1], z - half[2]};
-        const double hi[3] = {x + half[0], y + half[1], z + half[2]};
-        w[e] = d->body.overlap(R, lo, hi);
+    d->body.divide(d, near, o, R, w);
+    for (int e = 0; e < near->n; e++)
         sum += w[e];
-    }
     for (int e = 0; e < near->n; e++)
         w[e] /= sum; /* not 0: the centre is in the host */
     return 1;
@@ -83,6 +130,9 @@ static int dpvm_weights_anywhere(const void *state, int i,
         w[e] /= sum;
     return 1;
 }
+
+static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
+static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 
 /* Of the largest body [m]. */
 static double reach(const struct dpvm *d)

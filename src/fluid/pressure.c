@@ -205,22 +205,37 @@ static void add_rest_of_jumps(int first, int last, struct fluid *fl)
         fl->phi[f] += fl->piso->conductance[f] * jump_of_rest(fl, f);
 }
 
-/* The part of grad p . S that an oblique link does not see, from the last
- * gradient, linear between the cells. */
+/* The gradient of p that the momentum of a cell asks for now [Pa/m], given the
+ * velocities of its neighbours. */
+static void slope_asked(const struct fluid *fl, int c, double slope[3])
+{
+    const struct piso *const ps = fl->piso;
+
+    for (int k = 0; k < 3; k++) {
+        const int i = 3 * c + k;
+        slope[k] = (ps->H[i] + ps->past[i] - ps->diag[c] * fl->u[i]) *
+                       ps->per_force[c] -
+                   fl->mean_gradient[k];
+    }
+}
+
+/* The part of grad p . S that an oblique link does not see, linear between the
+ * cells. With the gradient of the last correction, where viscosity ties cells
+ * closely, correctors would grow from a shear of 1/sqrt(8) on: their factor
+ * solves x^2 + 2 r x - r = 0, r the share of the oblique part. With the one
+ * that momentum asks for it is -r. */
 static void add_oblique(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const G = fl->mean_gradient;
 
     for (int f = first; f < last; f++) {
-        const double *const a = &fl->grad_p[3 * m->owner[f]];
-        const double *const b = &fl->grad_p[3 * m->neighbour[f]];
         const double w = m->w[f];
-        double rest[3], slope[3];
+        double rest[3], a[3], b[3];
         mesh_oblique_part(m, f, rest);
-        for (int k = 0; k < 3; k++)
-            slope[k] = w * a[k] + (1.0 - w) * b[k] - G[k];
-        fl->phi[f] -= fl->piso->m_face[f] * dot3(slope, rest);
+        slope_asked(fl, m->owner[f], a);
+        slope_asked(fl, m->neighbour[f], b);
+        fl->phi[f] -= fl->piso->m_face[f] *
+                      (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
     }
 }
 
