@@ -130,11 +130,10 @@ static void set_stream(struct fluid *fl)
     fluid_settle_eps(fl);
 }
 
-/* A bed with arbitrary eps and drag, on graded cells, in a part of the column or
- * up to its outlet, both shares of the pressure, both schemes: the stream stays
- * as it is. The solver and the
- * splitting leave 1e-9; without the step by inertia u is wrong by a
- * hundredth and more. */
+/* A bed with arbitrary eps and drag, on graded cells, in a part of the column
+ * or up to its outlet, both shares of the pressure, both schemes: the stream
+ * stays as it is. The solver and the splitting leave 1e-9; without the step by
+ * inertia u is wrong by a hundredth and more. */
 START_TEST(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact)
 {
     struct boundary b[6];
