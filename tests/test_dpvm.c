@@ -8,12 +8,14 @@
 #include "averaging/averaging.h"
 #include "base/alloc.h"
 #include "cloud.h"
+#include "mesh/poly.h"
+#include "warped.h"
 
 /* One amount of 1 for each particle, averaged; field times volume. */
 static void shares_of(const char *method, const struct mesh *m,
                       const struct particles *ps, double *share)
 {
-    const struct averaging_options o = {.cap = 0.0};
+    const struct averaging_options o = {.bandwidth = 0.17};
     struct averaging *const a =
         averaging_create(averaging_method_named(method), m, ps, &o);
     double *const q = alloc_doubles(ps->n);
@@ -131,6 +133,88 @@ START_TEST(the_share_of_a_region_does_not_depend_on_the_cells_in_it)
 }
 END_TEST
 
+/* A box from points and faces is cut by other code than a box, and the shares
+ * are the same: of bodies smaller and larger than cells, at walls, in corners,
+ * round periods that are one cell wide or more. */
+START_TEST(a_box_from_files_divides_as_a_box)
+{
+    static const char *const methods[] = {"dpvm", "cube", "two-grid"};
+    const struct box_spec *const spec = &cloud_shapes[_i % CLOUD_SHAPES];
+    const char *const method = methods[_i / CLOUD_SHAPES];
+    struct mesh *const box = mesh_create_box(spec);
+    struct mesh *const m =
+        mesh_create_sheared(spec, (const double[3]){0.0, 0.0, 0.0});
+    struct particles *const ps = cloud_create(box, 100);
+    double *const a = alloc_doubles(box->n_cells);
+    double *const b = alloc_doubles(box->n_cells);
+    double worst = 0.0;
+
+    for (int i = 0; i < ps->n; i++) {
+        ps->d[i] *= 0.5 * (1 + i % 30);
+        if (_i < 2 * CLOUD_SHAPES) continue;
+        /* the second grid asks where the centre is, and on its edges rounding
+         * may say */
+        ps->x[i] += 0.01 * (spec->size[0] - 1.7 * ps->x[i]);
+        ps->y[i] += 0.01 * (spec->size[1] - 1.7 * ps->y[i]);
+        ps->z[i] += 0.01 * (spec->size[2] - 1.7 * ps->z[i]);
+    }
+    shares_of(method, box, ps, a);
+    shares_of(method, m, ps, b);
+    for (int c = 0; c < m->n_cells; c++) {
+        const double *const x = &m->centre[3 * c];
+        const int at = mesh_cell_at(box, x[0], x[1], x[2]);
+        worst = fmax(worst, fabs(b[c] - a[at]));
+    }
+    ck_assert_double_lt(worst, 1e-12);
+    free(a);
+    free(b);
+    particles_free(ps);
+    mesh_free(m);
+    mesh_free(box);
+}
+END_TEST
+
+/* Of points in a sphere, one in each of 80^3 small boxes, a cell gets as many
+ * as its share says: those who look for the cell of a point and those who cut
+ * the sphere do not know of each other. A bent face is a mean plane to the
+ * former. Then cells of many faces, and a period, each at a wall. */
+START_TEST(the_share_of_a_cell_is_that_of_the_points_in_the_sphere)
+{
+    enum { N = 80 };
+    struct mesh *const m = _i == 0   ? warped()
+                           : _i == 1 ? poly_read("tests/data/poly/dual")
+                                     : poly_read("tests/data/poly/cyclic");
+    struct particles *const ps = particles_create(1);
+    double *const share = alloc_doubles(m->n_cells);
+    double *const points = alloc_doubles(m->n_cells);
+    const double d = 0.35, at[3] = {_i == 2 ? 0.05 : 0.6, 0.45, 0.15};
+    uint64_t state = 4;
+    int all = 0;
+
+    cloud_place(ps, at[0], at[1], at[2], d);
+    shares_of("dpvm", m, ps, share);
+    for (int i = 0; i < N * N * N; i++) {
+        const double x = (i % N + cloud_random(&state)) / N - 0.5;
+        const double y = (i / N % N + cloud_random(&state)) / N - 0.5;
+        const double z = (i / N / N + cloud_random(&state)) / N - 0.5;
+        if (x * x + y * y + z * z > 0.25) continue;
+        const int c =
+            mesh_cell_at(m, at[0] + d * x, at[1] + d * y, at[2] + d * z);
+        if (c < 0) continue; /* beyond a wall */
+        points[c] += 1.0;
+        all++;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq_tol(points[c] / all, share[c],
+                                _i == 0 ? 5e-3 : 1e-3);
+    ck_assert_int_gt(all, 180000);
+    free(share);
+    free(points);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("dpvm");
@@ -142,6 +226,10 @@ int main(void)
     tcase_add_test(t, divided_no_cell_gets_more_than_it_has_room_for);
     tcase_add_loop_test(
         t, the_share_of_a_region_does_not_depend_on_the_cells_in_it, 0, 2);
+    tcase_add_loop_test(t, a_box_from_files_divides_as_a_box, 0,
+                        3 * CLOUD_SHAPES);
+    tcase_add_loop_test(
+        t, the_share_of_a_cell_is_that_of_the_points_in_the_sphere, 0, 3);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -112,6 +112,46 @@ START_TEST(the_parts_of_a_ball_in_boxes_add_up_to_it)
 }
 END_TEST
 
+/* A ball cut by all cells at once is that cut by each: cells of random widths,
+ * wholly inside, beside, across; planes found by two sums that round. More
+ * planes than there is room for are refused. */
+START_TEST(corners_that_cells_share_are_found_once)
+{
+    struct overlap_grid g;
+    double edge[3][9];
+    uint64_t state = 30 + (uint64_t)_i;
+
+    for (int k = 0; k < 3; k++)
+        for (int e = 0; e < 9; e++)
+            edge[k][e] =
+                e == 0 ? -3.0
+                       : edge[k][e - 1] + (e == 8 ? 3.0 : cloud_random(&state));
+    for (int pass = 0; pass < 2; pass++) {
+        if (pass == 0) overlap_grid_start(&g, 1.2);
+        for (int e = 0; e < 512; e++) {
+            const int at[3] = {e % 8, e / 8 % 8, e / 64};
+            double lo[3], hi[3];
+            for (int k = 0; k < 3; k++) {
+                lo[k] = edge[k][at[k]] * (1.0 + 1e-15);
+                hi[k] = edge[k][at[k] + 1];
+            }
+            if (pass == 0)
+                ck_assert_int_eq(overlap_grid_add(&g, lo, hi), 1);
+            else
+                ck_assert_double_eq_tol(overlap_grid_cell(&g, lo, hi),
+                                        overlap_sphere(1.2, lo, hi), 1e-14);
+        }
+        if (pass == 0) overlap_grid_prepare(&g);
+    }
+    overlap_grid_start(&g, 1.0);
+    for (int i = 0; i <= OVERLAP_PLANES; i++) {
+        const double x = -0.9 + 0.1 * i;
+        const double lo[3] = {x, -2.0, -2.0}, hi[3] = {2.0, 2.0, 2.0};
+        ck_assert_int_eq(overlap_grid_add(&g, lo, hi), i < OVERLAP_PLANES);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("overlap");
@@ -123,6 +163,7 @@ int main(void)
     tcase_add_loop_test(t, the_closed_form_is_the_integral, 0, 8);
     tcase_add_test(t, the_axes_are_alike);
     tcase_add_loop_test(t, the_parts_of_a_ball_in_boxes_add_up_to_it, 0, 24);
+    tcase_add_loop_test(t, corners_that_cells_share_are_found_once, 0, 8);
     SRunner *const r = srunner_create(s);
     srunner_set_fork_status(r, CK_NOFORK);
     srunner_run_all(r, CK_NORMAL);

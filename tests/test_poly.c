@@ -12,6 +12,7 @@
 
 #include "capture.h"
 #include "cloud.h"
+#include "warped.h"
 
 static const char *const all[] = {"box", "sheared", "shuffled", "dual",
                                   "cyclic"};
@@ -110,18 +111,57 @@ START_TEST(every_mesh_is_closed_and_in_order)
 }
 END_TEST
 
-/* However the cells were numbered: neighbours come close. 36 of 72 cells stand
- * between two layers; at random it would be some 70. */
-START_TEST(shuffled_cells_are_put_in_order)
+/* Hexahedra, 6 x 6 x 2 of them, bent and numbered at random: they stand in rows
+ * again, with one distance a direction. */
+START_TEST(shuffled_hexahedra_are_put_in_rows)
 {
     struct mesh *const m = mesh_of("shuffled");
-    int widest = 0;
+    int between[73] = {0};
     for (int f = 0; f < m->n_internal; f++)
-        widest = m->neighbour[f] - m->owner[f] > widest
-                     ? m->neighbour[f] - m->owner[f]
-                     : widest;
-    ck_assert_int_lt(widest, 30);
+        between[m->neighbour[f] - m->owner[f]]++;
+    ck_assert_int_eq(between[1], 5 * 6 * 2);
+    ck_assert_int_eq(between[6], 6 * 5 * 2);
+    ck_assert_int_eq(between[36], 6 * 6 * 1);
+    for (int i = 0; i < m->n_patches; i++) /* one face a cell in each */
+        for (int j = 1; j < m->patches[i].n; j++) {
+            const int *const cell = &m->owner[m->patches[i].first];
+            ck_assert_int_lt(cell[j - 1], cell[j]);
+        }
     mesh_free(m);
+}
+END_TEST
+
+static int widest(const struct mesh *m)
+{
+    int most = 0;
+    for (int f = 0; f < m->n_internal; f++)
+        most = m->neighbour[f] - m->owner[f] > most
+                   ? m->neighbour[f] - m->owner[f]
+                   : most;
+    return most;
+}
+
+/* Polyhedra have no rows. With their numbers multiplied, modulo how many there
+ * are, any two may touch; in waves they come as close as they were. */
+START_TEST(shuffled_polyhedra_are_put_in_waves)
+{
+    struct mesh *const filed = mesh_of("dual");
+    char command[256];
+    snprintf(command, sizeof command,
+             "mkdir -p build/poly-waves && cd build/poly-waves && "
+             "for f in ../../tests/data/poly/dual/*; do awk '/^[0-9]+$/ && "
+             "FILENAME ~ /owner|neighbour/ && begun++ { print $1 * 11 %% %d; "
+             "next } { print }' $f >${f##*/}; done",
+             filed->n_cells);
+    ck_assert_int_eq(filed->n_cells % 11 == 0, 0);
+    ck_assert_int_eq(system(command), 0);
+    struct mesh *const m = poly_read("build/poly-waves");
+    ck_assert_ptr_nonnull(m);
+    ck_assert_int_eq(m->n_internal, filed->n_internal);
+    ck_assert_int_le(widest(m), 3 * widest(filed) / 2);
+    ck_assert_int_lt(widest(m), m->n_cells / 2);
+    mesh_free(m);
+    mesh_free(filed);
 }
 END_TEST
 
@@ -171,28 +211,6 @@ START_TEST(a_period_more_is_the_same_point)
     mesh_free(m);
 }
 END_TEST
-
-/* A box whose inner points are moved at random by up to a quarter of a cell:
- * most faces are warped. */
-static struct mesh *warped(void)
-{
-    struct poly_raw r = {0};
-    uint64_t state = 5;
-
-    ck_assert_int_eq(poly_raw_read(&r, "tests/data/poly/sheared"), 0);
-    for (int i = 0; i < r.n_points; i++) {
-        double *const x = &r.point[3 * i];
-        const double along = x[0] - 0.4 * x[1];
-        const int inner = along > 1e-6 && along < 1.0 - 1e-6 && x[1] > 1e-6 &&
-                          x[1] < 1.0 - 1e-6 && x[2] > 1e-6 && x[2] < 0.5 - 1e-6;
-        for (int k = 0; k < 3 && inner; k++)
-            x[k] += 0.11 * (cloud_random(&state) - 0.5);
-    }
-    struct mesh *const m = poly_build(&r, "warped");
-    ck_assert_ptr_nonnull(m);
-    poly_raw_release(&r);
-    return m;
-}
 
 /* How many cells have the point behind all their faces, and the last one. */
 static int holders(const struct mesh *m, const double x[3], int *last)
@@ -430,7 +448,8 @@ int main(void)
     tcase_set_timeout(t, 60.0);
     tcase_add_test(t, a_block_is_our_box);
     tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
-    tcase_add_test(t, shuffled_cells_are_put_in_order);
+    tcase_add_test(t, shuffled_hexahedra_are_put_in_rows);
+    tcase_add_test(t, shuffled_polyhedra_are_put_in_waves);
     tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
     tcase_add_test(t, a_period_more_is_the_same_point);
     tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);

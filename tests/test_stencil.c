@@ -3,8 +3,12 @@
 
 #include <check.h>
 #include <math.h>
+#include <stdlib.h>
 
+#include "base/alloc.h"
 #include "cloud.h"
+#include "mesh/poly.h"
+#include "warped.h"
 
 /* Distance along k from the host's cell (its interval) to x. */
 static double beyond(const struct mesh *m, int k, int at, double x)
@@ -99,6 +103,40 @@ START_TEST(hosts_that_look_alike_share_a_stencil)
 }
 END_TEST
 
+/* 1 if cell c has point p for a corner. */
+static int has_corner(const struct mesh_shape *s, int c, int p)
+{
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
+        for (int a = s->start[s->polygon[i]]; a < s->start[s->polygon[i] + 1];
+             a++)
+            if (s->corner[a] == p) return 1;
+    return 0;
+}
+
+/* Oblique, bent or of many faces: a body at a corner, however small, is in all
+ * cells that have it, so they must be near each other for the smallest b. */
+START_TEST(cells_that_share_a_corner_are_near)
+{
+    struct mesh *const m = _i == 0   ? poly_read("tests/data/poly/sheared")
+                           : _i == 1 ? poly_read("tests/data/poly/dual")
+                                     : warped();
+    struct stencil *const near = stencil_create(m, 1e-6, STENCIL_TO_CELL);
+    int *const listed = alloc_ints(m->n_cells);
+
+    for (int c = 0; c < m->n_cells; c++) {
+        const int shape = near->shape[c];
+        for (int e = near->start[shape]; e < near->start[shape + 1]; e++)
+            listed[c + near->step[e]] = c + 1;
+        for (int p = 0; p < m->shape->n_points; p++)
+            for (int b = 0; b < m->n_cells && has_corner(m->shape, c, p); b++)
+                ck_assert(!has_corner(m->shape, b, p) || listed[b] == c + 1);
+    }
+    free(listed);
+    stencil_free(near);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("stencil");
@@ -109,6 +147,7 @@ int main(void)
                         a_stencil_holds_the_cells_near_its_host_and_no_others,
                         0, 4 * CLOUD_SHAPES);
     tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
+    tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

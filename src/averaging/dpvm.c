@@ -1,21 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/dpvm.h"
 
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
+#include "averaging/facets.h"
 #include "averaging/overlap.h"
 #include "averaging/shares.h"
 #include "base/alloc.h"
 
+struct dpvm;
+
+/* The body, for boxes and for other cells. */
+struct body {
+    void (*divide)(const struct dpvm *d, const struct around *near,
+                   const double o[3], double R, double *w);
+    enum facets_body kind;
+    double corner; /* [-] of R: its farthest point */
+};
+
 struct dpvm {
     const struct hosts *h; /* borrowed */
     struct shares *shares;
-    double *half; /* [m] half extents of the cells, 3; infinite where a period
-                     is one cell wide, which then has all of the body */
-    double (*overlap)(double R, const double lo[3], const double hi[3]);
-    double corner; /* [-] of R: the farthest point of the body */
+    struct body body;
+    double
+        *half; /* [m] of a box: half extents of the cells, 3; infinite where
+                  a period is one cell wide, which then has all of the body */
+    struct facets *facets; /* of another mesh */
 };
 
 /* 1 if the body is wholly within its host, as most are where cells are large.
@@ -26,6 +38,60 @@ static int is_within(const double o[3], double R, const double half[3])
            fabs(o[2]) + R <= half[2];
 }
 
+/* The ends of entry e as the centre of particle i sees them. */
+static void ends_of(const struct dpvm *d, const struct around *near, int e,
+                    const double o[3], double lo[3], double hi[3])
+{
+    const double *const half = &d->half[3 * (near->host + near->step[e])];
+    const double at[3] = {near->dx[e] - o[0], near->dy[e] - o[1],
+                          near->dz[e] - o[2]};
+
+    for (int k = 0; k < 3; k++) {
+        lo[k] = at[k] - half[k];
+        hi[k] = at[k] + half[k];
+    }
+}
+
+static int reaches(double R, const double lo[3], const double hi[3])
+{
+    return lo[0] < R && hi[0] > -R && lo[1] < R && hi[1] > -R && lo[2] < R &&
+           hi[2] > -R;
+}
+
+/* The volumes that the entries have of the sphere; in very small cells each for
+ * itself. */
+static void divide_sphere(const struct dpvm *d, const struct around *near,
+                          const double o[3], double R, double *w)
+{
+    struct overlap_grid g;
+    double lo[3], hi[3];
+    int few = 1;
+
+    overlap_grid_start(&g, R);
+    for (int e = 0; e < near->n && few; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        if (reaches(R, lo, hi)) few = overlap_grid_add(&g, lo, hi);
+    }
+    if (few) overlap_grid_prepare(&g);
+    for (int e = 0; e < near->n; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = !reaches(R, lo, hi) ? 0.0
+               : few               ? overlap_grid_cell(&g, lo, hi)
+                                   : overlap_sphere(R, lo, hi);
+    }
+}
+
+static void divide_cube(const struct dpvm *d, const struct around *near,
+                        const double o[3], double R, double *w)
+{
+    for (int e = 0; e < near->n; e++) {
+        double lo[3], hi[3];
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = overlap_cube(R, lo, hi);
+    }
+}
+
+/* In boxes. */
 static int dpvm_weights(const void *state, int i, const struct around *near,
                         double *w)
 {
@@ -34,19 +100,39 @@ static int dpvm_weights(const void *state, int i, const struct around *near,
     double sum = 0.0;
 
     if (is_within(o, R, &d->half[3 * near->host])) return 0;
-    for (int e = 0; e < near->n; e++) {
-        const double *const half = &d->half[3 * (near->host + near->step[e])];
-        const double x = near->dx[e] - o[0], y = near->dy[e] - o[1],
-                     z = near->dz[e] - o[2];
-        const double lo[3] = {x - half[0], y - half[1], z - half[2]};
-        const double hi[3] = {x + half[0], y + half[1], z + half[2]};
-        w[e] = d->overlap(R, lo, hi);
+    d->body.divide(d, near, o, R, w);
+    for (int e = 0; e < near->n; e++)
         sum += w[e];
-    }
     for (int e = 0; e < near->n; e++)
         w[e] /= sum; /* not 0: the centre is in the host */
     return 1;
 }
+
+/* In cells of any shape. A centre beyond a bent wall, by less than it is bent,
+ * can have all of its body there; its host then takes it. */
+static int dpvm_weights_anywhere(const void *state, int i,
+                                 const struct around *near, double *w)
+{
+    const struct dpvm *const d = state;
+    const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
+    double sum = 0.0;
+
+    if (facets_hold(d->facets, d->body.kind, near->host, o, R)) return 0;
+    for (int e = 0; e < near->n; e++) {
+        const double from[3] = {o[0] - near->dx[e], o[1] - near->dy[e],
+                                o[2] - near->dz[e]};
+        w[e] = facets_overlap(d->facets, d->body.kind,
+                              near->host + near->step[e], from, R);
+        sum += w[e];
+    }
+    if (!(sum > 0.0)) return 0;
+    for (int e = 0; e < near->n; e++)
+        w[e] /= sum;
+    return 1;
+}
+
+static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
+static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 
 /* Of the largest body [m]. */
 static double reach(const struct dpvm *d)
@@ -56,39 +142,48 @@ static double reach(const struct dpvm *d)
 
     for (int i = 0; i < ps->n; i++)
         R = fmax(R, 0.5 * ps->d[i]);
-    return d->corner * R;
+    return d->body.corner * R;
+}
+
+static void find_halves(struct dpvm *d)
+{
+    const struct mesh *const m = d->h->mesh;
+
+    d->half = stencil_extents(m);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int k = 0; k < 3; k++)
+            if (m->box.periodic[k] && m->box.n[k] == 1)
+                d->half[3 * c + k] = INFINITY;
 }
 
 static void *create(const struct hosts *h, const struct averaging_options *o,
-                    double (*overlap)(double, const double *, const double *),
-                    double corner)
+                    struct body body)
 {
-    const struct box *const box = &h->mesh->box;
+    const int is_box = h->mesh->shape == NULL;
     struct dpvm *const d = alloc_zeroed(1, sizeof *d);
+    const struct shares_rule rule = {
+        is_box ? dpvm_weights : dpvm_weights_anywhere, d, 1};
 
     d->h = h;
-    d->overlap = overlap;
-    d->corner = corner;
-    d->half = stencil_extents(h->mesh);
-    for (int c = 0; c < h->mesh->n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            if (box->periodic[k] && box->n[k] == 1)
-                d->half[3 * c + k] = INFINITY;
-    d->shares = shares_create(h, reach(d), STENCIL_TO_CELL, o->fields,
-                              (struct shares_rule){dpvm_weights, d, 1});
+    d->body = body;
+    if (is_box)
+        find_halves(d);
+    else
+        d->facets = facets_create(h->mesh);
+    d->shares = shares_create(h, reach(d), STENCIL_TO_CELL, o->fields, rule);
     return d;
 }
 
 static void *dpvm_create(const struct hosts *h,
                          const struct averaging_options *o)
 {
-    return create(h, o, overlap_sphere, 1.0);
+    return create(h, o, sphere);
 }
 
 static void *cube_create(const struct hosts *h,
                          const struct averaging_options *o)
 {
-    return create(h, o, overlap_cube, sqrt(3.0));
+    return create(h, o, cube);
 }
 
 static void dpvm_free(void *state)
@@ -96,6 +191,7 @@ static void dpvm_free(void *state)
     struct dpvm *const d = state;
 
     shares_free(d->shares);
+    facets_free(d->facets);
     free(d->half);
     free(d);
 }

@@ -8,10 +8,9 @@
  * cube  the body is the cube around the sphere [EW18 section 2.4]: cheaper,
  *       and a little smoother.
  *
- * Exact for boxes, graded or periodic, also where cells are smaller than the
- * particle. A cell of another shape would count as the box of its extents: the
- * division by the sum would still lose nothing. What of a body lies beyond a
- * wall is shared out like the rest.
+ * Exact for cells of any shape, also where they are smaller than the particle:
+ * overlap.h for boxes, graded or periodic, facets.h for all others. What of a
+ * body lies beyond a wall is shared out like the rest.
  */
 #ifndef DPVM_H
 #define DPVM_H

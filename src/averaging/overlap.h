@@ -14,6 +14,28 @@ double overlap_octant(double a, double b, double c);
  * to the origin. The ends of a box may be infinite. */
 double overlap_sphere(double R, const double lo[3], const double hi[3]);
 
+/* The cells of one mesh of boxes have their corners in common. What an octant
+ * that begins at a corner has of the ball is found once here, not for each of
+ * the eight cells around it. */
+enum { OVERLAP_PLANES = 16 };
+struct overlap_grid {
+    double R;                            /* [m] */
+    int n[3];                            /* [-] planes that cut the ball */
+    double plane[3][OVERLAP_PLANES + 1]; /* [-] of R; from 1 on, ascending */
+    double octant[OVERLAP_PLANES + 2][OVERLAP_PLANES + 2]
+                 [OVERLAP_PLANES + 2]; /* [-] */
+};
+
+/* First each cell that the ball may touch is added, then all is prepared, then
+ * each cell can be asked for [m^3]. overlap_grid_add returns 0 if there are too
+ * many planes. */
+void overlap_grid_start(struct overlap_grid *g, double R);
+int overlap_grid_add(struct overlap_grid *g, const double lo[3],
+                     const double hi[3]);
+void overlap_grid_prepare(struct overlap_grid *g);
+double overlap_grid_cell(const struct overlap_grid *g, const double lo[3],
+                         const double hi[3]);
+
 /* The same with the cube of edge 2 R around the origin in the place of the
  * sphere [EW18 section 2.4]. */
 double overlap_cube(double R, const double lo[3], const double hi[3]);

@@ -61,67 +61,55 @@ static struct around around_host(const struct shares *s, int c)
                            &near->dz[first]};
 }
 
-/* Adds the weighted amounts q of one particle to the n cells around its host,
- * whose sums begin at `host`. */
-static inline void add_loop(int m, int n, const int *restrict step,
-                            const double *restrict w, const double *restrict q,
-                            double *host)
-{
-    for (int e = 0; e < n; e++) {
-        double *restrict const to = &host[m * step[e]];
-#pragma omp simd
-        for (int j = 0; j < m; j++)
-            to[j] += w[e] * q[j];
-    }
-}
+/* The weights of one particle and where they go. */
+struct list {
+    int n;
+    const int *step;
+    const double *w;
+};
 
-/* q = the weighted sum of the fields around the host. */
-static inline void take_loop(int m, int n, const int *restrict step,
-                             const double *restrict w, const double *host,
-                             double *restrict q)
+enum way { SPREAD, GATHER };
+
+/* Spread: adds the weighted amounts `from` of one particle to the cells around
+ * its host, whose sums begin at `to`. Gather: `to` the particle is the weighted
+ * sum of the fields around the host, which begin at `from`. */
+static inline void share_loop(enum way way, int m, const struct list *l,
+                              const double *restrict from, double *restrict to)
 {
+    if (way == SPREAD) {
+        for (int e = 0; e < l->n; e++)
+#pragma omp simd
+            for (int j = 0; j < m; j++)
+                to[m * l->step[e] + j] += l->w[e] * from[j];
+        return;
+    }
     for (int j = 0; j < m; j++)
-        q[j] = 0.0;
-    for (int e = 0; e < n; e++)
+        to[j] = 0.0;
+    for (int e = 0; e < l->n; e++)
         for (int j = 0; j < m; j++)
-            q[j] += w[e] * host[m * step[e] + j];
+            to[j] += l->w[e] * from[m * l->step[e] + j];
 }
 
 /* Loops of known length for the frequent numbers of fields: up to twice as
  * fast. */
-static void add_weighted(int m, int n, const int *step, const double *w,
-                         const double *q, double *host)
+static void share_one(enum way way, int m, const struct list *l,
+                      const double *from, double *to)
 {
     switch (m) {
     case 3:
-        add_loop(3, n, step, w, q, host);
+        share_loop(way, 3, l, from, to);
         break;
     case 4:
-        add_loop(4, n, step, w, q, host);
+        share_loop(way, 4, l, from, to);
+        break;
+    case 7:
+        share_loop(way, 7, l, from, to);
         break;
     case 8:
-        add_loop(8, n, step, w, q, host);
+        share_loop(way, 8, l, from, to);
         break;
     default:
-        add_loop(m, n, step, w, q, host);
-    }
-}
-
-static void take_weighted(int m, int n, const int *step, const double *w,
-                          const double *host, double *q)
-{
-    switch (m) {
-    case 3:
-        take_loop(3, n, step, w, host, q);
-        break;
-    case 4:
-        take_loop(4, n, step, w, host, q);
-        break;
-    case 8:
-        take_loop(8, n, step, w, host, q);
-        break;
-    default:
-        take_loop(m, n, step, w, host, q);
+        share_loop(way, m, l, from, to);
     }
 }
 
@@ -136,24 +124,17 @@ static int weigh(const struct shares *s, int i, const struct around *near,
     return 1;
 }
 
-/* The weights of one particle and where they go. */
-struct list {
-    int n;
-    const int *step;
-    const double *w;
-};
-
 /* Of place a of the members, either kept or found now. */
-static struct list list_of(const struct shares *s, int a,
-                           const struct around *near, double *w, int *alone)
+static struct list list_of(const struct shares *s, const struct strip *t, int a,
+                           const struct around *near, int *alone)
 {
     const struct kept *const k = &s->kept;
 
     if (s->rule.keep)
         return (struct list){k->start[a + 1] - k->start[a],
                              &k->step[k->start[a]], &k->w[k->start[a]]};
-    const int n = weigh(s, s->h->member[a], near, w, alone);
-    return (struct list){n, near->step, w};
+    const int n = weigh(s, s->h->member[a], near, t->weight, alone);
+    return (struct list){n, near->step, t->weight};
 }
 
 /* Spreads the particles whose hosts are in the strip into its window. Returns
@@ -170,8 +151,8 @@ static int spread_strip(const struct shares *s, const struct strip *t, int m,
         const struct around near = around_host(s, c);
         double *const host = &t->sum[m * (c - t->low)];
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const struct list l = list_of(s, a, &near, t->weight, &alone);
-            add_weighted(m, l.n, l.step, l.w, &q[m * h->member[a]], host);
+            const struct list l = list_of(s, t, a, &near, &alone);
+            share_one(SPREAD, m, &l, &q[m * h->member[a]], host);
         }
     }
     return alone;
@@ -186,9 +167,8 @@ static void gather_strip(const struct shares *s, const struct strip *t, int m,
     for (int c = t->first; c < t->last; c++) {
         const struct around near = around_host(s, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
-            const struct list l = list_of(s, a, &near, t->weight, &alone);
-            take_weighted(m, l.n, l.step, l.w, &field[m * c],
-                          &q[m * h->member[a]]);
+            const struct list l = list_of(s, t, a, &near, &alone);
+            share_one(GATHER, m, &l, &field[m * c], &q[m * h->member[a]]);
         }
     }
 }

@@ -10,10 +10,11 @@
 /* How many of the newest shapes are compared with a new one, and how closely:
  * beyond the rounding of a sum of links, far below anything a kernel sees. */
 enum { LOOK_BACK = 1024 };
-static const double alike = 1e-10; /* [-] of b */
+static const double alike = 1e-10; /* [-] of b or the largest cell */
 
-/* Half the extents of cell c: how far its face centres are from its own. The
- * owner's share of the link d is 1 - w, also at the boundary, where w = 0. */
+/* Half the extents of a cell of a box: how far its face centres are from its
+ * own. The owner's share of the link d is 1 - w, also at the boundary, where w
+ * = 0. */
 static void half_extents(const struct mesh *m, int c, double half[3])
 {
     half[0] = half[1] = half[2] = 0.0;
@@ -27,12 +28,30 @@ static void half_extents(const struct mesh *m, int c, double half[3])
     }
 }
 
+/* The same where the corners are known. */
+static void half_by_corners(const struct mesh *m, int c, double half[3])
+{
+    const struct mesh_shape *const s = m->shape;
+
+    half[0] = half[1] = half[2] = 0.0;
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++) {
+        const int p = s->polygon[i];
+        for (int a = s->start[p]; a < s->start[p + 1]; a++)
+            for (int k = 0; k < 3; k++)
+                half[k] = fmax(half[k], fabs(s->point[3 * s->corner[a] + k] -
+                                             m->centre[3 * c + k]));
+    }
+}
+
 double *stencil_extents(const struct mesh *m)
 {
     double *const half = alloc_doubles(3 * m->n_cells);
 
     for (int c = 0; c < m->n_cells; c++)
-        half_extents(m, c, &half[3 * c]);
+        if (m->shape != NULL)
+            half_by_corners(m, c, &half[3 * c]);
+        else
+            half_extents(m, c, &half[3 * c]);
     return half;
 }
 
@@ -40,6 +59,7 @@ double *stencil_extents(const struct mesh *m)
 struct walk {
     const struct mesh *m;
     double b;     /* [m] */
+    double alike; /* [m] no farther apart are two ways to one place */
     double *half; /* [m] half extents of each cell, 3 */
     enum stencil_to to;
     int n, room;
@@ -65,7 +85,7 @@ static void walk_add(struct walk *w, int c, const double link[3])
         double apart = 0.0;
         for (int k = 0; k < 3; k++)
             apart = fmax(apart, fabs(w->link[3 * e + k] - link[k]));
-        if (apart < alike * w->b) return;
+        if (apart < w->alike) return;
     }
     if (w->n == w->room) {
         w->room = 2 * w->room + 64;
@@ -135,9 +155,9 @@ static int same_shape(const struct stencil *s, int shape, const struct walk *w)
     for (int e = 0; e < w->n; e++) {
         const int at = first + e;
         if (s->step[at] != w->cell[e] - w->cell[0] ||
-            fabs(s->dx[at] - w->link[3 * e]) > alike * w->b ||
-            fabs(s->dy[at] - w->link[3 * e + 1]) > alike * w->b ||
-            fabs(s->dz[at] - w->link[3 * e + 2]) > alike * w->b)
+            fabs(s->dx[at] - w->link[3 * e]) > w->alike ||
+            fabs(s->dy[at] - w->link[3 * e + 1]) > w->alike ||
+            fabs(s->dz[at] - w->link[3 * e + 2]) > w->alike)
             return 0;
     }
     return 1;
@@ -180,11 +200,14 @@ struct stencil *stencil_create(const struct mesh *m, double b,
     struct stencil *const s = alloc_zeroed(1, sizeof *s);
     struct walk w = {.m = m,
                      .b = b,
+                     .alike = alike * b,
                      .half = stencil_extents(m),
                      .to = to,
                      .latest = alloc_ints(m->n_cells)};
     int room = 0;
 
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        w.alike = fmax(w.alike, alike * w.half[i]);
     s->shape = alloc_ints(m->n_cells);
     s->start = alloc_ints(m->n_cells + 1);
     for (int c = 0; c < m->n_cells; c++)

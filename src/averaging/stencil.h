@@ -28,13 +28,13 @@ struct stencil {
 /* What must be nearer than b: the centre of the other cell or any of it. */
 enum stencil_to { STENCIL_TO_CENTRE, STENCIL_TO_CELL };
 
-/* The first entry of each is the host itself. The extent of a cell is taken
- * from its face centres: exact for boxes. */
+/* The first entry of each is the host itself. A cell that is no box reaches as
+ * far as the box around its corners; that can be too much, never too little. */
 struct stencil *stencil_create(const struct mesh *m, double b /* [m] */,
                                enum stencil_to to);
 void stencil_free(struct stencil *s);
 
-/* Half the extents of every cell [m], 3 a cell. */
+/* How far every cell reaches from its centre [m], 3 a cell. */
 double *stencil_extents(const struct mesh *m);
 
 #endif

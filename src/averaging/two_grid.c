@@ -5,12 +5,15 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
+#include "averaging/facets.h"
 #include "averaging/hosts.h"
 #include "averaging/stencil.h"
 #include "base/alloc.h"
 
 struct two_grid {
     const struct hosts *h; /* borrowed */
+    double *half;          /* [m] of a box: half extents of its cells, 3 */
+    struct facets *facets; /* of another mesh */
     int n[3];              /* [-] coarse cells per direction */
     double low[3];         /* [m] where the grid begins */
     double width[3];       /* [m] of its cells */
@@ -23,23 +26,8 @@ struct two_grid {
     double *sum;    /* `fields` a coarse cell */
 };
 
-/* The corners of the smallest box around the mesh. */
-static void find_ends(const struct mesh *m, const double *half, double low[3],
-                      double high[3])
-{
-    for (int k = 0; k < 3; k++) {
-        low[k] = INFINITY;
-        high[k] = -INFINITY;
-        for (int c = 0; c < m->n_cells; c++) {
-            const double x = m->centre[3 * c + k];
-            low[k] = fmin(low[k], x - half[3 * c + k]);
-            high[k] = fmax(high[k], x + half[3 * c + k]);
-        }
-    }
-}
-
-/* A one-cell direction of a mesh that is periodic in it has no inner face, and
- * its extent is to be had from the box alone. */
+/* A one-cell direction of a box that is periodic in it has no inner face, and
+ * its extent is to be had from the ends alone. */
 static double *find_extents(const struct mesh *m)
 {
     double *const half = stencil_extents(m);
@@ -64,83 +52,118 @@ static int coarse_at(const struct two_grid *g, const double x[3])
            g->n[0] * (slab(g, 1, x[1]) + g->n[1] * slab(g, 2, x[2]));
 }
 
-/* [m] of the interval lo .. hi that is in slab j of direction k. */
-static double inside(const struct two_grid *g, int k, int j, double lo,
-                     double hi)
+/* The smallest box around fine cell c. */
+static void ends_of(const struct two_grid *g, int c, double lo[3], double hi[3])
 {
-    const double begin = g->low[k] + j * g->width[k];
-    return fmax(0.0, fmin(hi, begin + g->width[k]) - fmax(lo, begin));
+    for (int k = 0; k < 3; k++) {
+        const double x = g->h->mesh->centre[3 * c + k];
+        lo[k] = g->facets != NULL ? g->facets->lo[3 * c + k]
+                                  : x - g->half[3 * c + k];
+        hi[k] = g->facets != NULL ? g->facets->hi[3 * c + k]
+                                  : x + g->half[3 * c + k];
+    }
 }
 
-/* The coarse cells that fine cell c overlaps: their number; and, if there is
- * room for them, which, and |c and C|. */
-static int overlap_cell(const struct two_grid *g, int c, const double *half,
-                        int *other, double *common)
+/* [m^3] of fine cell c, with these ends, in the coarse cell `at`. */
+static double common(const struct two_grid *g, int c, const double lo[3],
+                     const double hi[3], const int at[3])
 {
-    const double *const x = &g->h->mesh->centre[3 * c];
-    const double box = 8.0 * half[0] * half[1] * half[2];
-    const double scale = g->h->mesh->V[c] / box; /* 1 for a box */
-    int first[3], last[3], n = 0;
+    double begin[3], end[3], V = 1.0;
 
     for (int k = 0; k < 3; k++) {
-        first[k] = slab(g, k, x[k] - half[k]);
-        last[k] = slab(g, k, x[k] + half[k]);
+        begin[k] = g->low[k] + at[k] * g->width[k];
+        end[k] = begin[k] + g->width[k];
+        V *= fmax(0.0, fmin(hi[k], end[k]) - fmax(lo[k], begin[k]));
     }
-    for (int l = first[2]; l <= last[2]; l++)
-        for (int j = first[1]; j <= last[1]; j++)
-            for (int i = first[0]; i <= last[0]; i++, n++) {
+    return g->facets != NULL ? facets_in_box(g->facets, c, begin, end) : V;
+}
+
+/* The coarse cells that fine cell c can overlap: their number; and, if there is
+ * room for them, which, and |c and C|. */
+static int overlap_cell(const struct two_grid *g, int c, int *other,
+                        double *volume)
+{
+    double lo[3], hi[3];
+    int first[3], last[3], at[3], n = 0;
+
+    ends_of(g, c, lo, hi);
+    for (int k = 0; k < 3; k++) {
+        first[k] = slab(g, k, lo[k]);
+        last[k] = slab(g, k, hi[k]);
+    }
+    for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
+        for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
+            for (at[0] = first[0]; at[0] <= last[0]; at[0]++, n++) {
                 if (other == NULL) continue;
-                other[n] = i + g->n[0] * (j + g->n[1] * l);
-                common[n] = scale *
-                            inside(g, 0, i, x[0] - half[0], x[0] + half[0]) *
-                            inside(g, 1, j, x[1] - half[1], x[1] + half[1]) *
-                            inside(g, 2, l, x[2] - half[2], x[2] + half[2]);
+                other[n] = at[0] + g->n[0] * (at[1] + g->n[1] * at[2]);
+                volume[n] = common(g, c, lo, hi, at);
             }
     return n;
 }
 
-static void overlap_all(struct two_grid *g, const double *half)
+static void overlap_all(struct two_grid *g)
 {
     const struct mesh *const m = g->h->mesh;
 
     g->start = alloc_ints(m->n_cells + 1);
     for (int c = 0; c < m->n_cells; c++)
-        g->start[c + 1] =
-            g->start[c] + overlap_cell(g, c, &half[3 * c], NULL, NULL);
+        g->start[c + 1] = g->start[c] + overlap_cell(g, c, NULL, NULL);
     g->other = alloc_ints(g->start[m->n_cells]);
     g->common = alloc_doubles(g->start[m->n_cells]);
     for (int c = 0; c < m->n_cells; c++) {
         const int first = g->start[c];
-        overlap_cell(g, c, &half[3 * c], &g->other[first], &g->common[first]);
+        overlap_cell(g, c, &g->other[first], &g->common[first]);
         g->home[c] = coarse_at(g, &m->centre[3 * c]);
         for (int a = first; a < g->start[c + 1]; a++)
             g->V[g->other[a]] += g->common[a];
     }
 }
 
+/* A box of coarse cells around the mesh; returns their number. */
+static int lay_grid(struct two_grid *g, double bandwidth)
+{
+    const struct mesh *const m = g->h->mesh;
+    double high[3];
+    int n = 1;
+
+    for (int k = 0; k < 3; k++) {
+        g->low[k] = INFINITY;
+        high[k] = -INFINITY;
+    }
+    for (int c = 0; c < m->n_cells; c++) {
+        double lo[3], hi[3];
+        ends_of(g, c, lo, hi);
+        for (int k = 0; k < 3; k++) {
+            g->low[k] = fmin(g->low[k], lo[k]);
+            high[k] = fmax(high[k], hi[k]);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const double L = high[k] - g->low[k];
+        /* 1e-9: as many as fit, also where rounding says almost */
+        g->n[k] = (int)fmax(1.0, floor(L / bandwidth + 1e-9));
+        g->width[k] = L / g->n[k];
+        n *= g->n[k];
+    }
+    return n;
+}
+
 static void *two_grid_create(const struct hosts *h,
                              const struct averaging_options *o)
 {
     struct two_grid *const g = alloc_zeroed(1, sizeof *g);
-    double *const half = find_extents(h->mesh);
-    double high[3];
-    int n = 1;
 
     g->h = h;
-    find_ends(h->mesh, half, g->low, high);
-    for (int k = 0; k < 3; k++) {
-        const double L = high[k] - g->low[k];
-        /* 1e-9: as many as fit, also where rounding says almost */
-        g->n[k] = (int)fmax(1.0, floor(L / o->bandwidth + 1e-9));
-        g->width[k] = L / g->n[k];
-        n *= g->n[k];
-    }
+    if (h->mesh->shape == NULL)
+        g->half = find_extents(h->mesh);
+    else
+        g->facets = facets_create(h->mesh);
+    const int n = lay_grid(g, o->bandwidth);
     g->V = alloc_doubles(n);
     g->sum = alloc_doubles(n * o->fields);
     g->home = alloc_ints(h->mesh->n_cells);
     g->at = alloc_ints(h->ps->capacity);
-    overlap_all(g, half);
-    free(half);
+    overlap_all(g);
     return g;
 }
 
@@ -148,6 +171,8 @@ static void two_grid_free(void *state)
 {
     struct two_grid *const g = state;
 
+    free(g->half);
+    facets_free(g->facets);
     free(g->V);
     free(g->home);
     free(g->start);
@@ -158,8 +183,8 @@ static void two_grid_free(void *state)
     free(g);
 }
 
-/* The coarse cell of each particle; where the mesh has nothing of it, which
- * can only be outside of a box, that of its host. */
+/* The coarse cell of each particle; where the mesh has nothing of it, as can be
+ * beyond a bent wall, that of its host. */
 static void two_grid_bind(void *state, struct averaging_report *r)
 {
     struct two_grid *const g = state;

@@ -5,9 +5,9 @@
  *
  * The grid is a box of equal cells C around the mesh, as many as have at least
  * the bandwidth for their width in each direction (or one). It is chosen for
- * the particles, the mesh for the flow. A mesh cell c counts as the box of its
- * extents: exact for boxes. Nothing is lost on any mesh, because the volume of
- * C is what the cells of the mesh have of it.
+ * the particles, the mesh for the flow. |c and C| is exact for cells of any
+ * shape. Nothing is lost on any mesh, because the volume of C is what the cells
+ * of the mesh have of it.
  */
 #ifndef TWO_GRID_H
 #define TWO_GRID_H

@@ -6,17 +6,23 @@
 
 /* Flux of solid volume through a face, linear in between; none through the
  * boundary, which particles do not cross [m^3/s]. */
-static double solid_flux(const struct fluid *fl, int f)
+FACE_LOOP solid_flux(int f, int o, int n, const struct fluid *fl, double *flux)
+{
+    const double *const S = &fl->mesh->S[3 * f], w = fl->mesh->w[f];
+    const double *const a = &fl->eps_us[3 * o], *const b = &fl->eps_us[3 * n];
+
+    flux[f] = (w * a[0] + (1.0 - w) * b[0]) * S[0] +
+              (w * a[1] + (1.0 - w) * b[1]) * S[1] +
+              (w * a[2] + (1.0 - w) * b[2]) * S[2];
+}
+
+static void solid_fluxes(int first, int last, const struct fluid *fl,
+                         double *flux)
 {
     const struct mesh *const m = fl->mesh;
-    double flux = 0.0;
 
-    if (f >= m->n_internal) return 0.0;
-    for (int k = 0; k < 3; k++)
-        flux += (m->w[f] * fl->eps_us[3 * m->owner[f] + k] +
-                 (1.0 - m->w[f]) * fl->eps_us[3 * m->neighbour[f] + k]) *
-                m->S[3 * f + k];
-    return flux;
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, solid_flux,
+              fl, flux);
 }
 
 /* dt d eps/dt by the time scheme [-]. */
@@ -28,22 +34,44 @@ static double void_change(const struct fluid *fl, int c)
     return w->older == 0.0 ? change : change + w->older * fl->eps_start[c];
 }
 
+FACE_SUM outflow(int f, double out, const double *phi)
+{
+    return out * phi[f];
+}
+
+static void void_rate_rows(int first, int last, const struct fluid *fl)
+{
+    for (int c = first; c < last; c++)
+        fl->piso->source[c] =
+            void_change(fl, c) * fl->mesh->V[c] / fl->options.dt;
+}
+
+static void mixture_rows(int first, int last, const struct fluid *fl,
+                         const double *flux)
+{
+    const struct mesh *const m = fl->mesh;
+    double *const source = fl->piso->source;
+
+    for (int c = first; c < last; c++)
+        source[c] = 0.0;
+    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
+              source, outflow, flux);
+}
+
 void continuity_source(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
+    double *const flux = fl->p_face; /* room until the pressure is known */
 
-    for (int c = 0; c < m->n_cells && fl->options.coupled; c++) {
-        double source = 0.0;
-        if (fl->options.continuity == CONTINUITY_VOID_RATE) /* [XS11 2.3] */
-            source = void_change(fl, c) * m->V[c] / fl->options.dt;
-        else /* [XS11 2.7] */
-            for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
-                const int f = m->cell_face[a];
-                const double flux = solid_flux(fl, f);
-                source += m->owner[f] == c ? flux : -flux;
-            }
-        fl->piso->source[c] = source;
+    if (!fl->options.coupled) return;
+    if (fl->options.continuity == CONTINUITY_VOID_RATE) { /* [XS11 2.3] */
+        STRIPS_RUN(m->n_cells, 8, void_rate_rows, fl);
+        return;
     }
+    STRIPS_RUN(m->n_internal, 8, solid_fluxes, fl, flux); /* [XS11 2.7] */
+    for (int f = m->n_internal; f < m->n_faces; f++)
+        flux[f] = 0.0;
+    STRIPS_RUN(m->n_cells, 8, mixture_rows, fl, flux);
 }
 
 /* The largest of each over a strip of cells. */
@@ -54,11 +82,6 @@ struct largest {
 static double larger(double a, double b)
 {
     return b > a ? b : a;
-}
-
-FACE_SUM outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
 }
 
 FACE_SUM half_size(int f, double out, const double *phi)

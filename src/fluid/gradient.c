@@ -9,30 +9,45 @@
  */
 #include "fluid/piso.h"
 
-#include <math.h>
-
 #include "linear/triples.h"
 
-/* Slope of p that would balance the drag in cell c at face f, along S. */
-static double drag_slope(const struct fluid *fl, int c, int f, double area)
+/* The slope of p along S that balances the drag in cell c at face f, times the
+ * area, is drag_push - drag_hold phi: [N/m] and [kg/(m^3 s)]. */
+static inline double drag_push(const struct fluid *fl, int c, int f)
 {
     const double *const S = &fl->mesh->S[3 * f], *const F = &fl->F[3 * c];
-    const double along = (F[0] * S[0] + F[1] * S[1] + F[2] * S[2]) / area;
-    const double u = fl->phi[f] / (fl->eps[c] * area);
-    return (along - fl->K[c] * u) / piso_gamma(fl, c);
+    return (F[0] * S[0] + F[1] * S[1] + F[2] * S[2]) / piso_gamma(fl, c);
 }
 
-static double face_area(const struct mesh *m, int f)
+static inline double drag_hold(const struct fluid *fl, int c)
 {
-    const double *const S = &m->S[3 * f];
-    return sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+    return fl->K[c] / (fl->eps[c] * piso_gamma(fl, c));
 }
 
-/* Length of the link along the normal [m]. */
-static double face_length(const struct mesh *m, int f, double area)
+/* What p_f has beside the linear mean: bend - lean phi. */
+FACE_LOOP bend(int f, int o, int n, const struct fluid *fl)
 {
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    return (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]) / area;
+    const struct piso *const ps = fl->piso;
+    const double w = fl->mesh->w[f];
+    const double reach = w * (1.0 - w) / ps->link[f]; /* [1/m] */
+
+    ps->bend[f] = reach * (drag_push(fl, o, f) - drag_push(fl, n, f)) +
+                  piso_jump_above(fl, f, o) -
+                  (1.0 - w) * piso_jump(fl, f, o, n);
+    ps->lean[f] = reach * (drag_hold(fl, o) - drag_hold(fl, n));
+}
+
+static void bend_faces(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, bend, fl);
+}
+
+void gradient_begin(struct fluid *fl)
+{
+    if (fl->options.coupled)
+        STRIPS_RUN(fl->mesh->n_internal, 8, bend_faces, fl);
 }
 
 FACE_LOOP linear_pressure(int f, int o, int n, const double *w, const double *p,
@@ -51,22 +66,16 @@ static void linear_pressures(int first, int last, struct fluid *fl)
 
 static void inner_pressures(int first, int last, struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
+    const double *restrict bend = fl->piso->bend, *restrict phi = fl->phi;
+    const double *restrict lean = fl->piso->lean;
+    double *restrict p_face = fl->p_face;
 
     linear_pressures(first, last, fl);
     if (!fl->options.coupled) return;
-    for (int f = first; f < last; f++) {
-        const int o = m->owner[f], n = m->neighbour[f];
-        const double w = m->w[f];
-        const double area = face_area(m, f);
-        fl->p_face[f] +=
-            w * (1.0 - w) * face_length(m, f, area) *
-            (drag_slope(fl, o, f, area) - drag_slope(fl, n, f, area));
-        fl->p_face[f] +=
-            jump_above_owner(fl, f) - (1.0 - w) * jump_pressure(fl, f);
-    }
+    for (int f = first; f < last; f++)
+        p_face[f] += bend[f] - lean[f] * phi[f];
     for (int f = first; f < last && fl->piso->rest; f++)
-        fl->p_face[f] += jump_rest_at_face(fl, f);
+        p_face[f] += jump_rest_at_face(fl, f);
 }
 
 static void boundary_pressures(struct fluid *fl)
@@ -77,14 +86,14 @@ static void boundary_pressures(struct fluid *fl)
         const struct boundary *const b = &fl->options.boundaries[i];
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++) {
-            fl->p_face[f] = fl->p[m->owner[f]];
+            const int o = m->owner[f];
+            fl->p_face[f] = fl->p[o];
             if (b->kind == BOUNDARY_OUTLET)
                 fl->p_face[f] = b->pressure;
-            else if (fl->options.coupled) {
-                const double area = face_area(m, f);
-                fl->p_face[f] += face_length(m, f, area) *
-                                 drag_slope(fl, m->owner[f], f, area);
-            }
+            else if (fl->options.coupled)
+                fl->p_face[f] +=
+                    (drag_push(fl, o, f) - drag_hold(fl, o) * fl->phi[f]) /
+                    fl->piso->link[f];
         }
     }
 }

@@ -23,41 +23,58 @@
  */
 #include "fluid/piso.h"
 
-#include <math.h>
-#include <string.h>
+#include "linear/triples.h"
+
+/* What the cells on either side of a face have of its j. */
+FACE_LOOP parts(int f, int o, int n, const struct fluid *fl)
+{
+    const struct piso *const ps = fl->piso;
+    const double s = ps->share[f];
+    const double j = fl->options.rho * ps->carry[f] * ps->carry[f] / ps->SS[f] *
+                     (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
+
+    ps->jump_owner[f] = (1.0 - s) * j;
+    ps->jump_neighbour[f] = s * j;
+}
+
+static void face_parts(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, parts, fl);
+}
+
+/* The forces of the jumps on the cells, part times S. */
+static void inertia_rows(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+    struct piece p = {0};
+
+    for (int i = 3 * first; i < 3 * last; i++)
+        ps->inertia[i] = 0.0;
+    while (ps->runs != NULL && runs_next_of_cells(ps->runs, first, last, &p) &&
+           p.link < m->n_internal) {
+        const double *const part =
+            p.out > 0.0 ? ps->jump_owner : ps->jump_neighbour;
+        triples_add(p.n, 1.0, part + p.link, m->S + 3L * p.link,
+                    ps->inertia + 3L * p.cell);
+    }
+    for (int c = first; c < last && ps->runs == NULL; c++)
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            if (f >= m->n_internal) continue;
+            const double part =
+                m->owner[f] == c ? ps->jump_owner[f] : ps->jump_neighbour[f];
+            for (int k = 0; k < 3; k++)
+                ps->inertia[3 * c + k] += part * m->S[3 * f + k];
+        }
+}
 
 void jump_update(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
-
-    memset(ps->inertia, 0, 3 * (size_t)m->n_cells * sizeof *ps->inertia);
-    for (int f = 0; f < m->n_internal; f++) {
-        const int o = m->owner[f], n = m->neighbour[f];
-        const double *const S = &m->S[3 * f];
-        const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-        const double s = ps->share[f];
-        ps->jump[f] = fl->options.rho * ps->carry[f] * ps->carry[f] / SS *
-                      (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
-        for (int k = 0; k < 3; k++) {
-            ps->inertia[3 * o + k] += (1.0 - s) * ps->jump[f] * S[k];
-            ps->inertia[3 * n + k] += s * ps->jump[f] * S[k];
-        }
-    }
-}
-
-double jump_above_owner(const struct fluid *fl, int f)
-{
-    const struct piso *const ps = fl->piso;
-    return (1.0 - ps->share[f]) * ps->jump[f] /
-           piso_gamma(fl, fl->mesh->owner[f]);
-}
-
-double jump_pressure(const struct fluid *fl, int f)
-{
-    const struct piso *const ps = fl->piso;
-    return jump_above_owner(fl, f) +
-           ps->share[f] * ps->jump[f] / piso_gamma(fl, fl->mesh->neighbour[f]);
+    STRIPS_RUN(fl->mesh->n_internal, 8, face_parts, fl);
+    STRIPS_RUN(fl->mesh->n_cells, 12, inertia_rows, fl);
 }
 
 static void rest_rows(int first, int last, struct fluid *fl)

@@ -76,16 +76,15 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
 
 /* [XS11 3.13, 3.14]: the explicit part of the drag to the right, the implicit
  * part on the diagonal. */
-static void add_drag(struct fluid *fl)
+static void add_drag(int first, int last, struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
+    const double *restrict V = fl->mesh->V, *restrict F = fl->F;
     struct piso *const ps = fl->piso;
 
-    for (int c = 0; c < m->n_cells; c++) {
-        ps->diag[c] += fl->K[c] * m->V[c];
-        for (int k = 0; k < 3; k++)
-            ps->b[3 * c + k] += fl->F[3 * c + k] * m->V[c];
-    }
+    for (int c = first; c < last; c++)
+        ps->diag[c] += fl->K[c] * V[c];
+    triples_add(last - first, 1.0, V + first, F + 3L * first,
+                ps->b + 3L * first);
 }
 
 /* Fluid enters with the velocity that carries phi through the fluid's share
@@ -201,7 +200,7 @@ void momentum_assemble(struct fluid *fl)
     ldu_update(fl->piso->momentum);
     STRIPS_RUN(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
-        add_drag(fl);
+        STRIPS_RUN(fl->mesh->n_cells, 12, add_drag, fl);
         jump_update(fl);
     }
     if (fl->piso->slope != NULL) deferred_add(fl);

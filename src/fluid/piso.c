@@ -64,11 +64,22 @@ static void create_links(struct piso *ps, const struct mesh *m)
     }
 }
 
+/* What particles ask for: faces where eps and drag jump. */
+static void create_jumps(struct piso *ps, const struct mesh *m)
+{
+    ps->jump_owner = alloc_doubles(m->n_internal);
+    ps->jump_neighbour = alloc_doubles(m->n_internal);
+    ps->inertia = alloc_doubles(3 * m->n_cells);
+    ps->bend = alloc_doubles(m->n_internal);
+    ps->lean = alloc_doubles(m->n_internal);
+}
+
 /* What only some steps and schemes ask for. */
 static void create_further(struct piso *ps, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
+    if (fl->options.coupled) create_jumps(ps, m);
     if (has(fl, BOUNDARY_SLIP)) {
         ps->slip = alloc_doubles(3 * m->n_cells);
         ps->held = alloc_doubles(3 * m->n_cells);
@@ -105,12 +116,9 @@ struct piso *piso_create(const struct fluid *fl)
     ps->H = alloc_doubles(3 * n);
     ps->owed = alloc_doubles(3 * n);
     ps->defect = alloc_doubles(n);
-    ps->jump = alloc_doubles(m->n_internal);
     ps->share = alloc_doubles(m->n_internal);
-    ps->inertia = alloc_doubles(3 * n);
     ps->per_force = alloc_doubles(n);
     ps->resistance = alloc_doubles(n);
-    if (fl->options.coupled) ps->drive = alloc_doubles(3 * n);
     ps->per_flux = alloc_doubles(n);
     ps->m_face = alloc_doubles(m->n_faces);
     ps->conductance = alloc_doubles(m->n_faces);
@@ -146,13 +154,15 @@ void piso_free(struct piso *ps)
     free(ps->H);
     free(ps->owed);
     free(ps->defect);
-    free(ps->jump);
+    free(ps->jump_owner);
+    free(ps->jump_neighbour);
+    free(ps->bend);
+    free(ps->lean);
     free(ps->share);
     free(ps->inertia);
     free(ps->per_force);
     free(ps->resistance);
     free(ps->rest);
-    free(ps->drive);
     free(ps->per_flux);
     free(ps->SS);
     free(ps->Sd);
@@ -216,6 +226,7 @@ static void correct(struct fluid *fl)
 static void predict_and_correct(struct fluid *fl)
 {
     momentum_assemble(fl);
+    gradient_begin(fl);
     if (fl->options.coupled || fl->dt_older == 0.0)
         gradient_update(fl); /* with the drag of now, or for the first time */
     note_worst(&fl->report.momentum, velocity_predict(fl));

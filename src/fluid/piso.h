@@ -33,24 +33,26 @@ struct piso {
     double *owed;         /* [N] residual carried into the next step */
     double *defect;       /* [m^3/s] d(eps V)/dt + sum phi of the flux that
                              carries momentum: what continuity lacks */
-    double *jump;         /* [Pa] inertia at a face where eps jumps */
-    double *share;        /* [-] of the owner in the carried velocity */
-    double *inertia;      /* [N] what the jumps put on a cell, 3 each */
-    double *rest;         /* [N/m^3] what convection and viscosity do to a cell
-                             beside that, 3 each; or NULL: no face asks */
-    double *per_force;    /* [1/m^3] 1 / (gamma V) */
-    double *resistance;   /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
-    double *drive;        /* [N] H less the inertia of jumps, 3 a cell; NULL if
-                             there are no particles */
-    double *ground;       /* [m^3/(Pa s)] from a cell to a given pressure: row
-                             sums of the pressure's matrix, of conductances */
-    double *per_flux;     /* [kg/(m^3 s)] storage per superficial flux */
-    double *SS, *Sd;      /* [m^2], [m^3] S.S and S.d of the faces */
-    double *link;         /* [m] S.S / S.d: area over length of the link */
-    double *m_face;       /* [m^3 s/kg] mobility of a face */
-    double *conductance;  /* [m^3/(Pa s)] m_face S.S / S.d */
-    double *kept;         /* [m^3/s] of the flux before, by storage */
-    double *phi_old;      /* [m^3/s] */
+    double *jump_owner;   /* [Pa] inertia at a face where eps jumps: what the */
+    double *jump_neighbour; /* [Pa] cells on either side have of it */
+    double *share;          /* [-] of the owner in the carried velocity */
+    double *inertia;        /* [N] what the jumps put on a cell, 3 each */
+    double *bend, *lean;    /* [Pa], [Pa s/m^3] p_f beside the linear mean: by
+                               drag and inertia, and for each m^3/s */
+    double *rest;        /* [N/m^3] what convection and viscosity do to a cell
+                            beside that, 3 each; or NULL: no face asks */
+    double *per_force;   /* [1/m^3] 1 / (gamma V) */
+    double *resistance;  /* [kg/(m^3 s)] 1 / m_P = a_P / (eps gamma V) */
+    double *ground;      /* [m^3/(Pa s)] from a cell to a given pressure: row
+                            sums of the pressure's matrix, of conductances */
+    double *per_flux;    /* [kg/(m^3 s)] storage per superficial flux */
+    double *SS, *Sd;     /* [m^2], [m^3] S.S and S.d of the faces */
+    double *link;        /* [m] S.S / S.d: area over length of the link */
+    double *m_face;      /* [m^3 s/kg] mobility of a face */
+    double *conductance; /* [m^3/(Pa s)] m_face S.S / S.d */
+    double *kept;        /* [m^3/s] what all correctors share: of the flux
+                            before, by storage; by the jumps' inertia */
+    double *phi_old;     /* [m^3/s] */
     const double
         *carry;        /* [m^3/s] the flux that carries momentum: phi_old, or */
     double *carry_own; /* [m^3/s] one of its own, if step or scheme ask */
@@ -80,6 +82,20 @@ void piso_free(struct piso *ps);
 static inline double piso_gamma(const struct fluid *fl, int c)
 {
     return fl->options.pressure_shared ? fl->eps[c] : 1.0;
+}
+
+/* By how much p_f lies above the owner's side of face f [Pa]: its part of the
+ * inertia there; and the step of p from owner to neighbour. jump.c */
+static inline double piso_jump_above(const struct fluid *fl, int f, int owner)
+{
+    return fl->piso->jump_owner[f] / piso_gamma(fl, owner);
+}
+
+static inline double piso_jump(const struct fluid *fl, int f, int owner,
+                               int neighbour)
+{
+    return piso_jump_above(fl, f, owner) +
+           fl->piso->jump_neighbour[f] / piso_gamma(fl, neighbour);
 }
 
 /* storage.c: what the step inherits from those before it; what carries momentum
@@ -135,10 +151,6 @@ double continuity_residual(struct fluid *fl);
 
 /* jump.c: where eps jumps, so do velocity and pressure; once a step. */
 void jump_update(struct fluid *fl);
-/* The step of p across face f, owner to neighbour [Pa]. */
-double jump_pressure(const struct fluid *fl, int f);
-/* By how much p_f lies above the owner's side of the face [Pa]. */
-double jump_above_owner(const struct fluid *fl, int f);
 /* Fills `rest` from the present H and u. What it adds to p_N - p_O across face
  * f where gamma changes, and to p_f [Pa]. */
 void jump_rest(struct fluid *fl);
@@ -151,7 +163,9 @@ double jump_rest_at_face(const struct fluid *fl, int f);
 double balance_residual(const struct fluid *fl, const double before[3],
                         const double relabelled[3]);
 
-/* gradient.c: p_face and grad_p from p, phi and the forces. */
+/* gradient.c: p_face and grad_p from p, phi and the forces; what they make of
+ * these at all times of a step, once. */
+void gradient_begin(struct fluid *fl);
 void gradient_update(struct fluid *fl);
 
 #endif

@@ -22,7 +22,7 @@
 
 #include "linear/reduce.h"
 
-static double dot3(const double *a, const double *b)
+static inline double dot3(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -97,6 +97,42 @@ static void inner_mobilities(int first, int last, const struct fluid *fl)
               inner_mobility, m->w, fl->piso);
 }
 
+/* The inertia at jumps of eps acts as a step of the pressure and no longer as a
+ * slope of it: out of the forces of the cells, whose H has it. */
+FACE_LOOP inner_jump(int f, int o, int n, const struct fluid *fl)
+{
+    const struct piso *const ps = fl->piso;
+    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double slope =
+        (1.0 - w) * ps->per_force[o] * dot3(&ps->inertia[3 * o], S) +
+        w * ps->per_force[n] * dot3(&ps->inertia[3 * n], S);
+
+    ps->kept[f] +=
+        ps->conductance[f] * piso_jump(fl, f, o, n) - ps->m_face[f] * slope;
+}
+
+static void inner_jumps(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, inner_jump,
+              fl);
+}
+
+static void keep_jumps(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+
+    STRIPS_RUN(m->n_internal, 8, inner_jumps, fl);
+    for (int f = m->n_internal; f < m->n_faces;
+         f++) { /* m_face: outlets only */
+        const int o = m->owner[f];
+        ps->kept[f] -= ps->m_face[f] * ps->per_force[o] *
+                       dot3(&ps->inertia[3 * o], &m->S[3 * f]);
+    }
+}
+
 static void face_mobilities(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -114,6 +150,7 @@ static void face_mobilities(struct fluid *fl)
         }
     }
     if (ps->storage_older != NULL) keep_older_fluxes(fl);
+    if (fl->options.coupled) keep_jumps(fl);
 }
 
 /* Without an outlet one cell ties the level of the pressure to zero, as firmly
@@ -141,62 +178,64 @@ void pressure_assemble(struct fluid *fl)
     multigrid_take(ps->mg, ps->conductance, ps->ground);
 }
 
-/* The forces that drive the fluxes [N]: H, but for what the jumps take over. */
-static void drives(int first, int last, const struct piso *ps)
-{
-    const double *restrict H = ps->H, *restrict inertia = ps->inertia;
-    double *restrict drive = ps->drive;
-
-    for (int i = 3 * first; i < 3 * last; i++)
-        drive[i] = H[i] - inertia[i];
-}
-
 FACE_LOOP inner_flux(int f, int o, int n, const struct mesh *m,
-                     const struct piso *ps, const double *force, double *phi)
+                     const struct piso *ps, double *phi)
 {
     const double w = m->w[f];
     const double from_o = (1.0 - w) * ps->per_force[o];
     const double from_n = w * ps->per_force[n];
-    const double *const a = &force[3 * o], *const b = &force[3 * n];
+    const double *const a = &ps->H[3 * o], *const b = &ps->H[3 * n];
     const double *const S = &m->S[3 * f];
 
     phi[f] = ps->kept[f] +
              ps->m_face[f] * (from_o * dot3(a, S) + from_n * dot3(b, S));
 }
 
-static void inner_fluxes(int first, int last, struct fluid *fl,
-                         const double *force)
+static void inner_fluxes(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
     LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, inner_flux,
-              m, fl->piso, force, fl->phi);
+              m, fl->piso, fl->phi);
 }
 
-static void add_jumps(int first, int last, struct fluid *fl)
+static void add_rest_of_jumps(int first, int last, struct fluid *fl)
 {
     for (int f = first; f < last; f++)
-        fl->phi[f] += fl->piso->conductance[f] * jump_pressure(fl, f);
-    for (int f = first; f < last && fl->piso->rest; f++)
         fl->phi[f] += fl->piso->conductance[f] * jump_of_rest(fl, f);
 }
 
-/* The part of grad p . S that an oblique link does not see, from the last
- * gradient, linear between the cells. */
+/* The gradient of p that the momentum of a cell asks for now [Pa/m], given the
+ * velocities of its neighbours. */
+static void slope_asked(const struct fluid *fl, int c, double slope[3])
+{
+    const struct piso *const ps = fl->piso;
+
+    for (int k = 0; k < 3; k++) {
+        const int i = 3 * c + k;
+        slope[k] = (ps->H[i] + ps->past[i] - ps->diag[c] * fl->u[i]) *
+                       ps->per_force[c] -
+                   fl->mean_gradient[k];
+    }
+}
+
+/* The part of grad p . S that an oblique link does not see, linear between the
+ * cells. With the gradient of the last correction, where viscosity ties cells
+ * closely, correctors would grow from a shear of 1/sqrt(8) on: their factor
+ * solves x^2 + 2 r x - r = 0, r the share of the oblique part. With the one
+ * that momentum asks for it is -r. */
 static void add_oblique(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const G = fl->mean_gradient;
 
     for (int f = first; f < last; f++) {
-        const double *const a = &fl->grad_p[3 * m->owner[f]];
-        const double *const b = &fl->grad_p[3 * m->neighbour[f]];
         const double w = m->w[f];
-        double rest[3], slope[3];
+        double rest[3], a[3], b[3];
         mesh_oblique_part(m, f, rest);
-        for (int k = 0; k < 3; k++)
-            slope[k] = w * a[k] + (1.0 - w) * b[k] - G[k];
-        fl->phi[f] -= fl->piso->m_face[f] * dot3(slope, rest);
+        slope_asked(fl, m->owner[f], a);
+        slope_asked(fl, m->neighbour[f], b);
+        fl->phi[f] -= fl->piso->m_face[f] *
+                      (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
     }
 }
 
@@ -205,19 +244,19 @@ static void driven_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
-    const double *const force = fl->options.coupled ? ps->drive : ps->H;
 
-    if (fl->options.coupled) STRIPS_RUN(m->n_cells, 12, drives, ps);
-    STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl, force);
-    if (ps->rest != NULL) jump_rest(fl);
-    if (fl->options.coupled) STRIPS_RUN(m->n_internal, 8, add_jumps, fl);
+    STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl);
+    if (ps->rest != NULL) {
+        jump_rest(fl);
+        STRIPS_RUN(m->n_internal, 8, add_rest_of_jumps, fl);
+    }
     if (m->oblique) STRIPS_RUN(m->n_internal, 16, add_oblique, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
             const int o = m->owner[f];
             fl->phi[f] = ps->kept[f] + ps->m_face[f] * ps->per_force[o] *
-                                           dot3(&force[3 * o], &m->S[3 * f]);
+                                           dot3(&ps->H[3 * o], &m->S[3 * f]);
         }
     }
 }

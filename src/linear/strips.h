@@ -12,13 +12,17 @@
 
 enum {
     STRIPS = 64,
+    STRIPS_LEAST = 256, /* [-] unknowns in a strip: what is begun anew in each
+                           should be little beside it */
     STRIPS_WORTH_IT = 16384, /* [-] numbers; a loop over fewer is short */
 };
 
 /* Unknowns in a strip: a multiple of 16, for it to begin with a cache line. */
 static inline int strips_length(int n)
 {
-    return ((n + STRIPS - 1) / STRIPS + 15) / 16 * 16;
+    const int length = ((n + STRIPS - 1) / STRIPS + 15) / 16 * 16;
+
+    return length > STRIPS_LEAST ? length : STRIPS_LEAST;
 }
 
 /* The first of n unknowns in strip s; strip STRIPS begins at n. */

@@ -15,6 +15,7 @@ static void shape_free(struct mesh_shape *s)
     free(s->corner);
     free(s->cell_start);
     free(s->polygon);
+    free(s->turned);
     free(s->boundary);
     free(s);
 }

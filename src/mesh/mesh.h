@@ -36,6 +36,8 @@ struct mesh_shape {
     int *start, *corner; /* [-] n_polygons + 1; the points of each */
     int *cell_start;     /* [-] n_cells + 1; the polygons of each cell are */
     int *polygon;        /* [-] polygon[cell_start[c]] ... */
+    int *turned;         /* [-] beside it: 1 if its corners go round with the
+                            normal out of the cell, -1 if into it */
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 

@@ -216,6 +216,7 @@ static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 static void set_patches(struct mesh *m, const struct poly_raw *r)
 {
     int f = m->n_internal, n = 0;
+    const int *file = m->shape->boundary;
 
     for (int i = 0; i < r->n_parts; i++) {
         const struct poly_part *const part = &r->part[i];
@@ -227,7 +228,7 @@ static void set_patches(struct mesh *m, const struct poly_raw *r)
         patch->first = f;
         patch->n = part->n;
         for (int j = 0; j < part->n; j++)
-            set_outer(m, r, f++, part->first + j);
+            set_outer(m, r, f++, *file++);
     }
 }
 
@@ -270,11 +271,11 @@ static void build(struct mesh *m, struct poly_raw *r)
     if (m->n_periods > 0) m->lap = alloc_ints(m->n_internal);
     set_cells(m, r);
     set_inner_faces(m, r);
-    set_patches(m, r);
-    mesh_collect_faces(m);
     find_ends(m, r);
     const double warp = poly_raw_warp(r);
     m->shape = poly_shape_create(r);
+    set_patches(m, r);
+    mesh_collect_faces(m);
     mesh_bins_create(m, 2.0 * warp);
 }
 

@@ -8,8 +8,8 @@
 
 /* The mesh of the five files in dir, or in dir/polyMesh or
  * dir/constant/polyMesh, written as ascii, packed by gzip or not; NULL after
- * one message on stderr. Cells and inner faces are numbered anew; boundary
- * faces keep their order within their patch. */
+ * one message on stderr. Cells and faces are put in order (poly_order.h);
+ * boundary faces stay in their patch. */
 struct mesh *poly_read(const char *dir);
 
 enum { POLY_FOLDER = 960 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* poly_shape.c -- the corners of a mesh, kept for files, pictures and walls. */
-#include "mesh/poly_raw.h"
+#include "mesh/poly_order.h"
 
 #include <stdlib.h>
 
@@ -17,29 +17,20 @@ static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
             for (int side = 0; side < 1 + (f < r->n_inner); side++) {
                 const int c =
                     r->number[side == 0 ? r->owner[f] : r->neighbour[f]];
-                if (pass == 0)
+                if (pass == 0) {
                     s->cell_start[c + 1]++;
-                else
-                    s->polygon[s->cell_start[c] + used[c]++] = f;
+                    continue;
+                }
+                s->turned[s->cell_start[c] + used[c]] = side == 0 ? 1 : -1;
+                s->polygon[s->cell_start[c] + used[c]++] = f;
             }
         if (pass == 1) break;
         for (int c = 0; c < r->n_cells; c++)
             s->cell_start[c + 1] += s->cell_start[c];
         s->polygon = alloc_ints(s->cell_start[r->n_cells]);
+        s->turned = alloc_ints(s->cell_start[r->n_cells]);
     }
     free(used);
-}
-
-/* The boundary faces of the mesh are those of the files without the cyclic
- * ones, patch after patch. */
-static void list_boundary(const struct poly_raw *r, struct mesh_shape *s)
-{
-    int n = 0;
-
-    s->boundary = alloc_ints(r->n_faces - r->n_inner);
-    for (int i = 0; i < r->n_parts; i++)
-        for (int j = 0; r->part[i].lap == 0 && j < r->part[i].n; j++)
-            s->boundary[n++] = r->part[i].first + j;
 }
 
 struct mesh_shape *poly_shape_create(struct poly_raw *r)
@@ -49,7 +40,7 @@ struct mesh_shape *poly_shape_create(struct poly_raw *r)
     s->n_points = r->n_points;
     s->n_polygons = r->n_faces;
     list_polygons(r, s);
-    list_boundary(r, s);
+    s->boundary = poly_boundary_order(r);
     s->point = r->point;
     s->start = r->start;
     s->corner = r->corner;

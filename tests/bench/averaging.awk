@@ -4,9 +4,21 @@ function part(name, m) { return v[name, m] / whole[m] * 100 }
 function over(t, o) { return o == 0 ? "-" : sprintf("%.2f", t / o) }
 
 $1 == "cells" { mesh++ }
+$1 == "copies" { if (!many) many = mesh } # the meshes end here
 { v[$1, mesh] = $2 }
 
+function by_the_sphere(first, last,  m, n) {
+    print "# cells  spheres   bell of 2.5 cells   dpvm"
+    for (m = first; m <= last; m++) {
+        n = v["spheres", m] * 1e-9
+        printf "%7d %8d %12.0f %12.0f\n", v["cells", m], v["spheres", m],
+            (v["bell", m] + v["bell-bind", m]) / n, (v["dpvm", m] + v["dpvm-bind", m]) / n
+    }
+}
+
 END {
+    all_of_them = mesh
+    if (many) mesh = many
     split("12 5 2 1", cfd); split("26 27 25 27", dem); split("14.8 6.4 2.8 1.5", cg)
     print "# seven fields: ms, over our step of the fluid, over that of icoFoam"
     print "# cells  a cell   fluid icoFoam  exponential          series" \
@@ -33,11 +45,8 @@ END {
             part("averaging", m) + part("exchange", m) - part("averaging-all", m),
             cfd[m] / all, dem[m] / all, cg[m] / all
     }
-    print "\n# ns a sphere to find its cells and spread seven fields"
-    print "# cells   bell of 2.5 cells   dpvm"
-    for (m = 1; m <= mesh; m++) {
-        n = v["spheres", m] * 1e-9
-        printf "%7d %12.0f %12.0f\n", v["cells", m],
-            (v["bell", m] + v["bell-bind", m]) / n, (v["dpvm", m] + v["dpvm-bind", m]) / n
-    }
+    print "\n# ns a sphere to find its cells and spread seven fields: finer meshes, then"
+    print "# the coarsest one with one, two, four and eight of the bed side by side"
+    by_the_sphere(1, mesh)
+    by_the_sphere(mesh + 1, all_of_them)
 }

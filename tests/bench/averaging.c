@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What averaging costs in a coupled run, for tests/bench/averaging.sh.
  *
- *   averaging FILE NX NY NZ
+ *   averaging FILE NX NY NZ [COPIES]
  *
  * The spheres of FILE, which `dem bed` wrote, in a box of so many cells with
  * air from below, as [SX15 Table 1 and 3]. Prints `name value` lines: seconds
  * of one step of the whole by its parts, the least of a few steps; and seconds
  * of the processor to find all hosts and spread seven fields by other ways.
+ *
+ * With COPIES the bed lies so often side by side, on as many times the cells,
+ * and only the methods that pay by the particle are timed: cells and spheres
+ * grow together, and neither grows beside the other.
  */
 #include <math.h>
 #include <stdio.h>
@@ -190,6 +194,23 @@ static void time_averaging(const struct simulation *sim)
     free(field);
 }
 
+static struct particles *side_by_side(const struct particles *one, double L,
+                                      int copies)
+{
+    struct particles *const ps = particles_create(copies * one->n);
+
+    for (int copy = 0; copy < copies; copy++)
+        for (int i = 0; i < one->n; i++) {
+            const int to = ps->n++;
+            ps->x[to] = one->x[i] + copy * L;
+            ps->y[to] = one->y[i];
+            ps->z[to] = one->z[i];
+            ps->d[to] = one->d[i];
+            ps->id[to] = to;
+        }
+    return ps;
+}
+
 int main(int argc, char **argv)
 {
     struct simulation sim = {
@@ -197,13 +218,22 @@ int main(int argc, char **argv)
     struct boundary b[6] = {{0}};
     double hi[3];
 
-    if (argc != 5) return 1;
+    if (argc != 5 && argc != 6) return 1;
+    const int copies = argc == 6 ? atoi(argv[5]) : 1;
     sim.particles = read_bed(argv[1], hi);
-    const struct box_spec spec = {{hi[0], hi[1], hi[2]},
-                                  {atoi(argv[2]), atoi(argv[3]), atoi(argv[4])},
-                                  {1.0, 1.0, 1.0},
-                                  {0, 0, 0}};
+    const struct box_spec spec = {
+        {copies * hi[0], hi[1], hi[2]},
+        {copies * atoi(argv[2]), atoi(argv[3]), atoi(argv[4])},
+        {1.0, 1.0, 1.0},
+        {0, 0, 0}};
     sim.mesh = mesh_create_box(&spec);
+    if (argc == 6) {
+        sim.particles = side_by_side(sim.particles, hi[0], copies);
+        printf("cells %d\nspheres %d\n", sim.mesh->n_cells, sim.particles->n);
+        time_spread(&sim, "bell", "kernel", NULL);
+        time_spread(&sim, "dpvm", "dpvm", NULL);
+        return 0;
+    }
     create_fluid(&sim, b);
     create_particles(&sim, hi);
     create_coupling(&sim);

@@ -62,13 +62,23 @@ END
     blockMesh >log.blockMesh 2>&1
 }
 
-# The same mesh with other numbers for its cells: 6151 is odd, the number of cells
-# a power of two, so none is taken twice.
+# The same mesh with its cells numbered at random: each changes its number with
+# one of those before it, which a linear congruence chooses.
 shuffle() { # from to
     mkdir -p "$2"
     cp "$1"/* "$2"
     for list in owner neighbour; do
-        awk -v n="$count" '/^[0-9]+$/ && begun++ { print $1 * 6151 % n; next }
+        awk -v n="$count" '
+            BEGIN {
+                x = 12345
+                for (i = 0; i < n; i++) {
+                    x = (x * 16807) % 2147483647
+                    j = x % (i + 1)
+                    new[i] = new[j]
+                    new[j] = i
+                }
+            }
+            /^[0-9]+$/ && begun++ { print new[$1]; next }
             { print }' "$1/$list" >"$2/$list"
     done
 }

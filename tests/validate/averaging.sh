@@ -14,4 +14,5 @@ shift
 sh figures/21-mueller.sh run "$@" >/dev/null
 sh figures/21-mueller.sh collect >figures/21-mueller.txt
 gnuplot figures/21-mueller.gp
+sh figures/21-break.sh # how pcm ends on the finest meshes
 awk -f figures/21-mueller.awk figures/data/mueller-2009.txt figures/21-mueller.txt

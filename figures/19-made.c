@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Flows made for the averaged equations, between walls (tests/made.h): errors
+ * of velocity and pressure, root mean square of all cells, the largest, and
+ * root mean square of the cells at a wall, with mesh and step halved together;
+ * and the orders from the mesh before.
+ *
+ *   sh figures/run.sh figures/19-made.c */
+#include "../tests/made.h"
+
+#include <stdio.h>
+
+static const struct row {
+    const char *name;
+    struct made setting;
+    int n;
+} rows[] = {
+    {"box", {.kind = MADE_BOX}, 16},
+    {"box_A", {.kind = MADE_BOX, .shared = 1, .mixture = 1}, 16},
+    {"box_drag", {.kind = MADE_BOX, .shared = 1, .K = 20.0}, 16},
+    {"box_graded", {.kind = MADE_BOX, .shared = 1, .grading = 3.0}, 16},
+    {"box_sheared",
+     {.kind = MADE_BOX, .mixture = 1, .grading = 3.0, .shear = {0.4}},
+     16},
+    {"channel", {.kind = MADE_CHANNEL}, 16},
+    {"channel_A", {.kind = MADE_CHANNEL, .shared = 1, .mixture = 1}, 16},
+    {"channel_drag", {.kind = MADE_CHANNEL, .shared = 1, .K = 20.0}, 16},
+    {"channel_graded", {.kind = MADE_CHANNEL, .grading = 3.0}, 16},
+};
+
+/* Its run in three directions begins coarser. */
+static const struct row deep[] = {
+    {"box_3D", {.kind = MADE_BOX, .shared = 1, .grading = 2.0}, 8},
+    {"sheared_3D",
+     {.kind = MADE_BOX, .mixture = 1, .shear = {0.3, 0.2, -0.3}},
+     8},
+    {"channel_3D", {.kind = MADE_CHANNEL, .shared = 1, .mixture = 1}, 8},
+};
+
+static void print(const char *name, int n, const struct made_error *now,
+                  const struct made_error *before)
+{
+    printf("%s %d %.2e %.2e %.2e %.2e %.2e %.2e", name, n, now->u, now->u_max,
+           now->u_wall, now->p, now->p_max, now->p_wall);
+    if (before->u > 0.0)
+        printf(" %.2f %.2f %.2f %.2f %.2f %.2f", log2(before->u / now->u),
+               log2(before->u_max / now->u_max),
+               log2(before->u_wall / now->u_wall), log2(before->p / now->p),
+               log2(before->p_max / now->p_max),
+               log2(before->p_wall / now->p_wall));
+    puts("");
+}
+
+static void refine(const struct row *r, int flat, int most)
+{
+    struct made_error before = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+
+    for (int n = r->n; n <= most; n *= 2) {
+        struct made a = r->setting;
+        a.n = n;
+        a.flat = flat;
+        a.time = "bdf2";
+        a.convection = "linear";
+        a.end = 0.32;
+        a.dt = a.end / n;
+        const struct made_error now = made_run(&a);
+        print(r->name, n, &now, &before);
+        before = now;
+    }
+}
+
+int main(void)
+{
+    puts("# flow cells_a_side u u_max u_wall p p_max p_wall, orders of these");
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        refine(&rows[i], 1, 64);
+    for (unsigned i = 0; i < sizeof deep / sizeof deep[0]; i++)
+        refine(&deep[i], 0, 32);
+    return 0;
+}
