@@ -9,6 +9,7 @@
 
 Small, medium and large as in XS11 Fig. 11: d below 0.83, 1.67, 2.5 mm.
 """
+import csv
 import sys
 from pathlib import Path
 
@@ -63,6 +64,16 @@ def scene(run, shift):
     print(f'{before}    overlaps = "allow";\n    place = ({places});\n{after}')
 
 
+def drop(run, begin, end):
+    """Mean pressure drop and its error, from five blocks of time."""
+    with open(Path(run, "history.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    p = np.array([float(row["pressure_drop [Pa]"]) for row in rows
+                  if begin < float(row["time [s]"]) <= end + 1e-9])
+    blocks = [block.mean() for block in np.array_split(p, 5)]
+    return p.mean(), np.std(blocks) / 2.0
+
+
 def compare(runs):
     """Differences grain by grain: of two runs from one bed every grain has a twin."""
     print("# t [s]; class; its mean height [mm] in each run; what the second and the\n"
@@ -78,6 +89,9 @@ def compare(runs):
                 f"{(one - y[0]).mean():7.3f} {(one - y[0]).std() / len(one)**0.5:6.3f}"
                 for one in y[1:])
             print(f"{shots[0][0]:.1f} {name:6s} {means}  {off}")
+    last = shots[0][0]
+    print("# mean drop of the second half and its error [Pa], in each run")
+    print(" ".join("%.1f %.1f" % drop(run, 0.5 * last, last) for run in runs))
 
 
 command, *rest = sys.argv[1:]

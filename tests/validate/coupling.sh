@@ -3,7 +3,7 @@
 # sums of each cell, on two meshes, with other seeds and springs. Hours; the
 # figures of chapter 20 are made of what they leave.
 #
-#   sh tests/validate/coupling.sh build/winnow [two|ramp|seepage|springs|weight ...]
+#   sh tests/validate/coupling.sh build/winnow [two|sensor|ramp|seepage|springs|weight ...]
 #
 # END=1.3 in the environment ends each run at 1.3 s, to try the scripts; what they
 # find then goes to out/validate-coupling/figures and nothing of ours changes.
@@ -51,6 +51,38 @@ two() {
     { made two; sh figures/20-two-sizes.sh steps $out; } >$figures/20-two-steps.txt
 }
 
+# Case 2 again, Fig. 7: what moves the grains at the lower sensor?
+sensor() {
+    at="position=[0.02,0.002,0.00375]"
+    probes="{field=\"p\";$at;},{field=\"p\";position=[0.02,0.15,0.00375];},{field=\"us_y\";$at;}"
+    probes="$probes,{field=\"us_y\";position=[0.02,0.01,0.00375];},{field=\"us_y\";position=[0.02,0.025,0.00375];}"
+    probes="$probes,{field=\"eps_f\";$at;},{field=\"eps_f\";position=[0.02,0.02,0.00375];}"
+    tried=
+    try() { # NAME OVERRIDES...
+        tried="$tried $1"
+        name=$1
+        shift
+        run "sensor-$name" "$scene" -s particles.grains.stiffness=500 \
+            -s particles.step=1.2e-5 -s output.end=1.5 -s "output.probes=($probes)" "$@"
+    }
+    scene=cases/fluidization-two-sizes.cfg
+    try bell
+    try bell-5mm -s averaging.bandwidth=0.005
+    try bell-3mm -s averaging.bandwidth=0.003
+    try linear -s averaging.interpolation=linear
+    try coarse -s "mesh.cells=[8,40,1]"
+    try sums -s averaging.method=pcm
+    try frictionless -s particles.grains.friction=0.0
+    try seed -s particles.bed.seed=2
+    try gidaspow -s exchange.drag=gidaspow
+    for U in 1.15 1.3 1.5; do try $U -s fluid.bottom.inlet=$U; done
+    sed '/front_back/d' cases/fluidization-two-sizes.cfg >$out/periodic.cfg
+    scene=$out/periodic.cfg
+    try periodic -s "mesh.periodic=[false,false,true]"
+    # shellcheck disable=SC2086
+    { made sensor; sh figures/20-sensor.sh $out $tried; } >$figures/20-sensor.txt
+}
+
 # Case 1, Figs. 4 and 5, with springs ten times as soft. (20-ramp-stiff.txt is the
 # same without them; half an hour.)
 ramp() {
@@ -88,9 +120,9 @@ springs() {
         run poured cases/seepage.cfg $stiff -s output.end=1e-3
         $python figures/20-classes.py scene $out/poured 0.0 >$out/placed.cfg
         $python figures/20-classes.py scene $out/poured 1e-6 >$out/moved.cfg
-        run k500 $out/placed.cfg $stiff -s output.end=0.5
-        run k50 $out/placed.cfg -s output.end=0.5
-        run k50-moved $out/moved.cfg -s output.end=0.5
+        run k500 $out/placed.cfg $stiff -s output.end=0.3
+        run k50 $out/placed.cfg -s output.end=0.3
+        run k50-moved $out/moved.cfg -s output.end=0.3
     }
     set -- $out/k50 $out/k50-moved $out/k500
     { made springs; $python figures/20-classes.py compare "$@"; } >$figures/20-springs.txt
@@ -102,5 +134,5 @@ weight() {
     else sh figures/program.sh 20-weight "$END" 1.0; fi
 }
 
-[ $# -gt 0 ] || set -- two ramp seepage springs weight
+[ $# -gt 0 ] || set -- two sensor ramp seepage springs weight
 for part in "$@"; do $part; done
