@@ -4,9 +4,12 @@ WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 TUNE     = -march=native
-FAST     = -O3 $(TUNE) -fno-math-errno -fno-trapping-math $(WIDE)
+MATH     = -fno-math-errno -fno-trapping-math
+FAST     = -O3 $(TUNE) $(MATH) $(WIDE)
 WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
-SANITIZE = -O2 -g $(TUNE) -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+# What the checks left out would find, the address sanitizer finds at the access.
+SANITIZE = -O2 -g1 $(TUNE) $(MATH) -fsanitize=address,undefined \
+           -fno-sanitize=null,object-size,pointer-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
@@ -83,13 +86,16 @@ $B/libwinnow.a: $(OBJ)
 $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
-	@$(CC) $(STD) $(OPT) $(WARN) -MMD -MP -c -o $@ $<
+	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
+# What takes longer to optimise than to run.
+$B/tests/%.o $B/src/scene/%.o: LIGHT = -O1
+$B/tests/bench/%.o: LIGHT =
 # The book's table of equations, for `winnow explain KEY`.
 $B/src/scene/ledger_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
 $B/src/scene/ledger_rows.o: $B/src/scene/ledger_rows.c src/scene/ledger.h
-	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
+	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
