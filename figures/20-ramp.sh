@@ -22,11 +22,13 @@ numbers() {
         awk '$1 + 0 > 0 && $1 < 15 { n++; U[n] = $2; d[n] = $3
                  if ($2 > 1) { m += $3; k++ } }
             END {
+                printf "highest_U = %.2f [m/s]\n", U[n]
+                if (k < 10) exit
                 for (i = 1; i <= n; i++) if (U[i] > 1) {
                     j = int(10 * (i - n + k - 1) / k); b[j] += d[i]; c[j]++ }
                 for (j in b) e += (b[j] / c[j] - m / k) ^ 2 / 90
                 for (i = 2; i <= n && d[i] < m / k; i++);
-                printf "highest_U = %.2f [m/s]\nplateau = %.1f [Pa]\n", U[n], m / k
+                printf "plateau = %.1f [Pa]\n", m / k
                 printf "plateau_error = %.1f [Pa]\nU_mf = %.3f [m/s]\n", sqrt(e),
                     U[i - 1] + (U[i] - U[i - 1]) * (m / k - d[i - 1]) / (d[i] - d[i - 1])
             }' "$file"

@@ -4,7 +4,7 @@
 #   20-two-sizes.sh series|numbers|steps DIR
 #
 # DIR holds kernel-12x60, kernel-8x40, pcm-12x60, pcm-8x40, made by
-# tests/validate/coupling.sh. series: drop between the sensors [Pa] and us_y [m/s]
+# tests/validate/coupling.sh; what ends early has no numbers. series: drop between the sensors [Pa] and us_y [m/s]
 # at the lower one, means over 0.05 s. numbers: means and standard deviations from
 # 1 s on, with the statistical error of ten blocks; and the differences of the meshes.
 # steps: the first seconds with a particle step half as long (short-step).
@@ -25,7 +25,8 @@ series() {
 numbers() {
     for run in $runs; do
         echo "## $run"
-        awk -F, 'NR > 1 && $1 > 1 { d[++n] = $2 - $3; u[n] = 1e3 * $4; t = $1 }
+        awk -F, 'NR > 1 { t = $1 }
+            NR > 1 && $1 > 1 { d[++n] = $2 - $3; u[n] = 1e3 * $4 }
             function report(name, unit, a,   i, b, m, s, e, part) {
                 part = int(n / 10)
                 for (i = 1; i <= n; i++) m += a[i] / n
@@ -39,6 +40,7 @@ numbers() {
                     name, m, unit, name, sqrt(e), name, sqrt(s)
             }
             END { printf "end = %.2f [s]\n", t
+                  if (n < 10) exit
                   report("drop", "Pa", d); report("us", "mm/s", u) }' "$1/$run/probes.csv"
     done
 }
@@ -49,6 +51,7 @@ differences() { # of the coarse mesh from the fine one, from the numbers
         function compare(m,   f, c, e) {
             f = m "-12x60"
             c = m "-8x40"
+            if (!((f, "drop") in v && (c, "drop") in v)) return
             e = sqrt(v[c, "drop_error"] ^ 2 + v[f, "drop_error"] ^ 2)
             printf "## %s-meshes\n", m
             printf "drop_change = %.1f [%%]\n", change(v[f, "drop"], v[c, "drop"])
@@ -65,6 +68,7 @@ span() { # FILE FROM TO
     awk -F, -v from="$2" -v to="$3" 'NR > 1 && $1 > from && $1 <= to { d[++n] = $2 - $3 }
         END {
             part = int(n / 6)
+            if (part == 0) exit
             for (i = 1; i <= n; i++) m += d[i] / n
             for (i = 1; i <= n; i++) s += (d[i] - m) ^ 2 / n
             for (i = 0; i < 6; i++) {

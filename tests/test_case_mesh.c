@@ -140,7 +140,7 @@ END_TEST
  */
 
 static const char bed[] =
-    "particles = { contact = \"linear\"; step = 5e-5; grains = { density = "
+    "particles = { contact = \"linear\"; step = 1e-4; grains = { density = "
     "1000; stiffness = 1e5; restitution = 0.5; friction = 0.3; }; bed = { "
     "count = 60; diameter = 0.1; settle = 2.0; }; };\n"
     "averaging = { method = \"diffusion\"; bandwidth = 0.3; };\n"
@@ -202,7 +202,7 @@ START_TEST(slanted_walls_hold_the_grains)
         "polymesh = \"../tests/data/poly/sheared\";",
         "polymesh = \"../tests/data/poly/shuffled\";",
         "size = [1.0, 2.0, 0.5]; cells = [8, 8, 3]; shear = [0.3, 0.0, 0.0];"};
-    struct simulation *const sim = bed_after(200, meshes[_i]);
+    struct simulation *const sim = bed_after(50, meshes[_i]);
     const struct mesh *const m = sim->mesh;
 
     ck_assert_int_eq(sim->n_surfaces, 1);

@@ -16,69 +16,82 @@ static const struct {
                {"dpvm", "exponential"},         {"cube", "exponential"},
                {"two-grid", "exponential"},     {"gaussian", "exponential"},
                {"images", "exponential"},       {"diffusion", "series"}};
-enum { FIRST = 5, METHODS = sizeof methods / sizeof *methods };
+enum { METHODS = sizeof methods / sizeof *methods };
 static const char *const ways[] = {"nearest", "linear", "same"};
+static const int drag_updates[] = {1, 3, 0};
 
-/* 5 methods x 3 interpolations x 2 treatments x 2 forms of continuity x with
- * and without the pressure force x 2 relaxations, [XS11 Algorithm 3.1] four
- * times: fluid, particles and what is owed keep their sum to rounding. 1e-12 of
- * the particles' momentum is a thousand roundings; the solvers of the diffusion
- * get 1e-10, a thousand times their tolerance. */
-static void check_momentum(const struct scene *s, int steps)
+/* Takes a choice out of n from what is left of a number. */
+static int pick(int *left, int n)
+{
+    const int choice = *left % n;
+
+    *left /= n;
+    return choice;
+}
+
+/* One of the 144 ways to combine all else: treatment, continuity, pressure not
+ * at all or by model A or B, relaxation, virtual mass with the viscous stress,
+ * sub-steps 1, 3, auto. */
+static struct scene combination(int number)
+{
+    struct scene s = air;
+
+    s.n = 125; /* a small cube of a light liquid */
+    s.cells = 4;
+    s.size = 0.008;
+    s.width = 1.0;
+    s.rho = 100.0;
+    s.mu = 1e-3;
+    s.treatment =
+        pick(&number, 2) ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
+    s.continuity = pick(&number, 2) ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE;
+    const int pressure = pick(&number, 3);
+    s.pressure_gradient = pressure > 0;
+    s.model_b = pressure == 2;
+    s.relaxation =
+        pick(&number, 2) ? RELAXATION_EXPONENTIAL : RELAXATION_FROZEN;
+    s.viscous_stress = pick(&number, 2);
+    s.virtual_mass = 0.5 * s.viscous_stress;
+    s.substeps = drag_updates[pick(&number, 3)];
+    return s;
+}
+
+/* [XS11 Algorithm 3.1] three times: fluid, particles and what is owed keep
+ * their sum to rounding. 1e-12 of the particles' momentum is a thousand
+ * roundings; the solvers of the diffusion get 1e-10, a thousand times their
+ * tolerance. */
+static void check_momentum(const struct scene *s)
 {
     double before[3], after[3];
     struct simulation *const sim = build(s);
     coupling_total_momentum(sim, before);
-    run(sim, steps);
+    const double scale = gross_momentum(sim) + fabs(before[0]);
+    run(sim, 3);
     coupling_total_momentum(sim, after);
-    const double gross = gross_momentum(sim);
     const int sure = strcmp(s->scheme, "exponential") == 0 ||
                      strcmp(s->scheme, "series") == 0;
     const double limit = sure ? 1e-12 : 1e-10;
     for (int k = 0; k < 3; k++) {
         const double drift = after[k] - before[k] - sim->fluid->relabelled[k];
-        ck_assert_msg(fabs(drift) < limit * gross, "%s %s %s: drift %g",
-                      s->averaging, s->scheme, s->interpolation, drift / gross);
+        ck_assert_msg(fabs(drift) < limit * scale, "%s %s %s: drift %g",
+                      s->averaging, s->scheme, s->interpolation, drift / scale);
     }
     ck_assert_double_lt(sim->coupling->report.exchange_residual, limit);
     discard(sim);
 }
 
-/* A small cube: each combination, once more. */
-static struct scene small_cube(void)
-{
-    struct scene s = air;
-    s.n = 125;
-    s.cells = 4;
-    s.size = 0.008;
-    return s;
-}
-
+/* Every method of averaging with every interpolation, and with 8 of the 144.
+ * The strides 7 and 19 let any two choices meet somewhere. (All 5184, tried
+ * once: at most 9e-16.) */
 START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
 {
-    struct scene s = small_cube();
-    s.averaging = methods[_i % FIRST].averaging;
-    s.scheme = methods[_i % FIRST].scheme;
-    s.interpolation = ways[_i / FIRST % 3];
-    s.treatment = _i / 15 % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
-    s.continuity = _i / 30 % 2 ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE;
-    s.pressure_gradient = _i / 60 % 2;
-    s.relaxation = _i / 120 % 2 ? RELAXATION_EXPONENTIAL : RELAXATION_FROZEN;
-    s.substeps = 1 + _i % 2;
-    check_momentum(&s, 4);
-}
-END_TEST
-
-START_TEST(xs11_3_18_total_momentum_is_constant_for_every_method)
-{
-    struct scene s = air;
-    s.averaging = methods[_i].averaging;
-    s.scheme = methods[_i].scheme;
-    s.width = 0.7;
-    check_momentum(&s, 3);
-    s.treatment = TREATMENT_EXPLICIT;
-    s.interpolation = "linear";
-    check_momentum(&s, 3);
+    for (int j = 0; j < 8; j++) {
+        struct scene s = combination((7 * _i + 19 * j) % 144);
+        s.averaging = methods[_i % METHODS].averaging;
+        s.scheme = methods[_i % METHODS].scheme;
+        s.interpolation = ways[_i / METHODS];
+        check_momentum(&s);
+    }
 }
 END_TEST
 
@@ -475,10 +488,8 @@ static Suite *suite(void)
     suite_add_tcase(s, t);
     tcase_set_timeout(t, 60.0);
     tcase_add_loop_test(
-        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0, 240);
-    tcase_add_loop_test(t,
-                        xs11_3_18_total_momentum_is_constant_for_every_method,
-                        FIRST, METHODS);
+        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0,
+        3 * METHODS);
     tcase_add_test(t,
                    the_void_rate_form_averages_the_solids_velocity_on_demand);
     tcase_add_test(t, looking_at_the_solids_velocity_leaves_the_run_as_it_is);

@@ -1,26 +1,42 @@
 #!/bin/sh
 # Long runs of the coupling: Cases 1, 2 and 4 of XS11, with the kernel and with
-# sums of each cell, on two meshes. Hours; the figures of chapter 20 are made of
-# what they leave.
+# sums of each cell, on two meshes, with other seeds and springs. Hours; the
+# figures of chapter 20 are made of what they leave.
 #
-#   sh tests/validate/coupling.sh build/winnow [two|ramp|seepage|weight ...]
+#   sh tests/validate/coupling.sh build/winnow [two|sensor|ramp|seepage|springs|weight ...]
+#
+# END=1.3 in the environment ends each run at 1.3 s, to try the scripts; what they
+# find then goes to out/validate-coupling/figures and nothing of ours changes.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
 out=out/validate-coupling
+figures=figures
+[ -z "${END:-}" ] || figures=$out/figures
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
-mkdir -p $out
+mkdir -p $out $figures
+python=/usr/bin/python3 # Debian's own, which python3-vtk9 belongs to
+[ -x $python ] || python=python3
 
-run() { # NAME CASE OVERRIDES...: a run that breaks down is a result
+# NAME CASE OVERRIDES...: END comes before what is asked for here; a run that breaks down is a
+# result, one that cannot begin is not.
+run() {
     name=$1 case=$2
     shift 2
-    winnow run "cases/$case.cfg" -o "$out/$name" --quiet "$@" >"$out/$name.log" 2>&1 ||
-        tail -n 3 "$out/$name.log"
+    code=0
+    [ -z "${END:-}" ] || set -- "$@" -s "output.end=$END"
+    winnow run "$case" -o "$out/$name" --quiet "$@" >"$out/$name.log" 2>&1 || code=$?
+    [ $code = 0 ] || tail -n 3 "$out/$name.log" >&2
+    [ $code = 0 ] || [ $code = 3 ] || exit $code
+}
+
+made() { # PART: the first line of each file
+    echo "# Made by: ${END:+END=$END }sh tests/validate/coupling.sh build/winnow $1"
 }
 
 # Case 2, Figs. 6 and 7. 4e-6 s is safe for the springs; XS11 take 1e-6.
 two() {
-    two="fluidization-two-sizes -s particles.step=4e-6"
+    two="cases/fluidization-two-sizes.cfg -s particles.step=4e-6"
     coarse="-s mesh.cells=[8,40,1]" sums="-s averaging.method=pcm"
     # shellcheck disable=SC2086 # one word an argument
     {
@@ -30,42 +46,93 @@ two() {
         run pcm-8x40 $two $sums $coarse
         run short-step $two -s particles.step=2e-6 -s output.end=1.6
     }
-    made="# Made by: sh tests/validate/coupling.sh build/winnow two"
-    { echo "$made"; sh figures/20-two-sizes.sh series $out; } >figures/20-two-sizes.txt
-    { echo "$made"; sh figures/20-two-sizes.sh numbers $out; } >figures/20-two-numbers.txt
-    { echo "$made"; sh figures/20-two-sizes.sh steps $out; } >figures/20-two-steps.txt
+    { made two; sh figures/20-two-sizes.sh series $out; } >$figures/20-two-sizes.txt
+    { made two; sh figures/20-two-sizes.sh numbers $out; } >$figures/20-two-numbers.txt
+    { made two; sh figures/20-two-sizes.sh steps $out; } >$figures/20-two-steps.txt
 }
 
-# Case 1, Figs. 4 and 5, with springs ten times as soft.
+# Case 2 again, Fig. 7: what moves the grains at the lower sensor?
+sensor() {
+    at="position=[0.02,0.002,0.00375]"
+    probes="{field=\"p\";$at;},{field=\"p\";position=[0.02,0.15,0.00375];},{field=\"us_y\";$at;}"
+    probes="$probes,{field=\"us_y\";position=[0.02,0.01,0.00375];},{field=\"us_y\";position=[0.02,0.025,0.00375];}"
+    probes="$probes,{field=\"eps_f\";$at;},{field=\"eps_f\";position=[0.02,0.02,0.00375];}"
+    tried=
+    try() { # NAME OVERRIDES...
+        tried="$tried $1"
+        name=$1
+        shift
+        run "sensor-$name" "$scene" -s particles.grains.stiffness=500 \
+            -s particles.step=1.2e-5 -s output.end=1.5 -s "output.probes=($probes)" "$@"
+    }
+    scene=cases/fluidization-two-sizes.cfg
+    try bell
+    try bell-5mm -s averaging.bandwidth=0.005
+    try bell-3mm -s averaging.bandwidth=0.003
+    try linear -s averaging.interpolation=linear
+    try coarse -s "mesh.cells=[8,40,1]"
+    try sums -s averaging.method=pcm
+    try frictionless -s particles.grains.friction=0.0
+    try seed -s particles.bed.seed=2
+    try gidaspow -s exchange.drag=gidaspow
+    for U in 1.15 1.3 1.5; do try $U -s fluid.bottom.inlet=$U; done
+    sed '/front_back/d' cases/fluidization-two-sizes.cfg >$out/periodic.cfg
+    scene=$out/periodic.cfg
+    try periodic -s "mesh.periodic=[false,false,true]"
+    # shellcheck disable=SC2086
+    { made sensor; sh figures/20-sensor.sh $out $tried; } >$figures/20-sensor.txt
+}
+
+# Case 1, Figs. 4 and 5, with springs ten times as soft. (20-ramp-stiff.txt is the
+# same without them; half an hour.)
 ramp() {
-    ramp="fluidization-ramp -s particles.grains.stiffness=500 -s particles.step=1.2e-5"
+    ramp="cases/fluidization-ramp.cfg -s particles.grains.stiffness=500 -s particles.step=1.2e-5"
     fine="-s mesh.cells=[25,100,1]"
     # shellcheck disable=SC2086
     {
+        run ramp-stiff cases/fluidization-ramp.cfg
         run ramp-15x75 $ramp
+        run ramp-seed2 $ramp -s particles.bed.seed=2 -s output.end=15
         run ramp-25x100 $ramp $fine -s output.end=15
         run ramp-pcm-25x100 $ramp $fine -s averaging.method=pcm -s output.end=15
     }
-    made="# Made by: sh tests/validate/coupling.sh build/winnow ramp"
-    for name in ramp-15x75 ramp-25x100 ramp-pcm-25x100; do
-        sh figures/20-ramp.sh series $out $name >figures/20-$name.txt
+    for name in stiff 15x75 seed2 25x100 pcm-25x100; do
+        sh figures/20-ramp.sh series $out ramp-$name >$figures/20-ramp-$name.txt
     done
     # the sums of each cell do not get as far as 1 m/s
-    files="figures/20-ramp-stiff.txt figures/20-ramp-15x75.txt figures/20-ramp-25x100.txt"
-    # shellcheck disable=SC2086
-    { echo "$made"; sh figures/20-ramp.sh numbers $files; } >figures/20-ramp-numbers.txt
+    set -- $figures/20-ramp-stiff.txt $figures/20-ramp-15x75.txt \
+        $figures/20-ramp-seed2.txt $figures/20-ramp-25x100.txt
+    { made ramp; sh figures/20-ramp.sh numbers "$@"; } >$figures/20-ramp-numbers.txt
 }
 
 # Case 4, Figs. 10 and 11.
 seepage() {
-    run seepage seepage
-    python3 figures/20-classes.py $out/seepage
+    run seepage cases/seepage.cfg
+    { made seepage; $python figures/20-classes.py heights $out/seepage; } >$figures/20-seepage.txt
+}
+
+# Case 4 again, all grains from one bed: with springs of 50 N/m, with ten times as
+# stiff ones, and with 50 N/m once more, 1 um beside.
+springs() {
+    stiff="-s particles.grains.stiffness=500 -s particles.step=1.6e-7"
+    # shellcheck disable=SC2086
+    {
+        run poured cases/seepage.cfg $stiff -s output.end=1e-3
+        $python figures/20-classes.py scene $out/poured 0.0 >$out/placed.cfg
+        $python figures/20-classes.py scene $out/poured 1e-6 >$out/moved.cfg
+        run k500 $out/placed.cfg $stiff -s output.end=0.3
+        run k50 $out/placed.cfg -s output.end=0.3
+        run k50-moved $out/moved.cfg -s output.end=0.3
+    }
+    set -- $out/k50 $out/k50-moved $out/k500
+    { made springs; $python figures/20-classes.py compare "$@"; } >$figures/20-springs.txt
 }
 
 # Who carries the bed of Case 1.
 weight() {
-    sh chapters/tools/transcript.sh figures/20-weight.txt
+    if [ -z "${END:-}" ]; then sh chapters/tools/transcript.sh figures/20-weight.txt
+    else sh figures/program.sh 20-weight "$END" 1.0; fi
 }
 
-for part in "${@:-two}"; do $part; done
-[ $# -gt 0 ] || { ramp; seepage; weight; }
+[ $# -gt 0 ] || set -- two sensor ramp seepage springs weight
+for part in "$@"; do $part; done
