@@ -103,15 +103,21 @@ static double made_hill(const struct made *a, const double x[3], double grad[3])
     return X * Y * Z;
 }
 
-static const double made_w[3] = {1.0, -0.7, 0.5}; /* the direction of W */
+/* The direction of W: along the slip walls in a channel. */
+static double made_w(const struct made *a, int k)
+{
+    static const double w[3] = {1.0, -0.7, 0.5};
+
+    return k == 2 && (a->flat || a->kind == MADE_CHANNEL) ? 0.0 : w[k];
+}
 
 static double made_eps(const struct made *a, const double x[3], double t)
 {
     double g[3];
 
     made_hill(a, x, g);
-    return 0.6 - made_way(a, t) * (made_w[0] * g[0] + made_w[1] * g[1] +
-                                   (a->flat ? 0.0 : made_w[2] * g[2]));
+    return 0.6 - made_way(a, t) * (made_w(a, 0) * g[0] + made_w(a, 1) * g[1] +
+                                   made_w(a, 2) * g[2]);
 }
 
 /* eps_s u_s */
@@ -122,8 +128,7 @@ static void made_solids(const struct made *a, const double x[3], double t,
     const double S = made_hill(a, x, g);
 
     for (int k = 0; k < 3; k++)
-        to[k] = -made_way_slope(a, t) * made_w[k] * S;
-    if (a->flat) to[2] = 0.0;
+        to[k] = -made_way_slope(a, t) * made_w(a, k) * S;
 }
 
 /* eps u */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 #include "mesh/poly.h"
-#include "mesh/poly_raw.h"
+#include "mesh/poly_order.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -162,6 +162,24 @@ START_TEST(shuffled_polyhedra_are_put_in_waves)
     ck_assert_int_lt(widest(m), m->n_cells / 2);
     mesh_free(m);
     mesh_free(filed);
+}
+END_TEST
+
+/* Two cells with two faces each in a patch: one of each, and again. */
+START_TEST(faces_of_a_patch_come_one_a_cell)
+{
+    int owner[] = {1, 0, 0, 1}, number[] = {0, 1};
+    const struct poly_raw r = {.n_faces = 4,
+                               .n_cells = 2,
+                               .n_parts = 1,
+                               .owner = owner,
+                               .number = number,
+                               .part = {{.n = 4}}};
+    const int expected[] = {1, 0, 2, 3};
+    int *const order = poly_boundary_order(&r);
+    for (int i = 0; i < 4; i++)
+        ck_assert_int_eq(order[i], expected[i]);
+    free(order);
 }
 END_TEST
 
@@ -450,6 +468,7 @@ int main(void)
     tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
     tcase_add_test(t, shuffled_hexahedra_are_put_in_rows);
     tcase_add_test(t, shuffled_polyhedra_are_put_in_waves);
+    tcase_add_test(t, faces_of_a_patch_come_one_a_cell);
     tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
     tcase_add_test(t, a_period_more_is_the_same_point);
     tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);

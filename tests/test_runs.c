@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/piso.h"
 #include "linear/ldu.h"
 #include "linear/runs.h"
 #include "linear/triples.h"
@@ -183,6 +184,85 @@ START_TEST(one_number_times_three_is_as_in_a_plain_loop)
 }
 END_TEST
 
+/* Anything from -1 to 1. */
+static double any(int i)
+{
+    return sin(9.0 * i * i + i);
+}
+
+/* A few steps of a flow in which all terms are at work: a bed of any eps,
+ * forces and friction that jump, grains that move, from an inlet to an outlet.
+ */
+static struct fluid *flow(const struct mesh *m, const struct boundary *b,
+                          int shared, int by_lists)
+{
+    const struct fluid_options o = {
+        .rho = 1000.0,
+        .mu = 0.1,
+        .dt = 1e-2,
+        .convection = convection_scheme_named(shared ? "linear" : "upwind"),
+        .continuity = shared ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE,
+        .correctors = 3,
+        .tolerance = 1e-13,
+        .coupled = 1,
+        .pressure_shared = shared,
+        .boundaries = b};
+    struct fluid *const fl = fluid_create(m, &o);
+    struct runs *const runs = fl->piso->runs;
+
+    ck_assert_ptr_nonnull(runs);
+    if (by_lists) fl->piso->runs = NULL;
+    for (int c = 0; c < m->n_cells; c++)
+        fl->eps[c] = 0.7 + 0.2 * any(c);
+    fluid_settle_eps(fl);
+    for (int n = 0; n < 3; n++) {
+        for (int c = 0; c < m->n_cells; c++) {
+            fl->eps[c] += 0.01 * any(c + n);
+            fl->K[c] = 1e4 * (1.0 + any(3 * c));
+            for (int k = 0; k < 3; k++) {
+                fl->F[3 * c + k] = 100.0 * any(5 * c + k);
+                fl->eps_us[3 * c + k] = 0.01 * any(7 * c + k + n);
+            }
+        }
+        ck_assert_int_eq(fluid_step(fl), 0);
+    }
+    fl->piso->runs = runs;
+    return fl;
+}
+
+START_TEST(a_coupled_flow_is_the_same_by_lists_and_by_runs)
+{
+    const struct box_spec spec = {
+        {0.1, 0.2, 0.1}, {10, 9, 8}, {1.0, 2.0, 1.0}, {0, 0, 1}};
+    const double U = 0.3, zero = 0.0;
+    struct mesh *const m = mesh_create_box(&spec);
+    struct boundary b[6] = {
+        {.kind = BOUNDARY_NO_SLIP},
+        {.kind = BOUNDARY_SLIP},
+        {.kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U},
+        {.kind = BOUNDARY_OUTLET}};
+    struct fluid *const runs = flow(m, b, _i, 0), *const lists =
+                                                      flow(m, b, _i, 1);
+    double u = 0.0, p = 0.0, phi = 0.0;
+    for (int c = 0; c < m->n_cells; c++) {
+        u = fmax(u, fabs(runs->u[3 * c + 1]));
+        p = fmax(p, fabs(runs->p[c]));
+    }
+    for (int f = 0; f < m->n_faces; f++)
+        phi = fmax(phi, fabs(runs->phi[f]));
+    ck_assert_double_gt(u, 0.3);
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq_tol(runs->u[i], lists->u[i], 1e-9 * u);
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq_tol(runs->p[c], lists->p[c], 1e-9 * p);
+    for (int f = 0; f < m->n_faces; f++)
+        ck_assert_double_eq_tol(runs->phi[f], lists->phi[f], 1e-9 * phi);
+    fluid_free(runs);
+    fluid_free(lists);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("runs");
@@ -195,6 +275,8 @@ int main(void)
     tcase_add_test(t, links_in_disorder_have_no_runs);
     tcase_add_loop_test(t, product_by_runs_is_that_by_rows, 0, 3);
     tcase_add_test(t, one_number_times_three_is_as_in_a_plain_loop);
+    tcase_add_loop_test(t, a_coupled_flow_is_the_same_by_lists_and_by_runs, 0,
+                        2);
     srunner_run_all(r, CK_NORMAL);
 
     const int failed = srunner_ntests_failed(r);

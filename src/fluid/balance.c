@@ -21,38 +21,32 @@ static void add(struct sum *s, int k, double impulse)
     s->gross += fabs(impulse);
 }
 
-/* Force of the wall or the inlet by viscosity on the cell at f [N]. */
-static double viscous_force(const struct fluid *fl, enum boundary_kind kind,
-                            int f, const double edge[3], int k)
+/* What passes through boundary face f: momentum with the flow, the pressure,
+ * and the viscous force of a wall or an inlet. */
+static void add_face(const struct fluid *fl, const struct boundary *b, int f,
+                     struct sum *s)
 {
-    const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    const double *const u = &fl->u[3 * m->owner[f]];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double dt = fl->options.dt,
+                 flow = fl->options.rho * fl->piso->carry[f];
+    const double *const u = &fl->u[3 * fl->mesh->owner[f]];
     const double D =
-        fl->options.mu * SS / (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+        b->kind == BOUNDARY_OUTLET ? 0.0 : fl->options.mu * fl->piso->link[f];
+    double edge[3];
 
-    return kind == BOUNDARY_OUTLET ? 0.0 : D * (edge[k] - u[k]);
+    edge_velocity(fl, b, f, edge);
+    for (int k = 0; k < 3; k++) {
+        add(s, k, -dt * flow * edge[k]);
+        add(s, k, dt * D * (edge[k] - u[k]));
+        add(s, k, -dt * fl->p_face[f] * fl->mesh->S[3 * f + k]);
+    }
 }
 
 static void add_boundaries(const struct fluid *fl, struct sum *s)
 {
-    const struct mesh *const m = fl->mesh;
-    const double dt = fl->options.dt, rho = fl->options.rho;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        const enum boundary_kind kind = fl->options.boundaries[i].kind;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double flow = rho * fl->piso->carry[f];
-            double u[3];
-            edge_velocity(fl, &fl->options.boundaries[i], f, u);
-            for (int k = 0; k < 3; k++) {
-                add(s, k, -dt * flow * u[k]);
-                add(s, k, dt * viscous_force(fl, kind, f, u, k));
-                add(s, k, -dt * fl->p_face[f] * m->S[3 * f + k]);
-            }
-        }
+    for (int i = 0; i < fl->mesh->n_patches; i++) {
+        const struct patch *const p = &fl->mesh->patches[i];
+        for (int f = p->first; f < p->first + p->n; f++)
+            add_face(fl, &fl->options.boundaries[i], f, s);
     }
 }
 

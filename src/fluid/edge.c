@@ -10,25 +10,33 @@ static double dot3(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* to = u + factor S */
+static void along(const double u[3], double factor, const double *S,
+                  double to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = u[k] + factor * S[k];
+}
+
 /* Fluid enters with the velocity that carries the flux through the fluid's
  * share of the face; what flows back in through an outlet enters at rest. */
 void edge_velocity(const struct fluid *fl, const struct boundary *b, int f,
                    double u[3])
 {
-    const double *const S = &fl->mesh->S[3 * f];
+    static const double rest[3] = {0.0, 0.0, 0.0};
+    const double *const S = &fl->mesh->S[3 * f], SS = fl->piso->SS[f];
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->piso->carry[f];
 
-    for (int k = 0; k < 3; k++)
-        if (b->kind == BOUNDARY_INLET)
-            u[k] = phi * S[k] / (fl->eps[c] * dot3(S, S));
-        else if (b->kind == BOUNDARY_OUTLET)
-            u[k] = phi >= 0.0 ? inside[k] : 0.0;
-        else if (b->kind == BOUNDARY_SLIP)
-            u[k] = inside[k] - dot3(inside, S) * S[k] / dot3(S, S);
-        else
-            u[k] = b->wall[k];
+    if (b->kind == BOUNDARY_INLET)
+        along(rest, phi / (fl->eps[c] * SS), S, u);
+    else if (b->kind == BOUNDARY_OUTLET)
+        along(phi >= 0.0 ? inside : rest, 0.0, S, u);
+    else if (b->kind == BOUNDARY_SLIP)
+        along(inside, -dot3(inside, S) / SS, S, u);
+    else
+        along(b->wall, 0.0, S, u);
 }
 
 void edge_inlet_fluxes(const struct fluid *fl, double *phi)

@@ -31,6 +31,7 @@ static void link_coefficients(int first, int last, struct fluid *fl)
                                            fl->mesh->w + first, o->blend};
 
     o->convection->shares(&faces, share + first);
+    if (piso_rings(fl)) jump_lean(first, last, fl);
     for (int f = first; f < last; f++) {
         const double flow = o->rho * carry[f]; /* [kg/s] */
         const double D = o->mu * link[f];

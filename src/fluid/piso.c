@@ -89,8 +89,8 @@ static void create_further(struct piso *ps, const struct fluid *fl)
         ps->storage_older = alloc_doubles(m->n_cells);
         ps->u_known = alloc_doubles(3 * m->n_cells);
     }
-    if (fl->options.coupled && fl->options.pressure_shared &&
-        !fl->options.convection->damps)
+    if (piso_rings(fl)) ps->upstream = alloc_doubles(m->n_internal);
+    if (piso_rings(fl) && fl->options.pressure_shared)
         ps->rest = alloc_doubles(3 * m->n_cells);
     if (deferred_exists(fl)) {
         ps->slope = alloc_doubles(9 * m->n_cells);
@@ -163,6 +163,7 @@ void piso_free(struct piso *ps)
     free(ps->per_force);
     free(ps->resistance);
     free(ps->rest);
+    free(ps->upstream);
     free(ps->per_flux);
     free(ps->SS);
     free(ps->Sd);
@@ -244,16 +245,29 @@ static void predict_and_correct(struct fluid *fl)
 
 /* Each corrector takes the neighbours' velocities from before. Where viscosity
  * or a long step ties cells closely, what two correctors leave is large, and
- * carried on it would grow from step to step; then they go on. */
+ * carried on it would grow from step to step; then they go on. A central scheme
+ * puts nothing on the diagonal, and past a Courant number of 1 what it leaves
+ * would grow from one to the next; a prediction with the pressure of now, in
+ * which the neighbours are unknowns, takes it away. */
 static void correct_further(struct fluid *fl)
 {
     const double most = fl->options.splitting;
+    double before = INFINITY;
+    int helps = 1;
 
     fl->report.splitting = velocity_rest(fl);
     while (most > 0.0 && fl->report.splitting > most &&
            fl->report.correctors < MOST_CORRECTORS) {
+        const int again = helps && fl->report.splitting > before;
+
+        if (again) {
+            note_worst(&fl->report.momentum, velocity_predict(fl));
+            velocity_predicted(fl);
+        }
+        before = fl->report.splitting;
         correct(fl); /* velocity_rest left H as it is now */
         fl->report.splitting = velocity_rest(fl);
+        if (again) helps = fl->report.splitting < before;
     }
 }
 

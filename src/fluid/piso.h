@@ -36,6 +36,7 @@ struct piso {
     double *jump_owner;   /* [Pa] inertia at a face where eps jumps: what the */
     double *jump_neighbour; /* [Pa] cells on either side have of it */
     double *share;          /* [-] of the owner in the carried velocity */
+    double *upstream;       /* [-] by how much it leans upstream; or NULL */
     double *inertia;        /* [N] what the jumps put on a cell, 3 each */
     double *bend, *lean;    /* [Pa], [Pa s/m^3] p_f beside the linear mean: by
                                drag and inertia, and for each m^3/s */
@@ -82,6 +83,12 @@ void piso_free(struct piso *ps);
 static inline double piso_gamma(const struct fluid *fl, int c)
 {
     return fl->options.pressure_shared ? fl->eps[c] : 1.0;
+}
+
+/* 1: eps varies, and the convection scheme damps nothing. */
+static inline int piso_rings(const struct fluid *fl)
+{
+    return fl->options.coupled && !fl->options.convection->damps;
 }
 
 /* By how much p_f lies above the owner's side of face f [Pa]: its part of the
@@ -149,8 +156,10 @@ struct solve_report pressure_correct(struct fluid *fl);
 void continuity_source(struct fluid *fl);
 double continuity_residual(struct fluid *fl);
 
-/* jump.c: where eps jumps, so do velocity and pressure; once a step. */
+/* jump.c: where eps jumps, so do velocity and pressure; once a step. Of a
+ * scheme that rings, also the shares of a stretch of faces. */
 void jump_update(struct fluid *fl);
+void jump_lean(int first, int last, struct fluid *fl);
 /* Fills `rest` from the present H and u. What it adds to p_N - p_O across face
  * f where gamma changes, and to p_f [Pa]. */
 void jump_rest(struct fluid *fl);
