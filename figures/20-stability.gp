@@ -13,8 +13,10 @@ set format "10^{%T}"
 unset key
 eps = 0.45
 c = 1/eps**2 - 1
+set samples 300
 coth(x) = (1 + exp(-x))/(1 - exp(-x))
 frozen(x) = x < 2 ? 2/x - 1 : 1/0
+late(x) = x > 0.5 && x < 2 ? (2 - x)/(x*(2*x - 1)) : 1/0
 systems = "suspension one bed"
 treatments = "explicit-frozen explicit-exponential semi-implicit-frozen semi-implicit-exponential"
 do for [r = 1:3] {
@@ -26,13 +28,12 @@ do for [r = 1:3] {
         if (k == 1) { set ylabel word(systems, r) . ":  M"; set format y "10^{%T}" } else { unset ylabel; set format y "" }
         if (r == 3) { set xlabel "dt / tau"; set format x "10^{%T}" } else { unset xlabel; set format x "" }
         unset arrow
-        if (r < 3 && k == 3) { set arrow 1 from 2, 4e-4 to 2, 2.5e3 nohead linecolor "#000000" linewidth 1.5 front }
         edge = (k % 2 == 1) ? 2*eps**2 : log((1 + c)/(c - 1))
         if (r == 3) {
             set arrow 1 from edge, 1 to edge, (k < 3 && k % 2 == 1 ? 2/edge : 2.5e3) nohead linecolor "#000000" linewidth 1.5 front
             set arrow 2 from 0.05, 1 to edge, 1 nohead linecolor "#000000" linewidth 1.5 front
         }
-        curve(x) = r < 3 ? (k == 1 ? frozen(x) : k == 2 ? coth(x/2) : 1/0) : (k == 1 && x < edge ? 2/x : 1/0)
+        curve(x) = r < 3 ? (k == 1 ? frozen(x) : k == 2 ? coth(x/2) : k == 3 ? late(x) : 1/0) : (k == 1 && x < edge ? 2/x : 1/0)
         plot of("diverged") using 2:1 with points pointtype 2 pointsize 0.6 linecolor "#c2571a" linewidth 1.2, \
              of("oscillating") using 2:1 with points pointtype 7 pointsize 0.8 linecolor "#e0a030", \
              of("sluggish") using 2:1 with points pointtype 6 pointsize 0.8 linecolor "#0b5a8a" linewidth 1.2, \

@@ -191,6 +191,41 @@ START_TEST(a_larger_grain_than_all_before_is_no_harm)
 }
 END_TEST
 
+/* What depends on the widths of cells alone goes by directions in a box, and is
+ * what the series makes of all of it at once; some links of these boxes are too
+ * long to be crossed. */
+START_TEST(by_directions_the_cells_are_taken_off_as_by_the_series)
+{
+    struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 2]);
+    struct particles *const ps = cloud_create(m, 60);
+    double *const field[2] = {alloc_doubles(m->n_cells),
+                              alloc_doubles(m->n_cells)};
+    double q[60];
+
+    cloud_numbers(2, 60, q);
+    for (int way = 0; way < 2; way++) {
+        const struct averaging_options o = {.bandwidth = _i % 2 ? 0.3 : 0.07,
+                                            .vary = "cells",
+                                            .tolerance = 1e-12,
+                                            .scheme = way == 0 ? "exponential"
+                                                               : "series"};
+        struct averaging *const a =
+            averaging_create(averaging_method_named("diffusion"), m, ps, &o);
+        ck_assert_int_eq(averaging_bind(a), 0);
+        averaging_spread(a, 1, q, field[way]);
+        if (way == 0) ck_assert_int_eq(averaging_report(a)->products, 0);
+        averaging_free(a);
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq_tol(m->V[c] * field[0][c], m->V[c] * field[1][c],
+                                1e-10);
+    free(field[0]);
+    free(field[1]);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("bandwidth");
@@ -203,6 +238,9 @@ int main(void)
     tcase_add_test(t, the_bandwidth_follows_the_diameter);
     tcase_add_test(t, grains_of_one_size_have_one_bandwidth);
     tcase_add_test(t, a_larger_grain_than_all_before_is_no_harm);
+    tcase_add_loop_test(t,
+                        by_directions_the_cells_are_taken_off_as_by_the_series,
+                        0, 2 * CLOUD_SHAPES);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -41,7 +41,7 @@ static void smooth(const struct mesh *mesh, double b, double tail, int m,
                    double *u)
 {
     struct separable *const s =
-        separable_create(&mesh->box, diffusion_time(b), tail);
+        separable_create(&mesh->box, diffusion_time(b), 0.0, tail);
 
     separable_apply(s, m, u);
     separable_free(s);
@@ -167,7 +167,7 @@ START_TEST(weights_go_as_far_as_a_gaussian_does)
         {100.0, 20.0, 1.0}, {100, 20, 1}, {1.0, 1.0, 1.0}, {1, 0, 0}};
     struct mesh *const mesh = mesh_create_box(&spec);
     struct separable *const s =
-        separable_create(&mesh->box, diffusion_time(4.0), 1e-6);
+        separable_create(&mesh->box, diffusion_time(4.0), 0.0, 1e-6);
 
     ck_assert_int_ge(separable_reach(s, 0), 15);
     ck_assert_int_le(separable_reach(s, 0), 17);
@@ -186,8 +186,8 @@ START_TEST(no_box_or_a_very_long_one_is_refused)
                                   {0, 0, 0}};
     struct mesh *const mesh = mesh_create_box(&spec);
 
-    ck_assert_ptr_null(separable_create(&none, 1.0, 1e-6));
-    ck_assert_ptr_null(separable_create(&mesh->box, 1.0, 1e-6));
+    ck_assert_ptr_null(separable_create(&none, 1.0, 0.0, 1e-6));
+    ck_assert_ptr_null(separable_create(&mesh->box, 1.0, 0.0, 1e-6));
     mesh_free(mesh);
 }
 END_TEST

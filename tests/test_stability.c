@@ -76,6 +76,90 @@ START_TEST(light_spheres_are_held_by_the_swing_not_by_their_loading)
 }
 END_TEST
 
+/* 64 spheres side by side in honey, one a cell, all as fast; a step lasts x of
+ * their relaxation times, and the spheres weigh M times as much as the fluid.
+ * What is left of the slip after 30 steps. */
+static double slip_left(double x, double M, const struct scene *way)
+{
+    struct scene s = *way;
+    double flow[3];
+
+    s.n = 64;
+    s.cells = 4;
+    s.averaging = "pcm";
+    s.interpolation = "nearest";
+    s.drag = "schiller-naumann";
+    s.pressure_gradient = 0;
+    s.dem_steps = 4;
+    s.mu = 100.0;
+    const double eps_s = 64.0 * M_PI / 6.0 / 1728.0;
+    s.rho = s.rho_s * eps_s / ((1.0 - eps_s) * M);
+    s.dt = x * s.rho_s * s.d * s.d / (18.0 * s.mu);
+    struct simulation *const sim = build(&s);
+    struct particles *const ps = sim->particles;
+    for (int i = 0; i < s.n; i++) {
+        ps->vx[i] = 0.4;
+        ps->vy[i] = ps->vz[i] = 0.0;
+    }
+    ck_assert_int_eq(coupling_start(sim), 0);
+    int failed = 0;
+    for (int i = 0; i < 30 && !failed; i++)
+        failed = coupling_step(sim);
+    fluid_mean_flow(sim->fluid, flow);
+    const double slip = ps->vx[0] - flow[0] / (1.0 - eps_s);
+    discard(sim);
+    return failed ? INFINITY : fabs(slip) / 0.1; /* the fluid began with 0.3 */
+}
+
+static struct scene way(enum treatment treatment, enum relaxation relaxation,
+                        int substeps)
+{
+    struct scene s = air;
+
+    s.treatment = treatment;
+    s.relaxation = relaxation;
+    s.substeps = substeps;
+    return s;
+}
+
+/* A fifth of the step below and above (20.2), and the edge of the semi-implicit
+ * one; the factor of a step is then 0.6 to 0.9 and 1.1 to 1.5, and 30 steps
+ * make 0.04 and 20 of it at least. */
+START_TEST(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them)
+{
+    static const double loading[] = {0.01, 1.0, 100.0},
+                        root[] = {1.94387, 1.0, 0.514439};
+    const double M = loading[_i], edge = stability_frozen_edge(M);
+    const struct scene old = way(TREATMENT_EXPLICIT, RELAXATION_FROZEN, 1),
+                       new = way(TREATMENT_SEMI_IMPLICIT, RELAXATION_FROZEN, 1);
+
+    ck_assert_double_eq_tol(edge, root[_i], 1e-5);
+    ck_assert_double_lt(slip_left(1.6 / (1.0 + M), M, &old), 0.05);
+    ck_assert_double_gt(slip_left(2.4 / (1.0 + M), M, &old), 10.0);
+    ck_assert_double_lt(slip_left(0.8 * edge, M, &new), 0.05);
+    ck_assert_double_gt(slip_left(1.4 * edge, M, &new), 1.5);
+}
+END_TEST
+
+/* The exponential has no edge, and "auto" keeps within those of its parts. */
+START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
+{
+    static const double loading[] = {0.1, 1.0, 10.0, 100.0};
+    const struct scene exact = way(TREATMENT_SEMI_IMPLICIT,
+                                   RELAXATION_EXPONENTIAL, 1),
+                       parts =
+                           way(TREATMENT_SEMI_IMPLICIT, RELAXATION_FROZEN, 0);
+
+    for (int k = 0; k < 4; k++) {
+        ck_assert_double_lt(slip_left(0.8, loading[k], &exact), 0.01);
+        ck_assert_double_lt(slip_left(10.0, loading[k], &exact), 0.01);
+        ck_assert_double_lt(slip_left(1e4, loading[k], &exact), 1.0);
+        ck_assert_double_lt(slip_left(0.8, loading[k], &parts), 0.01);
+        ck_assert_double_lt(slip_left(2.5, loading[k], &parts), 0.01);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("stability");
@@ -86,6 +170,9 @@ int main(void)
     tcase_add_test(t, a_packed_bed_asks_for_less_than_half_its_relaxation_time);
     tcase_add_test(t, the_swing_dies_out_below_the_densest_packing);
     tcase_add_test(t, the_loading_is_mass_beside_mass);
+    tcase_add_loop_test(
+        t, the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them, 0, 3);
+    tcase_add_test(t, what_relaxes_in_the_step_or_in_its_parts_is_stable);
     tcase_add_test(t, light_spheres_are_held_by_the_swing_not_by_their_loading);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

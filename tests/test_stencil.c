@@ -137,6 +137,31 @@ START_TEST(cells_that_share_a_corner_are_near)
 }
 END_TEST
 
+/* The estimate that `winnow check` gives is right within a factor of two. */
+START_TEST(the_memory_is_known_beforehand)
+{
+    const struct box_spec spec = {
+        {9.0, 9.0, 9.0}, {9, 9, 9}, {1.0, 1.0, 1.0}, {1, 1, 1}};
+    struct mesh *const box = mesh_create_box(&spec);
+    struct mesh *const m =
+        mesh_create_sheared(&spec, (const double[3]){0.2, 0.0, 0.0});
+
+    for (int i = 0; i < 8; i++) {
+        const enum stencil_to to = i % 2 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
+        const double b = 0.8 + 0.3 * i;
+        struct stencil *const s = stencil_create(m, b, to);
+        const double entries = (double)m->n_cells * s->largest;
+        const double ratio = stencil_bytes(m, b, to) / 28.0 / entries;
+        ck_assert_double_gt(ratio, 0.5);
+        ck_assert_double_lt(ratio, 2.0);
+        ck_assert(stencil_bytes(box, b, to) == 0.0);
+        stencil_free(s);
+    }
+    mesh_free(m);
+    mesh_free(box);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("stencil");
@@ -148,6 +173,7 @@ int main(void)
                         0, 4 * CLOUD_SHAPES);
     tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
     tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
+    tcase_add_test(t, the_memory_is_known_beforehand);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -14,6 +14,7 @@
 #include "averaging/images.h"
 #include "averaging/kernel.h"
 #include "averaging/pcm.h"
+#include "averaging/stencil.h"
 #include "averaging/two_grid.h"
 #include "base/alloc.h"
 
@@ -154,6 +155,16 @@ const struct hosts *averaging_hosts(const struct averaging *a)
 const struct averaging_report *averaging_report(const struct averaging *a)
 {
     return &a->report;
+}
+
+double averaging_bytes(const struct averaging_method *method,
+                       const struct mesh *mesh, double d,
+                       const struct averaging_options *o)
+{
+    const double reach = method->reach_b * o->bandwidth + method->reach_d * d;
+    const enum stencil_to to =
+        method->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
+    return reach > 0.0 ? stencil_bytes(mesh, reach, to) : 0.0;
 }
 
 int averaging_check(const struct averaging_method *method,

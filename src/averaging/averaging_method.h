@@ -14,8 +14,10 @@ struct hosts;
  * message that says which option is wrong. The hosts are borrowed. */
 struct averaging_method {
     const char *name, *cite, *what;
-    const char *function; /* where its weights are computed */
-    int wide;             /* 1: asks for options.bandwidth */
+    const char *function;    /* where its weights are computed */
+    int wide;                /* 1: asks for options.bandwidth */
+    double reach_b, reach_d; /* [-] as far as so many bandwidths and diameters
+                                the cells around each are kept */
     void *(*create)(const struct hosts *h, const struct averaging_options *o);
     void (*free)(void *state);
     void (*bind)(void *state, struct averaging_report *r); /* or NULL */

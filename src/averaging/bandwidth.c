@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 
 struct bandwidth {
     const struct hosts *h; /* borrowed */
@@ -63,13 +64,16 @@ static void follow_grains(struct bandwidth *w)
     }
 }
 
-/* What a cell of the width of link f adds to the variance of a Gaussian of
- * bandwidth b(x), b(x)^2 = D b^2, is taken off [SX15 section 2.2.3]. */
-static double less_the_cell(const struct bandwidth *w, int f, double D)
+/* What a cell adds to the variance of a Gaussian of bandwidth b(x), b(x)^2 =
+ * D b^2, is taken off [SX15 section 2.2.3]. */
+double bandwidth_less_cell(double D, double dx, double b)
 {
-    const double *const d = &w->h->mesh->d[3 * f];
-    const double dx2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    return fmax(0.0, D - dx2 / (3.0 * w->b * w->b));
+    return fmax(0.0, D - dx * dx / (3.0 * b * b));
+}
+
+int bandwidth_is_by_lines(const struct averaging_options *o)
+{
+    return strcmp(o->vary, "grains") != 0 && o->n_regions == 0;
 }
 
 static void find_faces(struct bandwidth *w)
@@ -79,7 +83,8 @@ static void find_faces(struct bandwidth *w)
     for (int f = 0; f < m->n_internal; f++) {
         const double P = w->local[m->owner[f]], N = w->local[m->neighbour[f]];
         const double D = P + N > 0.0 ? 2.0 * P * N / (P + N) : 0.0;
-        w->D[f] = w->by_cells ? less_the_cell(w, f, D) : D;
+        const double dx = vector_length(&m->d[3 * f]);
+        w->D[f] = w->by_cells ? bandwidth_less_cell(D, dx, w->b) : D;
     }
 }
 

@@ -28,6 +28,14 @@
 /* The names for options.vary, ended by NULL; the first is the default: not. */
 extern const char *const bandwidth_rules[];
 
+/* D less what a cell that is dx [m] wide smears by itself, where b [m] has D =
+ * 1: the rule "cells". [-] */
+double bandwidth_less_cell(double D, double dx, double b);
+
+/* 1 if D is the same on all lines of cells of a box: uniform, or by the widths
+ * of its cells alone. */
+int bandwidth_is_by_lines(const struct averaging_options *o);
+
 struct bandwidth;
 
 /* NULL if the options name no variation; the hosts are borrowed. */

@@ -26,7 +26,7 @@ struct diffusion {
     int fields;             /* [-] room in the arrays below */
     double tolerance;       /* [-] */
     double dtau;            /* [m^2] T / steps */
-    struct separable *box;  /* of a box with one bandwidth; else NULL */
+    struct separable *box;  /* of a box, see bandwidth_is_by_lines; else NULL */
     struct csr *K;          /* [m] -V times div (D grad) */
     double most;            /* [-] largest D that the series is made for */
     struct chebyshev *series;
@@ -321,8 +321,9 @@ static void *diffusion_create(const struct hosts *h,
     d->dtau = diffusion_time(o->bandwidth) / d->steps;
     d->vary = bandwidth_create(h, o);
     d->smooth = alloc_doubles(m->n_cells * d->fields);
-    if (d->scheme == &schemes[0] && d->vary == NULL)
-        d->box = separable_create(&m->box, d->dtau * d->steps, d->tolerance);
+    const double b = d->vary != NULL ? o->bandwidth : 0.0;
+    if (d->scheme == &schemes[0] && bandwidth_is_by_lines(o))
+        d->box = separable_create(&m->box, d->dtau * o->steps, b, o->tolerance);
     if (d->box != NULL) return d;
     d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
     if (d->scheme->step != NULL)

@@ -9,7 +9,7 @@
 #include "base/alloc.h"
 
 /* How far the Gaussian is followed: exp(-9) = 1.2e-4 [SX15 section 4.1]. */
-static const double gaussian_reach = 3.0; /* [-] of b */
+enum { GAUSSIAN_REACH = 3 }; /* [-] of b */
 
 struct kernel {
     const struct hosts *h; /* borrowed */
@@ -75,7 +75,7 @@ static int gaussian_weights(const void *state, int i, const struct around *near,
         const double rx = near->dx[e] - o[0], ry = near->dy[e] - o[1],
                      rz = near->dz[e] - o[2];
         const double zeta2 = (rx * rx + ry * ry + rz * rz) * per_b2;
-        const double far = gaussian_reach * gaussian_reach;
+        const double far = GAUSSIAN_REACH * GAUSSIAN_REACH;
         w[e] = zeta2 < far ? exp(-zeta2) : 0.0;
         sum += w[e];
     }
@@ -104,7 +104,7 @@ static void *kernel_create(const struct hosts *h,
 static void *gaussian_create(const struct hosts *h,
                              const struct averaging_options *o)
 {
-    return create(h, o, gaussian_reach, gaussian_weights);
+    return create(h, o, GAUSSIAN_REACH, gaussian_weights);
 }
 
 static void kernel_free(void *state)
@@ -137,6 +137,7 @@ const struct averaging_method kernel_method = {
     .what = "a bell-shaped weight on the cells around",
     .function = "bell_weights",
     .wide = 1,
+    .reach_b = 1.0,
     .create = kernel_create,
     .free = kernel_free,
     .spread = kernel_spread,
@@ -149,6 +150,7 @@ const struct averaging_method kernel_gaussian_method = {
     .what = "a Gaussian weight on the cells around",
     .function = "gaussian_weights",
     .wide = 1,
+    .reach_b = GAUSSIAN_REACH,
     .create = gaussian_create,
     .free = kernel_free,
     .spread = kernel_spread,

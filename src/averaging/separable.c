@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "averaging/bandwidth.h"
 #include "base/alloc.h"
 #include "linear/chebyshev.h"
 #include "linear/strips.h"
@@ -38,7 +39,7 @@ struct separable {
 
 /* exp(-T L) of the line, n by n: the series on each column of the identity.
  * w[n * i + j] is what i has of j. */
-static double *all_weights(const struct box *box, int k, double T)
+static double *all_weights(const struct box *box, int k, double T, double b)
 {
     const int n = box->n[k], links = box->periodic[k] ? n : n - 1;
     const double *const edge = box->edge[k];
@@ -56,7 +57,9 @@ static double *all_weights(const struct box *box, int k, double T)
     struct csr *const K = csr_create(n, links, owner, neighbour);
     for (int l = 0; l < links; l++) {
         const int i = owner[l], j = neighbour[l];
-        const double g = i == j ? 0.0 : 2.0 / (dx[i] + dx[j]); /* [1/m] */
+        const double d = 0.5 * (dx[i] + dx[j]);
+        const double D = b > 0.0 ? bandwidth_less_cell(1.0, d, b) : 1.0;
+        const double g = i == j ? 0.0 : D / d; /* [1/m] */
         K->a[K->upper[l]] = K->a[K->lower[l]] = -g;
         K->diag[i] += g;
         K->diag[j] += g;
@@ -124,12 +127,12 @@ static void keep_weights(struct direction *d, const double *all)
 }
 
 static void find_direction(struct direction *d, const struct box *box, int k,
-                           double T, double tail)
+                           double T, double b, double tail)
 {
     d->n = box->n[k];
     d->periodic = box->periodic[k];
     if (d->n == 1) return;
-    double *const all = all_weights(box, k, T);
+    double *const all = all_weights(box, k, T, b);
     d->reach = find_reach(d, all, tail);
     d->whole = 2 * d->reach + 1 >= d->n;
     d->length = d->whole ? d->n : 2 * d->reach + 1;
@@ -137,7 +140,8 @@ static void find_direction(struct direction *d, const struct box *box, int k,
     free(all);
 }
 
-struct separable *separable_create(const struct box *box, double T, double tail)
+struct separable *separable_create(const struct box *box, double T, double b,
+                                   double tail)
 {
     for (int k = 0; k < 3; k++)
         if (box->n[k] < 1 || box->n[k] > SEPARABLE_MOST) return NULL;
@@ -146,7 +150,7 @@ struct separable *separable_create(const struct box *box, double T, double tail)
     for (int k = 0; k < 3; k++) {
         struct direction *const d = &s->direction[k];
         /* what is left away counts twice: there, and where it stays */
-        find_direction(d, box, k, T, tail / 6.0);
+        find_direction(d, box, k, T, b, tail / 6.0);
         const long places = d->n + (d->whole ? 0 : 2 * d->reach);
         if (WIDTH * places > s->size) s->size = WIDTH * places;
     }

@@ -12,7 +12,8 @@
  * up to one, and V_i w_ij = V_j w_ji: constants stay, sums stay to rounding,
  * nothing undershoots, and the operator is its own adjoint.
  *
- * Any grading, walls and periods; but one bandwidth, and no other mesh.
+ * Any grading, walls and periods; but one bandwidth, or one that depends on the
+ * widths of cells alone, and no other mesh.
  */
 #ifndef SEPARABLE_H
 #define SEPARABLE_H
@@ -21,12 +22,14 @@
 
 struct separable;
 
-/* What is left away of the weights of a cell is less than tail [-] and stays
+/* b [m]: 0, or the bandwidth that T belongs to, off which is taken what the
+ * cells smear by themselves (bandwidth.h, "cells").
+ * What is left away of the weights of a cell is less than tail [-] and stays
  * where it is. NULL if the box is none, or has a direction of more than
  * SEPARABLE_MOST cells, for which the weights would take long to find. */
 enum { SEPARABLE_MOST = 1024 };
 struct separable *separable_create(const struct box *box, double T /* [m^2] */,
-                                   double tail /* [-] */);
+                                   double b, double tail /* [-] */);
 void separable_free(struct separable *s);
 
 /* u becomes exp(-T L) u, for m fields side by side, u[m * i + k]. The bits do

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/stencil.h"
 
-#include <math.h>
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -225,6 +225,35 @@ struct stencil *stencil_create(const struct mesh *m, double b,
     free(w.link);
     free(w.latest);
     return s;
+}
+
+static int has_equal_cells(const struct mesh *m)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < m->box.n[k]; i++) {
+            const double *const e = m->box.edge[k];
+            const double mean = (e[m->box.n[k]] - e[0]) / m->box.n[k];
+            if (fabs(e[i + 1] - e[i] - mean) > 1e-6 * mean) return 0;
+        }
+    return m->shape == NULL;
+}
+
+/* As many cells as the room nearer than b to a cube is large: to that of the
+ * host for their centres, to one twice as wide for any of them. */
+double stencil_bytes(const struct mesh *m, double b, enum stencil_to to)
+{
+    const double entry = sizeof(int) + 3.0 * sizeof(double);
+    const double side = to == STENCIL_TO_CENTRE ? 1.0 : 2.0;
+    double volume = 0.0;
+
+    if (has_equal_cells(m)) return 0.0;
+    for (int c = 0; c < m->n_cells; c++)
+        volume += m->V[c] / m->n_cells;
+    const double x = b / cbrt(volume); /* in widths of a cell */
+    const double cells = gsl_pow_3(side) + 6.0 * side * side * x +
+                         3.0 * M_PI * side * x * x +
+                         4.0 / 3.0 * M_PI * x * x * x;
+    return m->n_cells * entry * fmin(cells, m->n_cells);
 }
 
 void stencil_free(struct stencil *s)

@@ -34,6 +34,10 @@ struct stencil *stencil_create(const struct mesh *m, double b /* [m] */,
                                enum stencil_to to);
 void stencil_free(struct stencil *s);
 
+/* About how much memory one takes, before it is made [byte]. 0 for a box of
+ * equal cells, in which nearly all hosts look alike. */
+double stencil_bytes(const struct mesh *m, double b, enum stencil_to to);
+
 /* How far every cell reaches from its centre [m], 3 a cell. */
 double *stencil_extents(const struct mesh *m);
 

@@ -1,9 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "exchange/stability.h"
 
+#include <math.h>
+
 double stability_longest_step(double eps_f, double tau_p)
 {
     return 2.0 * eps_f * eps_f * tau_p; /* (20.6) */
+}
+
+/* The root of 4 M x^2 + (2 - 2 M) x - 4 = 0, as (20.2) for this treatment. */
+double stability_frozen_edge(double M)
+{
+    const double b = 1.0 - M;
+
+    return 4.0 / (b + sqrt(b * b + 16.0 * M));
+}
+
+double stability_substeps(double x)
+{
+    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
 }
 
 double stability_loading(double rho_s, double eps_s, double rho_f)

@@ -28,6 +28,7 @@ static const double packed = 0.6;
 static const double particle_steps_per_second = 8e6;
 static const double cell_steps_per_second = 5e5;
 static const double bytes_per_particle = 800.0, bytes_per_cell = 1800.0;
+static const double worth_saying = 10e6; /* [byte] */
 
 /* The case in numbers. 0 where it has no such thing. */
 struct scales {
@@ -271,12 +272,14 @@ static void print_flow(const struct scales *k)
 }
 
 /* Crank-Nicolson needs so many steps not to undershoot. */
-static void print_averaging(const struct settings *s)
+static void print_averaging(const struct settings *s, const struct scales *k)
 {
     struct mesh *const m = build_mesh(s);
     const struct averaging_options o = build_averaging_options(s);
-    const int steps = averaging_check(
-        averaging_method_named(settings_text(s, "averaging.method")), m, &o);
+    const struct averaging_method *const method =
+        averaging_method_named(settings_text(s, "averaging.method"));
+    const int steps = averaging_check(method, m, &o);
+    const double bytes = averaging_bytes(method, m, k->d_most, &o);
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
@@ -284,6 +287,9 @@ static void print_averaging(const struct settings *s)
     if (steps > 0)
         line("averaging.steps", steps, "-",
              "needed: with fewer the fields undershoot");
+    if (bytes > worth_saying)
+        line("memory for the cells near each", 1e-6 * bytes, "MB",
+             "about, besides that below");
     mesh_free(m);
 }
 
@@ -345,7 +351,7 @@ int check_case(const struct settings *s)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
     if (walls.surfaces > 0) print_walls(&walls, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
-    if (settings_has(s, "averaging")) print_averaging(s);
+    if (settings_has(s, "averaging")) print_averaging(s, &k);
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);

@@ -45,8 +45,7 @@ END {
             part("averaging", m) + part("exchange", m) - part("averaging-all", m),
             cfd[m] / all, dem[m] / all, cg[m] / all
     }
-    print "\n# ns a sphere to find its cells and spread seven fields: finer meshes, then"
-    print "# the coarsest one with one, two, four and eight of the bed side by side"
-    by_the_sphere(1, mesh)
+    print "\n# ns a sphere to find its cells and spread seven fields: coarser meshes, then"
+    print "# the coarsest one with two, four and eight of the bed side by side"
     by_the_sphere(mesh + 1, all_of_them)
 }

@@ -62,9 +62,11 @@ for cells in "118 54 27" "93 42 21" "74 33 17" "59 27 13"; do
     # shellcheck disable=SC2086 # three words
     { "$bench/averaging" "$bed" $cells; icofoam $cells; } >"$out/$(echo "$cells" | tr ' ' x)"
 done
-for copies in 1 2 4 8; do
-    echo "copies $copies"
-    "$bench/averaging" "$bed" 59 27 13 $copies
+for cells in "118 54 27 1" "93 42 21 1" "74 33 17 1" "59 27 13 1" \
+    "59 27 13 2" "59 27 13 4" "59 27 13 8"; do
+    echo "copies ${cells##* }"
+    # shellcheck disable=SC2086 # four words
+    "$bench/averaging" "$bed" $cells
 done >"$out/copies"
 # shellcheck disable=SC2046 # one word a file
 cat $(for cells in 118x54x27 93x42x21 74x33x17 59x27x13; do echo "$out/$cells"; done) "$out/copies" |
