@@ -13,7 +13,7 @@ set format "10^{%T}"
 unset key
 eps = 0.45
 c = 1/eps**2 - 1
-set samples 2000
+set samples 300
 coth(x) = (1 + exp(-x))/(1 - exp(-x))
 frozen(x) = x < 2 ? 2/x - 1 : 1/0
 late(x) = x > 0.5 && x < 2 ? (2 - x)/(x*(2*x - 1)) : 1/0

@@ -17,7 +17,10 @@ while [ $# -gt 0 ] && [ "$1" != -- ]; do
     [ -d "$work/src" ] || cp -R src "$work"
     patch -s -p1 -d "$work" <"$1"
     for file in $(sed -n 's|^+++ b/||p' "$1"); do
-        changed="$changed $work/$file"
+        case "$changed " in
+        *" $work/$file "*) ;;
+        *) changed="$changed $work/$file" ;;
+        esac
     done
     shift
 done

@@ -95,7 +95,7 @@ static const struct hard hard_scenes[] = {
      1.5,
      0,
      1,
-     {HALF_BED, "mesh.cells=[8,40,1]", "averaging={method=\"pcm\";cap=0.7;}",
+     {HALF_BED, "mesh.cells=[9,45,1]", "averaging={method=\"pcm\";cap=0.7;}",
       "particles.bed.settle=0.05"}},
 };
 enum { HARD_SCENES = sizeof hard_scenes / sizeof *hard_scenes };

@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "exchange/stability.h"
 #include "exchange/transfer.h"
 #include "particles/life.h"
 
@@ -102,17 +103,13 @@ static void apply_held_forces(struct simulation *sim)
     }
 }
 
-/* How many drag updates this step needs: dt / tau_min [XS11 section 3.3], from
- * half a tau_min on at least two, because the fluid pays for a single one with
- * the velocity of the step before and may then swing (chapter 20); and no more
- * than there are particle steps. */
+/* How many drag updates this step gets: no more than particle steps. */
 static int count_substeps(const struct simulation *sim)
 {
     const struct coupling *const cp = sim->coupling;
-    const double x = sim->dt / cp->report.shortest_time;
     double n = cp->options.substeps;
 
-    if (cp->options.substeps == 0) n = x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
+    if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
     return n < 1.0 ? 1 : n > sim->dem_steps ? sim->dem_steps : (int)n;
 }
 

@@ -16,6 +16,11 @@ double stability_frozen_edge(double M)
     return 4.0 / (b + sqrt(b * b + 16.0 * M));
 }
 
+double stability_substeps(double x)
+{
+    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
+}
+
 double stability_loading(double rho_s, double eps_s, double rho_f)
 {
     return eps_s * rho_s / ((1.0 - eps_s) * rho_f);

@@ -18,6 +18,10 @@ double stability_longest_step(double eps_f, double tau_p);
  * a step, and semi-implicit treatment: 2 for M = 0, 1/2 for the heaviest. */
 double stability_frozen_edge(double M);
 
+/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
+ * time [XS11 section 3.3]; from that half on at least two. */
+double stability_substeps(double x);
+
 /* Mass of the particles over that of the fluid beside them, M [-]. */
 double stability_loading(double rho_s, double eps_s, double rho_f);
 

@@ -72,7 +72,7 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     puts("Drag");
     line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
     line("tau_p", relaxation_time(s, k, k->d, 0.0), "s", "of a lone particle");
-    line("sub-steps", asked > 0 ? asked : fmax(1.0, ceil(k->dt / bed)), "-",
+    line("sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
          asked > 0 ? "as the case asks" : "drag updates in a step, about");
     if (settings_has(s, "particles.bed") &&
         settings_int(s, "particles.bed.count") > 0)
