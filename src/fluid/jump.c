@@ -56,16 +56,12 @@ void jump_lean(int first, int last, struct fluid *fl)
     }
 }
 
-/* What the cells on either side of a face have of its j, by the cells. */
-FACE_LOOP parts_by_cells(int f, int o, int n, const struct fluid *fl)
+/* What the cells on either side of a face have of its j, of a flux phi that
+ * carries the velocity of a flux q [m^3/s]; s is the neighbour's part. */
+static inline void divide(const struct fluid *fl, int f, int o, int n, double s,
+                          double q)
 {
     const struct piso *const ps = fl->piso;
-    const double s = ps->share[f] - ps->upstream[f], w = fl->mesh->w[f];
-    const double *const S = &fl->mesh->S[3 * f];
-    const double *const u = &fl->u[3 * o], *const v = &fl->u[3 * n];
-    const double q =
-        w * fl->eps[o] * (u[0] * S[0] + u[1] * S[1] + u[2] * S[2]) +
-        (1.0 - w) * fl->eps[n] * (v[0] * S[0] + v[1] * S[1] + v[2] * S[2]);
     const double j = fl->options.rho * ps->carry[f] * q / ps->SS[f] *
                      (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
 
@@ -73,16 +69,20 @@ FACE_LOOP parts_by_cells(int f, int o, int n, const struct fluid *fl)
     ps->jump_neighbour[f] = s * j;
 }
 
-/* The same by the flux. */
+FACE_LOOP parts_by_cells(int f, int o, int n, const struct fluid *fl)
+{
+    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double *const u = &fl->u[3 * o], *const v = &fl->u[3 * n];
+    const double q =
+        w * fl->eps[o] * (u[0] * S[0] + u[1] * S[1] + u[2] * S[2]) +
+        (1.0 - w) * fl->eps[n] * (v[0] * S[0] + v[1] * S[1] + v[2] * S[2]);
+
+    divide(fl, f, o, n, fl->piso->share[f] - fl->piso->upstream[f], q);
+}
+
 FACE_LOOP parts(int f, int o, int n, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
-    const double s = ps->share[f];
-    const double j = fl->options.rho * ps->carry[f] * ps->carry[f] / ps->SS[f] *
-                     (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
-
-    ps->jump_owner[f] = (1.0 - s) * j;
-    ps->jump_neighbour[f] = s * j;
+    divide(fl, f, o, n, fl->piso->share[f], fl->piso->carry[f]);
 }
 
 static void face_parts(int first, int last, const struct fluid *fl)
