@@ -7,7 +7,8 @@
 # between the middles of cells and constant beyond the last.
 # mirror: the bed is the same seen in a mirror, and so is its mean over endless
 # time. Half the difference of left and right is the statistical error.
-# finest: from the finest mesh by diffusion, averaged over the cells of this one.
+# finest: from the finest mesh that ran longest by diffusion, averaged over the
+# cells of this one.
 
 function value(key, x,  i, n, part) { # linear between the points of a line
     n = count[key]
@@ -64,7 +65,7 @@ FNR < NR && $1 == "at" { add($2 " " $3 " " $4 " " $5, $6, $7) }
 FNR < NR && $1 == "run" {
     name[++runs] = $2 " " $3
     about[runs] = sprintf("%3s s %5.1f %% %6.2f", $5, 100 * $7 / $6, $8)
-    if ($3 == "diffusion") finest = $2 " " $3
+    if ($3 == "diffusion" && $5 >= longest) { finest = $2 " " $3; longest = $5 }
 }
 
 END {
@@ -78,7 +79,7 @@ END {
         for (k = 1; k <= 4; k++) {
             key = name[r] " " line[k]
             printf "  %.3f +-%.3f ", from_measured(key, line[k]), from_mirror(key)
-            if (name[r] == finest) printf "    -"
+            if (name[r] == finest || count[key] > count[finest " " line[k]]) printf "    -"
             else printf "%.3f", from_finest(key, finest " " line[k])
         }
         print " " about[r]
