@@ -150,6 +150,14 @@ double averaging_share(const struct averaging *a, int i)
     return a->method->share == NULL ? 1.0 : a->method->share(a->state, i);
 }
 
+void averaging_leave_out(const struct averaging *a, int m, double *q)
+{
+    if (a->report.capped == 0) return;
+    for (int i = 0; i < a->hosts->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] *= averaging_share(a, i);
+}
+
 const int *averaging_host(const struct averaging *a)
 {
     return a->hosts->host;
