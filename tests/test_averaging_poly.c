@@ -31,6 +31,8 @@ static const struct {
     {"kernel", {.bandwidth = 0.4}, 1},
     {"kernel", {.bandwidth = 0.02}, 1}, /* reaches no centre */
     {"gaussian", {.bandwidth = 0.2}, 1},
+    {"images", {.bandwidth = 0.2}, 1},
+    {"images", {.bandwidth = 0.02}, 1}, /* narrower than a cell */
     {"diffusion", {.bandwidth = 0.3, .tolerance = 1e-9}, 1},
     {"diffusion", {.bandwidth = 0.3, .scheme = "series"}, 1},
     {"diffusion",
@@ -203,19 +205,6 @@ START_TEST(a_very_wide_kernel_gives_the_mean_on_any_mesh)
 }
 END_TEST
 
-START_TEST(images_ask_for_a_box)
-{
-    struct mesh *const m = poly_read("tests/data/poly/dual");
-    struct particles *const ps = everywhere(m);
-    const struct averaging_options o = {.bandwidth = 0.3};
-
-    ck_assert_ptr_null(
-        averaging_create(averaging_method_named("images"), m, ps, &o));
-    particles_free(ps);
-    mesh_free(m);
-}
-END_TEST
-
 int main(void)
 {
     Suite *const s = suite_create("averaging_poly");
@@ -226,7 +215,6 @@ int main(void)
     tcase_add_test(t, a_sheared_box_smears_along_its_diagonal);
     tcase_add_loop_test(t, a_very_wide_kernel_gives_the_mean_on_any_mesh, 0,
                         10);
-    tcase_add_test(t, images_ask_for_a_box);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);
