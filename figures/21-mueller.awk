@@ -7,8 +7,8 @@
 # between the middles of cells and constant beyond the last.
 # mirror: the bed is the same seen in a mirror, and so is its mean over endless
 # time. Half the difference of left and right is the statistical error.
-# finest: from the finest mesh that ran longest by diffusion, averaged over the
-# cells of this one.
+# finest: from the finest mesh of those that ran longest by diffusion, averaged
+# over the wider cells of the two.
 
 function value(key, x,  i, n, part) { # linear between the points of a line
     n = count[key]
@@ -49,6 +49,7 @@ function mean_between(key, x1, x2,  i, n, w, low, high, sum) {
 }
 
 function from_finest(key, fine,  i, n, sum) {
+    if (count[key] > count[fine]) return from_finest(fine, key)
     n = count[key]
     for (i = 1; i <= n; i++)
         sum += (Y[key, i] - mean_between(fine, (i - 1) * 0.044 / n, i * 0.044 / n)) ^ 2
@@ -64,13 +65,13 @@ FNR == NR && !/^#/ { add($1 " " $2 " " $3, $4, $5) }
 FNR < NR && $1 == "at" { add($2 " " $3 " " $4 " " $5, $6, $7) }
 FNR < NR && $1 == "run" {
     name[++runs] = $2 " " $3
-    about[runs] = sprintf("%3s s %5.1f %% %6.2f", $5, 100 * $7 / $6, $8)
+    about[runs] = sprintf("%4.1f s %5.1f %% %6.2f", $5, 100 * $7 / $6, $8)
     if ($3 == "diffusion" && $5 >= longest) { finest = $2 " " $3; longest = $5 }
 }
 
 END {
     split("eps_f 16.4,eps_f 31.2,us_y 15,us_y 25", line, ",")
-    print "# rms from the measured, +- mirror, from the finest [-] [m/s], at"
+    print "# rms from the measured, +- mirror, from " finest " [-] [m/s], at"
     printf "# %-14s", ""
     for (k = 1; k <= 4; k++) printf "  %-18s", line[k]
     print "  until, capped steps, lowest eps_f"
@@ -79,7 +80,7 @@ END {
         for (k = 1; k <= 4; k++) {
             key = name[r] " " line[k]
             printf "  %.3f +-%.3f ", from_measured(key, line[k]), from_mirror(key)
-            if (name[r] == finest || count[key] > count[finest " " line[k]]) printf "    -"
+            if (name[r] == finest) printf "    -"
             else printf "%.3f", from_finest(key, finest " " line[k])
         }
         print " " about[r]

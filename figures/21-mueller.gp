@@ -44,9 +44,7 @@ do for [r = 0:1] {
              of("C", method, k) using (1000 * $6):7 with lines \
                  linetype 1 linewidth 1.5 title "C", \
              of("D", method, k) using (1000 * $6):7 with lines \
-                 linecolor "#c9a227" linewidth 1.5 title "D", \
-             of("E", method, k) using (1000 * $6):7 with lines \
-                 linecolor "#333333" linewidth 1.5 title "E"
+                 linecolor "#c9a227" linewidth 1.5 title "D"
     }
 }
 unset multiplot
