@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* 20-stability.c -- which treatments of drag are stable, and where.
  *
- *   20-stability suspension|one|bed
+ *   20-stability suspension|one|bed|edge
  *
  * One line a treatment, mass loading M and step over relaxation time x: what
  * became of the spheres.
@@ -11,6 +11,7 @@
  *                     fall to the common one, where all momentum is shared.
  *   bed               cases/small-bed.cfg at rest, blown through at a fifth of
  *                     what would lift it. The bed should stay a bed.
+ *   edge              the longest x of the bed for M = 100, semi-implicit
  *
  * M is the mass of the spheres over that of the fluid in a cell with spheres;
  * x = k dt/m. The fluid's density makes M, its viscosity x.
@@ -195,6 +196,23 @@ static const char *verdict_of_bed(struct simulation *sim)
                                                     : "stable";
 }
 
+/* Halves the interval (in the logarithm) until it is known to 2 %. */
+static void print_edge(int relaxation)
+{
+    double low = 0.3, high = 3.0;
+
+    for (int i = 0; i < 7; i++) {
+        const struct run r = {BED, 1, relaxation, 100.0, sqrt(low * high)};
+        struct simulation *const sim = prepare(&r);
+        if (strcmp(verdict_of_bed(sim), "stable") == 0)
+            low = r.x;
+        else
+            high = r.x;
+        build_free(sim);
+    }
+    printf("%s %.2f\n", relaxation ? "exponential" : "frozen", low);
+}
+
 int main(int n, char **word)
 {
     int system = 0;
@@ -203,6 +221,11 @@ int main(int n, char **word)
         if (n > 1 && strcmp(word[1], systems[i]) == 0) system = i;
     /* what goes wrong is what is wanted here: it need not be said each time */
     if (freopen("/dev/null", "w", stderr) == NULL) return 4;
+    if (n > 1 && strcmp(word[1], "edge") == 0) {
+        print_edge(0);
+        print_edge(1);
+        return 0;
+    }
     printf("# %s\n# treatment, M [-], x [-], verdict\n", systems[system]);
     for (int k = 0; k < 4; k++)
         for (int a = -3; a <= 3; a++)

@@ -13,6 +13,7 @@ set format "10^{%T}"
 unset key
 eps = 0.45
 c = 1/eps**2 - 1
+swing = ((1 - eps)/eps)**2
 set samples 300
 coth(x) = (1 + exp(-x))/(1 - exp(-x))
 frozen(x) = x < 2 ? 2/x - 1 : 1/0
@@ -30,8 +31,8 @@ do for [r = 1:3] {
         unset arrow
         edge = (k % 2 == 1) ? 2*eps**2 : log((1 + c)/(c - 1))
         if (r == 3) {
-            set arrow 1 from edge, 1 to edge, (k < 3 && k % 2 == 1 ? 2/edge : 2.5e3) nohead linecolor "#000000" linewidth 1.5 front
-            set arrow 2 from 0.05, 1 to edge, 1 nohead linecolor "#000000" linewidth 1.5 front
+            set arrow 1 from edge, swing to edge, (k < 3 && k % 2 == 1 ? 2/edge : 2.5e3) nohead linecolor "#000000" linewidth 1.5 front
+            set arrow 2 from 0.05, swing to edge, swing nohead linecolor "#000000" linewidth 1.5 front
         }
         curve(x) = r < 3 ? (k == 1 ? frozen(x) : k == 2 ? coth(x/2) : k == 3 ? late(x) : 1/0) : (k == 1 && x < edge ? 2/x : 1/0)
         plot of("diverged") using 2:1 with points pointtype 2 pointsize 0.6 linecolor "#c2571a" linewidth 1.2, \

@@ -220,16 +220,23 @@ static struct averaging *prepare(const struct way *way, const struct mesh *m,
     return averaging_create(averaging_method_named(way->method), m, ps, &o);
 }
 
+/* q: volumes, of which a cap may leave some out. */
 static double average(struct averaging *a, const double *q, double *field)
 {
+    const int n_particles = averaging_hosts(a)->ps->n;
+    double *const counted = alloc_doubles(n_particles);
     double shortest = INFINITY;
 
     for (int n = 0; n < 3; n++) {
         const double begin = seconds();
         if (averaging_bind(a) != 0) exit(1);
-        averaging_spread(a, 1, q, field);
+        for (int i = 0; i < n_particles; i++)
+            counted[i] = q[i];
+        averaging_leave_out(a, 1, counted);
+        averaging_spread(a, 1, counted, field);
         shortest = fmin(shortest, seconds() - begin);
     }
+    free(counted);
     return shortest;
 }
 

@@ -5,6 +5,7 @@
 #   sh figures/21-loop.sh END [s]          some seconds a run
 set -eu
 end=${1:-0.4}
+mkdir -p out/21-small
 for cells in 4,16,1 8,32,1 12,48,1 16,64,1; do
     for method in pcm diffusion; do
         cap=

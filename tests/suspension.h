@@ -31,6 +31,7 @@ struct scene {
     double size;  /* [m] of the cube */
     int cells;    /* a side */
     double width; /* [-] bandwidth in cells */
+    double cap;   /* [-] of pcm on eps_s; 0: none */
     double gravity[3];
 };
 
@@ -109,6 +110,7 @@ static inline void create_coupling(struct simulation *sim,
                                          .scheme = s->scheme,
                                          .steps = 3,
                                          .tolerance = 1e-13,
+                                         .cap = s->cap,
                                          .fields = 4};
     const struct coupling_options co = {
         .law = drag_law_named(s->drag),

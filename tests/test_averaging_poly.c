@@ -31,6 +31,8 @@ static const struct {
     {"kernel", {.bandwidth = 0.4}, 1},
     {"kernel", {.bandwidth = 0.02}, 1}, /* reaches no centre */
     {"gaussian", {.bandwidth = 0.2}, 1},
+    {"images", {.bandwidth = 0.2}, 1},
+    {"images", {.bandwidth = 0.02}, 1}, /* narrower than a cell */
     {"diffusion", {.bandwidth = 0.3, .tolerance = 1e-9}, 1},
     {"diffusion", {.bandwidth = 0.3, .scheme = "series"}, 1},
     {"diffusion",
@@ -173,14 +175,31 @@ START_TEST(a_sheared_box_smears_along_its_diagonal)
 }
 END_TEST
 
-START_TEST(images_ask_for_a_box)
+/* A kernel that is 1 all over the mesh gives each cell its part of the volume:
+ * cells of all sizes, and the mean in all of them. Not round a period, where
+ * there is no end to the mesh. */
+START_TEST(a_very_wide_kernel_gives_the_mean_on_any_mesh)
 {
-    struct mesh *const m = poly_read("tests/data/poly/dual");
+    static const char *const closed[] = {"box", "sheared", "shuffled", "dual",
+                                         "warped"};
+    const struct averaging_options o = {.bandwidth = 1e6};
+    struct mesh *const m = mesh_named(closed[_i / 2]);
     struct particles *const ps = everywhere(m);
-    const struct averaging_options o = {.bandwidth = 0.3};
+    struct averaging *const a = averaging_create(
+        averaging_method_named(_i % 2 ? "kernel" : "gaussian"), m, ps, &o);
+    double *const field = alloc_doubles(m->n_cells);
+    double q[N], all = 0.0;
 
-    ck_assert_ptr_null(
-        averaging_create(averaging_method_named("images"), m, ps, &o));
+    for (int i = 0; i < N; i++)
+        q[i] = 1.0;
+    for (int c = 0; c < m->n_cells; c++)
+        all += m->V[c];
+    ck_assert_int_eq(averaging_bind(a), 0);
+    averaging_spread(a, 1, q, field);
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq_tol(field[c] * all / N, 1.0, 1e-10);
+    free(field);
+    averaging_free(a);
     particles_free(ps);
     mesh_free(m);
 }
@@ -194,7 +213,8 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_add_loop_test(t, all_methods_conserve_on_any_mesh, 0, MESHES * WAYS);
     tcase_add_test(t, a_sheared_box_smears_along_its_diagonal);
-    tcase_add_test(t, images_ask_for_a_box);
+    tcase_add_loop_test(t, a_very_wide_kernel_gives_the_mean_on_any_mesh, 0,
+                        10);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -20,7 +20,28 @@ START_TEST(strips_cover_every_unknown_once)
             ck_assert_int_le(strips_first(n, s), strips_first(n, s + 1));
         for (int s = 0; s < STRIPS && strips_first(n, s) < n; s++)
             ck_assert_int_eq(strips_of(n, strips_first(n, s)), s);
+        for (int s = 0; s < STRIPS; s++)
+            ck_assert_int_eq(s < strips_filled(n),
+                             strips_first(n, s) < strips_first(n, s + 1));
     }
+}
+END_TEST
+
+static void count_mine(int first, int last, int *done)
+{
+    done[omp_get_thread_num()] += last - first;
+}
+
+/* To a strip more and a last one that is short. (Of 64, these fill 15.) */
+START_TEST(two_threads_share_a_small_mesh_evenly)
+{
+    const int n = 3600;
+    int done[2] = {0, 0};
+
+    omp_set_num_threads(2);
+    STRIPS_RUN(n, 12, count_mine, done);
+    ck_assert_int_eq(done[0] + done[1], n);
+    ck_assert_int_lt(abs(done[0] - done[1]), 2 * strips_length(n));
 }
 END_TEST
 
@@ -93,6 +114,7 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
     tcase_add_test(t, strips_cover_every_unknown_once);
+    tcase_add_test(t, two_threads_share_a_small_mesh_evenly);
     tcase_add_test(t, a_dot_product_counts_every_unknown_once);
     tcase_add_test(t, fields_side_by_side_have_their_own_dot_products);
     tcase_add_test(t, threads_do_not_change_a_bit);

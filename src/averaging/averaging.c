@@ -52,6 +52,14 @@ static struct averaging_options completed(const struct averaging_options *o)
     return full;
 }
 
+/* The row that serves on this mesh. */
+static const struct averaging_method *
+row_for(const struct averaging_method *method, const struct mesh *mesh)
+{
+    return mesh->shape != NULL && method->elsewhere != NULL ? method->elsewhere
+                                                            : method;
+}
+
 struct averaging *averaging_create(const struct averaging_method *method,
                                    const struct mesh *mesh,
                                    const struct particles *ps,
@@ -68,10 +76,10 @@ struct averaging *averaging_create(const struct averaging_method *method,
     }
     struct averaging *const a = alloc_zeroed(1, sizeof *a);
 
-    a->method = method;
+    a->method = row_for(method, mesh);
     a->fields = full.fields;
     a->hosts = hosts_create(mesh, ps);
-    a->state = method->create(a->hosts, &full);
+    a->state = a->method->create(a->hosts, &full);
     if (a->state != NULL) return a;
     averaging_free(a);
     return NULL;
@@ -142,6 +150,14 @@ double averaging_share(const struct averaging *a, int i)
     return a->method->share == NULL ? 1.0 : a->method->share(a->state, i);
 }
 
+void averaging_leave_out(const struct averaging *a, int m, double *q)
+{
+    if (a->report.capped == 0) return;
+    for (int i = 0; i < a->hosts->n; i++)
+        for (int k = 0; k < m; k++)
+            q[m * i + k] *= averaging_share(a, i);
+}
+
 const int *averaging_host(const struct averaging *a)
 {
     return a->hosts->host;
@@ -161,9 +177,10 @@ double averaging_bytes(const struct averaging_method *method,
                        const struct mesh *mesh, double d,
                        const struct averaging_options *o)
 {
-    const double reach = method->reach_b * o->bandwidth + method->reach_d * d;
+    const struct averaging_method *const row = row_for(method, mesh);
+    const double reach = row->reach_b * o->bandwidth + row->reach_d * d;
     const enum stencil_to to =
-        method->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
+        row->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
     return reach > 0.0 ? stencil_bytes(mesh, reach, to) : 0.0;
 }
 

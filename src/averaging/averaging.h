@@ -44,7 +44,7 @@ struct averaging_options {
 struct averaging_report {
     int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
     int capped;             /* [-] pcm: cells with more solids than the cap */
-    double lost_volume;     /* [m^3] pcm: solids the cap took away */
+    double lost_volume;     /* [m^3] pcm: solids there is no room for */
     int alone;              /* [-] kernel: particles with no centre within b */
     double lowest, highest; /* of the first field: eps_s, by convention */
     double negative;        /* [-] of the first field: share of it below 0 */
@@ -79,8 +79,11 @@ void averaging_spread(struct averaging *, int m, const double *q,
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
 
-/* The share of particle i that is spread [-]: 1 but for the cap of pcm. */
+/* The share of the volume of particle i that the fluid makes room for [-]: 1
+ * but for the cap of pcm. Spreading and gathering know nothing of it; whoever
+ * has amounts q that go by volume cuts them down by it: q_i *= share_i. */
 double averaging_share(const struct averaging *a, int i);
+void averaging_leave_out(const struct averaging *a, int m, double *q);
 
 /* Borrowed: the host cell of each particle, all about hosts, the report. */
 const int *averaging_host(const struct averaging *a);

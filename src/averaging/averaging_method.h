@@ -26,6 +26,8 @@ struct averaging_method {
     void (*gather)(void *state, int m, const double *field, double *q,
                    struct averaging_report *r);
     double (*share)(const void *state, int i); /* or NULL: 1 */
+    /* What takes its place where the mesh is no box; or NULL: itself. */
+    const struct averaging_method *elsewhere;
 };
 
 #endif

@@ -11,11 +11,11 @@
 #include "averaging/images.h"
 
 #include <gsl/gsl_math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "averaging/hosts.h"
+#include "averaging/images_poly.h"
 #include "base/alloc.h"
 
 static const double images_reach = 3.0; /* [-] of b, in each direction */
@@ -250,11 +250,6 @@ static int most_slabs(const struct images *s)
 static void *images_create(const struct hosts *h,
                            const struct averaging_options *o)
 {
-    if (h->mesh->box.n[0] == 0) {
-        fprintf(stderr, "winnow: the averaging by images needs a mesh that is "
-                        "a box; \"gaussian\" and \"diffusion\" do not\n");
-        return NULL;
-    }
     struct images *const s = alloc_zeroed(1, sizeof *s);
     const int room = h->ps->capacity;
 
@@ -288,4 +283,5 @@ const struct averaging_method images_method = {
     .bind = images_bind,
     .spread = images_spread,
     .gather = images_gather,
+    .elsewhere = &images_poly_method,
 };

@@ -102,10 +102,6 @@ static void same(struct averaging *a, int m, const double *field,
 {
     (void)boundary;
     averaging_gather(a, m, field, q);
-    if (averaging_report(a)->capped == 0) return;
-    for (int i = 0; i < averaging_hosts(a)->n; i++)
-        for (int k = 0; k < m; k++)
-            q[m * i + k] /= averaging_share(a, i);
 }
 
 static const struct interpolation interpolation_nearest = {

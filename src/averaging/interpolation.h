@@ -13,8 +13,7 @@
  *          direction of one cell.
  *          It can leave the range of the neighbours' values: nothing limits it.
  * same     what the averaging gathers: what is summed to the fluid is weighed
- *          as what is seen of it [XS11 3.9]. A particle in a cell capped by
- *          pcm is spread in part; what it sees is not cut down.
+ *          as what is seen of it [XS11 3.9].
  */
 #ifndef INTERPOLATION_H
 #define INTERPOLATION_H

@@ -11,6 +11,9 @@
 /* How far the Gaussian is followed: exp(-9) = 1.2e-4 [SX15 section 4.1]. */
 enum { GAUSSIAN_REACH = 3 }; /* [-] of b */
 
+/* Volumes that differ by less are equal: edges and corners are rounded. */
+static const double rounding = 1e-9; /* [-] of the largest */
+
 struct kernel {
     const struct hosts *h; /* borrowed */
     struct shares *shares;
@@ -40,11 +43,10 @@ static int normalise(int n, double sum, double *restrict w)
     return 1;
 }
 
-/* The weights of particle i over the cells around its host. */
-static int bell_weights(const void *state, int i, const struct around *near,
-                        double *restrict w)
+/* The bell of particle i in the cells around its host, and the sum of it. */
+static double bell_weights(const struct kernel *k, int i,
+                           const struct around *near, double *restrict w)
 {
-    const struct kernel *const k = state;
     const double *const restrict dx = near->dx;
     const double *const restrict dy = near->dy;
     const double *const restrict dz = near->dz;
@@ -59,14 +61,13 @@ static int bell_weights(const void *state, int i, const struct around *near,
         w[e] = bell((rx * rx + ry * ry + rz * rz) * per_b2);
         sum += w[e];
     }
-    return normalise(near->n, sum, w);
+    return sum;
 }
 
 /* The same with the Gaussian. */
-static int gaussian_weights(const void *state, int i, const struct around *near,
-                            double *restrict w)
+static double gaussian_weights(const struct kernel *k, int i,
+                               const struct around *near, double *restrict w)
 {
-    const struct kernel *const k = state;
     const double *const o = &k->h->offset[3 * i];
     const double per_b2 = 1.0 / (k->b * k->b);
     double sum = 0.0;
@@ -79,7 +80,57 @@ static int gaussian_weights(const void *state, int i, const struct around *near,
         w[e] = zeta2 < far ? exp(-zeta2) : 0.0;
         sum += w[e];
     }
-    return normalise(near->n, sum, w);
+    return sum;
+}
+
+/* (8.7): the kernel times the volume of the cell [m^3], and the sum of it. */
+static double times_volume(const struct kernel *k, const struct around *near,
+                           double *restrict w)
+{
+    const double *const V = &k->h->mesh->V[near->host];
+    double sum = 0.0;
+
+    for (int e = 0; e < near->n; e++)
+        sum += w[e] *= V[near->step[e]];
+    return sum;
+}
+
+/* Where all volumes are equal they cancel, as in the printed [XS11 3.5b]. */
+static int bell_alike(const void *state, int i, const struct around *near,
+                      double *w)
+{
+    return normalise(near->n, bell_weights(state, i, near, w), w);
+}
+
+static int bell_by_volume(const void *state, int i, const struct around *near,
+                          double *w)
+{
+    bell_weights(state, i, near, w);
+    return normalise(near->n, times_volume(state, near, w), w);
+}
+
+static int gaussian_alike(const void *state, int i, const struct around *near,
+                          double *w)
+{
+    return normalise(near->n, gaussian_weights(state, i, near, w), w);
+}
+
+static int gaussian_by_volume(const void *state, int i,
+                              const struct around *near, double *w)
+{
+    gaussian_weights(state, i, near, w);
+    return normalise(near->n, times_volume(state, near, w), w);
+}
+
+static int has_equal_cells(const struct mesh *m)
+{
+    double least = m->V[0], most = m->V[0];
+
+    for (int c = 0; c < m->n_cells; c++) {
+        least = fmin(least, m->V[c]);
+        most = fmax(most, m->V[c]);
+    }
+    return most - least <= rounding * most;
 }
 
 static void *
@@ -98,13 +149,16 @@ create(const struct hosts *h, const struct averaging_options *o, double reach,
 static void *kernel_create(const struct hosts *h,
                            const struct averaging_options *o)
 {
-    return create(h, o, 1.0, bell_weights);
+    return create(h, o, 1.0,
+                  has_equal_cells(h->mesh) ? bell_alike : bell_by_volume);
 }
 
 static void *gaussian_create(const struct hosts *h,
                              const struct averaging_options *o)
 {
-    return create(h, o, GAUSSIAN_REACH, gaussian_weights);
+    return create(h, o, GAUSSIAN_REACH,
+                  has_equal_cells(h->mesh) ? gaussian_alike
+                                           : gaussian_by_volume);
 }
 
 static void kernel_free(void *state)

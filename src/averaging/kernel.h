@@ -1,14 +1,17 @@
 /* kernel.h -- a particle spread over the cells around it.  Chapter 8.
  *
- *     w_ic = K(|x_i - x_c| / b) / sum_m K(|x_i - x_m| / b)        [XS11 3.5b]
+ *     w_ic = K(|x_i - x_c| / b) V_c / sum_m K(|x_i - x_m| / b) V_m       (8.7)
  *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]
  *     q_i = sum_c w_ic field_c                                     [XS11 3.9]
  *
  * The weights of a particle sum to one over the cells, so nothing is lost at a
  * wall or anywhere else, whatever K is [XS11 3.4]. A particle with no cell
  * centre within b goes to its host cell. [XS11] advises b of 1.5 to 2.5 mean
- * cell sizes. As printed, the volume of the cells is not in the weights: where
- * cells differ in size the small ones seem fuller.
+ * cell sizes.
+ *
+ * As printed, the weights have no V_c: the cells of [XS11] are equal, and it
+ * cancels. K V_c is the integral of K over the cell by the midpoint rule, and
+ * without V_c small cells beside large ones would seem fuller (8.7).
  *
  *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
  *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]

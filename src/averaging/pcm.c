@@ -11,7 +11,7 @@
 struct pcm {
     const struct hosts *h; /* borrowed */
     double cap;            /* [-] on eps_s, 0: none */
-    double *share;         /* [-] of what is in a cell; NULL without a cap */
+    double *share;         /* [-] of solids that has room; NULL without a cap */
 };
 
 static void *pcm_create(const struct hosts *h,
@@ -71,10 +71,6 @@ static void pcm_spread(void *state, int m, const double *q, double *field,
 
     (void)r;
     hosts_sum(p->h, m, q, field);
-    if (p->share == NULL) return;
-    for (int c = 0; c < p->h->mesh->n_cells; c++)
-        for (int k = 0; k < m; k++)
-            field[m * c + k] *= p->share[c];
 }
 
 static void pcm_gather(void *state, int m, const double *field, double *q,
@@ -84,10 +80,6 @@ static void pcm_gather(void *state, int m, const double *field, double *q,
 
     (void)r;
     hosts_value(p->h, m, field, q);
-    if (p->share == NULL) return;
-    for (int i = 0; i < p->h->n; i++)
-        for (int k = 0; k < m; k++)
-            q[m * i + k] *= p->share[p->h->host[i]];
 }
 
 static double pcm_share(const void *state, int i)

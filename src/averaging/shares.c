@@ -47,7 +47,7 @@ struct shares {
     struct strip strip[SHARES_STRIPS];
 };
 
-static struct around around_host(const struct shares *s, int c)
+struct around shares_around(const struct shares *s, int c)
 {
     const struct stencil *const near = s->near;
     const int first = near->start[near->shape[c]];
@@ -148,7 +148,7 @@ static int spread_strip(const struct shares *s, const struct strip *t, int m,
     for (int e = 0; e < m * (t->high - t->low); e++)
         t->sum[e] = 0.0;
     for (int c = t->first; c < t->last; c++) {
-        const struct around near = around_host(s, c);
+        const struct around near = shares_around(s, c);
         double *const host = &t->sum[m * (c - t->low)];
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const struct list l = list_of(s, t, a, &near, &alone);
@@ -165,7 +165,7 @@ static void gather_strip(const struct shares *s, const struct strip *t, int m,
     int alone = 0; /* not asked for */
 
     for (int c = t->first; c < t->last; c++) {
-        const struct around near = around_host(s, c);
+        const struct around near = shares_around(s, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const struct list l = list_of(s, t, a, &near, &alone);
             share_one(GATHER, m, &l, &field[m * c], &q[m * h->member[a]]);
@@ -228,7 +228,7 @@ static void cut_strip(struct shares *s, int k)
     t->low = t->first;
     t->high = t->last;
     for (int c = t->first; c < t->last; c++) {
-        const struct around near = around_host(s, c);
+        const struct around near = shares_around(s, c);
         for (int e = 0; e < near.n; e++) {
             if (c + near.step[e] < t->low) t->low = c + near.step[e];
             if (c + near.step[e] >= t->high) t->high = c + near.step[e] + 1;
@@ -306,7 +306,7 @@ void shares_bind(struct shares *s)
 
     k->alone = 0;
     for (int c = 0; c < h->mesh->n_cells; c++) {
-        const struct around near = around_host(s, c);
+        const struct around near = shares_around(s, c);
         for (int a = h->start[c]; a < h->start[c + 1]; a++) {
             const int n = weigh(s, h->member[a], &near, k->try, &k->alone);
             make_room(k, used, n);

@@ -49,6 +49,9 @@ void shares_extend(struct shares *s, double reach);
 /* To be called when particles have moved, if weights are kept. */
 void shares_bind(struct shares *s);
 
+/* The cells near host c. */
+struct around shares_around(const struct shares *s, int c);
+
 /* Borrowed; another one after shares_extend. */
 const struct stencil *shares_stencil(const struct shares *s);
 

@@ -38,7 +38,21 @@ static void pressure_gradient_free(void *memory)
     free(self);
 }
 
-/* The part of [LS 5.1, XS11 2.6] that the pressure has. */
+/* Model B: the fluid returns the force. It carries the weight of what eps_s
+ * counts, so buoyancy is returned for that much and not for what a cap has left
+ * out. */
+static void charge(struct simulation *sim, int i, double V, double impulse[3])
+{
+    const double out = 1.0 - averaging_share(sim->averaging, i);
+    const double rho = sim->fluid->options.rho;
+
+    for (int k = 0; k < 3; k++)
+        impulse[k] += out * V * rho * sim->gravity[k] * sim->dt;
+    coupling_charge(sim, i, impulse);
+}
+
+/* The part of [LS 5.1, XS11 2.6] that the pressure has. The p that is solved
+ * for pushes only what of a particle is in eps_s: see averaging_leave_out. */
 static void pressure_gradient_before_particles(void *memory,
                                                struct simulation *sim)
 {
@@ -48,6 +62,7 @@ static void pressure_gradient_before_particles(void *memory,
     const int shared = sim->fluid->options.pressure_shared;
 
     averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
+    averaging_leave_out(sim->averaging, 3, self->gradient);
     for (int i = 0; i < ps->n; i++) {
         const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
         double impulse[3];
@@ -57,7 +72,7 @@ static void pressure_gradient_before_particles(void *memory,
             sim->held[3 * i + k] += f;
             impulse[k] = f * sim->dt;
         }
-        if (!shared) coupling_charge(sim, i, impulse);
+        if (!shared) charge(sim, i, V, impulse);
     }
 }
 

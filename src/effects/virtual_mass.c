@@ -95,9 +95,11 @@ static void virtual_mass_before_particles(void *memory, struct simulation *sim)
 
     material_derivative(self, sim);
     averaging_gather(sim->averaging, 3, self->Du, self->at);
+    for (int i = 0; i < ps->n; i++)
+        ps->added_mass[i] = self->C * rho * particles_volume(ps, i);
+    averaging_leave_out(sim->averaging, 1, ps->added_mass);
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        ps->added_mass[i] = self->C * rho * particles_volume(ps, i);
         for (int k = 0; k < 3; k++) {
             self->start[3 * i + k] = v[k];
             sim->held[3 * i + k] += ps->added_mass[i] * self->at[3 * i + k];

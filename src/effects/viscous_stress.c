@@ -88,6 +88,7 @@ static void viscous_stress_before_particles(void *memory,
 
     divergence(self, sim->fluid);
     averaging_gather(sim->averaging, 3, self->force, self->at);
+    averaging_leave_out(sim->averaging, 3, self->at);
     for (int i = 0; i < ps->n; i++) {
         const double V = particles_volume(ps, i);
         double impulse[3];

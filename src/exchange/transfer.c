@@ -70,6 +70,7 @@ void transfer_solids_velocity(const struct simulation *sim)
         cp->smooth[3 * i + 1] = V * ps->vy[i];
         cp->smooth[3 * i + 2] = V * ps->vz[i];
     }
+    averaging_leave_out(sim->averaging, 3, cp->smooth);
     averaging_spread(sim->averaging, 3, cp->smooth, sim->fluid->eps_us);
 }
 
@@ -94,6 +95,7 @@ int transfer_average(struct simulation *sim)
         cp->amount[4 * i + 2] = V * ps->vy[i];
         cp->amount[4 * i + 3] = V * ps->vz[i];
     }
+    averaging_leave_out(sim->averaging, m, cp->amount);
     averaging_spread(sim->averaging, m, cp->amount, cp->field);
     take_solids(sim, m);
     cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
@@ -193,14 +195,10 @@ static void settle_payment(struct simulation *sim)
     check_payment(sim, charged, scale);
 }
 
-/* 1: what a particle sees of the fluid is the adjoint already. (Where a cap
- * is at work it is not: see averaging_share.) */
-static int seen_alike(const struct simulation *sim)
+/* 1: what a particle sees of the fluid is the adjoint already. */
+static int seen_alike(const struct coupling *cp)
 {
-    const struct coupling *const cp = sim->coupling;
-
-    return cp->options.interpolation == interpolation_named("same") &&
-           averaging_report(sim->averaging)->capped == 0;
+    return cp->options.interpolation == interpolation_named("same");
 }
 
 /* Only "linear" looks at the boundary. */
@@ -221,7 +219,7 @@ void transfer_fluid(struct simulation *sim)
         averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
         if (sim->fluid->t > 0.0) settle_payment(sim);
     }
-    if (cp->options.two_way && seen_alike(sim))
+    if (cp->options.two_way && seen_alike(cp))
         memcpy(cp->u_f, cp->smooth,
                3 * (size_t)sim->particles->n * sizeof *cp->u_f);
     else

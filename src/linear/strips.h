@@ -33,27 +33,30 @@ static inline int strips_first(int n, int s)
     return first < n ? (int)first : n;
 }
 
+/* Strips that are not empty. Threads share these: the last of 64 strips of a
+ * small mesh are empty, and who had only those would be idle. */
+static inline int strips_filled(int n)
+{
+    return (n + strips_length(n) - 1) / strips_length(n);
+}
+
 /* The strip that begins with this unknown. */
 static inline int strips_of(int n, int first)
 {
     return first / strips_length(n);
 }
 
-/* clang-format off: it would break the pragmas apart. */
-
-/* f(first, last, ...) for all n unknowns of m numbers each. Strips left empty
- * at the end are not called. */
+/* f(first, last, ...) for all n unknowns of m numbers each. */
 #define STRIPS_RUN(n, m, f, ...)                                               \
     do {                                                                       \
         if ((n) < STRIPS_WORTH_IT / (m)) {                                     \
             f(0, n, __VA_ARGS__);                                              \
             break;                                                             \
         }                                                                      \
-        _Pragma("omp parallel for schedule(static)") for (                     \
-            int strip_ = 0; strip_ < STRIPS;                                   \
-            strip_++) if (strips_first(n, strip_) < (n))                       \
-            f(strips_first(n, strip_), strips_first(n, strip_ + 1),            \
-              __VA_ARGS__);                                                    \
+        const int filled_ = strips_filled(n);                                  \
+        _Pragma("omp parallel for schedule(static)") for (int s_ = 0;          \
+                                                          s_ < filled_; s_++)  \
+            f(strips_first(n, s_), strips_first(n, s_ + 1), __VA_ARGS__);      \
     } while (0)
 
 /* The same for a function that returns a double; their sum goes to result. */
@@ -64,15 +67,14 @@ static inline int strips_of(int n, int first)
             result = f(0, n, __VA_ARGS__);                                     \
             break;                                                             \
         }                                                                      \
-        _Pragma("omp parallel for schedule(static)") for (int strip_ = 0;      \
-                                                          strip_ < STRIPS;     \
-                                                          strip_++)            \
-            part_[strip_] = f(strips_first(n, strip_),                         \
-                              strips_first(n, strip_ + 1), __VA_ARGS__);       \
+        const int filled_ = strips_filled(n);                                  \
+        _Pragma("omp parallel for schedule(static)") for (int s_ = 0;          \
+                                                          s_ < filled_; s_++)  \
+            part_[s_] =                                                        \
+                f(strips_first(n, s_), strips_first(n, s_ + 1), __VA_ARGS__);  \
         result = 0.0;                                                          \
-        for (int strip_ = 0; strip_ < STRIPS; strip_++)                        \
-            result += part_[strip_];                                           \
+        for (int s_ = 0; s_ < filled_; s_++)                                   \
+            result += part_[s_];                                               \
     } while (0)
-/* clang-format on */
 
 #endif

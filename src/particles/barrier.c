@@ -6,8 +6,13 @@
 #include <threads.h>
 
 #include "base/alloc.h"
+#include "base/clock.h"
 
-enum { SPINS = 10000 }; /* some 10 microseconds */
+/* To be woken costs as much as a strip of particles does, so who waits looks
+ * for as long as a share of a step may take, and sleeps only then. */
+static const double patience = 2e-4; /* [s] */
+
+enum { LOOKS = 50 }; /* [-] between two looks at the clock */
 
 struct barrier {
     atomic_int here;  /* [-] threads that wait */
@@ -43,6 +48,22 @@ static void open_up(struct barrier *b)
     cnd_broadcast(&b->met);
 }
 
+/* Looks whether the round is over, until it is or patience is. Who waits offers
+ * the processor to others: with more threads than processors, to those for
+ * whom it waits. */
+static int is_over(struct barrier *b, int round)
+{
+    const double begin = clock_now();
+
+    do {
+        for (int look = 0; look < LOOKS; look++)
+            if (atomic_load_explicit(&b->round, memory_order_acquire) != round)
+                return 1;
+        thrd_yield();
+    } while (clock_now() - begin < patience);
+    return 0;
+}
+
 void barrier_wait(struct barrier *b, int team)
 {
     const int round = atomic_load(&b->round);
@@ -51,9 +72,7 @@ void barrier_wait(struct barrier *b, int team)
         open_up(b);
         return;
     }
-    for (int spin = 0; spin < SPINS; spin++)
-        if (atomic_load_explicit(&b->round, memory_order_acquire) != round)
-            return;
+    if (is_over(b, round)) return;
     mtx_lock(&b->lock);
     while (atomic_load(&b->round) == round)
         cnd_wait(&b->met, &b->lock);

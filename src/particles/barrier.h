@@ -3,7 +3,7 @@
  * OpenMP's own barrier spins for long when nobody comes: fast on a machine
  * that is ours alone, but on a busy one each wait can last until the scheduler
  * takes the processor away, and a step of the particles has two. This one
- * spins for some microseconds and sleeps then.
+ * looks around for a fraction of a millisecond and sleeps then.
  */
 #ifndef BARRIER_H
 #define BARRIER_H

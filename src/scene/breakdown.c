@@ -66,8 +66,9 @@ static void describe_solids(const struct simulation *sim, const char *when,
 {
     snprintf(text, BREAKDOWN_TEXT,
              "a cell holds more solids than it has room for %s: the lowest "
-             "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\" "
-             "or \"kernel\", larger cells, or averaging.cap with \"pcm\"",
+             "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\", "
+             "or \"kernel\" with a bandwidth from 1.5 of the largest cells "
+             "on, larger cells, or averaging.cap with \"pcm\"",
              when, sim->coupling->report.eps_lowest);
 }
 
@@ -78,8 +79,9 @@ static void describe_seen(const struct simulation *sim, const char *when,
     snprintf(text, BREAKDOWN_TEXT,
              "a particle sees a fluid fraction of %.3g %s, on the slope "
              "between cells, none of which is below %.3g.\nTry "
-             "averaging.method = \"diffusion\" or \"kernel\", larger cells, "
-             "or averaging.interpolation = \"nearest\"",
+             "averaging.method = \"diffusion\", or \"kernel\" with a bandwidth "
+             "from 1.5 of the largest cells on, larger cells, or "
+             "averaging.interpolation = \"nearest\"",
              sim->coupling->report.seen_lowest, when,
              sim->coupling->report.eps_lowest);
 }

@@ -17,6 +17,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Solid fractions that the time scales are given for: a packed bed, where the
  * fluid is quickest between the grains, and a lone particle. */
@@ -271,6 +272,26 @@ static void print_flow(const struct scales *k)
                             : "the step is above: stable, not accurate");
 }
 
+/* Weights at the centres of cells want a bandwidth that reaches from one large
+ * cell to the next; else the small ones beside it get what is its due. So many
+ * widths make an even bed even to about two per cent. */
+static void print_bandwidth(const struct mesh *m, double b, double S_c,
+                            const char *method)
+{
+    const double least = strcmp(method, "kernel") == 0     ? 1.5
+                         : strcmp(method, "gaussian") == 0 ? 0.75
+                                                           : 0.0;
+    double V = 0.0;
+
+    line("bandwidth / S_c", b / S_c, "-", "");
+    for (int c = 0; c < m->n_cells; c++)
+        V = fmax(V, m->V[c]);
+    if (cbrt(V) > 1.01 * S_c)
+        line("bandwidth / width of the largest cell", b / cbrt(V), "-",
+             b < least * cbrt(V) ? "LOW: small cells beside it are too full"
+                                 : "");
+}
+
 /* Crank-Nicolson needs so many steps not to undershoot. */
 static void print_averaging(const struct settings *s, const struct scales *k)
 {
@@ -283,7 +304,7 @@ static void print_averaging(const struct settings *s, const struct scales *k)
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
-        line("bandwidth / S_c", o.bandwidth / cbrt(m->V[0]), "-", "");
+        print_bandwidth(m, o.bandwidth, k->S_c, method->name);
     if (steps > 0)
         line("averaging.steps", steps, "-",
              "needed: with fewer the fields undershoot");

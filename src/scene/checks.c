@@ -284,11 +284,6 @@ static int check_averaging(const struct settings *s)
     const int gauss =
         strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
 
-    if (strcmp(method, "images") == 0 && settings_mesh(s) != NULL)
-        return settings_wrong(s, "averaging.method",
-                              "images mirrors particles at the sides of a "
-                              "plain box, which this mesh is not; diffusion "
-                              "comes to the same on any mesh");
     if (delta && !gauss)
         return settings_wrong(s, "averaging.delta_05",
                               "only images and diffusion have a width at half "

@@ -1,0 +1,35 @@
+/* normals.h -- cells, and their images, as normal densities.  Chapter 21.
+ *
+ * What a Gaussian of bandwidth b has in a cell is, to fourth order in the width
+ * of the cell over b (to third where it is not its own image about its centre),
+ *
+ *     V N(x - x_c; b^2 / 2 + M)                                        (21.6)
+ *
+ * with the normal density N of that covariance and with M, the mean of r r^T
+ * over the cell: two bodies of the same volume, centre and second moments.
+ */
+#ifndef NORMALS_H
+#define NORMALS_H
+
+#include "averaging/mirrors.h"
+
+struct normal {
+    double A[6];   /* [1/m^2] half the inverse covariance: xx xy xz yy yz zz */
+    double at[3];  /* [m] from the centre of the cell */
+    double height; /* [m^3] of V N, times (2 pi b^2 / 2)^(3/2) */
+};
+
+struct normals {
+    int *start;            /* [-] n_cells + 1; a cell and its images are */
+    struct normal *normal; /* normal[start[c]] ..., the cell first */
+    double *spread; /* [m] of each cell, 9: the columns of L, L L^T = M */
+};
+
+struct normals *normals_create(const struct facets *f, const struct mirrors *m,
+                               double b);
+void normals_free(struct normals *s);
+
+/* V N where r [m] is from the centre of the cell; 0 from exp(-9) on. */
+double normals_value(const struct normal *n, const double r[3]);
+
+#endif

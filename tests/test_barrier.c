@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/barrier.h"
+
+#include <check.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <threads.h>
+#include <time.h>
+
+enum { TEAM = 3, ROUNDS = 1000 };
+
+/* Each writes its round, and sees that of the others after the barrier; the
+ * second keeps them from going on before all have looked. */
+START_TEST(nobody_leaves_before_all_are_there)
+{
+    struct barrier *const b = barrier_create();
+    int at[TEAM] = {0}, behind = 0;
+
+#pragma omp parallel num_threads(TEAM) reduction(+ : behind)
+    for (int round = 1; round <= ROUNDS; round++) {
+        at[omp_get_thread_num()] = round;
+        barrier_wait(b, TEAM);
+        for (int t = 0; t < TEAM; t++)
+            behind += at[t] != round;
+        barrier_wait(b, TEAM);
+    }
+    ck_assert_int_eq(behind, 0);
+    barrier_free(b);
+}
+END_TEST
+
+/* One comes 50 ms late, five times. The other's processor time [s] is what it
+ * looked around for, five times 0.2 ms, and not the quarter of a second. */
+START_TEST(who_waits_long_sleeps)
+{
+    const struct timespec late = {0, 50000000};
+    struct barrier *const b = barrier_create();
+    const clock_t begin = clock();
+
+#pragma omp parallel num_threads(2)
+    for (int round = 0; round < 5; round++) {
+        if (omp_get_thread_num() == 0) thrd_sleep(&late, NULL);
+        barrier_wait(b, 2);
+    }
+    ck_assert_double_lt((double)(clock() - begin) / CLOCKS_PER_SEC, 0.1);
+    barrier_free(b);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("barrier");
+    TCase *t = tcase_create("core");
+    SRunner *r = srunner_create(s);
+
+    suite_add_tcase(s, t);
+    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
+    tcase_add_test(t, nobody_leaves_before_all_are_there);
+    tcase_add_test(t, who_waits_long_sleeps);
+    srunner_run_all(r, CK_NORMAL);
+
+    const int failed = srunner_ntests_failed(r);
+
+    srunner_free(r);
+    return failed != 0;
+}
