@@ -22,7 +22,7 @@ struct line {
     int n_words, n_overrides;
     const char **words, **overrides;
     const char *dir; /* NULL: chosen from the name of the case */
-    int threads;     /* 0: as many as OpenMP likes */
+    int threads;     /* most; 0: as many as OpenMP likes */
     int quiet;
 };
 

@@ -36,6 +36,7 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     struct neighbours *const nb = neighbours_create(ps, &box);
     nb->skin = skin;
     neighbours_open(nb);
+    neighbours_fetch(nb);
     ck_assert_double_gt(neighbours_refresh(nb, 1e-6), 0.0);
     for (int i = 0; i < ps->n; i++)
         for (int j = 0; j < i; j++) {

@@ -196,6 +196,7 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
         if (rolls) neighbours_keep_rolling(nb);
         nb->skin = 1e-3;
         neighbours_open(nb);
+        neighbours_fetch(nb);
         ck_assert_double_gt(neighbours_refresh(nb, 1e-5), 0.0);
         ck_assert_int_eq(nb->strips[0].contacts.n_pairs, 1);
         ck_assert_int_eq(nb->strips[0].contacts.roll[0] != NULL, rolls);

@@ -158,6 +158,31 @@ START_TEST(fields_and_threads_do_not_change_the_bits)
 }
 END_TEST
 
+/* Long enough, some milliseconds, for two threads to be at work at once. */
+START_TEST(no_thread_packs_into_the_bundle_of_another)
+{
+    const struct box_spec spec = {
+        {1.0, 1.0, 1.0}, {40, 40, 40}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const mesh = mesh_create_box(&spec);
+    const int n = 7 * mesh->n_cells;
+    double *const one = alloc_doubles(n), *const two = alloc_doubles(n);
+
+    cloud_numbers(9, n, one);
+    memcpy(two, one, (size_t)n * sizeof *two);
+    for (int k = 0; k < 5; k++) {
+        omp_set_num_threads(1);
+        smooth(mesh, 0.3, 1e-6, 7, one);
+        omp_set_num_threads(2);
+        smooth(mesh, 0.3, 1e-6, 7, two);
+    }
+    omp_set_num_threads(1);
+    ck_assert_mem_eq(one, two, (size_t)n * sizeof *one);
+    free(one);
+    free(two);
+    mesh_free(mesh);
+}
+END_TEST
+
 /* In cells of d with b = 4 d, to 1e-6: the standard deviation is b / sqrt 2 =
  * 2.83 cells; a Gaussian has 1e-6 / 6 of itself beyond 5.23 of it, 15 cells.
  * That of a mesh falls a little more slowly. */
@@ -206,6 +231,7 @@ int main(void)
                         0, CLOUD_SHAPES);
     tcase_add_loop_test(t, it_is_its_own_adjoint, 0, CLOUD_SHAPES);
     tcase_add_loop_test(t, fields_and_threads_do_not_change_the_bits, 0, 9);
+    tcase_add_test(t, no_thread_packs_into_the_bundle_of_another);
     tcase_add_test(t, weights_go_as_far_as_a_gaussian_does);
     tcase_add_test(t, no_box_or_a_very_long_one_is_refused);
     SRunner *const r = srunner_create(s);

@@ -6,15 +6,22 @@
 #include "averaging/separable.h"
 
 #include <math.h>
+#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "averaging/bandwidth.h"
 #include "base/alloc.h"
 #include "linear/chebyshev.h"
-#include "linear/strips.h"
 
-enum { WIDTH = 16 }; /* numbers side by side: two of the widest vectors */
+enum {
+    WIDTH = 16,       /* numbers side by side: two of the widest vectors */
+    MOST_THREADS = 64 /* each has a bundle of its own */
+};
+
+/* Products in a direction from which on a second thread pays: 5 microseconds
+ * of one. */
+static const long worth_a_thread = 100000;
 
 /* How exactly the weights themselves are found. */
 static const double exact = 1e-17; /* [-] */
@@ -33,7 +40,7 @@ struct direction {
 
 struct separable {
     struct direction direction[3];
-    double *bundle; /* a packed and continued bundle for each strip */
+    double *bundle; /* a packed and continued bundle for each thread */
     long size;      /* [-] of one bundle */
 };
 
@@ -154,7 +161,7 @@ struct separable *separable_create(const struct box *box, double T, double b,
         const long places = d->n + (d->whole ? 0 : 2 * d->reach);
         if (WIDTH * places > s->size) s->size = WIDTH * places;
     }
-    s->bundle = alloc_zeroed((size_t)(STRIPS * s->size), sizeof(double));
+    s->bundle = alloc_zeroed((size_t)(MOST_THREADS * s->size), sizeof(double));
     return s;
 }
 
@@ -281,14 +288,17 @@ static void apply_bundle(const struct lines *l, const struct bundle *b,
     }
 }
 
-static void apply_bundles(int first, int last, const struct separable *s,
-                          const struct lines *l, int all)
+static void apply_bundles(const struct separable *s, const struct lines *l,
+                          int all)
 {
-    double *const room = s->bundle + strips_of(all, first) * s->size;
+    const long work = (long)all * WIDTH * l->d->n * l->d->length;
+    const int most = fewer(omp_get_max_threads(), MOST_THREADS);
+    const int team = work > worth_a_thread ? most : 1;
 
-    for (int i = first; i < last; i++) {
+#pragma omp parallel for schedule(static) num_threads(team)
+    for (int i = 0; i < all; i++) {
         const struct bundle b = bundle_of(l, i);
-        apply_bundle(l, &b, room);
+        apply_bundle(l, &b, s->bundle + omp_get_thread_num() * s->size);
     }
 }
 
@@ -305,7 +315,7 @@ static void apply_direction(struct separable *s, int k, int m, double *u)
     l.parts = (l.inner + WIDTH - 1) / WIDTH;
     const int all =
         l.groups > 1 ? (l.outer + l.groups - 1) / l.groups : l.outer * l.parts;
-    STRIPS_RUN(all, WIDTH * d->length, apply_bundles, s, &l, all);
+    apply_bundles(s, &l, all);
 }
 
 void separable_apply(struct separable *s, int m, double *u)

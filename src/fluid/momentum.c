@@ -176,7 +176,7 @@ static void add_slip_faces(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_slip_face(fl, f);
     }
-    STRIPS_RUN(m->n_cells, 4, slip_diagonal, fl->piso);
+    STRIPS_RUN(m->n_cells, 12, slip_diagonal, fl->piso);
 }
 
 static void add_boundaries(struct fluid *fl)

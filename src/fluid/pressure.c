@@ -138,7 +138,7 @@ static void face_mobilities(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_cells, 4, cell_resistances, fl);
+    STRIPS_RUN(m->n_cells, 12, cell_resistances, fl);
     STRIPS_RUN(m->n_internal, 4, inner_mobilities, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];

@@ -350,5 +350,5 @@ void symmetric_fill(struct symmetric *S, const double *g, const double *sums,
 {
     S->unit = unit;
     STRIPS_RUN(S->n_links, 2, write_links, S, g);
-    STRIPS_RUN(S->n, 4, write_diagonal, S, sums);
+    STRIPS_RUN(S->n, 8, write_diagonal, S, sums);
 }

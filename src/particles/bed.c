@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/crew.h"
 #include "particles/bed_file.h"
 #include "particles/limits.h"
 #include "particles/surface_start.h"
@@ -249,22 +250,28 @@ static int run_to_rest(struct dem *run, double dt, double least, double kept,
                        struct bed_report *r)
 {
     const double end = r->time + least;
+    struct crew crew;
     double mass = 0.0;
+    int lost;
 
     for (int i = 0; i < ps->n; i++)
         mass += ps->m[i];
     const double weight = mass * length(bed->gravity);
 
+    crew_gather(&crew);
     do {
-        if (dem_run(run, STEPS_A_LOOK, &r->dem) != 0) return 1;
+        crew_begin(&crew);
+        lost = dem_run(run, STEPS_A_LOOK, &r->dem);
+        crew_end(&crew);
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * dt;
         r->kinetic =
             (r->dem.translation + r->dem.rotation) / (weight * bed->diameter);
         r->settled = r->kinetic < BED_REST && r->time >= end;
         if (kept < 1.0) slow_down(ps, kept);
-    } while (!r->settled && r->time < bed->settle);
-    return 0;
+    } while (!lost && !r->settled && r->time < bed->settle);
+    crew_dismiss(&crew);
+    return lost;
 }
 
 /* First with settling_e and as in a thick fluid, without which a sphere that

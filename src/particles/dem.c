@@ -204,7 +204,6 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r)
     neighbours_open(nb);
 #pragma omp parallel num_threads(team_size(nb))
     dem_move(dem, steps);
-    neighbours_close(nb);
     report(dem, nb->rebuilds - before, r);
     return r->lost > 0;
 }

@@ -206,21 +206,33 @@ static int lean(struct dem *dem, int steps, struct reach *r)
     return steps;
 }
 
+/* Gives the steps done, or -1 if a particle was lost before. */
+static int move(struct dem *dem, int steps, struct reach *r)
+{
+    struct neighbours *const nb = dem->neighbours;
+
+    prescribed_move(nb, time_after(dem, 0));
+    if (dem->ticking) prescribed_steer(nb, time_after(dem, 0), 0.0);
+    if (nb->stale && start(dem, &r->margin) != 0) return -1;
+    if (dem->energy != NULL) open_budget(dem);
+    return dem->options.integrator->predicts ? lean(dem, steps, r)
+                                             : leap(dem, steps, r);
+}
+
 void dem_move(struct dem *dem, int steps)
 {
     struct neighbours *const nb = dem->neighbours;
     struct reach r = {nb->margin, nb->spent};
 
-    prescribed_move(nb, time_after(dem, 0));
-    if (dem->ticking) prescribed_steer(nb, time_after(dem, 0), 0.0);
-    if (nb->stale && start(dem, &r.margin) != 0) return;
-    if (dem->energy != NULL) open_budget(dem);
-    const int done = dem->options.integrator->predicts ? lean(dem, steps, &r)
-                                                       : leap(dem, steps, &r);
-    neighbours_look(nb);
-    measure(dem);
+    neighbours_fetch(nb);
+    const int done = move(dem, steps, &r);
+    if (done >= 0) {
+        neighbours_look(nb);
+        measure(dem);
+    }
+    neighbours_park(nb);
     neighbours_meet(nb);
-    if (omp_get_thread_num() == 0) {
+    if (omp_get_thread_num() == 0 && done >= 0) {
         nb->margin = r.margin;
         nb->spent = r.spent;
         dem->done = done;

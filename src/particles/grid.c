@@ -153,7 +153,7 @@ static int beside(const struct grid *g, int k, int c, int found[3])
 }
 
 /* Is the gap of i and j, nearest image, less than the skin? */
-static int close_by(const struct bodies *b, int i, int j, double skin)
+static inline int close_by(const struct bodies *b, int i, int j, double skin)
 {
     const double *const x = b->place[i], *const y = b->place[j];
     const double reach = x[3] + y[3] + skin;
@@ -168,15 +168,54 @@ static int close_by(const struct bodies *b, int i, int j, double skin)
     return r2 <= reach * reach; /* [LS 5.15] */
 }
 
+/* The same where there are no images. */
+static inline int close_inside(const struct bodies *b, int i, int j,
+                               double skin)
+{
+    const double *const x = b->place[i], *const y = b->place[j];
+    const double reach = x[3] + y[3] + skin;
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        r2 += (x[k] - y[k]) * (x[k] - y[k]);
+    return r2 <= reach * reach;
+}
+
+/* Partners of i among the particles from ... to - 1, all of which it would own,
+ * in a box without images. Every one is written down and kept if it is close:
+ * to guess beforehand whether it is, as a processor does at a branch, fails for
+ * every third. */
+static void find_inside(int from, int to, struct strip *s,
+                        const struct bodies *b, int i, double skin)
+{
+    enum { MOST = 64 };
+
+    for (int begin = from; begin < to; begin += MOST) {
+        const int end = begin + MOST < to ? begin + MOST : to;
+        int close[MOST], n = 0;
+        for (int j = begin; j < end; j++) {
+            close[n] = j;
+            n += close_inside(b, i, j, skin);
+        }
+        strip_add_pairs(s, n, close);
+    }
+}
+
 /* Partners of i among the particles from ... to - 1. */
 static void find_among(const struct grid *g, int from, int to, struct strip *s,
                        const struct bodies *b, int i, double skin)
 {
-    const int ring = b->box.periodic[g->axis[2]];
+    const int *const around = b->box.periodic;
+    const int ring = around[g->axis[2]];
+    const int first = !ring && from <= i ? i + 1 : from;
 
-    for (int j = !ring && from <= i ? i + 1 : from; j < to; j++)
+    if (!around[0] && !around[1] && !around[2]) {
+        find_inside(first, to, s, b, i, skin);
+        return;
+    }
+    for (int j = first; j < to; j++)
         if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin))
-            strip_add_pair(s, j);
+            strip_add_pairs(s, 1, &j);
 }
 
 /* Cells that follow each other in the fastest direction are one stretch of

@@ -81,7 +81,6 @@ void neighbours_open(struct neighbours *nb)
     }
     if (nb->surfaces != NULL) surfaces_open(nb->surfaces);
     nb->recalled = 0;
-    bodies_fetch(b, nb->ps, 0, b->n);
     if (nb->drive != NULL) driven_index(nb->drive, nb->ps);
 }
 
@@ -110,14 +109,24 @@ const struct kept *neighbours_keep(struct neighbours *nb, int *n)
     return all->kept;
 }
 
-void neighbours_close(struct neighbours *nb)
+void neighbours_fetch(struct neighbours *nb)
 {
+    const struct neighbours_share mine = neighbours_share(nb);
+
+    for (int s = mine.first; s < mine.last; s++)
+        bodies_fetch(nb->bodies, nb->ps, nb->strips[s].begin,
+                     nb->strips[s].end);
+}
+
+void neighbours_park(struct neighbours *nb)
+{
+    const struct neighbours_share mine = neighbours_share(nb);
     struct particles *const ps = nb->ps;
 
-    bodies_park(nb->bodies, ps, 0, ps->n);
-    if (nb->stale) return; /* no step was made */
-    for (int s = 0; s < nb->count; s++) {
+    for (int s = mine.first; s < mine.last; s++) {
         const struct strip *const own = &nb->strips[s];
+        bodies_park(nb->bodies, ps, own->begin, own->end);
+        if (nb->stale) continue; /* no step was made */
         for (int i = own->begin; i < own->end; i++) {
             ps->cfx[i] = own->load[i - own->begin][0];
             ps->cfy[i] = own->load[i - own->begin][1];

@@ -62,10 +62,12 @@ void neighbours_meet(const struct neighbours *nb);
 const struct kept *neighbours_keep(struct neighbours *nb, int *n);
 struct kept *neighbours_recall(struct neighbours *nb, int n);
 
-/* Before a team starts: from the particles to the bodies; after it ended:
- * back. */
+/* Before a team starts. */
 void neighbours_open(struct neighbours *nb);
-void neighbours_close(struct neighbours *nb);
+
+/* First and last in a team: from the particles to the bodies, and back. */
+void neighbours_fetch(struct neighbours *nb);
+void neighbours_park(struct neighbours *nb);
 
 /* Largest speed that the last bodies_advance of any strip bounds [m/s]. */
 double neighbours_speed(const struct neighbours *nb);

@@ -95,27 +95,30 @@ void strip_begin_owner(struct strip *s, int i)
     s->walls.start[i - s->begin] = s->walls.n;
 }
 
-static void vicinity_add(struct vicinity *v, int partner, int rolls)
+static void vicinity_add(struct vicinity *v, int n, const int *partner,
+                         int rolls)
 {
-    if (v->n == v->capacity) {
-        v->capacity = roomy(v->n + 1);
+    if (n == 0) return;
+    if (v->n + n > v->capacity) {
+        v->capacity = roomy(v->n + n);
         v->partner = grown(v->partner, v->n, v->capacity, sizeof *v->partner);
         v->spring = grown(v->spring, v->n, v->capacity, sizeof *v->spring);
         if (rolls) v->roll = grown(v->roll, v->n, v->capacity, sizeof *v->roll);
     }
-    memset(v->spring[v->n], 0, sizeof v->spring[v->n]);
-    if (rolls) memset(v->roll[v->n], 0, sizeof v->roll[v->n]);
-    v->partner[v->n++] = partner;
+    memset(v->spring[v->n], 0, (size_t)n * sizeof *v->spring);
+    if (rolls) memset(v->roll[v->n], 0, (size_t)n * sizeof *v->roll);
+    memcpy(&v->partner[v->n], partner, (size_t)n * sizeof *partner);
+    v->n += n;
 }
 
-void strip_add_pair(struct strip *s, int partner)
+void strip_add_pairs(struct strip *s, int n, const int *partner)
 {
-    vicinity_add(&s->pairs, partner, s->rolls);
+    vicinity_add(&s->pairs, n, partner, s->rolls);
 }
 
 void strip_add_wall(struct strip *s, int wall)
 {
-    vicinity_add(&s->walls, wall, s->rolls);
+    vicinity_add(&s->walls, 1, &wall, s->rolls);
 }
 
 /* The load of particle j among those of the strip; an index before the strip's

@@ -108,7 +108,7 @@ void strip_cut(struct strip *s, int number, int count, int n);
 /* Empties the vicinity; adds to it, owner after owner in ascending order. */
 void strip_clear(struct strip *s);
 void strip_begin_owner(struct strip *s, int i);
-void strip_add_pair(struct strip *s, int partner);
+void strip_add_pairs(struct strip *s, int n, const int *partner);
 void strip_add_wall(struct strip *s, int wall);
 void strip_close(struct strip *s, int n);
 

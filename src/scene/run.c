@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/clock.h"
+#include "base/crew.h"
 #include "base/file.h"
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
@@ -27,9 +28,19 @@ static int look(struct record *r, struct simulation *sim)
     return failed;
 }
 
+/* One step, by as many threads as pay. */
+static int step(struct simulation *sim, struct crew *crew)
+{
+    crew_begin(crew);
+    const int failed = coupling_step(sim);
+    crew_end(crew);
+    return failed;
+}
+
 /* The loop. Returns the exit code; a breakdown is described in why. */
 static int advance(const struct settings *s, struct simulation *sim,
-                   struct record *r, struct progress *bar, char *why)
+                   struct record *r, struct progress *bar, struct crew *crew,
+                   char *why)
 {
     const double end = settings_real(s, "output.end");
     const long steps = lround(end / sim->dt);
@@ -40,7 +51,7 @@ static int advance(const struct settings *s, struct simulation *sim,
     }
     if (look(r, sim) != 0) return NOT_WRITTEN;
     while (sim->steps < steps) {
-        if (coupling_step(sim) != 0) {
+        if (step(sim, crew) != 0) {
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
@@ -65,11 +76,14 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
 {
     struct record *const r = record_create(s, sim, o->dir);
     struct progress bar;
+    struct crew crew;
     char why[BREAKDOWN_TEXT] = "";
 
     if (r == NULL) return NOT_WRITTEN;
     progress_init(&bar, 0.0, settings_real(s, "output.end"), o->quiet);
-    int code = advance(s, sim, r, &bar, why);
+    crew_gather(&crew);
+    int code = advance(s, sim, r, &bar, &crew, why);
+    crew_dismiss(&crew);
     progress_end(&bar);
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;

@@ -9,10 +9,10 @@ struct run_options {
     int quiet;       /* [-] 1: no progress on stderr */
 };
 
-/* Builds and runs the simulation that the case describes, in the threads that
- * OpenMP is set to. Returns the exit code of the program: 0 done, 2 the input
- * is wrong after all, 3 the computation broke down, 4 reading or writing
- * failed, 130 interrupted; after a message if not 0. */
+/* Builds and runs the simulation that the case describes, in as many threads as
+ * pay, of those that OpenMP is set to. Returns the exit code of the program: 0
+ * done, 2 the input is wrong after all, 3 the computation broke down, 4 reading
+ * or writing failed, 130 interrupted; after a message if not 0. */
 int run_case(const struct settings *s, const struct run_options *o);
 
 #endif
