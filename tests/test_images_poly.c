@@ -121,11 +121,11 @@ static const struct {
     double off; /* [-] measured, and half of it again */
 } rooms[] = {
     {{{16, 16, 1}, NULL, deep}, 1e-12},      /* 2e-14 */
-    {{{16, 16, 1}, step_there, deep}, 2e-3}, /* 1.1e-3 */
-    {{{16, 16, 1}, NULL, sheared}, 1.1e-3},  /* 7e-4 */
+    {{{16, 16, 1}, step_there, deep}, 4e-3}, /* 2.6e-3 */
+    {{{16, 16, 1}, NULL, sheared}, 1.5e-3},  /* 1.0e-3 */
     {{{16, 16, 1}, NULL, cone}, 2.7e-2},     /* 1.8e-2 */
-    {{{16, 16, 1}, NULL, tube}, 1.2e-2},     /* 7.8e-3 */
-    {{{8, 16, 1}, NULL, bend}, 3.6e-2},      /* 2.4e-2 */
+    {{{16, 16, 1}, NULL, tube}, 1.2e-2},     /* 6.9e-3 */
+    {{{8, 16, 1}, NULL, bend}, 3.6e-2},      /* 2.5e-2 */
 };
 enum { ROOMS = sizeof rooms / sizeof *rooms, FINE = 6, MOST = 20000 };
 

@@ -12,8 +12,9 @@
 
 static const double images_reach = 3.0; /* [-] of b, as in images.c */
 
-/* How even a bed that is even should come out, and how often that is tried. */
-static const double even = 1e-3; /* [-] */
+/* A round that had to scale by less was the last: the next would have to by a
+ * few times less. */
+static const double even = 5e-3; /* [-] */
 enum { ROUNDS = 8 };
 
 struct images_poly {
