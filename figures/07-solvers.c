@@ -243,14 +243,19 @@ static void hard_one(const char *name, double jump, const double h[3])
     system_free(&y);
 }
 
+static void flat(void)
+{
+    static const double h[3] = {1.0, 0.1, 1.0};
+
+    hard_one("flat cells", 1.0, h);
+}
+
 /* What makes a system harder, in a cube of 32 cells a side. */
 static void hard(void)
 {
-    static const double flat[3] = {1.0, 0.1, 1.0};
-
     printf("# iterations by diagonal, by multigrid\n");
     hard_one("cubes", 1.0, cubes);
-    hard_one("flat cells", 1.0, flat);
+    flat();
     hard_one("blocks of 1 and 10", 10.0, cubes);
     hard_one("blocks of 1 and 1000", 1000.0, cubes);
     hard_one("blocks of 1 and 1000000", 1e6, cubes);
@@ -300,11 +305,12 @@ int main(int argc, char **argv)
     static const struct {
         const char *name;
         void (*print)(void);
-    } parts[] = {{"few", few},    {"history", history}, {"accuracy", accuracy},
-                 {"hard", hard},  {"levels", levels},   {"series", series},
-                 {"scale", scale}};
+    } parts[] = {{"few", few},           {"history", history},
+                 {"accuracy", accuracy}, {"hard", hard},
+                 {"flat", flat},         {"levels", levels},
+                 {"series", series},     {"scale", scale}};
 
-    for (int k = 0; k < 7; k++)
+    for (int k = 0; k < 8; k++)
         if (argc > 1 && strcmp(argv[1], parts[k].name) == 0) parts[k].print();
     return 0;
 }

@@ -131,6 +131,40 @@ START_TEST(what_a_cap_leaves_out_feels_no_force_that_goes_by_volume)
 }
 END_TEST
 
+/* What the viscous stress of a stream in waves pushes 64 spheres with, one a
+ * cell of 0.7 of its volume, with this cap; of the first of them. */
+static double viscous_push(double cap)
+{
+    struct scene s = air;
+    s.averaging = "pcm";
+    s.cap = cap;
+    s.n = 64;
+    s.cells = 8;
+    s.size = 0.008;
+    s.d = 1.1e-3;
+    s.pressure_gradient = 0;
+    s.viscous_stress = 1;
+    struct simulation *const sim = build(&s);
+
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->u[3 * c] =
+            sin(2.0 * M_PI * sim->mesh->centre[3 * c + 1] / s.size);
+    sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
+    const double push = sim->held[0];
+    discard(sim);
+    return push;
+}
+
+START_TEST(a_cap_counts_the_same_share_of_the_viscous_stress)
+{
+    const double share = 0.35 / (M_PI / 6.0 * 1.331);
+    const double whole = viscous_push(0.0);
+
+    ck_assert_double_gt(fabs(whole), 0.0);
+    ck_assert_double_eq_tol(viscous_push(0.35) / whole, share, 1e-12);
+}
+END_TEST
+
 /* Nothing but weight less buoyancy, (m - rho_f V_p) g, comes from outside, also
  * where a cap counts part of V_p only. No sphere changes cells in the 0.6 ms;
  * the rest is rounding. */
@@ -557,6 +591,7 @@ static Suite *suite(void)
         3 * METHODS);
     tcase_add_loop_test(
         t, what_a_cap_leaves_out_feels_no_force_that_goes_by_volume, 0, 3);
+    tcase_add_test(t, a_cap_counts_the_same_share_of_the_viscous_stress);
     tcase_add_loop_test(t, a_cap_leaves_the_whole_buoyancy_in_both_models, 0,
                         2);
     tcase_add_test(t,

@@ -81,12 +81,14 @@ while [ $# -gt 0 ]; do
     shift
 done
 
-find src tests cases figures chapters/solutions \( -name '*.[ch]' -o -name '*.cfg' -o -name '*.sh' \
-    -o -name '*.gp' -o -name '*.txt' -o -name '*.py' -o -name '*.patch' \) | while read -r file; do
-    mkdir -p "$out/$(dirname "$file")"
-    awk -v anchors="$anchors" -f "$tools/c.awk" -f "$tools/source.awk" "$file" \
-        >"$out/$file.html"
-done
+files=$out/files.txt
+find src tests cases figures chapters/solutions -name '*.[ch]' -o -name '*.cfg' \
+    -o -name '*.sh' -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \
+    -o -name '*.patch' >"$files"
+sed "s|^|$out/|; s|/[^/]*\$||" "$files" | sort -u | xargs mkdir -p
+awk -v anchors="$anchors" -v out="$out" -f "$tools/c.awk" -f "$tools/source.awk" \
+    "$files"
+rm "$files"
 rm "$anchors"
 cd "$out"
 find . -type f | awk -f "$tools/pages.awk"

@@ -1,6 +1,7 @@
-# source.awk -- a source file as a page, for the book.
+# source.awk -- source files as pages, for the book: OUT/FILE.html of each FILE,
+# named on stdin. The folders are there.
 #
-#   awk -f c.awk -f source.awk -v anchors=FILE src/exchange/drag.c
+#   ls src/exchange/drag.[ch] | awk -f c.awk -f source.awk -v anchors=A -v out=OUT
 #
 # Each line has an address (#L12), each definition its name (#drag_beta);
 # citations lead to the table of equations, "Chapter 9" to the chapter.
@@ -34,11 +35,11 @@ BEGIN {
         split(line, w, " ")
         page_of[w[1]] = w[2]
     }
-    file = ARGV[1]
-    root = file
-    gsub(/[^\/]+\//, "../", root)
-    sub(/[^\/]*$/, "", root)
-    cut(file)
+}
+
+# Puts the names of the definitions at the lines where they begin.
+function find_names(file,    i, n, w, seen) {
+    split("", at)
     for (i = 1; i <= items[file]; i++) {
         n = split(name[file, i], w, " ")
         for (; n > 0; n--)
@@ -47,19 +48,31 @@ BEGIN {
                 at[begin[file, i]] = at[begin[file, i]] "<a id=\"" w[n] "\"></a>"
             }
     }
-    print "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />"
-    print "<meta name=\"viewport\" content=\"width=device-width\" />"
-    print "<meta name=\"color-scheme\" content=\"light dark\" />"
-    print "<title>" file "</title>"
-    print "<link rel=\"stylesheet\" href=\"" root "book.css\" />\n</head>"
+}
+
+{
+    file = $0
+    page = out "/" file ".html"
+    root = file
+    gsub(/[^\/]+\//, "../", root)
+    sub(/[^\/]*$/, "", root)
+    cut(file)
+    find_names(file)
+    print "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />" >page
+    print "<meta name=\"viewport\" content=\"width=device-width\" />" >page
+    print "<meta name=\"color-scheme\" content=\"light dark\" />" >page
+    print "<title>" file "</title>" >page
+    print "<link rel=\"stylesheet\" href=\"" root "book.css\" />\n</head>" >page
     print "<body class=\"source\">\n<nav class=\"top\"><a href=\"" root \
-        "index.html\">Winnow</a> <span>" file "</span></nav>\n<main>\n<pre>"
+        "index.html\">Winnow</a> <span>" file "</span></nav>\n<main>\n<pre>" >page
     for (k = 1; k <= lines[file]; k++) {
         s = source[file, k]
         gsub(/&/, "\\&amp;", s)
         gsub(/</, "\\&lt;", s)
         gsub(/>/, "\\&gt;", s)
-        printf "<span id=\"L%d\">%s%s\n</span>", k, at[k], with_links(s)
+        printf "<span id=\"L%d\">%s%s\n</span>", k, at[k], with_links(s) >page
+        delete source[file, k]
     }
-    print "</pre>\n</main>\n</body>\n</html>"
+    print "</pre>\n</main>\n</body>\n</html>" >page
+    close(page)
 }
