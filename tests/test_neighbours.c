@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "particles/neighbours.h"
 #include "spheres.h"
 
 /* --- all pairs -------------------------------------------------------------
@@ -393,6 +394,31 @@ START_TEST(link_cells_move_particles_as_the_list_does)
 }
 END_TEST
 
+/* Eight strips, of which the upper four have 10, 20, 30 and 40 contacts and the
+ * lower ones none: the middles are at 5, 20, 45 and 80 of 100. */
+START_TEST(a_strip_belongs_to_whom_the_middle_of_its_work_belongs)
+{
+    const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
+    const int walls[3] = {0, 0, 0};
+    const struct domain box = bodies_domain(lo, hi, walls);
+    struct particles *const ps = particles_create(8000);
+    struct neighbours *const nb = neighbours_create(ps, &box);
+    struct neighbours_share share[2] = {{0, 0}, {0, 0}};
+
+    ck_assert_int_eq(nb->count, 8);
+    for (int s = 4; s < 8; s++)
+        nb->strips[s].contacts.n_pairs = 10 * (s - 3);
+#pragma omp parallel num_threads(2)
+    share[omp_get_thread_num()] = neighbours_work(nb);
+    ck_assert_int_eq(share[0].first, 0);
+    ck_assert_int_eq(share[0].last, 7);
+    ck_assert_int_eq(share[1].first, 7);
+    ck_assert_int_eq(share[1].last, 8);
+    neighbours_free(nb);
+    particles_free(ps);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("neighbours");
@@ -410,6 +436,7 @@ int main(void)
         t, ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 0, 2);
     tcase_add_loop_test(t, the_spring_of_rolling_survives_them_too, 0, 2);
     tcase_add_test(t, ls_4_8_the_spring_of_a_wall_survives_rebuilds);
+    tcase_add_test(t, a_strip_belongs_to_whom_the_middle_of_its_work_belongs);
     tcase_add_test(
         t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
     tcase_add_loop_test(

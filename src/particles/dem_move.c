@@ -59,6 +59,7 @@ static void book(const struct dem *dem, int looks)
         if (nb->surfaces != NULL)
             surfaces_energy(nb->surfaces, s)->looks = looks;
     }
+    neighbours_meet(nb);
 }
 
 /* Lists and forces for particles that were changed from outside; no time
@@ -123,7 +124,6 @@ static int leap(struct dem *dem, int steps, struct reach *r)
 
     if (steps > 0) stride_move(nb, &first);
     for (int k = 0; k < steps; k++) {
-        neighbours_meet(nb);
         prescribed_move(nb, time_after(dem, k + 1));
         const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
         r->spent += closer;
@@ -188,13 +188,11 @@ static int lean(struct dem *dem, int steps, struct reach *r)
 
     stride_move(nb, &still); /* for the speeds */
     for (; k < steps; k++) {
-        neighbours_meet(nb);
         const double closer = 2.0 * neighbours_speed(nb) * dt;
         if (r->spent + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
         force_at_start(dem);
         load(dem, 0.5 * dt);
-        neighbours_meet(nb);
         predict(dem, dt);
         neighbours_meet(nb);
         prescribed_move(nb, time_after(dem, k + 1));

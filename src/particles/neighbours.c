@@ -52,6 +52,34 @@ struct neighbours_share neighbours_share(const struct neighbours *nb)
                                      nb->count * (thread + 1) / threads};
 }
 
+/* To move a particle costs as much as two contacts. */
+static long work_of(const struct strip *s)
+{
+    return s->contacts.n_pairs + s->contacts.n_walls + 2 * (s->end - s->begin);
+}
+
+/* Contacts lie close where a bed is dense, at the bottom or in a plug. A strip
+ * belongs to whom the middle of its work belongs. (Surfaces move with the
+ * strips of neighbours_share, and nobody meets before they act.) */
+struct neighbours_share neighbours_work(const struct neighbours *nb)
+{
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    struct neighbours_share mine = {0, 0};
+    long all = 0, before = 0;
+
+    for (int s = 0; s < nb->count; s++)
+        all += work_of(&nb->strips[s]);
+    if (all == 0 || nb->surfaces != NULL) return neighbours_share(nb);
+    for (int s = 0; s < nb->count; s++) {
+        const long own = work_of(&nb->strips[s]);
+        const long of = (2 * before + own) * threads / (2 * all);
+        mine.first += of < thread;
+        mine.last += of <= thread;
+        before += own;
+    }
+    return mine;
+}
+
 void neighbours_meet(const struct neighbours *nb)
 {
     barrier_wait(nb->barrier, omp_get_num_threads());
@@ -272,5 +300,6 @@ double neighbours_refresh(struct neighbours *nb, double wanted)
         if (nb->surfaces != NULL)
             surfaces_choose(nb->surfaces, s, nb->bodies, margin);
     }
+    neighbours_meet(nb);
     return margin;
 }

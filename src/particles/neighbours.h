@@ -54,6 +54,10 @@ struct neighbours_share {
 };
 struct neighbours_share neighbours_share(const struct neighbours *nb);
 
+/* The same for a step, whose work is not spread evenly. Between the two ways to
+ * share all must meet. */
+struct neighbours_share neighbours_work(const struct neighbours *nb);
+
 /* Waits until every thread of the team is here. */
 void neighbours_meet(const struct neighbours *nb);
 
@@ -73,8 +77,8 @@ void neighbours_park(struct neighbours *nb);
 double neighbours_speed(const struct neighbours *nb);
 
 /* Chooses the contacts, with a margin of `wanted` [m] or what the skin allows,
- * from a vicinity that is made anew where needed. Gives the margin, or -1 if
- * a particle is lost. */
+ * from a vicinity that is made anew where needed. All meet in the end. Gives
+ * the margin, or -1 if a particle is lost. */
 double neighbours_refresh(struct neighbours *nb, double wanted);
 
 /* Looks for lost particles in this thread's share. */

@@ -29,7 +29,7 @@ static void advance(const struct neighbours *nb, struct strip *own, int begin,
 static int reached(const struct neighbours *nb, int s, const struct stride *by)
 {
     const int *const around = nb->bodies->box.periodic;
-    const int n = nb->bodies->n, first = neighbours_share(nb).first;
+    const int n = nb->bodies->n, first = neighbours_work(nb).first;
     int most = 0;
 
     if (nb->surfaces != NULL || by->n_attractions > 0) return n;
@@ -110,7 +110,7 @@ static void show_fastest(struct strip *own)
 
 void stride_take(struct neighbours *nb, const struct stride *by)
 {
-    const struct neighbours_share mine = neighbours_share(nb);
+    const struct neighbours_share mine = neighbours_work(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
         if (by->budget) strip_open_budget(&nb->strips[s].energy);
@@ -122,6 +122,7 @@ void stride_take(struct neighbours *nb, const struct stride *by)
         take_strip(nb, s, by, 1);
         show_fastest(&nb->strips[s]);
     }
+    neighbours_meet(nb);
 }
 
 void stride_move(struct neighbours *nb, const struct stride *by)
@@ -133,4 +134,5 @@ void stride_move(struct neighbours *nb, const struct stride *by)
         advance(nb, own, own->begin, own->end, by);
         show_fastest(own);
     }
+    neighbours_meet(nb);
 }

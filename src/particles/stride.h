@@ -24,11 +24,10 @@ struct stride {
     double kick, drift; /* [s] the velocities do, and the places */
 };
 
-/* Loads and motion; every thread of the team calls it. It ends without a
- * meeting. */
+/* Loads and motion; every thread of the team calls it. All meet in the end. */
 void stride_take(struct neighbours *nb, const struct stride *by);
 
-/* Motion alone, from the loads that there are. */
+/* Motion alone, from the loads that there are. The same. */
 void stride_move(struct neighbours *nb, const struct stride *by);
 
 #endif
