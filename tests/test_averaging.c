@@ -40,7 +40,7 @@ static const struct {
     {"kernel", {.bandwidth = 0.21}, POSITIVE | MOVES},
     {"kernel", {.bandwidth = 0.03}, POSITIVE | MOVES},
     {"gaussian", {.bandwidth = 0.11}, POSITIVE | MOVES},
-    {"images", {.bandwidth = 0.11}, POSITIVE | MOVES},
+    {"images", {.bandwidth = 0.06}, POSITIVE | MOVES},
     {"images", {.bandwidth = 0.01}, POSITIVE | MOVES},
     {"diffusion",
      {.bandwidth = 0.2, .tolerance = 1e-9},
