@@ -4,10 +4,14 @@
 #ifndef CLOUD_H
 #define CLOUD_H
 
+#include <check.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "averaging/averaging.h"
+#include "base/alloc.h"
 #include "mesh/mesh.h"
 #include "particles/particles.h"
-
-#include <stdint.h>
 
 /* One cell, one, two and three directions, graded, periodic with one, two and
  * more cells. The widest grading is milder than the 1:5 of test_mesh. */
@@ -71,6 +75,24 @@ static inline void cloud_numbers(uint64_t seed, int n, double *q)
 {
     for (int i = 0; i < n; i++)
         q[i] = 2.0 * cloud_random(&seed) - 1.0;
+}
+
+/* Particles of amount 1, averaged. */
+static inline void cloud_spread_ones(const struct mesh *m, struct particles *ps,
+                                     double b, const char *method,
+                                     double *field)
+{
+    const struct averaging_options o = {.bandwidth = b};
+    double *const q = alloc_doubles(ps->n);
+    struct averaging *const a =
+        averaging_create(averaging_method_named(method), m, ps, &o);
+
+    for (int i = 0; i < ps->n; i++)
+        q[i] = 1.0;
+    ck_assert_int_eq(averaging_bind(a), 0);
+    averaging_spread(a, 1, q, field);
+    averaging_free(a);
+    free(q);
 }
 
 #endif

@@ -48,23 +48,6 @@ START_TEST(ew18_19_is_sx15_6_of_that_bandwidth)
 }
 END_TEST
 
-/* n particles of amount 1 at the places x, averaged. */
-static void spread_ones(const struct mesh *m, struct particles *ps, double b,
-                        const char *method, double *field)
-{
-    const struct averaging_options o = {.bandwidth = b};
-    double *const q = alloc_doubles(ps->n);
-    struct averaging *const a =
-        averaging_create(averaging_method_named(method), m, ps, &o);
-
-    for (int i = 0; i < ps->n; i++)
-        q[i] = 1.0;
-    ck_assert_int_eq(averaging_bind(a), 0);
-    averaging_spread(a, 1, q, field);
-    averaging_free(a);
-    free(q);
-}
-
 /* Integral of a Gaussian of width b around x over direction k of cell c, and
  * over 9 images to each side. */
 static double along(const struct mesh *m, int k, int c, double x, double b)
@@ -98,7 +81,7 @@ START_TEST(ew18_21_it_is_the_gaussian_with_all_its_images)
     const double b = 0.15;
     double highest = 0.0;
 
-    spread_ones(m, ps, b, "images", field);
+    cloud_spread_ones(m, ps, b, "images", field);
     for (int c = 0; c < m->n_cells; c++)
         highest = fmax(highest, field[c]);
     for (int c = 0; c < m->n_cells; c++) {
@@ -128,10 +111,10 @@ START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
     for (int i = 0; i < 4096; i++)
         cloud_place(ps, 0.5 * (i % 16 + 0.5), 0.5 * (i / 16 % 16 + 0.5),
                     0.5 * (i / 256 + 0.5), 0.1);
-    spread_ones(m, ps, 2.0, "images", field);
+    cloud_spread_ones(m, ps, 2.0, "images", field);
     for (int c = 0; c < m->n_cells; c++)
         ck_assert_double_eq_tol(field[c] / 8.0, 1.0, 1e-3);
-    spread_ones(m, ps, 2.0, "gaussian", field);
+    cloud_spread_ones(m, ps, 2.0, "gaussian", field);
     ck_assert_double_lt(field[0] / 8.0, 0.65);
     free(field);
     particles_free(ps);
@@ -183,8 +166,8 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm)
         ps->y[i] = 0.7 * cloud_random(&state);
         ps->z[i] = 0.5 * cloud_random(&state);
     }
-    spread_ones(m, ps, 1e-6, "images", f);
-    spread_ones(m, ps, 1e-6, "pcm", g);
+    cloud_spread_ones(m, ps, 1e-6, "images", f);
+    cloud_spread_ones(m, ps, 1e-6, "pcm", g);
     for (int c = 0; c < m->n_cells; c++)
         ck_assert_double_eq_tol(f[c], g[c], 1e-12 * (1.0 + g[c]));
     free(f);

@@ -11,23 +11,6 @@
 #include "cloud.h"
 #include "mesh/poly.h"
 
-/* Particles of amount 1, averaged. */
-static void spread_ones(const struct mesh *m, struct particles *ps, double b,
-                        const char *method, double *field)
-{
-    const struct averaging_options o = {.bandwidth = b};
-    double *const q = alloc_doubles(ps->n);
-    struct averaging *const a =
-        averaging_create(averaging_method_named(method), m, ps, &o);
-
-    for (int i = 0; i < ps->n; i++)
-        q[i] = 1.0;
-    ck_assert_int_eq(averaging_bind(a), 0);
-    averaging_spread(a, 1, q, field);
-    averaging_free(a);
-    free(q);
-}
-
 /* The largest difference between a box and the same as a mesh of faces, over
  * the largest value. */
 static double off_the_box(int n, int periodic)
@@ -43,8 +26,8 @@ static double off_the_box(int n, int periodic)
     double off = 0.0, highest = 0.0;
 
     ck_assert_ptr_nonnull(poly->shape);
-    spread_ones(box, ps, 0.3, "images", f);
-    spread_ones(poly, ps, 0.3, "images", g);
+    cloud_spread_ones(box, ps, 0.3, "images", f);
+    cloud_spread_ones(poly, ps, 0.3, "images", g);
     for (int c = 0; c < box->n_cells; c++) {
         const double *const x = &box->centre[3 * c];
         const int same = mesh_cell_at(poly, x[0], x[1], x[2]);
@@ -148,7 +131,7 @@ static double unevenness(const struct mesh *m, struct particles *ps,
     double *const field = alloc_doubles(m->n_cells);
     double worst = 0.0;
 
-    spread_ones(m, ps, 2.0, method, field);
+    cloud_spread_ones(m, ps, 2.0, method, field);
     for (int c = 0; c < m->n_cells; c++)
         worst = fmax(worst, fabs(4.0 * field[c] / (FINE * FINE) - 1.0));
     free(field);
@@ -189,7 +172,7 @@ static double step_at_wall(int fine, const char *method)
     double field[32], f[2];
 
     cloud_place(ps, c30 * 0.3 * b - 0.25, 0.15 * b + 0.5 * c30, 0.5, 0.1);
-    spread_ones(m, ps, b, method, field);
+    cloud_spread_ones(m, ps, b, method, field);
     for (int i = 0; i < 2; i++) {
         const double x = (i + 0.5) / 8.0;
         f[i] = field[mesh_cell_at(m, c30 * x - 0.25, 0.5 * x + 0.5 * c30, 0.5)];
@@ -228,8 +211,8 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
             m->lo[2] + (m->hi[2] - m->lo[2]) * cloud_random(&state);
         if (mesh_cell_at(m, x, y, z) >= 0) cloud_place(ps, x, y, z, 0.1);
     }
-    spread_ones(m, ps, 1e-6, "images", f);
-    spread_ones(m, ps, 1e-6, "pcm", g);
+    cloud_spread_ones(m, ps, 1e-6, "images", f);
+    cloud_spread_ones(m, ps, 1e-6, "pcm", g);
     for (int c = 0; c < m->n_cells; c++)
         ck_assert_double_eq_tol(f[c], g[c], 1e-12 * (1.0 + g[c]));
     free(f);
