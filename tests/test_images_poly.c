@@ -7,6 +7,8 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
+#include "averaging/normals.h"
+#include "base/vector.h"
 #include "blocks.h"
 #include "cloud.h"
 #include "mesh/poly.h"
@@ -222,6 +224,39 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape)
 }
 END_TEST
 
+/* A has half the inverse of b^2 / 2 + M, off the diagonal too. A body of
+ * parallel faces has a third of the mean r r^T of its eight corners. */
+START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
+{
+    const struct box_spec spec = {
+        {0.3, 0.2, 0.25}, {1, 1, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    const double b = 0.1, shear[3] = {0.3, -0.2, 0.4};
+    struct mesh *const m = mesh_create_sheared(&spec, shear);
+    struct facets *const f = facets_create(m);
+    struct mirrors *const none = mirrors_create(f, 1e-9);
+    struct normals *const N = normals_create(f, none, b);
+    const double *const A = N->normal[0].A;
+    const double twice[9] = {2.0 * A[0], 2.0 * A[1], 2.0 * A[2],
+                             2.0 * A[1], 2.0 * A[3], 2.0 * A[4],
+                             2.0 * A[2], 2.0 * A[4], 2.0 * A[5]};
+
+    for (int row = 0; row < 3; row++)
+        for (int col = 0; col < 3; col++) {
+            double one = 0.5 * b * b * twice[3 * row + col];
+            for (int p = 0; p < 8; p++) {
+                double r[3];
+                vector_between(&m->shape->point[3 * p], m->centre, r);
+                one += vector_dot(&twice[3 * row], r) * r[col] / 24.0;
+            }
+            ck_assert_double_eq_tol(one, row == col, 1e-12);
+        }
+    normals_free(N);
+    mirrors_free(none);
+    facets_free(f);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("images_poly");
@@ -233,6 +268,8 @@ int main(void)
         t, ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room, 0, ROOMS);
     tcase_add_test(t, ew18_21_no_flux_leads_into_a_wall);
     tcase_add_test(t, ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
+    tcase_add_test(t,
+                   ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);
