@@ -268,7 +268,7 @@ static void add_place(struct view *v, const struct image *q)
     v->place[v->n_places - 1] = *q;
 }
 
-/* Place i in the mirror k, if that is within reach and shows it. */
+/* Place i in the mirror k [EW18 21], if that is within reach and shows it. */
 static void mirror(struct view *v, int i, int k)
 {
     const struct plane *const p = &v->plane[k];
