@@ -26,6 +26,22 @@ static const struct frame turned_frames[] = {
     {{2, 0, 1}, {1, -1, 1}}, {{1, 2, 0}, {-1, 1, -1}}};
 enum { TURNED = 6 };
 
+/* The same scene measured in other units: so many of them are a metre, a
+ * second, a kilogram. Powers of two round to the same digits; a product where a
+ * quotient should be, or a number that should have had a unit, shows at once. M
+ * L^3 / T^2 is a square, so that charges can follow. */
+struct units {
+    double L, T, M;
+};
+static const struct units turned_si = {1.0, 1.0, 1.0};
+static const struct units turned_units = {8.0, 0.25, 32.0};
+
+static inline void turned_scale(double factor, double v[3])
+{
+    for (int k = 0; k < 3; k++)
+        v[k] *= factor;
+}
+
 static inline void turned_vector(const struct frame *t, const double *v,
                                  double *to)
 {
