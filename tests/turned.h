@@ -28,13 +28,14 @@ enum { TURNED = 6 };
 
 /* The same scene measured in other units: so many of them are a metre, a
  * second, a kilogram. Powers of two round to the same digits; a product where a
- * quotient should be, or a number that should have had a unit, shows at once. M
- * L^3 / T^2 is a square, so that charges can follow. */
+ * quotient should be, or a number that should have had a unit, shows at once. L
+ * / T and M L^3 / T^2 are squares: drag laws take roots of speeds, and charges
+ * are roots of forces times areas. */
 struct units {
     double L, T, M;
 };
 static const struct units turned_si = {1.0, 1.0, 1.0};
-static const struct units turned_units = {8.0, 0.25, 32.0};
+static const struct units turned_units = {8.0, 0.5, 32.0};
 
 static inline void turned_scale(double factor, double v[3])
 {
