@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "particles/triangle.h"
 #include "capture.h"
 #include "spheres.h"
 
@@ -78,6 +79,19 @@ START_TEST(a_triangle_has_two_sides_and_a_point_in_it_is_given_one)
     ck_assert_double_eq_tol(h.n[2], _i == 1 ? -1.0 : 1.0, 1e-14);
     ck_assert_double_eq_tol(vector_length(h.n), 1.0, 1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
+}
+END_TEST
+
+START_TEST(a_triangle_without_an_area_has_no_normal)
+{
+    const double line[3][3] = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+    const double wide[3][3] = {{1, 0, 0}, {1, 2, 0}, {1, 0, 3}};
+    double n[3];
+    triangle_normal(line, n);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq(n[k], 0.0);
+    triangle_normal(wide, n);
+    assert_vector(n, 1.0, 0.0, 0.0);
 }
 END_TEST
 
@@ -187,6 +201,7 @@ int main(void)
         t, a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 0, 12);
     tcase_add_loop_test(
         t, a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 0, 3);
+    tcase_add_test(t, a_triangle_without_an_area_has_no_normal);
     tcase_add_test(t, a_plane_that_has_turned_is_met_where_it_is_now);
     tcase_add_test(t, a_surface_reaches_to_the_farthest_corner_from_its_centre);
     tcase_add_test(t, what_makes_no_surface_is_refused);
