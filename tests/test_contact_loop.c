@@ -353,11 +353,11 @@ END_TEST
  * leaves out or does too late, or a strip lays on another, would be missing. */
 START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips)
 {
-    static const int periodic[] = {0, 1, 6, 7};
+    static const int periodic[] = {0, 7};
     const struct scene s = {.n = 2101,
                             .periodic = periodic[_i],
                             .L = 0.9,
-                            .law = _i & 1,
+                            .law = _i,
                             .rolling = 1,
                             .budget = 1};
 
@@ -416,7 +416,7 @@ int main(void)
         t, the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 0, 8);
     tcase_add_loop_test(
         t, the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 0,
-        4);
+        2);
     tcase_add_test(
         t, a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
     SRunner *const r = srunner_create(s);
