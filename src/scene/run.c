@@ -11,6 +11,7 @@
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/case_overlap.h"
 #include "scene/check.h"
 #include "scene/interrupt.h"
 #include "scene/progress.h"
@@ -44,6 +45,7 @@ static int advance(const struct settings *s, struct simulation *sim,
 {
     const double end = settings_real(s, "output.end");
     const long steps = lround(end / sim->dt);
+    int told = 0;
 
     if (coupling_start(sim) != 0) {
         breakdown_describe(sim, why);
@@ -55,6 +57,7 @@ static int advance(const struct settings *s, struct simulation *sim,
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
+        case_overlap_tell(sim, &told);
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
         if (interrupt_arrived()) return INTERRUPTED;
