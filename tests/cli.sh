@@ -75,6 +75,9 @@ fact negative_diameter_names_unit 2 "a number > 0 [m], found -0.001" \
     "$winnow" run negative.cfg
 fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
     "$winnow" run tiny.cfg -s fluid.density=heavy
+fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
+    "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
+    "$winnow" check tiny.cfg -s fluid.inlet=1.0
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
 sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg
