@@ -78,6 +78,17 @@ fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
 fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
     "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
     "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact more_particle_steps_than_an_int_holds_are_refused 2 \
+    "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
+    "$winnow" check tiny.cfg -s particles.step=1e-14
+fact end_that_is_too_far_to_count_steps_is_refused 2 "output.end: 1e+300 s are" \
+    "$winnow" run tiny.cfg -s output.end=1e300
+fact end_before_the_first_step_is_refused 2 "less than half of one step" \
+    "$winnow" run tiny.cfg -s output.end=9e-5
+fact picture_after_the_end_is_only_that_of_the_start 0 "" \
+    "$winnow" run tiny.cfg -o seldom -s output.every=1e300 -s output.end=2e-3 --quiet
+fact no_further_pictures_are_written 0 "1" \
+    sh -c 'ls seldom/particles | grep -c vtp && test $(ls seldom/fluid | wc -l) = 1'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
 sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg

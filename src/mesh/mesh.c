@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 static void shape_free(struct mesh_shape *s)
 {
@@ -79,9 +80,8 @@ static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
     const double share = (x - edge[0]) / (edge[n] - edge[0]);
-    int i = (int)(share * n);
+    int i = number_clamped(share * n, 0, n - 1);
 
-    if (i > n - 1) i = n - 1;
     while (i > 0 && x < edge[i])
         i--;
     while (i < n - 1 && x >= edge[i + 1])

@@ -13,6 +13,7 @@
 #include "scene/case_limits.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
+#include "scene/case_steps.h"
 #include "scene/case_surfaces.h"
 
 #include <math.h>
@@ -133,7 +134,8 @@ static struct scales scales_of(const struct settings *s)
     for (int f = 0; f < m->n_internal && m->middle != NULL; f++)
         k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
     k.end = settings_real(s, "output.end");
-    k.dem_steps = build_steps(s, &k.dt);
+    k.dt = case_steps_length(s);
+    k.dem_steps = case_steps_within(s);
     if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
     if (settings_has(s, "particles")) {
         particle_scales(s, &k);
