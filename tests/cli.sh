@@ -89,6 +89,17 @@ fact picture_after_the_end_is_only_that_of_the_start 0 "" \
     "$winnow" run tiny.cfg -o seldom -s output.every=1e300 -s output.end=2e-3 --quiet
 fact no_further_pictures_are_written 0 "1" \
     sh -c 'ls seldom/particles | grep -c vtp && test $(ls seldom/fluid | wc -l) = 1'
+fact mesh_of_more_cells_than_an_int_numbers_is_refused 2 \
+    "4.299e+09 cells with 1.29e+10 faces; no more than" \
+    "$winnow" run tiny.cfg -s 'mesh.cells=[2050,2048,1024]'
+fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
+    "need about 1.44 GB, and this machine has 0.512 GB" \
+    sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "mesh.cells=[100,80,100]"' "$winnow"
+fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
+    "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
+    check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'
+fact check_of_a_box_does_not_make_its_mesh 0 "4e+06" timeout 5 \
+    "$winnow" check "$top/cases/rebound.cfg" -s 'mesh.cells=[200,200,100]'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
 sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg

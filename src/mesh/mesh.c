@@ -129,7 +129,8 @@ void mesh_allocate(struct mesh *m)
     m->S = alloc_doubles(3 * m->n_faces);
     m->d = alloc_doubles(3 * m->n_faces);
     m->w = alloc_doubles(m->n_faces);
-    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
+    if (m->patches == NULL)
+        m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 
