@@ -34,7 +34,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style cli vtk tools text pages
+checks: solutions results sanitized facts style faults cli vtk tools text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -44,6 +44,8 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+faults: $B/winnow
+	@sh tests/faults.sh $B/winnow
 vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
@@ -53,6 +55,10 @@ chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
+
+check-slow: faults-slow ## what make check has no time for
+faults-slow: $B/winnow
+	@sh tests/faults.sh $B/winnow long
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -72,7 +78,7 @@ book: ## the chapters as pages: build/book/index.html
 	sh chapters/tools/browser.sh $B/book
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /make \1: /p' Makefile
 
 clean: ## forget everything built
 	rm -rf $B
@@ -104,7 +110,7 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks facts sanitized style cli vtk tools solutions results \
-        text pages validate bench weave book help clean tests always
+.PHONY: all run check checks facts sanitized style cli faults vtk tools solutions results \
+        text pages check-slow faults-slow validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

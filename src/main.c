@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
+#include "base/interrupt.h"
 #include "base/version.h"
 #include "scene/check.h"
 #include "scene/eval.h"
 #include "scene/explain.h"
-#include "scene/interrupt.h"
 #include "scene/ledger.h"
 #include "scene/list.h"
 #include "scene/nearest.h"
@@ -53,17 +53,20 @@ static struct settings *read_case(const struct line *l, int *code)
 static int run(const struct line *l)
 {
     int code;
-    struct settings *const s = read_case(l, &code);
+    struct interrupt_watch watch;
     struct run_options o = {l->dir, l->quiet};
     char dir[256];
 
+    interrupt_hold();
+    interrupt_watch_begin(&watch, NULL, NULL);
+    struct settings *const s = read_case(l, &code);
+    interrupt_watch_end(&watch);
     if (s == NULL) return code;
     if (o.dir == NULL) {
         default_dir(l->words[0], dir);
         o.dir = dir;
     }
     if (l->threads > 0) omp_set_num_threads(l->threads);
-    interrupt_hold();
     code = run_case(s, &o);
     settings_free(s);
     return code;

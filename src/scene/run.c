@@ -8,15 +8,20 @@
 #include "base/clock.h"
 #include "base/crew.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
 #include "scene/check.h"
-#include "scene/interrupt.h"
 #include "scene/progress.h"
 #include "scene/record.h"
 
-enum { WRONG = 2, BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum {
+    WRONG = 2,
+    BROKE_DOWN = 3,
+    NOT_WRITTEN = 4,
+    INTERRUPTED = INTERRUPT_CODE
+};
 
 /* Looks and keeps the time that writing takes. */
 static int look(struct record *r, struct simulation *sim)
@@ -37,7 +42,8 @@ static int step(struct simulation *sim, struct crew *crew)
     return failed;
 }
 
-/* The loop. Returns the exit code; a breakdown is described in why. */
+/* The loop. Returns the exit code; a breakdown is described in why. A step that
+ * was interrupted may have been cut short: it is not looked at. */
 static int advance(const struct settings *s, struct simulation *sim,
                    struct record *r, struct progress *bar, struct crew *crew,
                    char *why)
@@ -51,13 +57,15 @@ static int advance(const struct settings *s, struct simulation *sim,
     }
     if (look(r, sim) != 0) return NOT_WRITTEN;
     while (sim->steps < steps) {
-        if (step(sim, crew) != 0) {
+        const int failed = step(sim, crew);
+
+        if (interrupt_arrived()) return INTERRUPTED;
+        if (failed) {
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
-        if (interrupt_arrived()) return INTERRUPTED;
     }
     return 0;
 }
@@ -102,13 +110,31 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     return code;
 }
 
+/* Only if there is nothing in it. */
+static void remove_folder(void *dir)
+{
+    rmdir(dir);
+}
+
+/* The simulation; a signal meanwhile ends the program. */
+static struct simulation *build(const struct settings *s, const char *dir,
+                                int *code)
+{
+    struct interrupt_watch watch;
+
+    interrupt_watch_begin(&watch, remove_folder, (char *)dir);
+    struct simulation *const sim = build_simulation(s, code);
+    interrupt_watch_end(&watch);
+    return sim;
+}
+
 int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
     if (check_step(s) != 0) return WRONG;
     if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
-    struct simulation *const sim = build_simulation(s, &code);
+    struct simulation *const sim = build(s, o->dir, &code);
     if (sim == NULL) {
         rmdir(o->dir); /* only if there is nothing in it */
         return code;
