@@ -29,10 +29,15 @@ fact() {
     fi
 }
 
-# A stand-in that draws nothing: the true one takes a second.
+# A stand-in that draws nothing, for the true one takes a second, and wants no
+# other names than these.
 mkdir bin
-printf '#!/bin/sh\n: >"$4"\n' >bin/gnuplot
+cat >bin/gnuplot <<'END_OF_SCRIPT'
+#!/bin/sh
+[ "$*" = "-c bed.gp .. ../bed.png.partial" ] && [ -e bed.gp ] && : >"$4"
+END_OF_SCRIPT
 chmod +x bin/gnuplot
+true_path=$PATH
 PATH=$work/bin:$PATH
 
 cat >tiny.cfg <<'END_OF_CASE'
@@ -134,6 +139,150 @@ survives_a_hangup() {
     )
 }
 fact run_under_nohup_survives_a_hangup survives_a_hangup
+
+
+# A case that writes less, and nothing of the fluid.
+sed '/^fluid/,/^ *sides/d; /^averaging/d; /^exchange/d; /probes/d; /profiles/d
+     s/ pressure_gradient = {};//; s/every = 0.01;/& };/' tiny.cfg >other.cfg
+
+# files FOLDER: what is in it.
+files() { (cd "$1" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C sort); }
+
+# Of a folder, whatever has happened to it: each file is listed; it is of the
+# run that the summary tells of; one that is called done has all its files.
+of_one_run() { # FOLDER
+    no_part "$1/done" || return 1
+    (files "$1" | sed 's/\.partial$//' | grep -vxF -f "$1/manifest.txt" |
+        grep -vx 'manifest.txt\|notes.txt') && echo "not listed" && return 1
+    [ -e "$1/summary.json" ] || return 0
+    if grep -q '"exit_reason": "done"' "$1/summary.json"; then
+        kind=tiny
+        grep -q other.cfg "$1/summary.json" && kind=other
+        files "$1" | grep -vx notes.txt | diff $kind.files - || return 1
+    elif grep -q other.cfg "$1/summary.json"; then
+        ! [ -e "$1/probes.csv" ] && ! [ -e "$1/fluid" ]
+    fi
+}
+
+echo "folders:"
+for kind in tiny other; do
+    "$winnow" run $kind.cfg -o $kind --quiet >said 2>&1 || cat said
+    files $kind >$kind.files
+done
+fact each_file_of_a_run_is_listed of_one_run tiny
+replaced() {
+    echo mine >tiny/notes.txt
+    "$winnow" run other.cfg -o tiny --quiet >said 2>&1 || return 1
+    cat said
+    grep -q "tiny: the .* files of an earlier run are replaced" said &&
+        files tiny | diff - other.files | grep -q '< notes.txt' && of_one_run tiny
+}
+fact next_run_replaces_all_of_the_one_before_and_nothing_else replaced
+second_run() {
+    "$winnow" run tiny.cfg -o both --quiet -s output.end=1000 >first 2>&1 &
+    run=$!
+    while ! [ -e both/fluid.pvd ]; do sleep 0.02; done
+    ln -s both alias
+    "$winnow" run other.cfg -o alias --quiet >said 2>&1
+    code=$?
+    kill $run
+    wait $run
+    cat said
+    [ $code -eq 4 ] && [ "$(wc -l <said)" -eq 1 ] && grep -q "process $run" said &&
+        grep -q tiny.cfg both/summary.json && of_one_run both
+}
+fact second_run_into_a_folder_is_refused_and_touches_nothing second_run
+wrong_input() {
+    "$winnow" run tiny.cfg -o wrong/folder --quiet \
+        -s particles.place.1.position='[0.003, 0.002, 0.003]' >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 2 ] && ! [ -e wrong ]
+}
+fact input_found_wrong_while_building_leaves_no_folder wrong_input
+settling_first() {
+    cp -r other before
+    signalled TERM 0.3 settling.cfg -o before --quiet
+    [ $code -eq 130 ] && diff -r other before
+}
+fact run_that_ends_before_it_begins_leaves_the_old_one_whole settling_first
+in_the_way() {
+    mkdir way && echo mine >way/history.csv
+    "$winnow" run tiny.cfg -o way --quiet >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 4 ] && [ "$(wc -l <said)" -eq 1 ] && [ "$(files way)" = history.csv ]
+}
+fact foreign_file_in_the_way_refuses_the_run in_the_way
+links() {
+    mkdir links away && echo mine >away/mine
+    for link in summary.json history.csv fluid.pvd bed.png; do
+        ln -s ../away/mine links/$link.partial
+    done
+    "$winnow" run tiny.cfg -o links --quiet >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 0 ] && [ "$(cat away/mine)" = mine ] && files links | diff tiny.files -
+}
+fact parts_do_not_follow_links links
+
+# unwritable FOLDER: exit code 4, one line, and nothing is there.
+unwritable() {
+    as_nobody "$winnow" run tiny.cfg -o "$1" --quiet >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 4 ] && [ "$(wc -l <said)" -eq 1 ]
+}
+as_nobody() { "$@"; }
+fact folder_that_is_a_file_is_refused unwritable tiny.cfg
+fact folder_below_a_file_is_refused unwritable tiny.cfg/a/b
+fact name_that_is_too_long_is_refused unwritable "$(printf 'long%.0s' $(seq 100))"
+mkdir locked && chmod 555 locked
+cp -r other written && chmod -R a-w written && chmod 755 .
+[ "$(id -u)" -ne 0 ] || as_nobody() { setpriv --reuid=65534 --clear-groups "$@"; }
+if as_nobody test -x "$winnow" 2>/dev/null && as_nobody test -r tiny.cfg; then
+    fact read_only_folder_is_refused unwritable locked
+    fact read_only_run_is_refused_and_stays unwritable written
+    fact read_only_run_has_not_changed diff -r other written
+fi
+as_nobody() { "$@"; }
+
+# A limit on the size of files stands for a full disk, that of history.csv too.
+full_disk() { # KILOBYTES
+    (
+        trap '' XFSZ
+        ulimit -f "$1"
+        "$winnow" run tiny.cfg -o full --quiet -s "mesh.cells=[$2]" -s output.end=0.2
+    ) >said 2>&1
+    code=$?
+    cat said
+    echo "exit code $code"
+    [ $code -eq 4 ] && no_part full && of_one_run full && grep -q full/ said &&
+        ! grep -q '"done"' full/summary.json
+}
+echo "full disks:"
+for blocks in 2 8 64; do
+    fact full_disk_at_${blocks}_blocks_ends_with_what_is_whole full_disk $blocks 3,6,3
+done
+
+# killed COUNT: kills that nothing can hear, at moments up to the length of a
+# run, whose folder the next one takes.
+killed() {
+    for moment in $(awk -v n="$1" 'BEGIN {
+        srand(20); for (i = 0; i < n; i++) printf "%.3f\n", 0.12 * rand() }'); do
+        kind=$([ "$kind" = tiny ] && echo other || echo tiny)
+        "$winnow" run $kind.cfg -o killed --quiet >said 2>&1 &
+        run=$!
+        sleep "$moment"
+        kill -9 $run 2>/dev/null
+        wait $run 2>/dev/null
+        of_one_run killed || { echo "at $moment s, $kind" && return 1; }
+    done
+    "$winnow" run other.cfg -o killed --quiet && files killed | diff other.files -
+}
+kind=other
+fact whenever_a_run_is_killed_its_folder_is_of_one_run \
+    killed "$([ "$extent" = long ] && echo 300 || echo 12)"
 
 if [ $failed -gt 0 ]; then
     echo "$failed faults do not end as they should"

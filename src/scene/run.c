@@ -3,13 +3,12 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "base/clock.h"
 #include "base/crew.h"
-#include "base/file.h"
 #include "base/interrupt.h"
 #include "exchange/coupling.h"
+#include "output/folder.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
 #include "scene/check.h"
@@ -19,7 +18,7 @@
 enum {
     WRONG = 2,
     BROKE_DOWN = 3,
-    NOT_WRITTEN = 4,
+    NOT_WRITTEN = RECORD_NOT_WRITTEN_CODE,
     INTERRUPTED = INTERRUPT_CODE
 };
 
@@ -74,15 +73,15 @@ static const char *reason_of(int code, const char *why)
 {
     return code == 0             ? "done"
            : code == INTERRUPTED ? "interrupted"
-           : code == NOT_WRITTEN ? "output could not be written"
+           : code == NOT_WRITTEN ? RECORD_NOT_WRITTEN
                                  : why;
 }
 
 /* Everything after the simulation is built. */
 static int run_simulation(const struct settings *s, struct simulation *sim,
-                          const struct run_options *o)
+                          struct folder *folder, const struct run_options *o)
 {
-    struct record *const r = record_create(s, sim, o->dir);
+    struct record *const r = record_create(s, sim, folder);
     struct progress bar;
     struct crew crew;
     char why[BREAKDOWN_TEXT] = "";
@@ -110,19 +109,18 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     return code;
 }
 
-/* Only if there is nothing in it. */
-static void remove_folder(void *dir)
+static void leave(void *folder)
 {
-    rmdir(dir);
+    folder_leave(folder);
 }
 
 /* The simulation; a signal meanwhile ends the program. */
-static struct simulation *build(const struct settings *s, const char *dir,
+static struct simulation *build(const struct settings *s, struct folder *folder,
                                 int *code)
 {
     struct interrupt_watch watch;
 
-    interrupt_watch_begin(&watch, remove_folder, (char *)dir);
+    interrupt_watch_begin(&watch, leave, folder);
     struct simulation *const sim = build_simulation(s, code);
     interrupt_watch_end(&watch);
     return sim;
@@ -133,13 +131,14 @@ int run_case(const struct settings *s, const struct run_options *o)
     int code;
 
     if (check_step(s) != 0) return WRONG;
-    if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
-    struct simulation *const sim = build(s, o->dir, &code);
-    if (sim == NULL) {
-        rmdir(o->dir); /* only if there is nothing in it */
-        return code;
-    }
-    code = run_simulation(s, sim, o);
+    struct folder *const folder = folder_take(o->dir); /* before settling */
+    if (folder == NULL) return NOT_WRITTEN;
+    struct simulation *const sim = build(s, folder, &code);
+    if (sim == NULL)
+        folder_leave(folder);
+    else
+        code = run_simulation(s, sim, folder, o);
     build_free(sim);
+    folder_free(folder);
     return code;
 }
