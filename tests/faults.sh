@@ -247,6 +247,67 @@ if as_nobody test -x "$winnow" 2>/dev/null && as_nobody test -r tiny.cfg; then
 fi
 as_nobody() { "$@"; }
 
+echo "names:"
+fact empty_name_is_refused sh -c '"$1" run tiny.cfg -o "" >said 2>&1
+    [ $? -eq 2 ] && ! [ -e /summary.json ] && grep "empty name" said' - "$winnow"
+# odd NAME: a case and a folder of that name run, and nothing is run by it. The
+# names would make a file called struck.
+odd() {
+    cp tiny.cfg "./$1.cfg" && "$winnow" run ./"$1.cfg" -o "$1" --quiet >said 2>&1
+    code=$?
+    cat said
+    rm -f "./$1.cfg"
+    [ $code -eq 0 ] && files ./"$1" | diff tiny.files - && ! find . | grep struck$
+}
+n=0
+for odd in '<touch struck;' '|touch struck;' '`touch struck`' '$(touch struck)' \
+    "it's a \"bed\"" '-s' '%s%n%d' 'Blåsbälg ☃' ' ' '#' 'back\' '*' \
+    "$(printf 'two\nlines')" "$(printf 'long%.0s' $(seq 60))"; do
+    n=$((n + 1))
+    fact "odd_name_${n}_is_a_name" odd "$odd"
+done
+dotted() {
+    cp tiny.cfg ...cfg && "$winnow" run ...cfg --quiet >said 2>&1 && [ -d out/...cfg ]
+}
+fact case_called_dot_dot_does_not_run_into_the_folder_above dotted
+# The same with the true gnuplot, and in the title.
+titled() { # TITLE NAME
+    title=$(printf '%s' "$1" | sed 's/[\\"]/\\&/g; s/[\\&|]/\\&/g')
+    sed "s|two spheres in a little air|$title|" tiny.cfg >titled.cfg
+    (PATH=$true_path && "$winnow" run titled.cfg -o "$2" --quiet) >said 2>&1
+    code=$?
+    cat said "$2/picture/gnuplot.log"
+    [ $code -eq 0 ] && [ -s "$2/bed.png" ] && ! find . | grep struck$
+}
+if (PATH=$true_path && command -v gnuplot) >/dev/null; then
+    fact gnuplot_runs_no_folder titled 'a "bed", it'\''s' '<touch struck;'
+    fact gnuplot_runs_no_title titled \
+        "'.system('touch struck').' \`touch struck\` @x \$x %s {/*9 x}_^ \\" '|touch struck;'
+fi
+
+# closed STREAMS CODE: a run without them ends so, and is what it is with them.
+closed() {
+    case $1 in
+    0) "$winnow" run tiny.cfg -o closed <&- >said 2>&1 ;;
+    1) "$winnow" run tiny.cfg -o closed 2>said >&- ;;
+    2) "$winnow" run tiny.cfg -o closed >said 2>&- ;;
+    012) "$winnow" run tiny.cfg -o closed <&- >&- 2>&- ;;
+    pipe) { "$winnow" run tiny.cfg -o closed 2>&1 && echo done >ended; } | true
+        [ -e ended ] ;;
+    esac
+    code=$?
+    echo "exit code $code"
+    [ $code -eq "$2" ] && files closed | diff tiny.files - &&
+        cmp closed/history.csv whole/history.csv && cmp closed/probes.csv whole/probes.csv &&
+        grep -q '"done"' closed/summary.json
+}
+echo "closed streams:"
+"$winnow" run tiny.cfg -o whole >said 2>&1 || cat said
+fact run_needs_no_input closed 0 0
+fact results_that_nobody_reads_are_code_4 closed 1 4
+fact run_needs_nobody_to_listen closed 2 0
+fact run_without_any_stream_is_whole closed 012 4
+
 # A limit on the size of files stands for a full disk, that of history.csv too.
 full_disk() { # KILOBYTES
     (

@@ -36,7 +36,7 @@ static const double vz[3] = {0.0, 0.0, 0.0};
 
 static struct picture sample(const struct mesh *m)
 {
-    return (struct picture){.title = "A bed's \"_{title}_\"",
+    return (struct picture){.title = "'A bed's \"_{title}_\" `x` \\",
                             .time = 0.5,
                             .mesh = m,
                             .eps = eps,

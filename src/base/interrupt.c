@@ -33,6 +33,7 @@ void interrupt_hold(void)
 
     set_of(&held);
     pthread_sigmask(SIG_BLOCK, &held, NULL);
+    signal(SIGPIPE, SIG_IGN);
 }
 
 int interrupt_arrived(void)

@@ -16,7 +16,8 @@
 enum { INTERRUPT_CODE = 130 };
 
 /* Holds the signals back; before the first thread is started. A SIGHUP that is
- * ignored, as under nohup, stays ignored. */
+ * ignored, as under nohup, stays ignored. So is SIGPIPE from now on: that
+ * nobody reads the progress any more does not end a run. */
 void interrupt_hold(void);
 
 /* 1 once one of them has arrived. */

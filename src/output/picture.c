@@ -7,8 +7,10 @@
 #include "output/gnuplot.h"
 #include "output/picture_script.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A particle as it is drawn. */
 struct disc {
@@ -171,14 +173,23 @@ static void put_definition(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-/* Within single quotes gnuplot reads a quote from two, and all else as is. */
+/* A title within double quotes, in which gnuplot takes quotes, backslashes and
+ * backquotes for more than letters: all that might mean something to it is
+ * written by its number. */
 static void put_title(FILE *out, const char *title)
 {
-    fputs("title = '", out);
-    for (const char *p = title; *p; p++)
-        fputs(*p == '\'' ? "''" : (const char[2]){*p == '\n' ? ' ' : *p, 0},
-              out);
-    fputs("'\n", out);
+    fputs("title = \"", out);
+    for (const char *p = title; *p; p++) {
+        const unsigned char c = (unsigned char)*p;
+
+        if (c < 0x20 || c == 0x7f)
+            fputc(' ', out);
+        else if (c >= 0x80 || isalnum(c) || strchr(" .,:;()-+=/", c) != NULL)
+            fputc(c, out);
+        else
+            fprintf(out, "\\%03o", (unsigned)c);
+    }
+    fputs("\"\n", out);
 }
 
 static int put_script(struct folder *folder, const struct picture *p,
