@@ -39,12 +39,17 @@ void driven_index(struct drive *d, const struct particles *ps)
     }
 }
 
-/* Without 1/m, and deaf to what else would move it. */
+/* Without 1/m, and deaf to what else would move it. Its drag -k v stays what
+ * the fluid feels of it: k is as it was, but does not change v. */
 static void weigh(struct bodies *b, const struct particles *ps, int i)
 {
     b->motion[i][7] = share / ps->m[i];
     memset(b->push[i], 0, sizeof b->push[i]);
-    if (b->response != NULL) b->response[i][1] = b->response[i][2] = 0.0;
+    if (b->response == NULL) return;
+    const double per_mass = share / (ps->m[i] + ps->added_mass[i]);
+    b->response[i][0] = ps->resistance[i] * per_mass;
+    b->response[i][1] = b->response[i][2] = 1.0;
+    b->response[i][3] = per_mass;
 }
 
 /* As bodies_fetch makes it. The loads of this moment are those of a particle
