@@ -52,6 +52,33 @@ START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
 }
 END_TEST
 
+/* What is driven has the velocity that is prescribed, and the fluid feels the
+ * drag on that: -k v dt a step, and nothing of what else pushes it. */
+START_TEST(the_fluid_feels_the_drag_alone_of_a_driven_particle)
+{
+    const struct driven one = {.id = 0,
+                               .motion = {.velocity = {0.1, 0.0, -0.4}}};
+    const double dt = 1e-4, x = 0.3;
+    struct particles *const ps = held_back(x, 0.5, dt);
+    const double k = ps->resistance[0], n = 7.0;
+    struct dem_options o = spheres_options(&contact_linear, dt, 1.0);
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_clock(dem, 0);
+    ck_assert_int_eq(dem_run(dem, 3, &r), 0);
+    ck_assert_int_eq(dem_run(dem, 4, &r), 0);
+    ck_assert_double_eq_tol(ps->vx[0], 0.1, 1e-12);
+    ck_assert_double_eq_tol(ps->resisted[0], -k * 0.1 * n * dt, 1e-15);
+    ck_assert_double_eq_tol(ps->resisted[1], 0.0, 1e-15);
+    ck_assert_double_eq_tol(ps->resisted[2], k * 0.4 * n * dt, 1e-15);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* A sphere without drag and added mass, held back by nothing, goes where
  * bodies_advance brings it: spin, wall, friction and all. Tolerance: a rounding
  * a step, doubled by each of two bounces. */
@@ -149,6 +176,7 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_loop_test(t, an_added_mass_and_a_drag_are_solved_exactly, 0, 18);
+    tcase_add_test(t, the_fluid_feels_the_drag_alone_of_a_driven_particle);
     tcase_add_test(t, what_holds_nothing_back_changes_nothing);
     tcase_add_test(t, a_sphere_in_honey_creeps_to_its_balance);
     tcase_add_loop_test(t, the_added_mass_is_part_of_the_energy, 0, 2);

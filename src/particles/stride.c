@@ -11,7 +11,7 @@ static void advance(const struct neighbours *nb, struct strip *own, int begin,
     double(*const load)[8] = own->load + (begin - own->begin);
 
     if (nb->drive != NULL && by->driven)
-        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, by->t,
+        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, load, by->t,
                      by->drift);
     if (nb->bodies->response == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
@@ -55,6 +55,8 @@ static void load_block(const struct neighbours *nb, struct strip *own, int k,
            (size_t)(to->reach - from->reach) * sizeof *own->load);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->pairs, to->pairs);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
+    if (own->deepest > own->deep.overlap)
+        strip_look_deep(own, nb->bodies, from, to);
 }
 
 /* Attractions; a budget books their power. Nobody has moved yet. */
