@@ -121,6 +121,15 @@ fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
 
+mkdir beside
+echo "0.002 0.008 0.003 1e-3" >beside/two.grains
+sed 's/place = (.*/insert = ( { file = "two.grains"; } ); };/; /position = .0.0031/d' tiny.cfg >beside/fed.cfg
+fact file_of_spheres_lies_beside_the_case 0 "" \
+    "$winnow" check beside/fed.cfg
+sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "small.bed"; }; };/; /position = .0.0031/d' tiny.cfg >beside/bed.cfg
+fact file_of_a_bed_lies_beside_the_case 0 "" \
+    sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"
+
 echo "tables:"
 fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list
 fact list_shows_the_keys_of_a_model 0 "averaging.bandwidth = a number > 0 [m]" \

@@ -73,17 +73,20 @@ static int create_bed(const struct settings *s, struct simulation *sim,
 {
     struct sizes *sizes;
     struct bed_options b = build_bed_options(s, &sizes);
-    const char *const path = settings_has(s, "particles.bed.file")
-                                 ? settings_text(s, "particles.bed.file")
-                                 : NULL;
+    const int kept = settings_has(s, "particles.bed.file");
+    char path[SETTINGS_PATH];
     struct bed_report r;
 
+    if (kept)
+        settings_beside(s, settings_text(s, "particles.bed.file"), path,
+                        sizeof path);
     b.room = case_walls_room(sim->walls);
     sim->particles = particles_create(b.count + case_life_count(s));
     sim->dem = dem_create(sim->particles, o);
-    const int found = sim->dem == NULL
-                          ? BED_REFUSED
-                          : bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    const int found =
+        sim->dem == NULL
+            ? BED_REFUSED
+            : bed_make(kept ? path : NULL, sim->particles, sim->dem, &b, o, &r);
     sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
     if (found != BED_MADE) return 2;

@@ -16,6 +16,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
+#include "scene/lines.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -302,6 +303,28 @@ static int check_averaging(const struct settings *s)
     return 0;
 }
 
+/* Two profiles in one file would leave the last of them. */
+static int check_profile_names(const struct settings *s)
+{
+    static const char list[] = "output.profiles";
+    char own[LINES_NAME], other[LINES_NAME];
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        lines_name(s, i, own);
+        for (int j = 0; j < i; j++) {
+            lines_name(s, j, other);
+            if (strcmp(own, other) == 0)
+                return settings_wrong(s, list,
+                                      "profiles %d and %d are of the same "
+                                      "field at the same height from the same "
+                                      "time: both would be %s.csv; leave one "
+                                      "of them out",
+                                      j, i, own);
+        }
+    }
+    return 0;
+}
+
 static int check_output(const struct settings *s)
 {
     double lo[3], hi[3];
@@ -314,6 +337,7 @@ static int check_output(const struct settings *s)
                 s, "output.profiles", "height %g m is %s the box, %g m", y,
                 y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
     }
+    if (check_profile_names(s) != 0) return 2;
     for (int i = 0; i < settings_length(s, "output.probes"); i++) {
         double x[3];
         settings_item_vector(s, "output.probes", i, "position", x);
