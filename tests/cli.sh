@@ -237,6 +237,25 @@ fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 
+cat >soft.cfg <<'END'
+title = "two spheres that meet in springs too soft for them";
+mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-4;
+    grains = { density = 1000; stiffness = 1.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.03, 0.05, 0.05]; velocity = [0.1, 0.0, 0.0]; diameter = 1e-2; },
+              { position = [0.0405, 0.05, 0.05]; velocity = [-0.1, 0.0, 0.0]; diameter = 1e-2; } ); };
+output = { end = 0.05; every = 0.05; history = 1e-3; };
+END
+soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
+fact overlap_deeper_than_expected_is_told_with_who_and_where 0 \
+    "particle 0 and particle 1 overlap by 0.1" soft
+once() { soft | grep -c expected_overlap; }
+fact it_is_told_once 0 1 once
+meant() { soft -s particles.expected_overlap=0.4 | wc -c; }
+fact overlap_that_is_meant_is_not_told 0 0 meant
+fact overlap_deeper_than_the_limit_is_code_3 3 "more than particles.max_overlap" \
+    soft -s particles.max_overlap=0.2
+
 cat >walls.cfg <<'END'
 title = "a sphere and a sheet of metal";
 mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };

@@ -10,6 +10,7 @@
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/case_overlap.h"
 #include "scene/case_steps.h"
 #include "scene/check.h"
 #include "scene/interrupt.h"
@@ -43,6 +44,7 @@ static int advance(const struct settings *s, struct simulation *sim,
                    char *why)
 {
     const long steps = case_steps_until_end(s);
+    int told = 0;
 
     if (coupling_start(sim) != 0) {
         breakdown_describe(sim, why);
@@ -54,6 +56,7 @@ static int advance(const struct settings *s, struct simulation *sim,
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
+        case_overlap_tell(sim, &told);
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
         if (interrupt_arrived()) return INTERRUPTED;
