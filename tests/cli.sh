@@ -130,6 +130,21 @@ sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "sm
 fact file_of_a_bed_lies_beside_the_case 0 "" \
     sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"
 
+mkfifo pipe
+fact pipe_is_no_file 2 "pipe: it is a device or a pipe" timeout 5 \
+    "$winnow" run tiny.cfg -s 'particles.insert=({file="pipe";})'
+fact device_without_an_end_is_no_surface 2 "/dev/zero: cannot be read: it is a device" \
+    timeout 5 "$winnow" check tiny.cfg \
+    -s 'particles.surfaces=({name="a";shape="stl";file="/dev/zero";})'
+fact file_must_have_a_name 2 "expected the name of a file in quotes" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="";})'
+printf '\357\273\277' | cat - tiny.cfg >mark.cfg
+fact byte_order_mark_is_named 2 "begins with a byte order mark" \
+    "$winnow" check mark.cfg
+{ cat tiny.cfg; echo '# @include "pipe"'; echo '@include "."'; } >round.cfg
+fact folder_cannot_be_included 4 "round.cfg:15: cannot read what is included, .:" \
+    "$winnow" check round.cfg
+
 echo "tables:"
 fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list
 fact list_shows_the_keys_of_a_model 0 "averaging.bandwidth = a number > 0 [m]" \

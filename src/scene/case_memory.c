@@ -8,7 +8,7 @@ static const char insert[] = "particles.insert";
 
 /* [byte] What runs were seen to take at their highest. A particle took 1010 on
  * a lattice, touching nobody, and 1190 to 1280 in a heap. A cell of a box took
- * 290 without a fluid, 1500 to 1700 with one; of a mesh that has corners of its
+ * 290 without a fluid, 1500 to 2060 with one; of a mesh that has corners of its
  * own 1220, while it is made, and 2050 to 2120. */
 static const double per_particle = 1250.0;
 static const double per_cell[2][2] = {{300.0, 1800.0}, {1250.0, 2300.0}};

@@ -103,6 +103,9 @@ static int fits(const struct key *key, const config_setting_t *s)
         return is_word(key, s);
     case KEY_TEXT:
         return config_setting_type(s) == CONFIG_TYPE_STRING;
+    case KEY_FILE:
+        return config_setting_type(s) == CONFIG_TYPE_STRING &&
+               config_setting_get_string(s)[0] != '\0';
     case KEY_VECTOR:
         return is_triple(key, s, is_real);
     case KEY_COUNTS:
