@@ -119,6 +119,11 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
+fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
+    "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
+fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
+    "$winnow" check "$top/cases/small-bed.cfg" \
+    -s 'particles.bed={count=490;diameter=1.4e-3;}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 fact nothing_is_written_for_wrong_input 1 "" test -e out

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "averaging/averaging.h"
 #include "particles/integrators.h"
 #include "scene/build.h"
 #include "scene/build_particles.h"
+#include "scene/case_averaging.h"
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_steps.h"
@@ -277,32 +277,6 @@ static int check_particles(const struct settings *s)
     return bed ? check_bed(s) : check_place(s);
 }
 
-static int check_averaging(const struct settings *s)
-{
-    const char *const method = settings_text(s, "averaging.method");
-
-    const int b = settings_has(s, "averaging.bandwidth");
-    const int delta = settings_has(s, "averaging.delta_05");
-    const int gauss =
-        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
-
-    if (delta && !gauss)
-        return settings_wrong(s, "averaging.delta_05",
-                              "only images and diffusion have a width at half "
-                              "the height, %s has not",
-                              method);
-    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
-        return settings_wrong(s, "averaging.regions", "%d at most",
-                              BUILD_MOST_REGIONS);
-    if (b && delta)
-        return settings_wrong(s, "averaging.delta_05",
-                              "give either bandwidth or delta_05, not both");
-    if (averaging_method_named(method)->wide && !b && !delta)
-        return settings_wrong(s, "averaging.method",
-                              "%s asks for averaging.bandwidth", method);
-    return 0;
-}
-
 /* Two profiles in one file would leave the last of them. */
 static int check_profile_names(const struct settings *s)
 {
@@ -361,6 +335,7 @@ int checks_whole(const struct settings *s)
     code = case_steps_check(s);
     if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
-    if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
+    if (code == 0 && settings_has(s, "averaging"))
+        code = case_averaging_check(s);
     return code != 0 ? code : check_output(s);
 }

@@ -50,9 +50,9 @@ int digits_check_file(const char *file)
     found = digits_find(text, &line);
     if (found != NULL)
         fprintf(stderr,
-                "winnow: %s:%d: %.*s is too large for a whole number; write "
-                "it with a point or an exponent\n",
-                file, line, (int)strspn(found, "0123456789"), found);
+                "winnow: %s:%d: %.*s is too large for a whole number, at most "
+                "%d; a real one has a point or an exponent\n",
+                file, line, (int)strspn(found, "0123456789"), found, INT_MAX);
     free(text);
     return found != NULL ? 2 : 0;
 }
