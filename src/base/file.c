@@ -125,6 +125,14 @@ void file_discard(struct file *f)
     forget(f);
 }
 
+void file_remove_part(const char *path)
+{
+    char *const partial = joined(path, ".partial", "");
+
+    remove(partial);
+    free(partial);
+}
+
 static int is_folder(const char *path)
 {
     struct stat s;
