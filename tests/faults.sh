@@ -130,6 +130,22 @@ for number in INT TERM HUP; do
     fact "${number}_ends_a_run_with_its_state" ends_as_interrupted $number tiny.cfg
 done
 fact signal_is_heard_while_spheres_look_for_room ends_as_interrupted TERM searching.cfg
+# A gnuplot that hangs: the second signal ends it.
+hangs() {
+    mkdir -p hung && printf '#!/bin/sh\nexec sleep 60\n' >hung/gnuplot && chmod +x hung/gnuplot
+    PATH=$work/hung:$PATH "$winnow" run tiny.cfg -o hanging --quiet -s output.end=1000 >said 2>&1 &
+    run=$!
+    sleep 0.3
+    for turn in 1 2 3 4 5 6 7 8 9 10; do
+        kill $run 2>/dev/null || break
+        sleep 0.3
+    done
+    wait $run
+    code=$?
+    cat said
+    [ $code -eq 130 ] && [ $turn -lt 10 ] && grep -q interrupted hanging/summary.json
+}
+fact second_signal_ends_a_gnuplot_that_hangs hangs
 survives_a_hangup() {
     (
         trap '' HUP

@@ -96,6 +96,7 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     int code = advance(s, sim, r, &bar, &crew, why);
     crew_dismiss(&crew);
     progress_end(&bar);
+    if (code == INTERRUPTED) interrupt_take();
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
