@@ -33,8 +33,19 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
+check-slow: ## what takes up to half an hour: many faults, all that a reader is told to run
+	sh .ci/install check
+	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
+slow: faults-slow commands-slow
+	@echo "all slow checks hold"
+faults-slow: $B/winnow
+	@sh tests/faults.sh $B/winnow long
+commands-slow: $B/winnow $B/tests/test_impacts
+	@sh tests/commands.sh $B whole
+
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style faults cli vtk tools text pages
+checks: solutions results sanitized facts style faults cli vtk tools commands \
+        text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -50,15 +61,13 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
+commands: $B/winnow
+	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
 chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
-
-check-slow: faults-slow ## what make check has no time for
-faults-slow: $B/winnow
-	@sh tests/faults.sh $B/winnow long
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -110,7 +119,8 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks facts sanitized style cli faults vtk tools solutions results \
-        text pages check-slow faults-slow validate bench weave book help clean tests always
+.PHONY: all run check checks check-slow slow facts sanitized style cli faults \
+        faults-slow vtk tools commands commands-slow solutions results text \
+        pages validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d
