@@ -33,10 +33,10 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
-check-slow: ## what takes up to half an hour: many faults, all that a reader is told to run
+check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: faults-slow commands-slow
+slow: commands-slow faults-slow
 	@echo "all slow checks hold"
 faults-slow: $B/winnow
 	@sh tests/faults.sh $B/winnow long
@@ -119,8 +119,8 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks check-slow slow facts sanitized style cli faults \
-        faults-slow vtk tools commands commands-slow solutions results text \
-        pages validate bench weave book help clean tests always
+.PHONY: all run check checks check-slow slow facts sanitized style faults cli vtk \
+        tools commands faults-slow commands-slow solutions results text pages \
+        validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -156,6 +156,7 @@ static const struct command *command_named(const char *name)
     return NULL;
 }
 
+/* One message, and how the command is called. */
 static int wrong(const struct command *c, const char *what, const char *why)
 {
     fprintf(stderr, "winnow: %s%s\nwinnow %s %s\n", what, why, c->name,
@@ -165,10 +166,13 @@ static int wrong(const struct command *c, const char *what, const char *why)
 
 static int wrong_option(const struct command *c, const char *option)
 {
-    fprintf(stderr, "winnow: %s knows no option %s", c->name, option);
-    if (strchr(c->options, '-') != NULL && nearest_edits(option, "--quiet") < 4)
-        fputs("; did you mean --quiet?", stderr);
-    return wrong(c, "", "");
+    const int near =
+        strchr(c->options, '-') != NULL && nearest_edits(option, "--quiet") < 4;
+
+    fprintf(stderr, "winnow: %s knows no option %s%s\nwinnow %s %s\n", c->name,
+            option, near ? "; did you mean --quiet?" : "", c->name,
+            c->arguments);
+    return 2;
 }
 
 /* A whole number of threads, 1 to 1024, or 0. */

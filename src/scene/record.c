@@ -224,8 +224,7 @@ static int write_summary(const struct record *r, const char *reason, int code)
     return summary_commit(f);
 }
 
-/* --- the beginning --------------------------------------------------------
- */
+/* --- the beginning -------------------------------------------------------- */
 
 static struct table *create_history(struct record *r)
 {
