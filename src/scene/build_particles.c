@@ -91,7 +91,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
             : bed_make(kept ? path : NULL, sim->particles, sim->dem, &b, o, &r);
     sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
-    if (found != BED_MADE) return 2;
+    if (found != BED_MADE) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps > 0 && sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
