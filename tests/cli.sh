@@ -58,6 +58,8 @@ fact misspelt_option_finds_the_one_meant 2 "did you mean --quiet?" \
     "$winnow" run tiny.cfg --quite
 fact option_of_another_command_is_refused 2 "check knows no option -o" \
     "$winnow" check tiny.cfg -o there
+unknown() { "$winnow" list -swinnow 2>&1 | grep -x 'winnow: list knows no option -swinnow'; }
+fact unknown_option_is_named_and_nothing_else_is_said 0 "" unknown
 fact option_without_value_is_refused 2 "-o asks for a value" \
     "$winnow" run tiny.cfg -o
 fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/interrupt.h"
 #include "base/number.h"
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
@@ -143,7 +144,7 @@ int insertion_step(struct insertion *in, struct particles *ps,
 
     if (in->done >= due) return 0;
     struct crowd crowd = crowd_of(&in->options, ps, box);
-    while (in->done < due && ps->n < ps->capacity &&
+    while (in->done < due && ps->n < ps->capacity && !interrupt_arrived() &&
            place_next(in, &crowd, ps, box))
         added++;
     free(crowd.who);
