@@ -70,7 +70,8 @@ struct bed_range bed_range(const struct bed_options *bed);
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 
-/* Lets ps settle, with a step of limits.h. Non-zero if a particle is lost. A
+/* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
+ * negative after a message if there is no room to run in. A
  * bed that is not settled in time is not an error here: see r->settled. */
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,

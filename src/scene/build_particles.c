@@ -200,6 +200,11 @@ static int driven_missing(const struct settings *s, const struct particles *ps)
 
     for (int k = 0; k < settings_length(s, list); k++) {
         const int id = settings_item_int(s, list, k, "id");
+        if (ps->n == 0)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
         if (id >= ps->n)
             return settings_wrong(s, list,
                                   "there is no particle %d: they are 0 to %d",
