@@ -36,7 +36,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow
+slow: commands-slow faults-slow pairs-slow
 	@echo "all slow checks hold"
 faults-slow: $B/winnow
 	@sh tests/faults.sh $B/winnow long
@@ -44,8 +44,8 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style faults cli vtk tools commands \
-        text pages
+checks: solutions results sanitized pairs facts style faults cli vtk tools \
+        commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -57,6 +57,10 @@ cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
+pairs: $B/winnow
+	@sh tests/pairs.sh $B/winnow
+pairs-slow: $B/winnow
+	@for seed in 1 2 3; do sh tests/pairs.sh $B/winnow all $$seed || exit; done
 vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
@@ -119,8 +123,8 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults cli vtk \
-        tools commands faults-slow commands-slow solutions results text pages \
+.PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
+        cli vtk tools commands faults-slow pairs-slow commands-slow solutions results text pages \
         validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d
