@@ -64,7 +64,8 @@ static int bed_lost(const struct bed_report *r)
 {
     fprintf(stderr,
             "winnow: %d particles left the box while the bed settled, the "
-            "first with id %d; is the box too small for its bed?\n",
+            "first with id %d; is the box too small for its bed, or the "
+            "material too soft to carry it?\n",
             r->dem.lost, r->dem.lost_id);
     return 3;
 }
