@@ -129,6 +129,30 @@ fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direc
     -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
+cat >fields.cfg <<'END'
+title = "a sphere falls, and no fluid";
+mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.005, 0.005, 0.005]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.01; every = 0.01; history = 0.001; };
+END
+fact field_without_a_fluid_is_wrong_input 2 "no field p: fields are those of a fluid" \
+    "$winnow" run fields.cfg -s 'output.probes=({field="p";position=[0.005,0.005,0.005];})'
+fact field_of_solids_is_refused_one_way 2 'no field us_y: it asks for exchange' \
+    "$winnow" check tiny.cfg -s exchange.coupling=one-way \
+    -s 'output.profiles=({field="us_y";height=0.001;})'
+fact time_average_is_refused_one_way 2 "one-way there are no averaged fields" \
+    "$winnow" run tiny.cfg -s exchange.coupling=one-way \
+    -s 'effects.time_average={time=0.01;}'
+sed 's/place = .*/bed = { count = 10; diameter = 1e-3; }; };/' fields.cfg >bed.cfg
+fact bed_wider_than_half_a_period_is_refused_with_its_reason 2 \
+    "long in the periodic direction z" "$winnow" run bed.cfg -o never \
+    -s 'mesh.size=[0.01,0.01,0.002]' -s 'mesh.periodic=[false,false,true]'
+fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
+    "$winnow" run bed.cfg -o never -s particles.bed.count=0 \
+    -s 'particles.driven=({id=0;velocity=[1.0,0.0,0.0];})'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
 
 mkdir beside

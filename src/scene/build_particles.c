@@ -92,7 +92,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
             : bed_make(kept ? path : NULL, sim->particles, sim->dem, &b, o, &r);
     sizes_free(sizes);
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
-    if (found != BED_MADE) return 2;
+    if (found != BED_MADE) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps > 0 && sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
@@ -203,6 +203,11 @@ static int driven_missing(const struct settings *s, const struct particles *ps)
 
     for (int k = 0; k < settings_length(s, list); k++) {
         const int id = settings_item_int(s, list, k, "id");
+        if (ps->n == 0)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
         if (id >= ps->n)
             return settings_wrong(s, list,
                                   "there is no particle %d: they are 0 to %d",

@@ -6,6 +6,7 @@
 
 #include "particles/integrators.h"
 #include "scene/build.h"
+#include "scene/build_fluid.h"
 #include "scene/build_particles.h"
 #include "scene/case_averaging.h"
 #include "scene/case_life.h"
@@ -299,10 +300,45 @@ static int check_profile_names(const struct settings *s)
     return 0;
 }
 
+/* There are fields where there is a fluid, and those of the solids where it
+ * feels the particles. */
+static int check_field(const struct settings *s, const char *list, int i)
+{
+    const char *const field = settings_item_text(s, list, i, "field");
+    const int of_solids =
+        strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
+
+    if (!settings_has(s, "fluid"))
+        return settings_wrong(s, list,
+                              "the case has no field %s: fields are those of "
+                              "a fluid",
+                              field);
+    if (of_solids && !build_two_way(s))
+        return settings_wrong(s, list,
+                              "the case has no field %s: it asks for exchange "
+                              "with coupling = \"two-way\"",
+                              field);
+    return 0;
+}
+
+static int check_fields(const struct settings *s)
+{
+    static const char *const lists[] = {"output.profiles", "output.probes"};
+
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < settings_length(s, lists[k]); i++)
+            if (check_field(s, lists[k], i) != 0) return 2;
+    if (!settings_has(s, "effects.time_average") || build_two_way(s)) return 0;
+    return settings_wrong(s, "effects.time_average",
+                          "one-way there are no averaged fields; it asks for "
+                          "exchange.coupling = \"two-way\"");
+}
+
 static int check_output(const struct settings *s)
 {
     double lo[3], hi[3];
 
+    if (check_fields(s) != 0) return 2;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
         const double y = settings_item_real(s, "output.profiles", i, "height");
