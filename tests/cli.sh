@@ -124,6 +124,9 @@ fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1
 fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
     "$winnow" check "$top/cases/small-bed.cfg" \
     -s 'particles.bed={count=490;diameter=1.4e-3;}'
+fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direction z" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s 'mesh.periodic=[false,false,true]' \
+    -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 cat >fields.cfg <<'END'

@@ -139,6 +139,16 @@ START_TEST(whole_number_is_written_without_point_or_exponent)
 }
 END_TEST
 
+START_TEST(cells_are_of_a_size_that_can_be_computed)
+{
+    refused("mesh.grading=[1.0,1e-12,1.0]",
+            "the widest cell is 1e+12 times the narrowest in y; at most 1e+06");
+    refused("mesh.grading=[1.0,1e-300,1.0]", "times the narrowest in y");
+    refused("mesh.size=[1e300,1e300,1e300]", "the cells have inf to inf m^3");
+    refused("mesh.size=[1e-60,1.0,1.0]", "expected between 1e-60 and 1e+60");
+}
+END_TEST
+
 START_TEST(sink_without_a_side_asks_for_a_region)
 {
     refused("particles.sinks=({side=\"none\";})",
@@ -424,6 +434,7 @@ int main(void)
     tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
     tcase_add_test(t, average_is_no_wider_than_the_mesh_by_far);
     tcase_add_test(t, whole_number_is_written_without_point_or_exponent);
+    tcase_add_test(t, cells_are_of_a_size_that_can_be_computed);
     tcase_add_test(t, sink_without_a_side_asks_for_a_region);
     tcase_add_test(t, every_profile_has_a_file_of_its_own);
     tcase_add_test(t, contact_law_asks_for_its_constants);

@@ -64,7 +64,8 @@ static int bed_lost(const struct bed_report *r)
 {
     fprintf(stderr,
             "winnow: %d particles left the box while the bed settled, the "
-            "first with id %d; is the box too small for its bed?\n",
+            "first with id %d; is the box too small for its bed, or the "
+            "material too soft to carry it?\n",
             r->dem.lost, r->dem.lost_id);
     return 3;
 }
@@ -90,7 +91,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
             ? BED_REFUSED
             : bed_make(kept ? path : NULL, sim->particles, sim->dem, &b, o, &r);
     sizes_free(sizes);
-    if (found == BED_LOST) return bed_lost(&r);
+    if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_MADE) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps > 0 && sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
@@ -190,7 +191,9 @@ static int lay_bed(const struct settings *s, struct simulation *sim,
         bed_fill(sim->particles, &b, o) != 0 ||
         surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0;
     sizes_free(sizes);
-    return wrong ? 2 : 0;
+    if (wrong) return 2;
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
 }
 
 /* A driven particle must be there. */
@@ -243,7 +246,7 @@ int build_particles_check(const struct settings *s)
     int code = furnish(s, sim, &o);
     if (code == 0)
         code = settings_has(s, "particles.bed") ? lay_bed(s, sim, &o)
-                                                : put_spheres(s, sim, &o);
+                                                : place_spheres(s, sim, &o);
     if (code == 0) code = driven_missing(s, sim->particles);
     build_free(sim);
     return code;

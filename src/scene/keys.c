@@ -70,7 +70,7 @@ const struct key keys_core[] = {
      "mean gradient of the pressure in periodic directions", "", ""},
     {"fluid.mean_flow", KEY_VECTOR, "m/s", "", "",
      "mean superficial velocity that is kept in periodic directions", "", ""},
-    {"fluid.tolerance", KEY_REAL, "-", "> 0, < 1", "1e-8",
+    {"fluid.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-8",
      "residual of the linear solvers, over its scale", "", ""},
     {"fluid.<patch>", KEY_PATCH, "", "no-slip | slip", "",
      "a side of the box: left right (x), bottom top (y), back front (z), or "
@@ -294,7 +294,7 @@ const struct key keys_core[] = {
     {"averaging.scheme", KEY_NAME, "",
      "exponential | series | crank-nicolson | implicit-euler | sdirk2",
      "exponential", "time scheme of the diffusion", "SX15 5", ""},
-    {"averaging.tolerance", KEY_REAL, "-", "> 0, < 1", "1e-6",
+    {"averaging.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-6",
      "residual of the diffusion solver, over its scale", "", ""},
     {"averaging.vary", KEY_NAME, "", "uniform | cells | grains", "uniform",
      "how the bandwidth of the diffusion varies: less what cells smear, or "
