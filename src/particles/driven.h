@@ -31,9 +31,16 @@ void driven_free(struct drive *d);
 void driven_index(struct drive *d, const struct particles *ps);
 
 /* Sets the velocities of those among begin ... end - 1 for a step from t to
- * t + dt [s]; dt = 0 gives those of the time t. */
-void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
-                  int begin, int end, double t, double dt);
+ * t + dt [s]; dt = 0 gives those of the time t. Returns the kinetic energy that
+ * they gained by it [J]. */
+double driven_steer(struct drive *d, struct bodies *b,
+                    const struct particles *ps, int begin, int end, double t,
+                    double dt);
+
+/* Power [W] with which those that are driven push against their loads; `load`
+ * is that of particle `begin`, as in strip.h. */
+double driven_power(const struct drive *d, const struct bodies *b, int begin,
+                    int end, double (*load)[8]);
 
 /* Rows that were fetched anew: those that are driven have no 1/m again; or,
  * to measure what there is, their own. */
