@@ -31,14 +31,27 @@ int build_gravity(const struct settings *s, double g[3])
     return 1;
 }
 
+/* Without a fluid the loop looks at the particles when the output does: after
+ * so many of their steps as come nearest to it. What is written does not change
+ * how they move. */
+static int steps_without_fluid(const struct settings *s, double *dt)
+{
+    const double interval = settings_has(s, "output.history")
+                                ? settings_real(s, "output.history")
+                                : settings_real(s, "output.every");
+
+    *dt = interval;
+    if (!settings_has(s, "particles")) return 0;
+    const double step = settings_real(s, "particles.step");
+    const double n = fmax(round(interval / step), 1.0);
+    if (fabs(n * step - interval) > 1e-9 * interval) *dt = n * step;
+    return (int)n;
+}
+
 int build_steps(const struct settings *s, double *dt)
 {
-    if (settings_has(s, "fluid"))
-        *dt = settings_real(s, "fluid.step");
-    else
-        *dt = settings_has(s, "output.history")
-                  ? settings_real(s, "output.history")
-                  : settings_real(s, "output.every");
+    if (!settings_has(s, "fluid")) return steps_without_fluid(s, dt);
+    *dt = settings_real(s, "fluid.step");
     if (!settings_has(s, "particles")) return 0;
     const double n = *dt / settings_real(s, "particles.step");
     return n < 1.0 ? 1 : (int)ceil(n * (1.0 - 1e-12)); /* 5.000000000001 is 5 */

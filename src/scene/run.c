@@ -11,6 +11,7 @@
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/case_life.h"
 #include "scene/case_overlap.h"
 #include "scene/check.h"
 #include "scene/interrupt.h"
@@ -88,6 +89,7 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     int code = advance(s, sim, r, &bar, &crew, why);
     crew_dismiss(&crew);
     progress_end(&bar);
+    case_life_report(sim);
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
