@@ -58,6 +58,8 @@ fact misspelt_option_finds_the_one_meant 2 "did you mean --quiet?" \
     "$winnow" run tiny.cfg --quite
 fact option_of_another_command_is_refused 2 "check knows no option -o" \
     "$winnow" check tiny.cfg -o there
+unknown() { "$winnow" list -swinnow 2>&1 | grep -x 'winnow: list knows no option -swinnow'; }
+fact unknown_option_is_named_and_nothing_else_is_said 0 "" unknown
 fact option_without_value_is_refused 2 "-o asks for a value" \
     "$winnow" run tiny.cfg -o
 fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many
@@ -75,6 +77,31 @@ fact negative_diameter_names_unit 2 "a number > 0 [m], found -0.001" \
     "$winnow" run negative.cfg
 fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
     "$winnow" run tiny.cfg -s fluid.density=heavy
+fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
+    "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
+    "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact more_particle_steps_than_an_int_holds_are_refused 2 \
+    "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
+    "$winnow" check tiny.cfg -s particles.step=1e-14
+fact end_that_is_too_far_to_count_steps_is_refused 2 "output.end: 1e+300 s are" \
+    "$winnow" run tiny.cfg -s output.end=1e300
+fact end_before_the_first_step_is_refused 2 "less than half of one step" \
+    "$winnow" run tiny.cfg -s output.end=9e-5
+fact picture_after_the_end_is_only_that_of_the_start 0 "" \
+    "$winnow" run tiny.cfg -o seldom -s output.every=1e300 -s output.end=2e-3 --quiet
+fact no_further_pictures_are_written 0 "1" \
+    sh -c 'ls seldom/particles | grep -c vtp && test $(ls seldom/fluid | wc -l) = 1'
+fact mesh_of_more_cells_than_an_int_numbers_is_refused 2 \
+    "4.299e+09 cells with 1.29e+10 faces; no more than" \
+    "$winnow" run tiny.cfg -s 'mesh.cells=[2050,2048,1024]'
+fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
+    "need about 1.44 GB, and this machine has 0.512 GB" \
+    sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "mesh.cells=[100,80,100]"' "$winnow"
+fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
+    "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
+    check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'
+fact check_of_a_box_does_not_make_its_mesh 0 "4e+06" timeout 5 \
+    "$winnow" check "$top/cases/rebound.cfg" -s 'mesh.cells=[200,200,100]'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
 sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg

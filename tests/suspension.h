@@ -13,6 +13,7 @@
 #include "base/alloc.h"
 #include "effects/effects.h"
 #include "exchange/coupling.h"
+#include "particles/life.h"
 
 /* A scene put together by hand: everything that a test wants to vary. */
 struct scene {
@@ -33,6 +34,10 @@ struct scene {
     double width; /* [-] bandwidth in cells */
     double cap;   /* [-] of pcm on eps_s; 0: none */
     double gravity[3];
+    double fed; /* [1/s] spheres inserted a second, 3000 at most; 0: none */
+    double
+        sink; /* [-] share of the cube, from below, that takes out; 0: none */
+    const struct time_scheme *time; /* NULL: euler */
 };
 
 static const struct scene air = {.averaging = "diffusion",
@@ -68,7 +73,7 @@ static inline void scatter(struct simulation *sim, const struct scene *s)
     const double pitch = s->size / side;
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
 
-    sim->particles = particles_create(s->n);
+    sim->particles = particles_create(s->n + (s->fed > 0.0 ? 3000 : 0));
     for (int k = 0; k < s->n; k++) {
         const double x[3] = {(k % side + 0.5) * pitch,
                              (k / side % side + 0.5) * pitch,
@@ -90,6 +95,7 @@ static inline void create_fluid(struct simulation *sim, const struct scene *s)
         .convection = convection_scheme_named("upwind"),
         .continuity = s->continuity,
         .correctors = 2,
+        .time = s->time,
         .tolerance = 1e-10,
         .coupled = !s->one_way,
         .mean_gradient = {s->mean_gradient, 0.0, 0.0},
@@ -125,6 +131,29 @@ static inline void create_coupling(struct simulation *sim,
     sim->coupling = coupling_create(sim, &co);
 }
 
+/* Spheres of another size that come with a velocity, and a box that takes out
+ * those whose centre is in it. */
+static inline void create_life(struct simulation *sim, const struct scene *s,
+                               const struct dem_options *o)
+{
+    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const double L = s->size;
+
+    sim->life = life_create(&box, s->fed > 0.0, s->sink > 0.0);
+    if (s->fed > 0.0)
+        sim->life->sources[0].options =
+            (struct insertion_options){.hi = {L, L, L},
+                                       .velocity = {0.1, -0.4, 0.2},
+                                       .diameter = 0.7 * s->d,
+                                       .density = s->rho_s,
+                                       .count = 3000,
+                                       .rate = s->fed,
+                                       .seed = 3};
+    if (s->sink > 0.0)
+        sim->life->sinks[0] =
+            (struct life_sink){.hi = {L, s->sink * L, L}, .side = -1};
+}
+
 static inline struct simulation *build(const struct scene *s)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
@@ -143,9 +172,10 @@ static inline struct simulation *build(const struct scene *s)
     sim->dt = s->dt;
     sim->dem_steps = s->dem_steps;
     scatter(sim, s);
-    sim->held = alloc_doubles(3 * s->n);
+    sim->held = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held, 3);
     sim->dem = dem_create(sim->particles, &o);
+    if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);
     create_coupling(sim, s);
     sim->effects = alloc_zeroed(4, sizeof *sim->effects);
@@ -167,6 +197,7 @@ static inline void discard(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
+    life_free(sim->life);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     free(sim->held);

@@ -10,6 +10,8 @@
 #include "particles/bed.h"
 #include "particles/bed_file.h"
 
+#include "capture.h"
+
 /* A file of our own, that is not there yet. */
 static void temporary(char path[64])
 {
@@ -212,6 +214,65 @@ START_TEST(half_a_bed_is_refused)
 }
 END_TEST
 
+/* Puts a word in the place of the k-th of the first line that begins so. */
+static void spoil(const char *path, const char *line, int k, const char *word)
+{
+    static char text[1 << 16];
+    FILE *f = fopen(path, "r");
+
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    char *at = strstr(text, line) + 1; /* behind the end of the line before */
+    for (; k > 0; k--)
+        at += strcspn(at, " ") + 1;
+    f = fopen(path, "w");
+    fprintf(f, "%.*s%s%s", (int)(at - text), text, word,
+            at + strcspn(at, " \n"));
+    fclose(f);
+}
+
+/* Two spheres, so that particle 0 is on line 19, and particle 1 after it. */
+START_TEST(bed_file_with_what_no_bed_has_is_refused_by_its_line)
+{
+    static const struct {
+        const char *line;
+        int field;
+        const char *word, *message;
+    } rows[] = {{"\n0 0x", 0, "1", ":20: its number"},
+                {"\n0 0x", 0, "2147483647", ":19: its number"},
+                {"\n0 0x", 0, "-1", ":19: its number"},
+                {"\n0 0x", 1, "1e303", ":19: it is not in the box"},
+                {"\n0 0x", 2, "nan", ":19: it is not in the box"},
+                {"\n1 0x", 3, "-1e-3", ":20: it is not in the box"},
+                {"\n1 0x", 5, "inf", ":20: its velocity"},
+                {"\n1 0x", 9, "nan", ":20: its velocity or spin"},
+                {"\n1 0x", 10, "1e300", ":20: its diameter"},
+                {"\n1 0x", 11, "0", ":20: its mass"},
+                {"\n1 0x", 11, "x", ":20: the bed is not complete"},
+                {"\nparticles", 1, "3", ":18: expected \"particles\""},
+                {"\nsprings", 1, "2147483647", ":21: so many springs"},
+                {"\nsprings", 1, "1\n0 7 0 0 0", ":22: this spring"},
+                {"\nsprings", 1, "1\n0 1 0 nan 0", ":22: this spring"}};
+    struct bed_options bed = small_bed();
+    const struct dem_options o = small_box();
+    struct bed_report r;
+    char path[64], said[CAPTURE_TEXT];
+
+    bed.settle = 0.0;
+    bed.count = 2;
+    temporary(path);
+    particles_free(made(path, &bed, &r, 0));
+    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    spoil(path, rows[_i].line, rows[_i].field, rows[_i].word);
+    struct capture heard = capture_begin(2);
+    const int code = load(path, &bed, &o);
+    capture_end(&heard, said);
+    unlink(path);
+    ck_assert_int_eq(code, BED_REFUSED);
+    ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);
+}
+END_TEST
+
 START_TEST(bed_that_does_not_fit_is_refused)
 {
     struct bed_options bed = small_bed();
@@ -335,6 +396,8 @@ int main(void)
     tcase_add_test(t, bed_from_its_file_goes_on_bit_for_bit);
     tcase_add_test(t, bed_of_another_case_is_refused);
     tcase_add_test(t, half_a_bed_is_refused);
+    tcase_add_loop_test(t, bed_file_with_what_no_bed_has_is_refused_by_its_line,
+                        0, 15);
     tcase_add_test(t, bed_that_does_not_fit_is_refused);
     tcase_add_test(t, bed_of_two_sizes_settles_and_each_has_its_mass);
     tcase_add_test(t, bed_of_other_sizes_is_refused);

@@ -446,7 +446,10 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
         {"owner", "^23$", "5", "is not closed: its faces miss"},
         {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
         {"boundary", "nFaces *8", "nFaces 7", "begins with face"},
-        {"boundary", "right", "left", "the name is there twice"}};
+        {"boundary", "right", "left", "the name is there twice"},
+        {"faces", "4(1 6 26 21)", "2147483647(1 6 26 21)",
+         "faces:11: 2147483647 entries are more than the file can hold"},
+        {"points", "^60$", "600", "600 entries are more than the file can"}};
     spoil(rows[_i].name, rows[_i].old, rows[_i].by);
     struct mesh *m;
     char said[CAPTURE_TEXT];
@@ -477,7 +480,7 @@ int main(void)
     tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
     tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
     tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
-                        11);
+                        13);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -12,7 +12,8 @@
 
 struct file;
 
-/* Opens PATH.partial for writing; NULL after a message if that fails. */
+/* Opens PATH.partial for writing, anew: what had that name is gone, a link is
+ * not followed. NULL after a message if that fails. */
 struct file *file_create(const char *path);
 
 /* Where to write; errors may be left to file_commit, the stream keeps them. */

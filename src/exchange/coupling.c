@@ -7,6 +7,8 @@
 
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "base/number.h"
+#include "exchange/replacement.h"
 #include "exchange/stability.h"
 #include "exchange/transfer.h"
 #include "particles/life.h"
@@ -36,6 +38,7 @@ struct coupling *coupling_create(struct simulation *sim,
     particles_attach(ps, cp->u_mean, 3);
     particles_attach(ps, cp->owed, 3);
     if (options->relaxation == RELAXATION_EXPONENTIAL) particles_hold_back(ps);
+    if (sim->life != NULL) cp->replacement = replacement_create(cells);
     return cp;
 }
 
@@ -51,6 +54,7 @@ void coupling_free(struct coupling *cp)
     free(cp->amount);
     free(cp->field);
     free(cp->u_b);
+    replacement_free(cp->replacement);
     free(cp);
 }
 
@@ -110,7 +114,13 @@ static int count_substeps(const struct simulation *sim)
     double n = cp->options.substeps;
 
     if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
-    return n < 1.0 ? 1 : n > sim->dem_steps ? sim->dem_steps : (int)n;
+    return number_clamped(n, 1, sim->dem_steps);
+}
+
+/* k of n equal parts of so many steps, rounded down. */
+static int part_of(int steps, int k, int n)
+{
+    return (int)((long)steps * k / n);
 }
 
 /* Steps 3 and 4: the particles move through the sub-steps, each with the drag
@@ -123,7 +133,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
 
     transfer_open_account(sim);
     for (int k = 0; k < n && !failed; k++) {
-        const int steps = sim->dem_steps * (k + 1) / n - sim->dem_steps * k / n;
+        const int steps =
+            part_of(sim->dem_steps, k + 1, n) - part_of(sim->dem_steps, k, n);
         apply_held_forces(sim);
         transfer_apply_drag(sim, steps);
         clock_add(&sim->seconds.exchange, clock);
@@ -154,18 +165,18 @@ static void finish_step(struct simulation *sim)
     }
 }
 
-/* Who comes and goes before this step. Whoever comes has had, until now, the
- * velocity that it comes with. */
-static void greet(struct simulation *sim)
+/* Removes and inserts particles before the step. With coupling, the averaged
+ * fields and the drag terms are then those of the new particles. */
+static int insert_and_remove(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
-    const int first = life_step(sim->life, ps, sim->dem, sim->t, sim->dt);
+    const int removed = life_mark(sim->life, ps, sim->dt);
 
-    for (int i = first; i < ps->n && sim->coupling != NULL; i++) {
-        sim->coupling->u_mean[3 * i] = ps->vx[i];
-        sim->coupling->u_mean[3 * i + 1] = ps->vy[i];
-        sim->coupling->u_mean[3 * i + 2] = ps->vz[i];
-    }
+    if (sim->coupling != NULL && removed > 0) replacement_collect(sim);
+    if (removed > 0) life_remove(sim->life, sim->dem);
+    const int first = life_insert(sim->life, ps, sim->dem, sim->t);
+    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
+    return replacement_apply(sim, first);
 }
 
 /* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
@@ -174,10 +185,11 @@ int coupling_step(struct simulation *sim)
     double clock = clock_now();
     int failed = 0;
 
-    if (sim->life != NULL) greet(sim);
+    if (sim->life != NULL) failed = insert_and_remove(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
-    if (sim->fluid != NULL) failed = fluid_advance(sim->fluid, sim->dt);
+    if (sim->fluid != NULL && !failed)
+        failed = fluid_advance(sim->fluid, sim->dt);
     clock_add(&sim->seconds.cfd, &clock);
 
     if (sim->particles != NULL && !failed) {
@@ -217,6 +229,8 @@ void coupling_owed(const struct simulation *sim, double owed[3])
     if (sim->coupling == NULL) return;
     for (int i = 0; i < 3 * sim->particles->n; i++)
         owed[i % 3] += sim->coupling->owed[i];
+    for (int k = 0; k < 3 && sim->coupling->replacement != NULL; k++)
+        owed[k] += sim->coupling->replacement->unpaid_sum[k];
 }
 
 void coupling_total_momentum(const struct simulation *sim, double total[3])

@@ -49,6 +49,8 @@ struct coupling_report {
                                  slope may make less */
 };
 
+struct replacement;
+
 struct coupling {
     struct coupling_options options;
     struct coupling_report report;
@@ -64,6 +66,7 @@ struct coupling {
     double *smooth; /* [m/s] adjoint of averaging applied to u, 3 a particle */
     double *amount; /* up to 4 a particle */
     double *field;  /* up to 4 a cell */
+    struct replacement *replacement; /* NULL unless particles come or go */
 };
 
 struct coupling *coupling_create(struct simulation *sim,

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "exchange/coupling.h"
+#include "exchange/replacement.h"
 
 enum { MANY = 1000 }; /* particles from which on a second thread pays */
 
@@ -153,6 +154,7 @@ void transfer_drag_terms(struct simulation *sim)
     charge_particles(sim);
     if (!cp->options.two_way) return;
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
+    replacement_charge(cp->replacement, sim->mesh->n_cells, sim->dt, cp->field);
     take_drag_terms(sim);
 }
 
@@ -176,6 +178,16 @@ static void check_payment(struct simulation *sim, const double charged[3],
     sim->coupling->report.exchange_residual = scale > 0.0 ? off / scale : 0.0;
 }
 
+/* For removed particles the fluid paid what it still owed. */
+static void add_removed(const struct replacement *r, double charged[3],
+                        double *scale)
+{
+    for (int k = 0; k < 3 && r != NULL; k++) {
+        charged[k] += r->unpaid_sum[k];
+        *scale += fabs(r->unpaid_sum[k]);
+    }
+}
+
 /* The fluid paid dt (k (u^new - u_mean) + owed / dt) for a particle, u^new
  * seen through the adjoint of averaging. */
 static void settle_payment(struct simulation *sim)
@@ -192,7 +204,9 @@ static void settle_payment(struct simulation *sim)
             scale += fabs(estimate) + fabs(cp->owed[j]);
             cp->owed[j] = -estimate;
         }
+    add_removed(cp->replacement, charged, &scale);
     check_payment(sim, charged, scale);
+    replacement_settle(cp->replacement, sim->mesh->n_cells);
 }
 
 /* 1: what a particle sees of the fluid is the adjoint already. */
@@ -201,14 +215,14 @@ static int seen_alike(const struct coupling *cp)
     return cp->options.interpolation == interpolation_named("same");
 }
 
-/* Only "linear" looks at the boundary. */
-static void see_fluid(struct simulation *sim)
+/* Only the interpolation "linear" uses boundary velocities. */
+void transfer_velocity(struct simulation *sim, double *u_f)
 {
     struct coupling *const cp = sim->coupling;
 
     if (cp->u_b != NULL) fluid_boundary_velocity(sim->fluid, cp->u_b);
     cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, cp->u_b,
-                                     cp->u_f);
+                                     u_f);
 }
 
 void transfer_fluid(struct simulation *sim)
@@ -223,7 +237,7 @@ void transfer_fluid(struct simulation *sim)
         memcpy(cp->u_f, cp->smooth,
                3 * (size_t)sim->particles->n * sizeof *cp->u_f);
     else
-        see_fluid(sim);
+        transfer_velocity(sim, cp->u_f);
 }
 
 void transfer_open_account(struct simulation *sim)

@@ -23,6 +23,10 @@ void transfer_drag_terms(struct simulation *sim);
  * its step, for each particle, is taken off what it owed. */
 void transfer_fluid(struct simulation *sim);
 
+/* The fluid's velocity [m/s] at each particle by the chosen interpolation, into
+ * u_f, 3 a particle. */
+void transfer_velocity(struct simulation *sim, double *u_f);
+
 /* Starts the sums over the sub-steps. */
 void transfer_open_account(struct simulation *sim);
 

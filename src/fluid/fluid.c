@@ -74,6 +74,31 @@ void fluid_settle_eps(struct fluid *fl)
     memcpy(fl->eps_start, fl->eps, size);
 }
 
+/* Momentum is rho eps u of the time level that u carries; of a scheme that
+ * looks at two steps also the older level, and with it the gain between the
+ * two. */
+double fluid_replace(struct fluid *fl, const double *eps_before)
+{
+    double lowest = 1.0;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double change = fl->eps[c] - eps_before[c];
+        const double mass =
+            fl->options.rho * fl->mesh->V[c] * change; /* [kg] */
+        fl->eps_phi[c] += change;
+        fl->eps_start[c] += change;
+        lowest = fmin(lowest, fmin(fl->eps_phi[c], fl->eps_start[c]));
+        fl->replaced -= mass;
+        for (int k = 0; k < 3; k++) {
+            const double u = fl->u[3 * c + k];
+            fl->replaced_momentum[k] -= mass * u;
+            if (fl->u_older != NULL)
+                fl->gained[k] += mass * (u - fl->u_older[3 * c + k]);
+        }
+    }
+    return lowest;
+}
+
 /* The sum over a strip of cells of the momentum they have, and of the force
  * they still owe [N s], [N]. */
 struct carried {

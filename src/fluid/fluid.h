@@ -101,6 +101,9 @@ struct fluid {
     double gained[3], ahead[3];  /* [N s] */
     double relabelled[3]; /* [N s] momentum that averaging moved between cells
                              by itself: see fluid_momentum */
+    double replaced; /* [kg] mass of the fluid that made room for particles,
+                        less what took the place of particles: fluid_replace */
+    double replaced_momentum[3]; /* [N s] and its momentum */
     struct fluid_report report;
     struct piso *piso; /* matrices and work space */
 };
@@ -112,6 +115,14 @@ void fluid_free(struct fluid *fl);
 
 /* Takes the present eps for the past as well: after the first averaging. */
 void fluid_settle_eps(struct fluid *fl);
+
+/* Particles were put into the fluid or taken out of it at rest: eps has changed
+ * from eps_before by that alone. They and the fluid replace each other on the
+ * spot, so that nothing flows: the eps of the past change as well, and the
+ * fluid that made room leaves with its velocity. Returns the lowest eps of the
+ * past
+ * [-]: not above 0 if more solids came than there was fluid. */
+double fluid_replace(struct fluid *fl, const double *eps_before);
 
 /* One step of dt by PISO. Non-zero if a solver failed or a value is no longer
  * finite; the report says which. */

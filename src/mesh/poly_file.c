@@ -100,11 +100,11 @@ int poly_file_int(struct poly_file *p)
     return 0;
 }
 
-int poly_file_count(struct poly_file *p)
+int poly_file_count(struct poly_file *p, int least)
 {
     const int n = poly_file_int(p);
 
-    if (p->failed || n <= p->size) return n;
+    if (p->failed || (n <= p->size / least && n <= INT_MAX / 4)) return n;
     poly_file_wrong(p, "%d entries are more than the file can hold", n);
     return 0;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/poly_raw.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +31,7 @@ static int read_points(struct poly_raw *r, const char *dir)
     struct poly_file p;
 
     poly_file_open(&p, dir, "points");
-    r->n_points = poly_file_count(&p);
+    r->n_points = poly_file_count(&p, (int)strlen("(0 0 0)"));
     r->point = alloc_doubles(3 * r->n_points);
     poly_file_expect(&p, "(");
     for (int i = 0; i < r->n_points && !p.failed; i++) {
@@ -47,10 +48,13 @@ static int read_points(struct poly_raw *r, const char *dir)
 /* One face, n ( a b c ... ), at the end of the corners so far. */
 static void read_face(struct poly_raw *r, struct poly_file *p, int f, int *room)
 {
-    const int n = poly_file_int(p);
+    const int n = poly_file_count(p, (int)strlen("0 "));
 
     if (n < 3) poly_file_wrong(p, "a face of %d points, expected >= 3", n);
+    if (n > INT_MAX / 2 - r->start[f])
+        poly_file_wrong(p, "more corners of faces than %d", INT_MAX / 2);
     poly_file_expect(p, "(");
+    if (p->failed) return;
     r->start[f + 1] = r->start[f] + n;
     if (r->start[f + 1] > *room) {
         int *const more = alloc_ints(2 * r->start[f + 1]);
@@ -73,7 +77,7 @@ static int read_faces(struct poly_raw *r, const char *dir)
     int room;
 
     poly_file_open(&p, dir, "faces");
-    r->n_faces = poly_file_count(&p);
+    r->n_faces = poly_file_count(&p, (int)strlen("3(0 1 2)"));
     room = 4 * r->n_faces;
     r->start = alloc_ints(r->n_faces + 1);
     r->corner = alloc_ints(room);
@@ -92,7 +96,7 @@ static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
     struct poly_file p;
 
     poly_file_open(&p, dir, name);
-    *n = poly_file_count(&p);
+    *n = poly_file_count(&p, (int)strlen("0 "));
     if (*n > r->n_faces)
         poly_file_wrong(&p, "%d entries, but there are %d faces", *n,
                         r->n_faces);
@@ -172,7 +176,7 @@ static int read_boundary(struct poly_raw *r, const char *dir)
     struct poly_file p;
 
     poly_file_open(&p, dir, "boundary");
-    r->n_parts = poly_file_count(&p);
+    r->n_parts = poly_file_count(&p, 1);
     if (r->n_parts > POLY_RAW_PATCHES)
         poly_file_wrong(&p, "%d patches, expected at most %d", r->n_parts,
                         POLY_RAW_PATCHES);

@@ -2,6 +2,7 @@
 #include "particles/bed_file.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,7 +145,8 @@ int bed_file_save(const char *path, const struct particles *ps,
     return file_commit(file);
 }
 
-/* The first line that differs says what the bed was made with instead. */
+/* The number of the line after them, 0 after a message: the first line that
+ * differs says what the bed was made with instead. */
 static int check_facts(FILE *f, const char *path, const struct bed_options *bed,
                        const struct dem_options *dem)
 {
@@ -160,48 +162,104 @@ static int check_facts(FILE *f, const char *path, const struct bed_options *bed,
                 "winnow: %s:%d: this bed was made with \"%s\", not with "
                 "\"%s\"; remove the file to make it anew\n",
                 path, n + 1, line, text[n]);
-        return 1;
+        return 0;
     }
-    return 0;
+    return count + 1;
 }
 
-static int read_particles(FILE *f, struct particles *ps, int count)
+static const char incomplete[] = "the bed is not complete";
+
+/* What is wrong with particle i of those from `first`, or NULL. */
+static const char *misfit(const struct particles *ps, int i, int first,
+                          const struct bed_options *bed,
+                          const struct dem_options *dem, char *known)
+{
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, d = ps->d[i];
+    const double least = bed->sizes ? sizes_least(bed->sizes) : bed->diameter;
+    const double most = bed->sizes ? sizes_most(bed->sizes) : bed->diameter;
+    const double speeds =
+        ps->vx[i] + ps->vy[i] + ps->vz[i] + ps->wx[i] + ps->wy[i] + ps->wz[i];
+    const int id = ps->id[i] - first;
+
+    if (id < 0 || id >= bed->count || known[id]++)
+        return "its number is not one of the bed, or another has it";
+    for (int k = 0; k < 3; k++)
+        if (!(x[k] >= dem->lo[k] && x[k] <= dem->hi[k]))
+            return "it is not in the box";
+    if (!isfinite(speeds)) return "its velocity or spin is not a number";
+    if (!(d >= least && d <= most)) return "its diameter is not of the bed";
+    /* The mass is the product in another order: rounded differently. */
+    if (!(fabs(ps->m[i] / (bed->density * particles_volume(ps, i)) - 1.0) <
+          1e-12))
+        return "its mass is not that of its diameter";
+    return NULL;
+}
+
+/* Reads a particle; NULL, or what is wrong with it. */
+static const char *read_particle(FILE *f, struct particles *ps, int i)
 {
     double *column[COLUMNS];
-    int n = -1;
 
     columns(ps, column);
-    if (fscanf(f, " particles %d", &n) != 1 || n != count) return 1;
-    for (int i = ps->n; i < ps->n + n; i++) {
-        int ok = fscanf(f, "%d", &ps->id[i]) == 1 && ps->id[i] >= 0;
-        for (int k = 0; k < COLUMNS; k++)
-            ok = ok && fscanf(f, "%la", &column[k][i]) == 1;
-        if (!ok) return 1;
-        if (ps->id[i] >= ps->next_id) ps->next_id = ps->id[i] + 1;
-    }
-    ps->n += n;
-    return 0;
+    if (fscanf(f, "%d", &ps->id[i]) != 1) return incomplete;
+    for (int k = 0; k < COLUMNS; k++)
+        if (fscanf(f, "%la", &column[k][i]) != 1) return incomplete;
+    return NULL;
 }
 
-static int read_springs(FILE *f, int count, struct bed_springs *springs,
-                        int with_roll)
+static const char *read_particles(FILE *f, struct particles *ps,
+                                  const struct bed_options *bed,
+                                  const struct dem_options *dem, int *line)
+{
+    const char *wrong = NULL;
+    const int first = ps->next_id;
+    int n = -1;
+
+    if (fscanf(f, " particles %d", &n) != 1 || n != bed->count)
+        return "expected \"particles\" and as many as the bed has";
+    char *const known = alloc_zeroed((size_t)n, 1);
+    for (int i = ps->n; i < ps->n + n && wrong == NULL; i++) {
+        ++*line;
+        wrong = read_particle(f, ps, i);
+        if (wrong == NULL) wrong = misfit(ps, i, first, bed, dem, known);
+    }
+    free(known);
+    if (wrong != NULL) return wrong;
+    ps->n += n;
+    ps->next_id += n;
+    return NULL;
+}
+
+static int spring_fits(const struct dem_spring *s, int count)
+{
+    return s->id >= 0 && s->id < count && s->other >= -6 && s->other < count &&
+           isfinite(s->xi[0] + s->xi[1] + s->xi[2]) &&
+           isfinite(s->roll[0] + s->roll[1] + s->roll[2]);
+}
+
+/* Sixty contacts a sphere, and some with walls, are more than any bed has. */
+static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
+                                int with_roll, int *line)
 {
     int n = -1;
 
-    if (fscanf(f, " springs %d", &n) != 1 || n < 0 || n > 100 * count + 100)
-        return 1;
+    ++*line;
+    if (fscanf(f, " springs %d", &n) != 1) return incomplete;
+    if (n < 0 || n > 100L * count + 100)
+        return "so many springs cannot be in the bed";
     springs->n = n;
     springs->list = alloc_zeroed((size_t)n, sizeof *springs->list);
     for (int q = 0; q < n; q++) {
         struct dem_spring *const s = &springs->list[q];
+        ++*line;
         if (fscanf(f, "%d %d %la %la %la", &s->id, &s->other, &s->xi[0],
-                   &s->xi[1], &s->xi[2]) != 5 ||
-            s->id < 0 || s->id >= count || s->other < -6 || s->other >= count)
-            return 1;
+                   &s->xi[1], &s->xi[2]) != 5)
+            return incomplete;
         for (int k = 0; with_roll && k < 3; k++)
-            if (fscanf(f, "%la", &s->roll[k]) != 1) return 1;
+            if (fscanf(f, "%la", &s->roll[k]) != 1) return incomplete;
+        if (!spring_fits(s, count)) return "this spring cannot be in the bed";
     }
-    return 0;
+    return NULL;
 }
 
 int bed_file_load(const char *path, struct particles *ps,
@@ -209,19 +267,24 @@ int bed_file_load(const char *path, struct particles *ps,
                   const struct dem_options *dem)
 {
     FILE *const f = fopen(path, "r");
-    int wrong;
+    const char *wrong = NULL;
+    int line;
 
     if (f == NULL && errno == ENOENT) return BED_ABSENT;
     if (f == NULL) {
         fprintf(stderr, "winnow: %s: %s\n", path, strerror(errno));
         return BED_REFUSED;
     }
-    wrong = check_facts(f, path, bed, dem);
-    if (!wrong && (read_particles(f, ps, bed->count) != 0 ||
-                   read_springs(f, bed->count, springs, rolls(dem)) != 0)) {
-        fprintf(stderr, "winnow: %s: the bed is not complete\n", path);
-        wrong = 1;
+    line = check_facts(f, path, bed, dem);
+    if (line > 0) {
+        wrong = read_particles(f, ps, bed, dem, &line);
+        if (wrong == NULL)
+            wrong = read_springs(f, bed->count, springs, rolls(dem), &line);
+        if (wrong != NULL)
+            fprintf(stderr,
+                    "winnow: %s:%d: %s; remove the file to make the bed anew\n",
+                    path, line, wrong);
     }
     fclose(f);
-    return wrong ? BED_REFUSED : BED_MADE;
+    return line == 0 || wrong != NULL ? BED_REFUSED : BED_MADE;
 }

@@ -31,11 +31,12 @@ void driven_free(struct drive *d);
 void driven_index(struct drive *d, const struct particles *ps);
 
 /* Sets the velocities of those among begin ... end - 1 for a step from t to
- * t + dt [s]; dt = 0 gives those of the time t. Returns the kinetic energy that
- * they gained by it [J]. */
+ * t + dt [s]; dt = 0 gives those of the time t. Of those whose motion has ended
+ * it clears the loads, from begin on; NULL: there are none yet. Returns the
+ * energy that they gained by it, and what the fluid takes on the way [J]. */
 double driven_steer(struct drive *d, struct bodies *b,
-                    const struct particles *ps, int begin, int end, double t,
-                    double dt);
+                    const struct particles *ps, int begin, int end,
+                    double (*load)[8], double t, double dt);
 
 /* Power [W] with which those that are driven push against their loads; `load`
  * is that of particle `begin`, as in strip.h. */

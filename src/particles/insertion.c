@@ -8,10 +8,12 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/interrupt.h"
+#include "base/number.h"
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
  * and what waits is asked again in the next step. */
-enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096 };
+enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
 /* 0 <= u < 1 from four numbers: the mixer of SplitMix64 [Steele14]. */
 static double chance(unsigned long seed, long k, long attempt, int which)
@@ -54,7 +56,8 @@ long insertion_due(const struct insertion *in, double t)
     if (t < o->start) return 0;
     if (o->rate <= 0.0) return o->count;
     const double n = floor((t - o->start) * o->rate) + 1.0;
-    return n < (double)o->count ? (long)n : o->count;
+    long due;
+    return number_long(n, &due) != 0 || due > o->count ? o->count : due;
 }
 
 /* Particles by the cell of their centre, chained; cells are as wide as two of
@@ -94,9 +97,9 @@ static void divide(struct crowd *c, const struct insertion_options *o,
             const int whole = c->box->periodic[k] || o->list != NULL;
             const double lo = whole ? c->box->lo[k] : o->lo[k];
             const double length = (whole ? c->box->hi[k] : o->hi[k]) - lo;
-            const double n = fmax(fmin(floor(length / width), 1e3), 1.0);
+            const double n = fmax(fmin(floor(length / width), MOST_CELLS), 1.0);
             c->lo[k] = lo;
-            c->cells[k] = (int)n;
+            c->cells[k] = number_clamped(n, 1, MOST_CELLS);
             c->inverse[k] = length > 0.0 ? n / length : 0.0;
             total *= n;
         }
@@ -115,8 +118,7 @@ static int beside(const struct crowd *c, int k, int cell)
 /* Who is beyond an end is in the last cell before it. */
 static int coordinate(const struct crowd *c, int k, double x)
 {
-    const double at = floor((x - c->lo[k]) * c->inverse[k]);
-    return (int)fmin(fmax(at, 0.0), c->cells[k] - 1.0);
+    return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
 }
 
 static int number(const struct crowd *c, const int at[3])
@@ -264,7 +266,8 @@ int insertion_step(struct insertion *in, struct particles *ps,
     const int before = ps->n;
     long last = in->done;
 
-    while (in->done == last && in->done < due && ps->n < ps->capacity) {
+    while (in->done == last && in->done < due && ps->n < ps->capacity &&
+           !interrupt_arrived()) {
         last = due - in->done > AT_ONCE ? in->done + AT_ONCE : due;
         place_some(in, ps, box, last);
     }

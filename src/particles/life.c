@@ -26,6 +26,7 @@ void life_free(struct life *l)
     }
     free(l->sources);
     free(l->sinks);
+    free(l->gone);
     free(l);
 }
 
@@ -47,41 +48,53 @@ static int goes(const struct life *l, const struct life_sink *sink,
     return 1;
 }
 
-static void book_out(struct life_account *a, const struct particles *ps, int i)
+static void add_momentum(double sum[3], const struct particles *ps, int i)
+{
+    sum[0] += ps->m[i] * ps->vx[i];
+    sum[1] += ps->m[i] * ps->vy[i];
+    sum[2] += ps->m[i] * ps->vz[i];
+}
+
+static void count_out(struct life_account *a, const struct particles *ps, int i)
 {
     a->went++;
     a->mass_out += ps->m[i];
-    a->momentum[0] += ps->m[i] * ps->vx[i];
-    a->momentum[1] += ps->m[i] * ps->vy[i];
-    a->momentum[2] += ps->m[i] * ps->vz[i];
+    add_momentum(a->momentum_out, ps, i);
 }
 
-/* Who goes, by index; returns how many. */
-static int mark(struct life *l, const struct particles *ps, int *gone,
-                double dt)
+static void count_in(struct life_account *a, const struct particles *ps, int i)
+{
+    a->came++;
+    a->mass_in += ps->m[i];
+    add_momentum(a->momentum_in, ps, i);
+}
+
+int life_mark(struct life *l, const struct particles *ps, double dt)
 {
     int n = 0;
 
+    if (l->n_sinks == 0) return 0;
+    if (l->room < ps->n) {
+        free(l->gone);
+        l->room = ps->capacity;
+        l->gone = alloc_ints(l->room);
+    }
     for (int i = 0; i < ps->n; i++) {
-        for (int s = 0; s < l->n_sinks && !gone[i]; s++)
-            gone[i] = goes(l, &l->sinks[s], ps, i, dt);
-        if (gone[i]) book_out(&l->account, ps, i);
-        n += gone[i];
+        l->gone[i] = 0;
+        for (int s = 0; s < l->n_sinks && !l->gone[i]; s++)
+            l->gone[i] = goes(l, &l->sinks[s], ps, i, dt);
+        if (l->gone[i]) count_out(&l->account, ps, i);
+        n += l->gone[i];
     }
     return n;
 }
 
-static void take_out(struct life *l, struct particles *ps, struct dem *dem,
-                     double dt)
+void life_remove(struct life *l, struct dem *dem)
 {
-    int *const gone = alloc_ints(ps->n);
-
-    if (mark(l, ps, gone, dt) > 0) dem_remove(dem, gone);
-    free(gone);
+    dem_remove(dem, l->gone);
 }
 
-static void put_in(struct life *l, struct particles *ps, struct dem *dem,
-                   double t)
+int life_insert(struct life *l, struct particles *ps, struct dem *dem, double t)
 {
     const int before = ps->n;
 
@@ -92,17 +105,8 @@ static void put_in(struct life *l, struct particles *ps, struct dem *dem,
         l->account.waiting += insertion_due(in, t) - in->done;
     }
     for (int i = before; i < ps->n; i++)
-        l->account.mass_in += ps->m[i];
-    l->account.came += ps->n - before;
+        count_in(&l->account, ps, i);
     if (ps->n > before) dem_changed(dem);
-}
-
-int life_step(struct life *l, struct particles *ps, struct dem *dem, double t,
-              double dt)
-{
-    if (l->n_sinks > 0) take_out(l, ps, dem, dt);
-    const int before = ps->n;
-    put_in(l, ps, dem, t);
     return before;
 }
 
@@ -110,9 +114,10 @@ void life_save(const struct life *l, const struct particles *ps, FILE *f)
 {
     const struct life_account *const a = &l->account;
 
-    fprintf(f, "life %d %d %ld %ld %a %a %a %a %a\n", ps->next_id, l->n_sources,
-            a->came, a->went, a->mass_in, a->mass_out, a->momentum[0],
-            a->momentum[1], a->momentum[2]);
+    fprintf(f, "life %d %d %ld %ld %a %a\n", ps->next_id, l->n_sources, a->came,
+            a->went, a->mass_in, a->mass_out);
+    for (int k = 0; k < 3; k++)
+        fprintf(f, "momentum %a %a\n", a->momentum_in[k], a->momentum_out[k]);
     for (int s = 0; s < l->n_sources; s++)
         fprintf(f, "source %ld %ld\n", l->sources[s].done, l->sources[s].tried);
 }
@@ -122,11 +127,14 @@ int life_load(struct life *l, struct particles *ps, FILE *f)
     struct life_account *const a = &l->account;
     int n = -1;
 
-    if (fscanf(f, " life %d %d %ld %ld %la %la %la %la %la", &ps->next_id, &n,
-               &a->came, &a->went, &a->mass_in, &a->mass_out, &a->momentum[0],
-               &a->momentum[1], &a->momentum[2]) != 9 ||
+    if (fscanf(f, " life %d %d %ld %ld %la %la", &ps->next_id, &n, &a->came,
+               &a->went, &a->mass_in, &a->mass_out) != 6 ||
         n != l->n_sources)
         return 1;
+    for (int k = 0; k < 3; k++)
+        if (fscanf(f, " momentum %la %la", &a->momentum_in[k],
+                   &a->momentum_out[k]) != 2)
+            return 1;
     for (int s = 0; s < n; s++)
         if (fscanf(f, " source %ld %ld", &l->sources[s].done,
                    &l->sources[s].tried) != 2)

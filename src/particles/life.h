@@ -20,11 +20,12 @@ struct life_sink {
 
 /* What has come and gone so far. */
 struct life_account {
-    long came, went;    /* [-] */
-    double mass_in;     /* [kg] */
-    double mass_out;    /* [kg] */
-    double momentum[3]; /* [N s] that went with those that went */
-    long waiting;       /* [-] that are due and find no room */
+    long came, went;        /* [-] */
+    double mass_in;         /* [kg] */
+    double mass_out;        /* [kg] */
+    double momentum_in[3];  /* [N s] of those that came */
+    double momentum_out[3]; /* [N s] of those that went */
+    long waiting;           /* [-] that are due and find no room */
 };
 
 struct life {
@@ -33,16 +34,28 @@ struct life {
     struct insertion *sources;
     struct life_sink *sinks;
     struct life_account account;
+    int *gone; /* [-] 1 for each particle that goes now; grows with them */
+    int room;  /* [-] entries of it */
 };
 
 /* Sources and sinks are all 0, for the caller to fill in. */
 struct life *life_create(const struct domain *box, int n_sources, int n_sinks);
 void life_free(struct life *l);
 
-/* At time t [s], before a step of dt [s]. Those that went are gone, those that
- * came are behind the others, from the index it returns on. */
-int life_step(struct life *l, struct particles *ps, struct dem *dem, double t,
-              double dt);
+/* Between two steps of the loop: first life_mark, then life_remove if any were
+ * marked, then life_insert.
+ *
+ * Marks in `gone` the particles that leave before a step of dt [s], and enters
+ * them in the account. Returns how many there are. */
+int life_mark(struct life *l, const struct particles *ps, double dt);
+
+/* Takes the marked particles out. Those that stay keep their springs. */
+void life_remove(struct life *l, struct dem *dem);
+
+/* Adds the particles that are due at time t [s]. They stand behind the others,
+ * from the index it returns on. */
+int life_insert(struct life *l, struct particles *ps, struct dem *dem,
+                double t);
 
 /* What a resumed run must know, besides particles and springs. */
 void life_save(const struct life *l, const struct particles *ps, FILE *f);

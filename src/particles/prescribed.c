@@ -18,6 +18,6 @@ void prescribed_steer(const struct neighbours *nb, double t, double dt)
     for (int s = mine.first; s < mine.last; s++) {
         struct strip *const own = &nb->strips[s];
         own->energy.driven += driven_steer(nb->drive, nb->bodies, nb->ps,
-                                           own->begin, own->end, t, dt);
+                                           own->begin, own->end, NULL, t, dt);
     }
 }

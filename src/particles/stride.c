@@ -13,7 +13,7 @@ static void steer(const struct neighbours *nb, struct strip *own, int begin,
     own->energy.driven +=
         by->dt * driven_power(nb->drive, nb->bodies, begin, end, load);
     own->energy.driven += driven_steer(nb->drive, nb->bodies, nb->ps, begin,
-                                       end, by->t, by->drift);
+                                       end, load, by->t, by->drift);
 }
 
 static void advance(const struct neighbours *nb, struct strip *own, int begin,

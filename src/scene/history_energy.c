@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/history_energy.h"
 
+#include "exchange/replacement.h"
 #include "particles/energy.h"
 #include "particles/life.h"
 
@@ -92,4 +93,32 @@ double history_mass_in(const struct simulation *sim)
 double history_mass_out(const struct simulation *sim)
 {
     return sim->life->account.mass_out;
+}
+
+static double brought(const struct simulation *sim, int k)
+{
+    double sum[3];
+
+    replacement_momentum(sim, sum);
+    return sum[k];
+}
+
+double history_brought_x(const struct simulation *sim)
+{
+    return brought(sim, 0);
+}
+
+double history_brought_y(const struct simulation *sim)
+{
+    return brought(sim, 1);
+}
+
+double history_brought_z(const struct simulation *sim)
+{
+    return brought(sim, 2);
+}
+
+double history_replaced(const struct simulation *sim)
+{
+    return sim->fluid->replaced;
 }

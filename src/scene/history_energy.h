@@ -27,5 +27,11 @@ double history_went(const struct simulation *sim);
 double history_waiting(const struct simulation *sim);
 double history_mass_in(const struct simulation *sim);
 double history_mass_out(const struct simulation *sim);
+/* Momentum that particles, and the fluid they replaced, brought less what they
+ * took away [N s]; and the mass of that fluid [kg], which needs a coupling. */
+double history_brought_x(const struct simulation *sim);
+double history_brought_y(const struct simulation *sim);
+double history_brought_z(const struct simulation *sim);
+double history_replaced(const struct simulation *sim);
 
 #endif

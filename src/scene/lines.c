@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "base/file.h"
 #include "output/profile.h"
 #include "scene/fields.h"
 
@@ -72,16 +71,23 @@ void lines_add(struct lines *l, double dt)
         profile_add(l->line[i].profile, l->look->t, dt);
 }
 
-int lines_write(const struct lines *l, const char *dir)
+static int write_line(const struct line *l, struct folder *folder)
 {
-    char path[4096];
+    char name[sizeof l->name + sizeof "profiles/"];
 
+    snprintf(name, sizeof name, "profiles/%s", l->name);
+    char *const path = folder_file(folder, name);
+    const int failed = path == NULL || profile_write(l->profile, path) != 0;
+    free(path);
+    return failed;
+}
+
+int lines_write(const struct lines *l, struct folder *folder)
+{
     if (l->n == 0) return 0;
-    snprintf(path, sizeof path, "%s/profiles", dir);
-    if (file_make_dirs(path) != 0) return 1;
-    for (int i = 0; i < l->n; i++) {
-        snprintf(path, sizeof path, "%s/profiles/%s", dir, l->line[i].name);
-        if (profile_write(l->line[i].profile, path) != 0) return 1;
-    }
-    return 0;
+    int failed = folder_make(folder, "profiles");
+
+    for (int i = 0; i < l->n && !failed; i++)
+        failed = write_line(&l->line[i], folder);
+    return failed;
 }

@@ -2,6 +2,7 @@
 #ifndef LINES_H
 #define LINES_H
 
+#include "output/folder.h"
 #include "scene/settings.h"
 #include "scene/snapshot.h"
 
@@ -18,6 +19,6 @@ void lines_free(struct lines *l);
 void lines_add(struct lines *l, double dt);
 
 /* Writes DIR/profiles/...; non-zero after a message. */
-int lines_write(const struct lines *l, const char *dir);
+int lines_write(const struct lines *l, struct folder *folder);
 
 #endif

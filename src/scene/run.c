@@ -1,24 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/run.h"
 
-#include <math.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "base/clock.h"
 #include "base/crew.h"
-#include "base/file.h"
+#include "base/interrupt.h"
 #include "exchange/coupling.h"
+#include "output/folder.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
 #include "scene/case_life.h"
 #include "scene/case_overlap.h"
+#include "scene/case_steps.h"
 #include "scene/check.h"
-#include "scene/interrupt.h"
 #include "scene/progress.h"
 #include "scene/record.h"
 
-enum { WRONG = 2, BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum {
+    WRONG = 2,
+    BROKE_DOWN = 3,
+    NOT_WRITTEN = RECORD_NOT_WRITTEN_CODE,
+    INTERRUPTED = INTERRUPT_CODE
+};
 
 /* Looks and keeps the time that writing takes. */
 static int look(struct record *r, struct simulation *sim)
@@ -39,13 +43,13 @@ static int step(struct simulation *sim, struct crew *crew)
     return failed;
 }
 
-/* The loop. Returns the exit code; a breakdown is described in why. */
+/* The loop. Returns the exit code; a breakdown is described in why. A step that
+ * was interrupted may have been cut short: it is not looked at. */
 static int advance(const struct settings *s, struct simulation *sim,
                    struct record *r, struct progress *bar, struct crew *crew,
                    char *why)
 {
-    const double end = settings_real(s, "output.end");
-    const long steps = lround(end / sim->dt);
+    const long steps = case_steps_until_end(s);
     int told = 0;
 
     if (coupling_start(sim) != 0) {
@@ -54,14 +58,16 @@ static int advance(const struct settings *s, struct simulation *sim,
     }
     if (look(r, sim) != 0) return NOT_WRITTEN;
     while (sim->steps < steps) {
-        if (step(sim, crew) != 0) {
+        const int failed = step(sim, crew);
+
+        if (interrupt_arrived()) return INTERRUPTED;
+        if (failed) {
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
         case_overlap_tell(sim, &told);
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
-        if (interrupt_arrived()) return INTERRUPTED;
     }
     return 0;
 }
@@ -70,15 +76,15 @@ static const char *reason_of(int code, const char *why)
 {
     return code == 0             ? "done"
            : code == INTERRUPTED ? "interrupted"
-           : code == NOT_WRITTEN ? "output could not be written"
+           : code == NOT_WRITTEN ? RECORD_NOT_WRITTEN
                                  : why;
 }
 
 /* Everything after the simulation is built. */
 static int run_simulation(const struct settings *s, struct simulation *sim,
-                          const struct run_options *o)
+                          struct folder *folder, const struct run_options *o)
 {
-    struct record *const r = record_create(s, sim, o->dir);
+    struct record *const r = record_create(s, sim, folder);
     struct progress bar;
     struct crew crew;
     char why[BREAKDOWN_TEXT] = "";
@@ -107,18 +113,36 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     return code;
 }
 
+static void leave(void *folder)
+{
+    folder_leave(folder);
+}
+
+/* The simulation; a signal meanwhile ends the program. */
+static struct simulation *build(const struct settings *s, struct folder *folder,
+                                int *code)
+{
+    struct interrupt_watch watch;
+
+    interrupt_watch_begin(&watch, leave, folder);
+    struct simulation *const sim = build_simulation(s, code);
+    interrupt_watch_end(&watch);
+    return sim;
+}
+
 int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
     if (check_step(s) != 0) return WRONG;
-    if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
-    struct simulation *const sim = build_simulation(s, &code);
-    if (sim == NULL) {
-        rmdir(o->dir); /* only if there is nothing in it */
-        return code;
-    }
-    code = run_simulation(s, sim, o);
+    struct folder *const folder = folder_take(o->dir); /* before settling */
+    if (folder == NULL) return NOT_WRITTEN;
+    struct simulation *const sim = build(s, folder, &code);
+    if (sim == NULL)
+        folder_leave(folder);
+    else
+        code = run_simulation(s, sim, folder, o);
     build_free(sim);
+    folder_free(folder);
     return code;
 }
