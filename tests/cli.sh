@@ -295,6 +295,18 @@ particles = { contact = "linear"; step = 1e-4;
               { position = [0.0405, 0.05, 0.05]; velocity = [-0.1, 0.0, 0.0]; diameter = 1e-2; } ); };
 output = { end = 0.05; every = 0.05; history = 1e-3; };
 END
+# 3.5 and 12 particle steps between two rows; the sphere turns around on the way.
+written() {
+    for every in 3.5e-4 1.2e-3; do
+        "$winnow" run soft.cfg -o written --quiet -s output.history=$every \
+            -s output.every=4.8e-2 -s output.end=4.8e-2 \
+            -s particles.expected_overlap=0.5 >/dev/null
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /kinetic_energy_p/) c = i }
+            END { printf "%.9e %.6f\n", $c, $1 }' written/history.csv
+    done | uniq | wc -l
+}
+fact what_is_written_does_not_change_the_motion 0 1 written
+sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
 soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
 fact overlap_deeper_than_expected_is_told_with_who_and_where 0 \
     "particle 0 and particle 1 overlap by 0.1" soft
@@ -304,6 +316,34 @@ meant() { soft -s particles.expected_overlap=0.4 | wc -c; }
 fact overlap_that_is_meant_is_not_told 0 0 meant
 fact overlap_deeper_than_the_limit_is_code_3 3 "more than particles.max_overlap" \
     soft -s particles.max_overlap=0.2
+
+cat >come.cfg <<'END'
+title = "spheres that come";
+mesh = { size = [0.02, 0.02, 0.02]; cells = [1, 1, 1]; periodic = [true, false, false]; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.3; };
+    insert = ( { count = 100; rate = 1e5; diameter = 3e-3; seed = 3; to = [0.02, 0.006, 0.02]; } ); };
+output = { end = 2e-3; every = 1e-3; };
+END
+come() { "$winnow" run come.cfg -o come --quiet "$@" 2>&1 >/dev/null; }
+fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
+fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
+fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \
+    come -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
+    -s particles.insert.0.count=1
+fact check_knows_that_too 2 "periodic direction x" "$winnow" check come.cfg \
+    -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
+    -s particles.insert.0.count=1
+printf '%s\n' "0.01 0.01 0.01 3e-3" "0.004 0.01 0.01 3e-3" "0.01 0.01 0.01 3e-3" >twice.spheres
+sed 's/insert = .*/insert = ( { file = "twice.spheres"; } ); };/' come.cfg >twice.cfg
+fact spheres_of_a_file_in_one_place_cannot_come_at_once 2 "spheres 0 and 2 of its file" \
+    "$winnow" run twice.cfg -o never
+fact one_after_the_other_they_can 0 "" "$winnow" run twice.cfg -o after --quiet \
+    -s particles.insert.0.rate=1e3 -s 'particles.insert.0.velocity=[0.0,0.5,0.0]'
+speed() { "$winnow" check come.cfg "$@" | grep 'impact speed'; }
+fact safe_step_counts_the_speed_of_those_that_come 0 " 10 m/s" \
+    speed -s 'particles.insert.0.velocity=[0.0,10.0,0.0]' -s 'effects.gravity=[0.0,-9.81,0.0]'
+fact and_of_those_that_are_thrown 0 " 7 m/s" "$winnow" check thrown.cfg
 
 cat >walls.cfg <<'END'
 title = "a sphere and a sheet of metal";

@@ -21,10 +21,11 @@ static double mean_diameter(const struct particles *ps)
     return ps->n > 0 ? sum / ps->n : 0.0;
 }
 
-static double skin_of(const struct dem_options *o, const struct particles *ps)
+/* `mean` is the mean diameter. */
+static double skin_of(const struct dem_options *o, double mean)
 {
-    if (o->link_cells) return mean_diameter(ps) / MARGIN_PARTS;
-    return o->skin > 0.0 ? o->skin : mean_diameter(ps) / SKIN_PARTS;
+    if (o->link_cells) return mean / MARGIN_PARTS;
+    return o->skin > 0.0 ? o->skin : mean / SKIN_PARTS;
 }
 
 /* How far anything acts beyond touching. */
@@ -37,14 +38,10 @@ static double range_of(const struct dem_options *o)
     return range;
 }
 
-static int options_wrong(const struct dem_options *o,
-                         const struct particles *ps)
+int dem_period_wrong(const struct dem_options *o, double widest, double mean)
 {
-    const double skin = skin_of(o, ps) + range_of(o);
-    double widest = 0.0;
+    const double skin = skin_of(o, mean) + range_of(o);
 
-    for (int i = 0; i < ps->n; i++)
-        widest = fmax(widest, ps->d[i]);
     for (int k = 0; k < 3; k++)
         if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {
             fprintf(stderr,
@@ -56,6 +53,16 @@ static int options_wrong(const struct dem_options *o,
             return 1;
         }
     return 0;
+}
+
+static int options_wrong(const struct dem_options *o,
+                         const struct particles *ps)
+{
+    double widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    return dem_period_wrong(o, widest, mean_diameter(ps));
 }
 
 /* What the loop over the contacts must know of (contact.h). */
@@ -223,7 +230,7 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r)
     const long before = nb->rebuilds;
 
     if (nb->stale) {
-        nb->skin = skin_of(&dem->options, nb->ps);
+        nb->skin = skin_of(&dem->options, mean_diameter(nb->ps));
         dem->least_margin = mean_diameter(nb->ps) / MARGIN_PARTS;
     }
     neighbours_open(nb);

@@ -38,6 +38,10 @@ struct dem_report {
 struct dem;
 struct energy;
 
+/* Whether a periodic direction is too short for spheres of up to `widest` [m]
+ * that have this mean diameter; then after a message. */
+int dem_period_wrong(const struct dem_options *o, double widest, double mean);
+
 /* ps is borrowed. NULL after a message if the options do not fit. */
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
 void dem_free(struct dem *dem);

@@ -88,14 +88,36 @@ static void steer_one(const struct motion *m, struct bodies *b, int i, double t,
         v[4 + k] = x[3] * now.spin[k];
 }
 
+/* Of translation and rotation, and of the fluid that is taken along [J]. */
+static double kinetic(const struct bodies *b, const struct particles *ps, int i)
+{
+    const double *const v = b->motion[i];
+    const double m = ps->m[i] + (b->response != NULL ? ps->added_mass[i] : 0.0);
+
+    return 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+           0.2 * ps->m[i] * (v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
+}
+
+/* What the fluid takes from it [W], as strip_work books it. */
+static double taken(const struct bodies *b, const struct particles *ps, int i)
+{
+    const double *const v = b->motion[i];
+
+    if (b->response == NULL) return 0.0;
+    return ps->resistance[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
 static int mine(const struct drive *d, int k, int begin, int end)
 {
     return d->index[k] >= begin && d->index[k] < end;
 }
 
-void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
-                  int begin, int end, double (*load)[8], double t, double dt)
+double driven_steer(struct drive *d, struct bodies *b,
+                    const struct particles *ps, int begin, int end,
+                    double (*load)[8], double t, double dt)
 {
+    double gained = 0.0;
+
     for (int k = 0; k < d->n; k++) {
         const struct motion *const m = &d->list[k].motion;
         const int i = d->index[k], on = motion_is_on(m, t);
@@ -103,12 +125,31 @@ void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
         if (!mine(d, k, begin, end)) continue;
         if (on) {
             weigh(b, ps, i);
+            gained -= kinetic(b, ps, i);
             steer_one(m, b, i, t, dt);
+            gained += kinetic(b, ps, i) + dt * taken(b, ps, i);
         } else if (d->on[k]) {
             release(b, ps, i, load != NULL ? load[i - begin] : NULL);
         }
         d->on[k] = on;
     }
+    return gained;
+}
+
+/* T . omega = -load . (R omega) (strip.h). */
+double driven_power(const struct drive *d, const struct bodies *b, int begin,
+                    int end, double (*load)[8])
+{
+    double power = 0.0;
+
+    for (int k = 0; k < d->n; k++) {
+        if (!mine(d, k, begin, end) || !d->on[k]) continue;
+        const double *const v = b->motion[d->index[k]];
+        const double *const f = load[d->index[k] - begin];
+        for (int a = 0; a < 3; a++)
+            power -= f[a] * v[a] - f[4 + a] * v[4 + a];
+    }
+    return power;
 }
 
 void driven_weigh(const struct drive *d, struct bodies *b,

@@ -32,9 +32,16 @@ void driven_index(struct drive *d, const struct particles *ps);
 
 /* Sets the velocities of those among begin ... end - 1 for a step from t to
  * t + dt [s]; dt = 0 gives those of the time t. Of those whose motion has ended
- * it clears the loads, from begin on; NULL: there are none yet. */
-void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
-                  int begin, int end, double (*load)[8], double t, double dt);
+ * it clears the loads, from begin on; NULL: there are none yet. Returns the
+ * energy that they gained by it, and what the fluid takes on the way [J]. */
+double driven_steer(struct drive *d, struct bodies *b,
+                    const struct particles *ps, int begin, int end,
+                    double (*load)[8], double t, double dt);
+
+/* Power [W] with which those that are driven push against their loads; `load`
+ * is that of particle `begin`, as in strip.h. */
+double driven_power(const struct drive *d, const struct bodies *b, int begin,
+                    int end, double (*load)[8]);
 
 /* Rows that were fetched anew: those that are driven have no 1/m again; or,
  * to measure what there is, their own. */

@@ -35,6 +35,7 @@ static void add(struct energy *e, const struct strip_energy *part,
     e->rolled += part->rolled;
     e->work += part->work;
     e->attracted += part->attracted;
+    e->walls += part->driven;
 }
 
 struct energy energy_collect(const struct neighbours *nb, double elastic)
@@ -48,6 +49,6 @@ struct energy energy_collect(const struct neighbours *nb, double elastic)
         if (nb->surfaces != NULL)
             add(&e, surfaces_energy(nb->surfaces, s), elastic);
     }
-    if (nb->surfaces != NULL) e.walls = surfaces_work(nb->surfaces);
+    if (nb->surfaces != NULL) e.walls += surfaces_work(nb->surfaces);
     return e;
 }

@@ -28,7 +28,8 @@ struct energy {
     double work;      /* [J] of the outside forces: gravity, the fluid */
     double attracted; /* [J] work of the attractions; what they took is given
                          back where they do not change on the way */
-    double walls;     /* [J] of surfaces that move */
+    double walls;     /* [J] of surfaces that move, and of what moves the
+                         particles that move as prescribed */
     double brought;   /* [J] by what was put in, taken out or given other
                          velocities between two runs */
 };

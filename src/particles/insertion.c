@@ -14,7 +14,7 @@
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
  * and what waits is asked again in the next step. */
-enum { ATTEMPTS = 200, LINE = 256 };
+enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
 /* 0 <= u < 1 from four numbers: the mixer of SplitMix64 [Steele14]. */
 static double chance(unsigned long seed, long k, long attempt, int which)
@@ -61,59 +61,168 @@ long insertion_due(const struct insertion *in, double t)
     return number_long(n, &due) != 0 || due > o->count ? o->count : due;
 }
 
-/* Who of the particles may touch a sphere in the region: their indices. */
+/* Particles by the cell of their centre, chained; cells are as wide as two of
+ * the largest spheres that touch are apart, so that who touches a sphere is in
+ * its cell or beside it. */
 struct crowd {
-    int n;
-    int *who;
+    const struct particles *ps;
+    const struct domain *box;
+    double lo[3], inverse[3]; /* [m], [1/m] */
+    int cells[3];
+    int *head, *next; /* the first of a cell; who follows; -1: nobody */
 };
 
-/* x_i - x along direction k, nearest image. */
-static double apart(const struct particles *ps, const struct domain *box, int i,
-                    int k, const double x[3])
+static const double *axis(const struct particles *ps, int k)
 {
-    const double *const at = k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
-    const double dx = at[i] - x[k];
-    return dx - box->length[k] * rint(dx * box->inverse[k]);
+    return k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
 }
 
-static struct crowd crowd_of(const struct insertion_options *o,
-                             const struct particles *ps,
-                             const struct domain *box)
+/* x_i - x along direction k, nearest image. */
+static double apart(const struct crowd *c, int i, int k, const double x[3])
 {
-    struct crowd c = {0, alloc_ints(ps->capacity)};
-    double middle[3];
+    const double dx = axis(c->ps, k)[i] - x[k];
+    return dx - c->box->length[k] * rint(dx * c->box->inverse[k]);
+}
 
+/* Over the region, or the period; so few that to empty them costs no more than
+ * to fill them in. */
+static void divide(struct crowd *c, const struct insertion_options *o,
+                   double width)
+{
+    const double most = 2.0 * c->ps->capacity + 64.0;
+    double total = HUGE_VAL;
+
+    for (; total > most; width *= 1.25) {
+        total = 1.0;
+        for (int k = 0; k < 3; k++) {
+            const int whole = c->box->periodic[k] || o->list != NULL;
+            const double lo = whole ? c->box->lo[k] : o->lo[k];
+            const double length = (whole ? c->box->hi[k] : o->hi[k]) - lo;
+            const double n = fmax(fmin(floor(length / width), MOST_CELLS), 1.0);
+            c->lo[k] = lo;
+            c->cells[k] = number_clamped(n, 1, MOST_CELLS);
+            c->inverse[k] = length > 0.0 ? n / length : 0.0;
+            total *= n;
+        }
+    }
+}
+
+/* Cells a step off along direction k; -1: there is none. */
+static int beside(const struct crowd *c, int k, int cell)
+{
+    const int n = c->cells[k];
+
+    if (cell >= 0 && cell < n) return cell;
+    return c->box->periodic[k] ? (cell + n) % n : -1;
+}
+
+/* Who is beyond an end is in the last cell before it. */
+static int coordinate(const struct crowd *c, int k, double x)
+{
+    return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
+}
+
+static int number(const struct crowd *c, const int at[3])
+{
+    return (at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0];
+}
+
+static void join(struct crowd *c, int i)
+{
+    int at[3];
+
+    for (int k = 0; k < 3; k++)
+        at[k] = coordinate(c, k, axis(c->ps, k)[i]);
+    int *const head = &c->head[number(c, at)];
+    c->next[i] = *head;
+    *head = i;
+}
+
+/* An empty one, for spheres of up to `widest` [m]. */
+static struct crowd crowd_create(const struct insertion_options *o,
+                                 const struct particles *ps,
+                                 const struct domain *box, double widest)
+{
+    struct crowd c = {.ps = ps, .box = box};
+
+    divide(&c, o, widest);
+    const int n = c.cells[0] * c.cells[1] * c.cells[2];
+    c.head = alloc_ints(n);
+    c.next = alloc_ints(ps->capacity);
+    for (int k = 0; k < n; k++)
+        c.head[k] = -1;
+    return c;
+}
+
+static void crowd_free(struct crowd *c)
+{
+    free(c->head);
+    free(c->next);
+}
+
+/* One of a cell that overlaps a sphere by more than this share of the mean
+ * diameter; -1: none. */
+static int clash_in(const struct crowd *c, int cell, const double x[3],
+                    double d, double share)
+{
+    for (int i = c->head[cell]; i >= 0; i = c->next[i]) {
+        const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
+        double r2 = 0.0;
+        for (int k = 0; k < 3; k++) {
+            const double dx = apart(c, i, k, x);
+            r2 += dx * dx;
+        }
+        if (r2 < reach * reach) return i;
+    }
+    return -1;
+}
+
+static int clash(const struct crowd *c, const double x[3], double d,
+                 double share)
+{
+    int at[3];
+
+    for (int q = 0; q < 27; q++) {
+        const int step[3] = {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1};
+        int there = 1;
+        for (int k = 0; k < 3; k++) {
+            at[k] = beside(c, k, coordinate(c, k, x[k]) + step[k]);
+            there &= at[k] >= 0;
+        }
+        const int i = there ? clash_in(c, number(c, at), x, d, share) : -1;
+        if (i >= 0) return i;
+    }
+    return -1;
+}
+
+/* Those who may touch a sphere in the region. */
+static struct crowd crowd_of(const struct insertion *in,
+                             const struct particles *ps,
+                             const struct domain *box, long due)
+{
+    const struct insertion_options *const o = &in->options;
+    double middle[3], widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    for (long k = in->done; k < due; k++)
+        widest = fmax(widest, insertion_diameter(o, k));
+    struct crowd c = crowd_create(o, ps, box, widest);
     for (int k = 0; k < 3; k++)
         middle[k] = 0.5 * (o->lo[k] + o->hi[k]);
     for (int i = 0; i < ps->n; i++) {
         int near = 1;
         for (int k = 0; k < 3; k++)
-            near &= fabs(apart(ps, box, i, k, middle)) <=
+            near &= fabs(apart(&c, i, k, middle)) <=
                     0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
-        if (near || o->list != NULL) c.who[c.n++] = i;
+        if (near || o->list != NULL) join(&c, i);
     }
     return c;
 }
 
-static int is_free(const struct crowd *c, const struct particles *ps,
-                   const struct domain *box, const double x[3], double d)
-{
-    for (int q = 0; q < c->n; q++) {
-        const int i = c->who[q];
-        const double reach = 0.5 * (d + ps->d[i]);
-        double r2 = 0.0;
-        for (int k = 0; k < 3; k++) {
-            const double dx = apart(ps, box, i, k, x);
-            r2 += dx * dx;
-        }
-        if (r2 < reach * reach) return 0;
-    }
-    return 1;
-}
-
 /* The next sphere, if it finds room. */
 static int place_next(struct insertion *in, struct crowd *c,
-                      struct particles *ps, const struct domain *box)
+                      struct particles *ps)
 {
     const struct insertion_options *const o = &in->options;
     const double d = insertion_diameter(o, in->done);
@@ -121,7 +230,7 @@ static int place_next(struct insertion *in, struct crowd *c,
 
     for (int a = 0; a < (o->list != NULL ? 1 : ATTEMPTS); a++) {
         insertion_place(o, in->done, in->tried++, d, x);
-        if (!is_free(c, ps, box, x, d)) continue;
+        if (clash(c, x, d, 0.0) >= 0) continue;
         if (o->room.holds != NULL && !o->room.holds(o->room.where, x, 0.5 * d))
             continue;
         const int i = particles_add(ps, x, d, o->density);
@@ -129,7 +238,7 @@ static int place_next(struct insertion *in, struct crowd *c,
         ps->vx[i] = o->velocity[0];
         ps->vy[i] = o->velocity[1];
         ps->vz[i] = o->velocity[2];
-        c->who[c->n++] = i;
+        join(c, i);
         in->done++;
         in->tried = 0;
         return 1;
@@ -137,19 +246,54 @@ static int place_next(struct insertion *in, struct crowd *c,
     return 0;
 }
 
+/* Those before number `last`, as far as they find room. */
+static void place_some(struct insertion *in, struct particles *ps,
+                       const struct domain *box, long last)
+{
+    struct crowd crowd = crowd_of(in, ps, box, last);
+
+    while (in->done < last && ps->n < ps->capacity &&
+           place_next(in, &crowd, ps))
+        continue;
+    crowd_free(&crowd);
+}
+
+/* AT_ONCE of them at a time, so that a step that finds no room for the first of
+ * many has not asked how large they all are. */
 int insertion_step(struct insertion *in, struct particles *ps,
                    const struct domain *box, double t)
 {
     const long due = insertion_due(in, t);
-    int added = 0;
+    const int before = ps->n;
+    long last = in->done;
 
-    if (in->done >= due) return 0;
-    struct crowd crowd = crowd_of(&in->options, ps, box);
-    while (in->done < due && ps->n < ps->capacity && !interrupt_arrived() &&
-           place_next(in, &crowd, ps, box))
-        added++;
-    free(crowd.who);
-    return added;
+    while (in->done == last && in->done < due && ps->n < ps->capacity &&
+           !interrupt_arrived()) {
+        last = due - in->done > AT_ONCE ? in->done + AT_ONCE : due;
+        place_some(in, ps, box, last);
+    }
+    return ps->n - before;
+}
+
+int insertion_clash(const struct insertion_options *o, const struct domain *box,
+                    double share, int who[2])
+{
+    struct particles *const ps = particles_create((int)o->count);
+    double widest = 0.0;
+
+    for (long k = 0; k < o->count; k++)
+        widest = fmax(widest, o->list[k].d);
+    struct crowd c = crowd_create(o, ps, box, widest);
+    who[0] = -1;
+    for (who[1] = 0; who[1] < o->count; who[1]++) {
+        const struct insertion_one *const one = &o->list[who[1]];
+        who[0] = clash(&c, one->x, one->d, share);
+        if (who[0] >= 0) break;
+        join(&c, particles_add(ps, one->x, one->d, 1.0));
+    }
+    crowd_free(&c);
+    particles_free(ps);
+    return who[0] >= 0;
 }
 
 /* Non-zero if the line is neither a remark nor four numbers. */

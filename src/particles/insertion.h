@@ -57,6 +57,11 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
 int insertion_step(struct insertion *in, struct particles *ps,
                    const struct domain *box, double t);
 
+/* Whether two spheres of the list overlap by more than this share of their mean
+ * diameter, so that they cannot come at once, and which. */
+int insertion_clash(const struct insertion_options *o, const struct domain *box,
+                    double share, int who[2]);
+
 /* How many should have come by then [-]. */
 long insertion_due(const struct insertion *in, double t);
 

@@ -15,7 +15,9 @@ void prescribed_steer(const struct neighbours *nb, double t, double dt)
     const struct neighbours_share mine = neighbours_share(nb);
 
     if (nb->drive == NULL) return;
-    for (int s = mine.first; s < mine.last; s++)
-        driven_steer(nb->drive, nb->bodies, nb->ps, nb->strips[s].begin,
-                     nb->strips[s].end, NULL, t, dt);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct strip *const own = &nb->strips[s];
+        own->energy.driven += driven_steer(nb->drive, nb->bodies, nb->ps,
+                                           own->begin, own->end, NULL, t, dt);
+    }
 }

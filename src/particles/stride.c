@@ -5,14 +5,23 @@
 
 #include "particles/response.h"
 
+/* Those that move as prescribed; what they do and gain comes from outside. */
+static void steer(const struct neighbours *nb, struct strip *own, int begin,
+                  int end, double (*load)[8], const struct stride *by)
+{
+    if (nb->drive == NULL || !by->driven) return;
+    own->energy.driven +=
+        by->dt * driven_power(nb->drive, nb->bodies, begin, end, load);
+    own->energy.driven += driven_steer(nb->drive, nb->bodies, nb->ps, begin,
+                                       end, load, by->t, by->drift);
+}
+
 static void advance(const struct neighbours *nb, struct strip *own, int begin,
                     int end, const struct stride *by)
 {
     double(*const load)[8] = own->load + (begin - own->begin);
 
-    if (nb->drive != NULL && by->driven)
-        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, load, by->t,
-                     by->drift);
+    steer(nb, own, begin, end, load, by);
     if (nb->bodies->response == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                        own->so_far);

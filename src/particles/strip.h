@@ -74,6 +74,7 @@ struct strip_energy {
     double rolled;             /* [J] against rolling friction */
     double work;               /* [J] of the outside forces */
     double attracted;          /* [J] work of the attractions */
+    double driven;             /* [J] by particles that move as prescribed */
 };
 
 /* The deepest overlap so far, if it is deeper than one wants to know of. */

@@ -8,6 +8,9 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "particles/overlaps.h"
+#include "scene/build_particles.h"
+#include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
 #include "scene/case_sizes.h"
@@ -145,6 +148,22 @@ static struct comers comers_of(const struct insertion_options *o)
     return c;
 }
 
+/* Who are to come at once from a list must not be in each other: the second
+ * would wait until the first has gone, at rest for ever. */
+static int check_apart(const struct settings *s, int i,
+                       const struct insertion_options *o,
+                       const struct domain *box)
+{
+    int who[2];
+
+    if (o->rate > 0.0 || !insertion_clash(o, box, OVERLAPS_MOST, who)) return 0;
+    return settings_wrong(
+        s, sources,
+        "source %d: spheres %d and %d of its file are in each other, but all "
+        "come at once; move them apart, or give the source a rate",
+        i, who[0], who[1]);
+}
+
 /* Who is in a list is inside of the box, and of nobody else. */
 static int check_list(const struct settings *s, int i,
                       const struct insertion_options *o)
@@ -163,7 +182,8 @@ static int check_list(const struct settings *s, int i,
                     s, sources, "source %d: sphere %ld is not inside the box",
                     i, q);
         }
-    return 0;
+    const struct domain box = bodies_domain(lo, hi, periodic);
+    return check_apart(s, i, o, &box);
 }
 
 static int check_room(const struct settings *s, int i,
@@ -217,6 +237,19 @@ static int check_sink(const struct settings *s, int i)
                           i);
 }
 
+/* As dem_create asks of those that are there from the start. */
+static int check_period(const struct settings *s)
+{
+    struct dem_options o = build_dem_options(s, 1.0);
+    const double most = case_life_largest(s);
+    struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
+
+    o.attractions = pulls;
+    const int wrong = most > 0.0 && dem_period_wrong(&o, most, most);
+    free(pulls);
+    return wrong ? 2 : 0;
+}
+
 int case_life_check(const struct settings *s)
 {
     int code = 0;
@@ -225,7 +258,7 @@ int case_life_check(const struct settings *s)
         code = check_source(s, i);
     for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
         code = check_sink(s, i);
-    return code;
+    return code != 0 ? code : check_period(s);
 }
 
 /* --- what there will be
@@ -301,4 +334,20 @@ struct life *case_life_create(const struct settings *s,
     if (*code == 0) return l;
     life_free(l);
     return NULL;
+}
+
+void case_life_report(const struct simulation *sim)
+{
+    const struct life *const l = sim->life;
+
+    for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
+        const struct insertion *const in = &l->sources[i];
+        const long due = insertion_due(in, sim->t - sim->dt);
+        if (in->done < due)
+            fprintf(stderr,
+                    "winnow: source %d of particles.insert: %ld of the %ld "
+                    "spheres that were due by t = %g s have found no room; "
+                    "they need a larger region, or others to leave it\n",
+                    i, due - in->done, due, sim->t);
+    }
 }

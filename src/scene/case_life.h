@@ -2,6 +2,7 @@
 #ifndef CASE_LIFE_H
 #define CASE_LIFE_H
 
+#include "exchange/simulation.h"
 #include "particles/life.h"
 #include "scene/settings.h"
 
@@ -20,5 +21,8 @@ double case_life_largest(const struct settings *s);
  * after a message if a file is wrong. */
 struct life *case_life_create(const struct settings *s,
                               const struct domain *box, int *code);
+
+/* Says which sources have spheres that are due and found no room. */
+void case_life_report(const struct simulation *sim);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/vector.h"
 #include "particles/limits.h"
 #include "scene/build_particles.h"
 #include "scene/case_life.h"
@@ -72,6 +73,24 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v)
     k.suggested = limits_step(law, &of, k.d, k.density, v);
     k.longest = limits_longest_step(law, &of, k.d, k.density, v);
     return k;
+}
+
+/* The fastest of a list, by the key `velocity` of its groups. */
+static double fastest_of(const struct settings *s, const char *list)
+{
+    double fastest = 0.0, v[3];
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        settings_item_vector(s, list, i, "velocity", v);
+        fastest = fmax(fastest, vector_length(v));
+    }
+    return fastest;
+}
+
+double case_limits_thrown(const struct settings *s)
+{
+    return fmax(fastest_of(s, "particles.place"),
+                fastest_of(s, "particles.insert"));
 }
 
 struct case_limits case_limits_tightest(const struct settings *s, double v)

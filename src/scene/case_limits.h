@@ -25,6 +25,10 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v);
 /* The one that allows the shortest step; d = 0 if there is no particle. */
 struct case_limits case_limits_tightest(const struct settings *s, double v);
 
+/* The fastest that a sphere is thrown with, at the start or when it comes
+ * [m/s]. */
+double case_limits_thrown(const struct settings *s);
+
 /* The name of a material. */
 const char *case_limits_name(const struct settings *s, int m);
 

@@ -16,18 +16,31 @@ static const char *length_key(const struct settings *s)
                                              : "output.every";
 }
 
-/* Without a fluid nothing asks for steps that are longer than the run. */
+/* Without a fluid a step is the whole number of particle steps that is nearest
+ * to the time between two rows, or to the end if that comes first. So what is
+ * written does not change how the particles move. */
+static double nearest_whole(const struct settings *s, double interval)
+{
+    const double dt = fmin(interval, settings_real(s, end_key));
+
+    if (!settings_has(s, "particles")) return dt;
+    const double step = settings_real(s, "particles.step");
+    const double whole = step * fmax(1.0, round(dt / step));
+    return fabs(whole - dt) > 1e-9 * dt ? whole : dt; /* but for rounding */
+}
+
 double case_steps_length(const struct settings *s)
 {
     const double dt = settings_real(s, length_key(s));
 
-    return settings_has(s, "fluid") ? dt : fmin(dt, settings_real(s, end_key));
+    return settings_has(s, "fluid") ? dt : nearest_whole(s, dt);
 }
 
 static double within(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0.0;
     const double n = case_steps_length(s) / settings_real(s, "particles.step");
+    if (!settings_has(s, "fluid")) return fmax(1.0, round(n));
     return fmax(1.0, ceil(n * (1.0 - 1e-12))); /* 5.000000000001 is 5 */
 }
 

@@ -1,8 +1,9 @@
 /* case_steps.h -- how a case divides its time.
  *
- * The steps of the loop are the fluid's; without a fluid they are the time
- * between two rows of the history. The particles divide each of them, and the
- * loop looks at its results after whole numbers of them.
+ * The steps of the loop are the fluid's, which the particles divide. Without a
+ * fluid they are the whole numbers of particle steps that come nearest to the
+ * time between two rows of the history. The loop looks at its results after
+ * whole numbers of its steps.
  */
 #ifndef CASE_STEPS_H
 #define CASE_STEPS_H
@@ -16,8 +17,8 @@ int case_steps_check(const struct settings *s);
 /* [s] of the loop. */
 double case_steps_length(const struct settings *s);
 
-/* The particle steps in one of the loop, at least 1: as many as make them no
- * longer than the case asks; 0 without particles. */
+/* The particle steps in one of the loop, at least 1: with a fluid as many as
+ * make them no longer than the case asks; 0 without particles. */
 int case_steps_within(const struct settings *s);
 
 /* The steps of the loop until output.end. */

@@ -109,19 +109,6 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
     return largest;
 }
 
-/* Where nothing flows or falls: the fastest of the placed spheres, or 1 m/s.
- */
-static double thrown(const struct settings *s)
-{
-    double fastest = 0.0, v[3];
-
-    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
-        settings_item_vector(s, "particles.place", i, "velocity", v);
-        fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    return fastest > 0.0 ? sqrt(fastest) : 1.0;
-}
-
 static struct scales scales_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
@@ -143,8 +130,9 @@ static struct scales scales_of(const struct settings *s)
         k.dem_dt = k.dt / k.dem_steps;
     }
     build_gravity(s, g);
-    k.impact = fmax(k.inlet, sqrt(2.0 * fabs(g[1]) * k.d_most));
-    if (k.impact == 0.0) k.impact = thrown(s);
+    k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
+    k.impact = fmax(k.impact, case_limits_thrown(s));
+    if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
     mesh_free(m);
     return k;
 }

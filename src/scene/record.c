@@ -16,6 +16,7 @@
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
+#include "particles/life.h"
 #include "scene/case_steps.h"
 #include "scene/history.h"
 #include "scene/lines.h"
@@ -193,6 +194,14 @@ static void write_means(struct summary *f, const struct record *r)
     summary_end(f);
 }
 
+static void write_life(struct summary *f, const struct record *r)
+{
+    if (r->sim->life == NULL) return;
+    summary_count(f, "particles_in", r->sim->life->account.came);
+    summary_count(f, "particles_out", r->sim->life->account.went);
+    summary_count(f, "particles_waiting", r->sim->life->account.waiting);
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -213,6 +222,7 @@ static int write_summary(const struct record *r, const char *reason, int code)
     summary_count(f, "cells", sim->mesh->n_cells);
     summary_count(f, "particles",
                   sim->particles != NULL ? sim->particles->n : 0);
+    write_life(f, r);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
     summary_count(f, "steps", sim->steps);

@@ -11,6 +11,7 @@
 #include "output/folder.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/case_life.h"
 #include "scene/case_overlap.h"
 #include "scene/case_steps.h"
 #include "scene/check.h"
@@ -99,6 +100,7 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     crew_dismiss(&crew);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
+    case_life_report(sim);
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
