@@ -119,6 +119,14 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
+fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
+    "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
+fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
+    "$winnow" check "$top/cases/small-bed.cfg" \
+    -s 'particles.bed={count=490;diameter=1.4e-3;}'
+fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direction z" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s 'mesh.periodic=[false,false,true]' \
+    -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 cat >fields.cfg <<'END'
@@ -146,6 +154,30 @@ fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
     "$winnow" run bed.cfg -o never -s particles.bed.count=0 \
     -s 'particles.driven=({id=0;velocity=[1.0,0.0,0.0];})'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
+
+mkdir beside
+echo "0.002 0.008 0.003 1e-3" >beside/two.grains
+sed 's/place = (.*/insert = ( { file = "two.grains"; } ); };/; /position = .0.0031/d' tiny.cfg >beside/fed.cfg
+fact file_of_spheres_lies_beside_the_case 0 "" \
+    "$winnow" check beside/fed.cfg
+sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "small.bed"; }; };/; /position = .0.0031/d' tiny.cfg >beside/bed.cfg
+fact file_of_a_bed_lies_beside_the_case 0 "" \
+    sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"
+
+mkfifo pipe
+fact pipe_is_no_file 2 "pipe: it is a device or a pipe" timeout 5 \
+    "$winnow" run tiny.cfg -s 'particles.insert=({file="pipe";})'
+fact device_without_an_end_is_no_surface 2 "/dev/zero: cannot be read: it is a device" \
+    timeout 5 "$winnow" check tiny.cfg \
+    -s 'particles.surfaces=({name="a";shape="stl";file="/dev/zero";})'
+fact file_must_have_a_name 2 "expected the name of a file in quotes" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="";})'
+printf '\357\273\277' | cat - tiny.cfg >mark.cfg
+fact byte_order_mark_is_named 2 "begins with a byte order mark" \
+    "$winnow" check mark.cfg
+{ cat tiny.cfg; echo '# @include "pipe"'; echo '@include "."'; } >round.cfg
+fact folder_cannot_be_included 4 "round.cfg:15: cannot read what is included, .:" \
+    "$winnow" check round.cfg
 
 echo "tables:"
 fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list

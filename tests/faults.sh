@@ -130,10 +130,26 @@ for number in INT TERM HUP; do
     fact "${number}_ends_a_run_with_its_state" ends_as_interrupted $number tiny.cfg
 done
 fact signal_is_heard_while_spheres_look_for_room ends_as_interrupted TERM searching.cfg
+# A gnuplot that hangs: the second signal ends it.
+hangs() {
+    mkdir -p hung && printf '#!/bin/sh\nexec sleep 60\n' >hung/gnuplot && chmod +x hung/gnuplot
+    PATH=$work/hung:$PATH "$winnow" run tiny.cfg -o hanging --quiet -s output.end=1000 >said 2>&1 &
+    run=$!
+    sleep 0.3
+    for turn in 1 2 3 4 5 6 7 8 9 10; do
+        kill $run 2>/dev/null || break
+        sleep 0.3
+    done
+    wait $run
+    code=$?
+    cat said
+    [ $code -eq 130 ] && [ $turn -lt 10 ] && grep -q interrupted hanging/summary.json
+}
+fact second_signal_ends_a_gnuplot_that_hangs hangs
 survives_a_hangup() {
     (
         trap '' HUP
-        signalled HUP 0.2 tiny.cfg -o kept --quiet -s output.end=0.3
+        signalled HUP 0.1 tiny.cfg -o kept --quiet -s output.end=0.1
         cat said
         [ $code -eq 0 ] && grep -q '"exit_reason": "done"' kept/summary.json
     )
@@ -145,27 +161,44 @@ fact run_under_nohup_survives_a_hangup survives_a_hangup
 sed '/^fluid/,/^ *sides/d; /^averaging/d; /^exchange/d; /probes/d; /profiles/d
      s/ pressure_gradient = {};//; s/every = 0.01;/& };/' tiny.cfg >other.cfg
 
+# A bed that settles for a moment and is kept in a file, then runs for one.
+cat >bed.cfg <<'END_OF_CASE'
+title = "a bed in a little air";
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = { inlet = 0.2; }; top = { outlet = 0.0; };
+          sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    bed = { count = 150; diameter = 1e-3; seed = 1; settle = 0.2; file = "kept.bed"; }; };
+averaging = { method = "kernel"; bandwidth = 4e-3; };
+exchange = { drag = "syamlal-obrien"; };
+effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
+output = { end = 0.02; every = 0.01; };
+END_OF_CASE
+
 # files FOLDER: what is in it.
 files() { (cd "$1" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C sort); }
 
 # Of a folder, whatever has happened to it: each file is listed; it is of the
 # run that the summary tells of; one that is called done has all its files.
 of_one_run() { # FOLDER
-    no_part "$1/done" || return 1
+    [ -d "$1" ] || return 0
     (files "$1" | sed 's/\.partial$//' | grep -vxF -f "$1/manifest.txt" |
         grep -vx 'manifest.txt\|notes.txt') && echo "not listed" && return 1
     [ -e "$1/summary.json" ] || return 0
     if grep -q '"exit_reason": "done"' "$1/summary.json"; then
-        kind=tiny
-        grep -q other.cfg "$1/summary.json" && kind=other
-        files "$1" | grep -vx notes.txt | diff $kind.files - || return 1
+        for of in tiny other bed; do
+            grep -q "$of.cfg" "$1/summary.json" || continue
+            files "$1" | grep -vx notes.txt | diff $of.files - || return 1
+        done
     elif grep -q other.cfg "$1/summary.json"; then
         ! [ -e "$1/probes.csv" ] && ! [ -e "$1/fluid" ]
     fi
 }
 
 echo "folders:"
-for kind in tiny other; do
+for kind in tiny other bed; do
     "$winnow" run $kind.cfg -o $kind --quiet >said 2>&1 || cat said
     files $kind >$kind.files
 done
@@ -248,8 +281,8 @@ fi
 as_nobody() { "$@"; }
 
 echo "names:"
-fact empty_name_is_refused sh -c '"$1" run tiny.cfg -o "" >said 2>&1
-    [ $? -eq 2 ] && ! [ -e /summary.json ] && grep "empty name" said' - "$winnow"
+fact empty_name_is_refused sh -c '"$1" run none.cfg -o "" >said 2>&1
+    [ $? -eq 2 ] && grep "empty name" said' - "$winnow"
 # odd NAME: a case and a folder of that name run, and nothing is run by it. The
 # names would make a file called struck.
 odd() {
@@ -326,11 +359,28 @@ for blocks in 2 8 64; do
     fact full_disk_at_${blocks}_blocks_ends_with_what_is_whole full_disk $blocks 3,6,3
 done
 
+# moments COUNT SEED LONGEST: so many, the same each time [s].
+moments() {
+    awk -v n="$1" -v seed="$2" -v longest="$3" 'BEGIN {
+        srand(seed); for (i = 0; i < n; i++) printf "%.3f\n", longest * rand() }'
+}
+
+# tries QUICK LONG: how many there are.
+tries() { [ "$extent" = long ] && echo "$2" || echo "$1"; }
+
+unkept() {
+    "$winnow" run bed.cfg -o unkept --quiet -s particles.bed.file=none/kept.bed >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 4 ] && [ "$(wc -l <said)" -eq 1 ] && ! [ -e unkept ]
+}
+fact bed_that_cannot_be_kept_is_code_4_and_leaves_no_folder unkept
+
 # killed COUNT: kills that nothing can hear, at moments up to the length of a
 # run, whose folder the next one takes.
 killed() {
-    for moment in $(awk -v n="$1" 'BEGIN {
-        srand(20); for (i = 0; i < n; i++) printf "%.3f\n", 0.12 * rand() }'); do
+    kind=other
+    for moment in $(moments "$1" 20 0.12); do
         kind=$([ "$kind" = tiny ] && echo other || echo tiny)
         "$winnow" run $kind.cfg -o killed --quiet >said 2>&1 &
         run=$!
@@ -341,9 +391,63 @@ killed() {
     done
     "$winnow" run other.cfg -o killed --quiet && files killed | diff other.files -
 }
-kind=other
-fact whenever_a_run_is_killed_its_folder_is_of_one_run \
-    killed "$([ "$extent" = long ] && echo 300 || echo 12)"
+
+# interrupted COUNT: signals that are heard, at such moments. A run that ends
+# before it begins leaves no folder, or the one that was there.
+interrupted() {
+    for moment in $(moments "$1" 21 0.3); do
+        number=$([ "${number:-}" = TERM ] && echo HUP || echo TERM)
+        rm -f kept.bed
+        signalled $number "$moment" bed.cfg -o heard --quiet
+        of_one_run heard && no_part . &&
+            case $code in
+            0) grep -q '"done"' heard/summary.json ;;
+            130) grep -q interrupted said && ! grep -qs '"running"' heard/summary.json ;;
+            129 | 143) ! [ -s said ] ;; # before it had begun to hear
+            *) false ;;
+            esac || { cat said && echo "$number at $moment s: exit code $code" && return 1; }
+    done
+}
+
+# at_once COUNT: four runs begin in one new folder at the same time.
+at_once() {
+    for turn in $(seq "$1"); do
+        rm -rf race
+        for run in 1 2 3 4; do
+            { "$winnow" run tiny.cfg -o race/here --quiet >said.$run 2>&1
+              echo $? >code.$run; } &
+        done
+        wait
+        cat code.* | sort | uniq -c
+        cat said.*
+        grep -qx 0 code.? && ! grep -qvx '[04]' code.? && of_one_run race/here &&
+            grep -q '"done"' race/here/summary.json || return 1
+    done
+}
+
+# A disk of our own that is full, where we may have one.
+true_disk() { # KILOBYTES
+    mkdir -p disk && mount -t tmpfs -o size="$1k" none disk || return 1
+    "$winnow" run tiny.cfg -o disk/full --quiet -s output.end=1 -s output.every=2e-4 >said 2>&1
+    code=$?
+    cat said
+    [ $code -eq 4 ] && no_part disk && of_one_run disk/full &&
+        ! grep -q '"done"' disk/full/summary.json
+    held=$?
+    umount disk
+    return $held
+}
+
+echo "moments:"
+fact whenever_a_run_is_killed_its_folder_is_of_one_run killed "$(tries 8 300)"
+fact whenever_a_run_is_interrupted_its_folder_is_whole interrupted "$(tries 6 200)"
+fact of_runs_that_begin_at_once_one_has_the_folder at_once "$(tries 2 30)"
+if [ "$extent" = long ] && mkdir -p disk && mount -t tmpfs -o size=64k none disk 2>/dev/null; then
+    umount disk
+    for size in 16 32 100 400 1000; do
+        fact full_disk_of_${size}_kB_ends_with_what_is_whole true_disk $size
+    done
+fi
 
 if [ $failed -gt 0 ]; then
     echo "$failed faults do not end as they should"

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/vector.h"
+#include "particles/triangle.h"
 #include "capture.h"
 #include "spheres.h"
 
@@ -78,6 +79,19 @@ START_TEST(a_triangle_has_two_sides_and_a_point_in_it_is_given_one)
     ck_assert_double_eq_tol(h.n[2], _i == 1 ? -1.0 : 1.0, 1e-14);
     ck_assert_double_eq_tol(vector_length(h.n), 1.0, 1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
+}
+END_TEST
+
+START_TEST(a_triangle_without_an_area_has_no_normal)
+{
+    const double line[3][3] = {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}};
+    const double wide[3][3] = {{1, 0, 0}, {1, 2, 0}, {1, 0, 3}};
+    double n[3];
+    triangle_normal(line, n);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq(n[k], 0.0);
+    triangle_normal(wide, n);
+    assert_vector(n, 1.0, 0.0, 0.0);
 }
 END_TEST
 
@@ -175,6 +189,56 @@ START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
 }
 END_TEST
 
+/* Where sphere 1 is that slid down a plane, sticking at first: with a neighbour
+ * far away that is taken out half-way, or alone. */
+static void slide(int neighbour, double found[4])
+{
+    const double n = sqrt(5.0);
+    const struct surface s = {.name = "slope",
+                              .shape = SURFACE_PLANE,
+                              .normal = {1.0 / n, 2.0 / n, 0.0}};
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 1e-5, 1.0);
+    struct dem_report r;
+    int gone[2] = {0, 0};
+
+    o.material.friction = 0.3;
+    o.material.restitution = 0.3;
+    o.surfaces = &s;
+    o.n_surfaces = 1;
+    if (neighbour) spheres_add(ps, 0.0, 0.0222, -0.5, 0.04);
+    const int i = spheres_add(ps, 0.0, 0.0222, 0.5, 0.04);
+    for (int j = 0; j <= i; j++) {
+        ps->ey[j] = -9.81 * ps->m[j];
+        ps->vx[j] = j == i ? 0.1 : -0.3;
+    }
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 2000, &r), 0);
+    ck_assert_int_eq(r.contacts, 1 + neighbour);
+    gone[spheres_place(ps, 0)] = neighbour;
+    dem_remove(dem, gone);
+    ck_assert_int_eq(ps->n, 1);
+    ck_assert_int_eq(dem_run(dem, 500, &r), 0);
+    ck_assert_int_eq(r.contacts, 1);
+    found[0] = ps->x[0];
+    found[1] = ps->y[0];
+    found[2] = ps->vx[0];
+    found[3] = ps->wz[0];
+    dem_free(dem);
+    particles_free(ps);
+}
+
+/* To the last bit: it has nothing of the springs of who has gone. */
+START_TEST(who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves)
+{
+    double with[4], alone[4];
+    slide(1, with);
+    slide(0, alone);
+    for (int k = 0; k < 4; k++)
+        ck_assert_double_eq(with[k], alone[k]);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("surface");
@@ -187,11 +251,14 @@ int main(void)
         t, a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 0, 12);
     tcase_add_loop_test(
         t, a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 0, 3);
+    tcase_add_test(t, a_triangle_without_an_area_has_no_normal);
     tcase_add_test(t, a_plane_that_has_turned_is_met_where_it_is_now);
     tcase_add_test(t, a_surface_reaches_to_the_farthest_corner_from_its_centre);
     tcase_add_test(t, what_makes_no_surface_is_refused);
     tcase_add_loop_test(t, a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin,
                         0, 2);
+    tcase_add_test(
+        t, who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

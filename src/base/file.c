@@ -68,15 +68,18 @@ static FILE *opened_anew(const char *path)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-/* 1 if the name is still that of our file: another program may have begun to
- * write the same. */
-static int is_own(const struct file *f)
+/* Whose file has the name PATH.partial: another program that began to write the
+ * same later takes it from us, and will give it its name. */
+enum owner { NOBODY, ANOTHER, OURS };
+
+static enum owner owner_of(const struct file *f)
 {
     struct stat own, named;
 
-    return fstat(fileno(f->stream), &own) == 0 &&
-           lstat(f->partial, &named) == 0 && own.st_ino == named.st_ino &&
-           own.st_dev == named.st_dev;
+    if (fstat(fileno(f->stream), &own) != 0 || lstat(f->partial, &named) != 0)
+        return NOBODY;
+    return own.st_ino == named.st_ino && own.st_dev == named.st_dev ? OURS
+                                                                    : ANOTHER;
 }
 
 struct file *file_create(const char *path)
@@ -104,14 +107,15 @@ FILE *file_stream(struct file *f)
 int file_commit(struct file *f)
 {
     int reason = failure(f->stream);
-    const int own = is_own(f);
+    const enum owner owner = owner_of(f);
 
-    if (reason == 0 && !own) reason = EEXIST;
     if (fclose(f->stream) != 0 && reason == 0) reason = errno;
-    if (reason == 0 && rename(f->partial, f->path) != 0) reason = errno;
+    if (reason == 0 && owner == NOBODY) reason = ENOENT;
+    if (reason == 0 && owner == OURS && rename(f->partial, f->path) != 0)
+        reason = errno;
     if (reason != 0) {
         complaint("write", f->path, reason);
-        if (own) remove(f->partial);
+        if (owner == OURS) remove(f->partial);
     }
     forget(f);
     return reason != 0;
@@ -120,9 +124,17 @@ int file_commit(struct file *f)
 void file_discard(struct file *f)
 {
     if (f == NULL) return;
-    if (is_own(f)) remove(f->partial);
+    if (owner_of(f) == OURS) remove(f->partial);
     fclose(f->stream);
     forget(f);
+}
+
+void file_remove_part(const char *path)
+{
+    char *const partial = joined(path, ".partial", "");
+
+    remove(partial);
+    free(partial);
 }
 
 static int is_folder(const char *path)

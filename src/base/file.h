@@ -27,6 +27,9 @@ int file_commit(struct file *f);
  */
 void file_discard(struct file *f);
 
+/* For a program that ends while PATH may be at work: PATH.partial is gone. */
+void file_remove_part(const char *path);
+
 /* Makes a folder and those above it, as mkdir -p; non-zero after a message. */
 int file_make_dirs(const char *path);
 

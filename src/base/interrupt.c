@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <time.h>
 #include <unistd.h>
 
 static const int asking[] = {SIGINT, SIGTERM, SIGHUP};
@@ -46,6 +47,16 @@ int interrupt_arrived(void)
     for (int i = 0; i < ASKING; i++)
         arrived |= sigismember(&waiting, asking[i]) == 1;
     return arrived;
+}
+
+void interrupt_take(void)
+{
+    const struct timespec at_once = {0, 0};
+    sigset_t set;
+
+    set_of(&set);
+    while (sigtimedwait(&set, NULL, &at_once) > 0)
+        ;
 }
 
 /* Once a signal is taken the thread is not cancelled any more, or the signal

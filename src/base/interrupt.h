@@ -23,6 +23,9 @@ void interrupt_hold(void);
 /* 1 once one of them has arrived. */
 int interrupt_arrived(void);
 
+/* Takes those that have arrived: from now on only another one counts. */
+void interrupt_take(void);
+
 /* What the waiting thread needs. */
 struct interrupt_watch {
     pthread_t thread;

@@ -2,6 +2,7 @@
 #include "output/gnuplot.h"
 
 #include "base/alloc.h"
+#include "base/interrupt.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ; /* POSIX: the program declares it itself */
@@ -33,6 +35,20 @@ static void set_signals(posix_spawnattr_t *how)
                              POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 }
 
+/* Waits for the end of the child; a signal to us ends it, for it may hang. */
+static int status_of(pid_t child)
+{
+    const struct timespec nap = {0, 5000000}; /* 5 ms */
+    pid_t ended;
+    int status;
+
+    while ((ended = waitpid(child, &status, WNOHANG)) == 0) {
+        if (interrupt_arrived()) kill(child, SIGKILL);
+        nanosleep(&nap, NULL);
+    }
+    return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 /* Runs the arguments as a command; its exit code, or -1 with errno if it could
  * not be started or did not end by itself. */
 static int command_result(char *const arguments[], const char *log)
@@ -40,7 +56,6 @@ static int command_result(char *const arguments[], const char *log)
     posix_spawn_file_actions_t where;
     posix_spawnattr_t how;
     pid_t child;
-    int status = 0;
 
     unlink(log);
     set_signals(&how);
@@ -53,10 +68,9 @@ static int command_result(char *const arguments[], const char *log)
     posix_spawn_file_actions_destroy(&where);
     posix_spawnattr_destroy(&how);
     if (errno != 0) return -1;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) return -1;
+    const int result = status_of(child);
     errno = EINTR;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return result;
 }
 
 static int complaint(const struct gnuplot *g, int result, int reason)

@@ -361,7 +361,7 @@ int bed_make(const char *path, struct particles *ps, struct dem *run,
         code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_MADE;
         if (path != NULL && code == BED_MADE &&
             bed_file_save(path, ps, &springs, bed, dem) != 0)
-            code = BED_REFUSED;
+            code = BED_UNSAVED;
     }
     if (code == BED_MADE) dem_recall(run, springs.list, springs.n);
     free(springs.list);

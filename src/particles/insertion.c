@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/input.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 
@@ -167,7 +168,8 @@ static int parse(const char *line, struct insertion_one *one, int *is_one)
 
 struct insertion_one *insertion_read(const char *path, long *n)
 {
-    FILE *const f = fopen(path, "r");
+    const char *const why = input_wrong(path);
+    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
     struct insertion_one *list = NULL;
     long room = 0, number = 0;
     char line[LINE];
@@ -175,7 +177,8 @@ struct insertion_one *insertion_read(const char *path, long *n)
 
     *n = 0;
     if (f == NULL) {
-        fprintf(stderr, "winnow: %s: %s\n", path, strerror(errno));
+        fprintf(stderr, "winnow: %s: %s\n", path,
+                why != NULL ? why : strerror(errno));
         return NULL;
     }
     while (!wrong && fgets(line, LINE, f) != NULL) {

@@ -101,7 +101,44 @@ static int check_numbers(const struct settings *s)
                           case_mesh_cells(s), faces, MESH_MOST_FACES);
 }
 
-int case_mesh_read(struct settings *s)
+/* The widest slab of a direction over the narrowest; without bound where the
+ * narrowest has no width left. */
+static double unevenness(const struct box *b, int k)
+{
+    const double *const e = b->edge[k];
+    double narrow = HUGE_VAL, wide = 0.0;
+
+    for (int i = 0; i < b->n[k]; i++) {
+        narrow = fmin(narrow, e[i + 1] - e[i]);
+        wide = fmax(wide, e[i + 1] - e[i]);
+    }
+    return narrow > 0.0 ? wide / narrow : HUGE_VAL;
+}
+
+/* Beyond these no solver comes to an end, and squares of areas leave the range
+ * of a double. */
+static int check_shape(const struct settings *s, const struct mesh *m)
+{
+    const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
+    const char *const key =
+        settings_has(s, "mesh.polymesh") ? "mesh.polymesh" : "mesh.size";
+    double least, most, mean;
+
+    for (int k = 0; k < 3 && m->middle == NULL; k++)
+        if (!(unevenness(&m->box, k) <= most_uneven))
+            return settings_wrong(s, "mesh.grading",
+                                  "the widest cell is %.3g times the "
+                                  "narrowest in %c; at most %g",
+                                  unevenness(&m->box, k), 'x' + k, most_uneven);
+    mesh_volumes(m, &least, &most, &mean);
+    if (least >= tiny && most <= huge) return 0;
+    return settings_wrong(s, key,
+                          "the cells have %g to %g m^3; expected between %g "
+                          "and %g m^3",
+                          least, most, tiny, huge);
+}
+
+static int read_mesh(struct settings *s)
 {
     struct mesh *m;
     int code = check_keys(s);
@@ -119,6 +156,16 @@ int case_mesh_read(struct settings *s)
         return 0;
     settings_keep_mesh(s, m);
     return m == NULL ? 2 : 0;
+}
+
+int case_mesh_read(struct settings *s)
+{
+    if (read_mesh(s) != 0) return 2;
+    struct mesh *const m = case_mesh_outline(s);
+    const int code = check_shape(s, m);
+
+    mesh_free(m);
+    return code;
 }
 
 /* --- where it is ---------------------------------------------------------- */

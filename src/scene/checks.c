@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "averaging/averaging.h"
 #include "particles/integrators.h"
 #include "scene/build.h"
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_averaging.h"
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_steps.h"
@@ -17,6 +17,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
+#include "scene/lines.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -277,29 +278,25 @@ static int check_particles(const struct settings *s)
     return bed ? check_bed(s) : check_place(s);
 }
 
-static int check_averaging(const struct settings *s)
+/* Two profiles in one file would leave the last of them. */
+static int check_profile_names(const struct settings *s)
 {
-    const char *const method = settings_text(s, "averaging.method");
+    static const char list[] = "output.profiles";
+    char own[LINES_NAME], other[LINES_NAME];
 
-    const int b = settings_has(s, "averaging.bandwidth");
-    const int delta = settings_has(s, "averaging.delta_05");
-    const int gauss =
-        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
-
-    if (delta && !gauss)
-        return settings_wrong(s, "averaging.delta_05",
-                              "only images and diffusion have a width at half "
-                              "the height, %s has not",
-                              method);
-    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
-        return settings_wrong(s, "averaging.regions", "%d at most",
-                              BUILD_MOST_REGIONS);
-    if (b && delta)
-        return settings_wrong(s, "averaging.delta_05",
-                              "give either bandwidth or delta_05, not both");
-    if (averaging_method_named(method)->wide && !b && !delta)
-        return settings_wrong(s, "averaging.method",
-                              "%s asks for averaging.bandwidth", method);
+    for (int i = 0; i < settings_length(s, list); i++) {
+        lines_name(s, i, own);
+        for (int j = 0; j < i; j++) {
+            lines_name(s, j, other);
+            if (strcmp(own, other) == 0)
+                return settings_wrong(s, list,
+                                      "profiles %d and %d are of the same "
+                                      "field at the same height from the same "
+                                      "time: both would be %s.csv; leave one "
+                                      "of them out",
+                                      j, i, own);
+        }
+    }
     return 0;
 }
 
@@ -350,6 +347,7 @@ static int check_output(const struct settings *s)
                 s, "output.profiles", "height %g m is %s the box, %g m", y,
                 y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
     }
+    if (check_profile_names(s) != 0) return 2;
     for (int i = 0; i < settings_length(s, "output.probes"); i++) {
         double x[3];
         settings_item_vector(s, "output.probes", i, "position", x);
@@ -373,6 +371,7 @@ int checks_whole(const struct settings *s)
     code = case_steps_check(s);
     if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
-    if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
+    if (code == 0 && settings_has(s, "averaging"))
+        code = case_averaging_check(s);
     return code != 0 ? code : check_output(s);
 }

@@ -8,6 +8,13 @@
 
 struct lines;
 
+enum { LINES_NAME = 64 };
+
+/* What the file of the i-th profile is called, without its ending: "eps_f" at
+ * 0.0164 m is "eps_f_y16.4mm"; a later one of the same field and height has the
+ * beginning of its average besides, "_from1s". */
+void lines_name(const struct settings *s, int i, char name[LINES_NAME]);
+
 /* One profile for each group of output.profiles; NULL after a message. The
  * snapshot is what they look at. */
 struct lines *lines_create(const struct settings *s,

@@ -282,7 +282,10 @@ struct record *record_create(const struct settings *s,
                        : 1;
     r->snapshot = snapshot_create(sim);
     r->lines = lines_create(s, sim, r->snapshot);
-    if (r->lines != NULL && begin(r) == 0 && create_parts(r) == 0) return r;
+    if (r->lines != NULL && begin(r) == 0) {
+        if (create_parts(r) == 0) return r;
+        write_summary(r, RECORD_NOT_WRITTEN, RECORD_NOT_WRITTEN_CODE);
+    }
     record_free(r);
     return NULL;
 }

@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "base/crew.h"
+#include "base/file.h"
 #include "base/interrupt.h"
 #include "exchange/coupling.h"
 #include "output/folder.h"
@@ -88,12 +89,16 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     struct crew crew;
     char why[BREAKDOWN_TEXT] = "";
 
-    if (r == NULL) return NOT_WRITTEN;
+    if (r == NULL) {
+        folder_leave(folder); /* if it was not begun */
+        return NOT_WRITTEN;
+    }
     progress_init(&bar, 0.0, settings_real(s, "output.end"), o->quiet);
     crew_gather(&crew);
     int code = advance(s, sim, r, &bar, &crew, why);
     crew_dismiss(&crew);
     progress_end(&bar);
+    if (code == INTERRUPTED) interrupt_take();
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
@@ -111,20 +116,33 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     return code;
 }
 
-static void leave(void *folder)
+/* What is to be cleared away if the run does not begin. */
+struct beginning {
+    struct folder *folder;
+    const char *bed; /* the file that a bed is kept in; or NULL */
+};
+
+static void leave(void *of)
 {
-    folder_leave(folder);
+    const struct beginning *const b = of;
+
+    folder_leave(b->folder);
+    if (b->bed != NULL) file_remove_part(b->bed);
 }
 
 /* The simulation; a signal meanwhile ends the program. */
 static struct simulation *build(const struct settings *s, struct folder *folder,
                                 int *code)
 {
+    static const char bed[] = "particles.bed.file";
+    struct beginning b = {folder,
+                          settings_has(s, bed) ? settings_text(s, bed) : NULL};
     struct interrupt_watch watch;
 
-    interrupt_watch_begin(&watch, leave, folder);
+    interrupt_watch_begin(&watch, leave, &b);
     struct simulation *const sim = build_simulation(s, code);
     interrupt_watch_end(&watch);
+    if (sim == NULL) folder_leave(folder);
     return sim;
 }
 
@@ -136,10 +154,7 @@ int run_case(const struct settings *s, const struct run_options *o)
     struct folder *const folder = folder_take(o->dir); /* before settling */
     if (folder == NULL) return NOT_WRITTEN;
     struct simulation *const sim = build(s, folder, &code);
-    if (sim == NULL)
-        folder_leave(folder);
-    else
-        code = run_simulation(s, sim, folder, o);
+    if (sim != NULL) code = run_simulation(s, sim, folder, o);
     build_free(sim);
     folder_free(folder);
     return code;
