@@ -82,7 +82,7 @@ verdict() { # name, code, why
 # Without gnuplot: pictures are drawn elsewhere.
 one() { # name
     cd "$work" || exit
-    why=$(sed -n "s/^$1 .*|//p" list)
+    why=$(sed -n "s/^$1 .* # //p" list)
     PATH=/none "$winnow" run "$1.cfg" -o "$1.1" -j 1 --quiet >"$1.said" 2>&1
     verdict "$1" $? "$why" >"$1.wrong" 2>&1
     if [ -s "$1.wrong" ]; then

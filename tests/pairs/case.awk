@@ -1,5 +1,5 @@
 # Writes each row of the array as a case file, FOLDER/LETTER-NUMBER.cfg, and a
-# line for it in FOLDER/list: its name, its choices, and behind a | what the
+# line for it in FOLDER/list: its name, its choices, and behind a # what the
 # program should say against it.
 #
 #   awk -v letter=c -v seed=1 -v folder=. -f array.awk -f choices.awk -f case.awk
@@ -304,7 +304,7 @@ function use_row(why,    k) {
     name = sprintf("%s-%03d", letter, ++n_cases)
     file = folder "/" name ".cfg"
     step = 2e-4
-    print name line (why != "" ? " |" why : "") >>(folder "/list")
+    print name line (why != "" ? " # " why : "") >>(folder "/list")
     put("title = \"" name "\";")
     put_mesh()
     if (letter != "p") put_fluid()

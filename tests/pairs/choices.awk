@@ -86,8 +86,9 @@ BEGIN {
         apart("mesh", "sheared", "periodic", "y xyz",
               "particles go round a period along x, y or z only|y is not periodic")
     # Attractions know the sides of the box, and no other walls.
-    apart("mesh", "sheared slanted", "cohesion", "van_der_waals capillary all",
+    apart("mesh", "slanted", "cohesion", "van_der_waals capillary all",
           "not on the walls of this mesh")
+    apart("mesh", "sheared", "cohesion", "van_der_waals capillary all", "")
     apart("surface", "plane cylinder stl moving turning", "cohesion",
           "van_der_waals capillary all", "not on surfaces")
     # Who goes out below comes in above, behind this plane.
