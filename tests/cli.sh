@@ -326,6 +326,15 @@ particles = { contact = "linear"; step = 2e-5;
 output = { end = 2e-3; every = 1e-3; };
 END
 come() { "$winnow" run come.cfg -o come --quiet "$@" 2>&1 >/dev/null; }
+come_written() {
+    for every in 4e-4 1.2e-3; do
+        "$winnow" run come.cfg -o come --quiet -s output.history=$every \
+            -s output.end=2.4e-3 >/dev/null 2>&1
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /kinetic_energy_p/) c = i }
+            END { print $c, $1 }' come/history.csv
+    done | uniq | wc -l
+}
+fact what_is_written_does_not_change_when_spheres_come 0 1 come_written
 fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
 fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
 fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \

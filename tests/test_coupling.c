@@ -563,6 +563,32 @@ START_TEST(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau)
 }
 END_TEST
 
+/* Two spheres touch at the start of a step and are apart at its end, after
+ * pi sqrt(m* / k) = 0.16 of its 0.2 ms; v sqrt(m* / k) is 0.05 of a diameter.
+ */
+START_TEST(a_step_of_several_sub_steps_reports_its_deepest_overlap)
+{
+    struct scene s = air;
+    s.n = 2;
+    s.substeps = 4;
+    struct simulation *const sim = build(&s);
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < 2; i++) {
+        ps->x[i] = 0.006 + (i == 0 ? -0.0005 : 0.0005);
+        ps->y[i] = ps->z[i] = 0.006;
+        ps->vx[i] = i == 0 ? 0.5 : -0.5;
+        ps->vy[i] = ps->vz[i] = 0.0;
+    }
+    dem_changed(sim->dem);
+    ck_assert_int_eq(coupling_start(sim), 0);
+    run(sim, 1);
+    ck_assert_int_eq((int)sim->dem_report.steps, s.dem_steps);
+    ck_assert_double_gt(sim->dem_report.max_overlap, 0.04);
+    discard(sim);
+}
+END_TEST
+
 START_TEST(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
 {
     double u[2][3 * 216], x[2][400];
@@ -616,6 +642,7 @@ static Suite *suite(void)
                         0, 3);
     tcase_add_test(
         t, the_coupled_loop_gives_the_same_bits_for_any_number_of_threads);
+    tcase_add_test(t, a_step_of_several_sub_steps_reports_its_deepest_overlap);
     return s;
 }
 

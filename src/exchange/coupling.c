@@ -124,12 +124,21 @@ static int part_of(int steps, int k, int n)
     return (int)((long)steps * k / n);
 }
 
+/* Of a step in parts the report counts all rebuilds and the deepest overlap. */
+static void add_before(struct dem_report *r, const struct dem_report *before)
+{
+    r->steps += before->steps;
+    r->rebuilds += before->rebuilds;
+    r->max_overlap = fmax(r->max_overlap, before->max_overlap);
+}
+
 /* Steps 3 and 4: the particles move through the sub-steps, each with the drag
  * that belongs to its start. */
 static int move_with_drag(struct simulation *sim, double *clock)
 {
     struct coupling_report *const report = &sim->coupling->report;
     const int n = report->substeps = count_substeps(sim);
+    struct dem_report before = {0};
     int failed = 0;
 
     transfer_open_account(sim);
@@ -141,6 +150,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
         clock_add(&sim->seconds.exchange, clock);
         failed = dem_run(sim->dem, steps, &sim->dem_report);
         clock_add(&sim->seconds.dem, clock);
+        add_before(&sim->dem_report, &before);
+        before = sim->dem_report;
         transfer_collect_drag(sim, steps);
     }
     return failed;

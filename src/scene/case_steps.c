@@ -8,10 +8,20 @@
 
 static const char end_key[] = "output.end";
 
+/* Particle steps between two insertions and removals where there is no fluid. */
+enum { POPULATION_STEPS = 20 };
+
+static int has_population(const struct settings *s)
+{
+    return settings_has(s, "particles.insert") ||
+           settings_has(s, "particles.sinks");
+}
+
 /* The key that says how long a step of the loop is. */
 static const char *length_key(const struct settings *s)
 {
     if (settings_has(s, "fluid")) return "fluid.step";
+    if (has_population(s)) return "particles.step";
     return settings_has(s, "output.history") ? "output.history"
                                              : "output.every";
 }
@@ -33,6 +43,8 @@ double case_steps_length(const struct settings *s)
 {
     const double dt = settings_real(s, length_key(s));
 
+    if (!settings_has(s, "fluid") && has_population(s))
+        return nearest_whole(s, POPULATION_STEPS * dt);
     return settings_has(s, "fluid") ? dt : nearest_whole(s, dt);
 }
 
@@ -69,6 +81,13 @@ long case_steps_between(const struct settings *s, const char *path)
 
     number_long(round(settings_real(s, path) / case_steps_length(s)), &n);
     return n < 1 ? 1 : n;
+}
+
+long case_steps_between_rows(const struct settings *s)
+{
+    if (settings_has(s, "output.history"))
+        return case_steps_between(s, "output.history");
+    return settings_has(s, "fluid") ? 1 : case_steps_between(s, "output.every");
 }
 
 int case_steps_check(const struct settings *s)

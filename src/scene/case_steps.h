@@ -1,9 +1,10 @@
 /* case_steps.h -- how a case divides its time.
  *
  * The steps of the loop are the fluid's, which the particles divide. Without a
- * fluid they are the whole numbers of particle steps that come nearest to the
- * time between two rows of the history. The loop looks at its results after
- * whole numbers of its steps.
+ * fluid they are 20 particle steps where particles are inserted or removed, for
+ * that happens between two steps of the loop; else the whole number of particle
+ * steps that comes nearest to the time between two rows of the history. Results
+ * are written after whole numbers of steps of the loop.
  */
 #ifndef CASE_STEPS_H
 #define CASE_STEPS_H
@@ -27,5 +28,8 @@ long case_steps_until_end(const struct settings *s);
 /* The steps of the loop nearest to an interval that the case gives, at least
  * 1. */
 long case_steps_between(const struct settings *s, const char *path);
+
+/* The steps of the loop between two rows of the history. */
+long case_steps_between_rows(const struct settings *s);
 
 #endif

@@ -287,9 +287,7 @@ struct record *record_create(const struct settings *s,
     r->began = clock_now();
     r->eps_lowest = 1.0;
     r->picture_every = case_steps_between(s, "output.every");
-    r->row_every = settings_has(s, "output.history")
-                       ? case_steps_between(s, "output.history")
-                       : 1;
+    r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
     r->lines = lines_create(s, sim, r->snapshot);
     if (r->lines != NULL && begin(r) == 0) {
