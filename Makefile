@@ -14,8 +14,8 @@ OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
-SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/scene/ledger_rows.o
+SRC   := $(wildcard src/*/*.c src/*/*/*.c)
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
@@ -107,13 +107,13 @@ $B/%.o: %.c
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
 # What takes longer to optimise than to run.
-$B/tests/%.o $B/src/scene/%.o: LIGHT = -O1
+$B/tests/%.o $B/src/case/%.o: LIGHT = -O1
 $B/tests/bench/%.o: LIGHT =
 # The book's table of equations, for `winnow explain KEY`.
-$B/src/scene/ledger_rows.c: chapters/equations.md chapters/tools/rows.awk
+$B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
-$B/src/scene/ledger_rows.o: $B/src/scene/ledger_rows.c src/scene/ledger.h
+$B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows.c src/case/report/equation_index.h
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints

@@ -4,14 +4,14 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/version.h"
-#include "scene/check.h"
-#include "scene/eval.h"
-#include "scene/explain.h"
-#include "scene/ledger.h"
-#include "scene/list.h"
-#include "scene/nearest.h"
-#include "scene/run.h"
-#include "scene/scene.h"
+#include "case/report/report.h"
+#include "case/report/eval.h"
+#include "case/report/explain.h"
+#include "case/report/equation_index.h"
+#include "case/report/list.h"
+#include "case/nearest.h"
+#include "case/run.h"
+#include "case/case_file.h"
 
 #include <fcntl.h>
 #include <omp.h>
@@ -50,7 +50,7 @@ static char *default_dir(const char *file)
 
 static struct settings *read_case(const struct line *l, int *code)
 {
-    return scene_read(l->words[0], l->n_overrides, l->overrides, code);
+    return case_file_read(l->words[0], l->n_overrides, l->overrides, code);
 }
 
 static int run(const struct line *l)
@@ -76,7 +76,7 @@ static int check(const struct line *l)
     int code;
     struct settings *const s = read_case(l, &code);
 
-    if (s != NULL) code = check_case(s);
+    if (s != NULL) code = report_case(s);
     settings_free(s);
     return code;
 }
@@ -85,7 +85,8 @@ static int explain(const struct line *l)
 {
     int code;
 
-    if (ledger_is_key(l->words[0])) return ledger_explain(l->words[0]);
+    if (equation_index_is_key(l->words[0]))
+        return equation_index_explain(l->words[0]);
 
     struct settings *const s = read_case(l, &code);
 

@@ -104,7 +104,7 @@ fact check_of_a_box_does_not_make_its_mesh 0 "4e+06" timeout 5 \
     "$winnow" check "$top/cases/rebound.cfg" -s 'mesh.cells=[200,200,100]'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
-sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg
+sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling_friction = 0.1;/' tiny.cfg >felt.cfg
 fact several_materials_and_rolling_run 0 "" "$winnow" run felt.cfg -o felt --quiet
 fact material_is_in_the_pictures 0 'Name="material"' \
     sh -c 'cat felt/particles/*.vtp | tr -d "\000" | grep -a material | head -1'
@@ -152,7 +152,7 @@ fact bed_wider_than_half_a_period_is_refused_with_its_reason 2 \
     -s 'mesh.size=[0.01,0.01,0.002]' -s 'mesh.periodic=[false,false,true]'
 fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
     "$winnow" run bed.cfg -o never -s particles.bed.count=0 \
-    -s 'particles.driven=({id=0;velocity=[1.0,0.0,0.0];})'
+    -s 'particles.prescribed=({id=0;velocity=[1.0,0.0,0.0];})'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
 
 mkdir beside
@@ -189,7 +189,7 @@ fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
-fact explain_names_the_function 0 "src/exchange/drag.c                drag_terminal_ratio" \
+fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \
     "$winnow" explain XS11:2.13
 fact explain_names_the_test 0 "xs11_2_13_terminal_ratio_solves_its_quadratic" \
     "$winnow" explain xs11:2.13
@@ -392,7 +392,7 @@ sed 's/shape = "plane"; point/shape = "plane"; radius = 0.1; point/' walls.cfg >
 fact plane_has_no_radius 2 "floor is a plane: it has no radius" "$winnow" check shape.cfg
 sed 's/name = "floor"/name = "sheet"/' walls.cfg >shape.cfg
 fact surface_has_a_name_of_its_own 2 "the name sheet is given twice" "$winnow" check shape.cfg
-sed 's/    place/    driven = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n    place/' walls.cfg >shape.cfg
+sed 's/    place/    prescribed = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n    place/' walls.cfg >shape.cfg
 fact driven_particle_must_be_there 2 "there is no particle 7: they are 0 to 1" \
     "$winnow" run shape.cfg -o driven
 

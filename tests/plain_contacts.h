@@ -12,7 +12,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "particles/energy.h"
+#include "dem/energy.h"
 #include "spheres.h"
 
 enum { PLAIN_SPRINGS = 48 }; /* that one particle may own */
@@ -46,7 +46,7 @@ struct plain {
 static inline struct plain plain_of(const struct particles *ps,
                                     const struct dem_options *o)
 {
-    const struct material_pair same = materials_alone(&o->material);
+    const struct material_pair same = materials_same(&o->material);
     struct plain p = {.n = ps->n, .o = o, .k = o->law->constants(&same)};
 
     p.body = alloc_zeroed((size_t)p.n, sizeof *p.body);

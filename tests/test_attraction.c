@@ -5,9 +5,9 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/capillary.h"
-#include "particles/electrostatic.h"
-#include "particles/van_der_waals.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/cohesion/van_der_waals.h"
 #include "spheres.h"
 
 static const double d = 1e-3;
@@ -90,7 +90,7 @@ START_TEST(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials)
     o.materials = &all;
     for (int of_j = 0; of_j < 2; of_j++) {
         struct particles *const ps = pair_apart(2.0 * d, d, d);
-        particles_distinguish(ps);
+        particles_add_material(ps);
         ps->material[1] = of_j;
         run(ps, &o, 1);
         const double F =
@@ -117,7 +117,7 @@ START_TEST(ls_4_13_unlike_charges_circle_as_keplers_planets)
                                  .charge = charge};
     struct particles *const ps = particles_create(2);
 
-    particles_distinguish(ps);
+    particles_add_material(ps);
     for (int k = 0; k < 2; k++) {
         spheres_add(ps, k == 0 ? -0.5 * l : 0.5 * l, 0.0, 0.0, d);
         ps->material[k] = k;

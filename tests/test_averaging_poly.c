@@ -9,7 +9,7 @@
 
 #include "base/alloc.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 #include "warped.h"
 
 enum { N = 200, M = 4 };
@@ -77,7 +77,7 @@ static struct particles *everywhere(const struct mesh *m)
         double x[3];
         for (int k = 0; k < 3; k++)
             x[k] = i % 4 == 0   ? s->point[3 * p + k]
-                   : i % 4 == 1 ? m->middle[3 * (11 * i % m->n_faces) + k]
+                   : i % 4 == 1 ? m->face_centre[3 * (11 * i % m->n_faces) + k]
                    : i % 4 == 2
                        ? centre[k] + 0.1 * width * (cloud_random(&state) - 0.5)
                        : 0.01 * centre[k] + 0.99 * s->point[3 * corner + k];

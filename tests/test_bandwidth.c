@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/bandwidth.h"
+#include "averaging/more/bandwidth.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -163,7 +163,7 @@ START_TEST(no_cell_has_more_than_the_largest_bandwidth)
     struct row r = row_of(100, 1.0, 28, cell, d, &o);
     o.regions = &wide;
     o.n_regions = _i;
-    struct bandwidth *const w = bandwidth_create(averaging_hosts(r.a), &o);
+    struct bandwidth *const w = bandwidth_create(averaging_cells(r.a), &o);
     const double base = _i ? 9.0 : 1.0;
     ck_assert_double_eq_tol(bandwidth_largest(w), 2.25 * base, 1e-12);
     r.ps->n = 0;

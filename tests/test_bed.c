@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "particles/bed.h"
-#include "particles/bed_file.h"
+#include "dem/bed.h"
+#include "dem/population/bed_file.h"
 
 #include "capture.h"
 
@@ -49,7 +49,7 @@ static struct particles *made(const char *file, const struct bed_options *bed,
     struct dem *const dem = dem_create(ps, &o);
     struct dem_report moved;
 
-    ck_assert_int_eq(bed_make(file, ps, dem, bed, &o, r), BED_MADE);
+    ck_assert_int_eq(bed_create(file, ps, dem, bed, &o, r), BED_CREATED);
     for (int i = 0; i < ps->n; i++)
         ps->ey[i] = -9.81 * ps->m[i];
     if (steps > 0) ck_assert_int_eq(dem_run(dem, steps, &moved), 0);
@@ -76,7 +76,7 @@ START_TEST(bed_settles_to_a_poured_packing)
 
     ck_assert_int_eq(ps->n, 120);
     ck_assert_int_eq(r.settled, 1);
-    ck_assert_double_lt(r.kinetic, BED_REST);
+    ck_assert_double_lt(r.kinetic, BED_SETTLED_ENERGY);
     ck_assert_double_gt(r.packing, 0.48);
     ck_assert_double_lt(r.packing, 0.66);
     ck_assert_double_gt(r.top, r.height);
@@ -178,7 +178,7 @@ START_TEST(bed_of_another_case_is_refused)
     temporary(path);
     ck_assert_int_eq(load(path, &bed, &o), BED_ABSENT);
     particles_free(made(path, &bed, &r, 0));
-    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     bed.diameter = 2.0000001e-3;
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     bed.diameter = 2e-3;
@@ -262,7 +262,7 @@ START_TEST(bed_file_with_what_no_bed_has_is_refused_by_its_line)
     bed.count = 2;
     temporary(path);
     particles_free(made(path, &bed, &r, 0));
-    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     spoil(path, rows[_i].line, rows[_i].field, rows[_i].word);
     struct capture heard = capture_begin(2);
     const int code = load(path, &bed, &o);
@@ -330,8 +330,8 @@ START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
     ck_assert_double_eq_tol(small / 120.0, 8.0 / 9.0, 0.06);
     ck_assert_double_eq_tol(sum / weight, 1.0, 0.1);
     const struct bed_range range = bed_range(&bed);
-    ck_assert_double_eq(range.least, 1e-3);
-    ck_assert_double_eq(range.most, 2e-3);
+    ck_assert_double_eq(range.min, 1e-3);
+    ck_assert_double_eq(range.max, 2e-3);
     ck_assert_double_eq_tol(range.volume * 1500.0 * 9.81 / weight, 1.0, 1e-12);
     particles_free(ps);
     sizes_free(sizes);
@@ -353,7 +353,7 @@ START_TEST(bed_of_other_sizes_is_refused)
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
     particles_free(made(path, &bed, &r, 0));
-    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     unlink(path);
     sizes_free(sizes);
 }

@@ -12,7 +12,7 @@
 struct setting {
     struct links b;
     struct csr *A; /* the same as rows, to compare with */
-    struct runs *runs;
+    struct contiguous_faces *runs;
     struct ldu *M;
     double *diag, *rhs, *x;
 };
@@ -27,7 +27,8 @@ static struct setting convection(int nx, int ny, int nz, double flux)
         s.A->a[s.A->lower[l]] -= flux; /* what comes from the owner */
         s.A->diag[s.b.owner[l]] += flux;
     }
-    s.runs = runs_create(s.b.n_links, s.b.n_links, s.b.owner, s.b.neighbour);
+    s.runs = contiguous_faces_create(s.b.n_links, s.b.n_links, s.b.owner,
+                                     s.b.neighbour);
     s.M = ldu_create(n, s.b.n_links, s.b.owner, s.b.neighbour, s.runs);
     for (int l = 0; l < s.b.n_links; l++) {
         s.M->upper[l] = s.A->a[s.A->upper[l]];
@@ -49,7 +50,7 @@ static void release(struct setting *s)
     free(s->x);
     csr_free(s->A);
     ldu_free(s->M);
-    runs_free(s->runs);
+    contiguous_faces_free(s->runs);
     links_free(&s->b);
 }
 
@@ -143,7 +144,7 @@ START_TEST(a_good_guess_costs_nothing)
 END_TEST
 
 /* As in a flow that is almost two-dimensional. */
-START_TEST(a_component_that_is_solved_rests_while_the_others_go_on)
+START_TEST(a_converged_component_is_not_changed_while_the_others_iterate)
 {
     struct setting s = convection(12, 12, 12, 2.0);
 
@@ -269,7 +270,8 @@ int main(void)
     tcase_add_test(t, each_component_is_solved_as_by_elimination);
     tcase_add_test(t, the_worst_true_residual_is_the_one_reported);
     tcase_add_test(t, a_good_guess_costs_nothing);
-    tcase_add_test(t, a_component_that_is_solved_rests_while_the_others_go_on);
+    tcase_add_test(
+        t, a_converged_component_is_not_changed_while_the_others_iterate);
     tcase_add_test(t, without_a_right_hand_side_the_solution_is_zero);
     tcase_add_test(t, a_breakdown_is_reported);
     tcase_add_test(t, limits_and_numbers_that_are_none_are_reported);

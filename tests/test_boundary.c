@@ -16,7 +16,7 @@ static struct fluid_options options(const struct boundary *b)
                                     .convection =
                                         convection_scheme_named("linear"),
                                     .correctors = 2,
-                                    .splitting = 1e-3,
+                                    .piso_tolerance = 1e-3,
                                     .tolerance = 1e-11,
                                     .boundaries = b};
     return o;
@@ -175,7 +175,7 @@ START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
                                 {.kind = BOUNDARY_SLIP},
                                 {.kind = BOUNDARY_SLIP}};
         struct fluid_options o = options(b);
-        o.splitting = 1e-6;
+        o.piso_tolerance = 1e-6;
         struct fluid *const fl = fluid_create(m, &o);
         run(fl, 300);
         /* away from both ends */
@@ -295,10 +295,11 @@ START_TEST(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large)
         ck_assert_double_eq_tol(fl->t, 0.05 * n, 1e-12);
         ck_assert_double_lt(fl->report.cfl, 0.55 * (_i ? 1.35 : 1.01));
     }
-    ck_assert_int_eq(fl->report.parts, 4); /* 2 m/s * 0.05 s / 0.05 m / 0.55 */
+    ck_assert_int_eq(fl->report.flow_substeps,
+                     4); /* 2 m/s * 0.05 s / 0.05 m / 0.55 */
     fl->options.cfl = 0.0;
     ck_assert_int_eq(fluid_advance(fl, 0.05), 0);
-    ck_assert_int_eq(fl->report.parts, 1);
+    ck_assert_int_eq(fl->report.flow_substeps, 1);
     ck_assert_double_eq_tol(fl->report.cfl, 2.0, 1e-3);
     discard(fl);
 }

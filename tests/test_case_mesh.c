@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/case_mesh.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "case/case_file.h"
 
 #include "capture.h"
 
@@ -31,7 +31,7 @@ static struct settings *read_case(const char *mesh, const char *patches,
             more);
     fclose(f);
     struct capture c = capture_begin(2);
-    struct settings *const s = scene_read(file, 0, NULL, code);
+    struct settings *const s = case_file_read(file, 0, NULL, code);
     capture_end(&c, said);
     return s;
 }
@@ -211,11 +211,11 @@ START_TEST(slanted_walls_hold_the_grains)
         const double x[3] = {sim->particles->x[i], sim->particles->y[i],
                              sim->particles->z[i]};
         double offset[3];
-        ck_assert_int_ge(mesh_locate(m, x, offset), 0);
+        ck_assert_int_ge(mesh_cell_and_offset(m, x, offset), 0);
         for (int f = m->n_internal; f < m->n_faces; f++) {
             double out = 0.0, S = 0.0;
             for (int k = 0; k < 3; k++) {
-                out += (x[k] - m->middle[3 * f + k]) * m->S[3 * f + k];
+                out += (x[k] - m->face_centre[3 * f + k]) * m->S[3 * f + k];
                 S += m->S[3 * f + k] * m->S[3 * f + k];
             }
             ck_assert_double_lt(out / sqrt(S), -0.99 * 0.05);

@@ -96,7 +96,7 @@ END_TEST
 
 /* The same with Hertz's law, whose spring hardens: it never pushes the two
  * apart faster than the dashpot takes in. */
-START_TEST(ls_4_11_critical_damping_lets_hertz_come_to_rest)
+START_TEST(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);
     struct dem_options o = spheres_options(&contact_hertz, 1e-7, 0.1);
@@ -148,7 +148,8 @@ static double swing_back(const struct contact_law *law, double e)
  * it would creep home, with half the dashpot swing to 0.16. Hertz's dashpot is
  * made of m*, which is 1.7 times critical for the sphere that turns: so it
  * creeps, and e = 0.7 swings less far than 0.7. */
-START_TEST(ls_4_12_critical_damping_lets_no_tangential_spring_swing_back)
+START_TEST(
+    ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring)
 {
     for (int law = 0; law < 2; law++) {
         ck_assert_double_lt(swing_back(contact_laws[law], 0.0), 1e-3);
@@ -475,9 +476,11 @@ int main(void)
         t, ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says, 0,
         N_RESTITUTIONS);
     tcase_add_test(t, ls_4_11_critical_damping_lets_nothing_rebound);
-    tcase_add_test(t, ls_4_11_critical_damping_lets_hertz_come_to_rest);
     tcase_add_test(
-        t, ls_4_12_critical_damping_lets_no_tangential_spring_swing_back);
+        t, ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound);
+    tcase_add_test(
+        t,
+        ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring);
     tcase_add_loop_test(t, ls_4_8_without_friction_nothing_turns, 0, 2);
     tcase_add_loop_test(t, ls_4_7_hertz_collision_returns_e_at_any_speed, 0,
                         N_RESTITUTIONS);

@@ -4,10 +4,10 @@
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
-#include "particles/capillary.h"
-#include "particles/dem_inside.h"
-#include "particles/electrostatic.h"
-#include "particles/van_der_waals.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/dem_internal.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/cohesion/van_der_waals.h"
 #include "plain_contacts.h"
 
 /* --- all pairs ------------------------------------------------------------ */
@@ -141,7 +141,7 @@ static void run_plain(struct plain *p, int steps)
 
     sweep(p, 0.0);
     p->e.released = 0.0;
-    p->e.brought = kinetic(p) + p->e.normal;
+    p->e.added = kinetic(p) + p->e.normal;
     for (int k = 0; k < steps; k++) {
         move(p, k == 0 ? 0.5 * dt : dt, dt);
         sweep(p, dt);
@@ -271,15 +271,15 @@ static void compare_budget(const struct energy *got, const struct energy *want)
     const double g[] = {got->kinetic,   got->normal,   got->tangential,
                         got->damped_n,  got->damped_t, got->slid,
                         got->released,  got->rolled,   got->work,
-                        got->attracted, got->brought};
+                        got->attracted, got->added};
     const double w[] = {want->kinetic,   want->normal,   want->tangential,
                         want->damped_n,  want->damped_t, want->slid,
                         want->released,  want->rolled,   want->work,
-                        want->attracted, want->brought};
+                        want->attracted, want->added};
 
     for (size_t k = 0; k < sizeof g / sizeof *g; k++)
         ck_assert_double_eq_tol(
-            g[k], w[k], 100.0 * rounding * fabs(w[k]) + 1e-14 * want->brought);
+            g[k], w[k], 100.0 * rounding * fabs(w[k]) + 1e-14 * want->added);
 }
 
 static void compare_run(const struct scene *s, const struct dem_options *o,
@@ -289,7 +289,7 @@ static void compare_run(const struct scene *s, const struct dem_options *o,
     struct dem_report r;
 
     ck_assert_ptr_nonnull(dem);
-    if (s->budget) dem_keep_energy(dem);
+    if (s->budget) dem_start_energy_budget(dem);
     ck_assert_int_eq(dem_run(dem, STEPS, &r), 0);
     ck_assert_int_eq(r.contacts, p->contacts);
     ck_assert_double_eq_tol(r.max_overlap, p->deepest, rounding);
@@ -367,7 +367,8 @@ END_TEST
 
 /* Of contacts in order of their owners from `first` on, how many belong to
  * particles before `end`, rounded up to whole lanes if there are so many. */
-static int whole_lanes(const struct contacts *c, int first, int n, int end)
+static int whole_lanes(const struct chunk_contacts *c, int first, int n,
+                       int end)
 {
     int own = 0;
 
@@ -390,13 +391,13 @@ START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
     struct dem_report r;
 
     ck_assert_int_eq(dem_run(dem, 1, &r), 0);
-    const struct strip *const one = &dem->neighbours->strips[0];
-    const struct contacts *const c = &one->contacts;
-    ck_assert_int_eq(dem->neighbours->count, 1);
+    const struct chunk *const one = &dem->neighbours->chunks[0];
+    const struct chunk_contacts *const c = &one->contacts;
+    ck_assert_int_eq(dem->neighbours->n_chunks, 1);
     ck_assert_int_ge(one->n_blocks, 3);
     ck_assert_int_gt(c->n_walls, 64);
     for (int k = 0; k < one->n_blocks; k++) {
-        const struct block *const b = &one->blocks[k];
+        const struct chunk_block *const b = &one->blocks[k];
         ck_assert_int_eq(b->pairs, whole_lanes(c, 0, c->n_pairs, b->end));
         ck_assert_int_eq(b->walls - c->n_pairs,
                          whole_lanes(c, c->n_pairs, c->n_walls, b->end));

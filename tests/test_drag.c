@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "exchange/drag.h"
+#include "coupling/drag.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The linker sends every call of the three functions of base/alloc.h through
  * the counters below (-Wl,--wrap, see the Makefile). */
-#include "effects/effects.h"
+#include "coupling/effects.h"
 
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "effects/time_average.h"
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/scene.h"
+#include "coupling/effects/time_average.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_file.h"
 
 static long allocations;
 
@@ -62,7 +62,7 @@ static struct simulation *build(const char *effects)
 
     fprintf(f, "%s%s", rest, effects);
     fclose(f);
-    struct settings *const s = scene_read(path, 0, NULL, &code);
+    struct settings *const s = case_file_read(path, 0, NULL, &code);
     remove(path);
     ck_assert_ptr_nonnull(s);
     allocations = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/equations.h"
-#include "scene/eval.h"
+#include "case/report/equations.h"
+#include "case/report/eval.h"
 
 #include "capture.h"
 

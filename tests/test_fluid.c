@@ -51,7 +51,7 @@ static void run(struct fluid *fl, int steps)
 
 static void set_eps(struct fluid *fl, int c, double eps)
 {
-    fl->eps[c] = fl->eps_phi[c] = fl->eps_start[c] = eps;
+    fl->eps[c] = fl->eps_n[c] = fl->eps_nm1[c] = eps;
 }
 
 /* Smooth but arbitrary numbers for the cells. */
@@ -109,8 +109,8 @@ START_TEST(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
     struct fluid *const fl = fluid_create(m, &o);
     for (int c = 0; c < m->n_cells; c++) {
         fl->eps[c] = 0.4;
-        fl->eps_phi[c] = c % 3 ? 0.5 : 0.9;
-        fl->eps_start[c] = c % 5 ? 0.45 : 0.95;
+        fl->eps_n[c] = c % 3 ? 0.5 : 0.9;
+        fl->eps_nm1[c] = c % 5 ? 0.45 : 0.95;
         for (int k = 0; k < 3; k++)
             fl->u[3 * c + k] = 1.0 + k;
     }
@@ -175,7 +175,7 @@ static void column(int shared, double K, double dt, enum continuity form)
     run(fl, 1500);
     const double gamma = shared ? 0.4 : 1.0, slope = K * U / 0.4 / gamma;
     /* At the surface the stream slows from U / 0.4 to U, and with upwind the
-     * clear cell takes all of that force: jump.c, s = 1. */
+     * clear cell takes all of that force: face_jump.c, s = 1. */
     const double rise = 1000.0 * U * U * (1.0 / 0.4 - 1.0);
     const double drop = fluid_patch_pressure(fl, mesh_patch(m, "bottom")) - 5.0;
     ck_assert_double_eq_tol(drop / (slope * 0.05 - rise), 1.0, 1e-7);
@@ -262,9 +262,10 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     o.convection = &convection_schemes[_i / 2 % 2];
     const int changes = _i >= 4; /* of the step */
     o.time = &time_schemes[_i / 4 % 2];
-    if (changes) o.predictor = 0.1;
+    if (changes) o.u_tolerance = 0.1;
     struct fluid *const fl = fluid_create(m, &o);
-    const double swing = o.time->steps > 1 ? 0.02 : 0.2; /* or it blows up */
+    const double swing =
+        o.time->time_levels > 1 ? 0.02 : 0.2; /* or it blows up */
     double impulse[3] = {0.0, 0.0, 0.0}, gross = 0.0, now[3];
     for (int n = 0; n < 20; n++) {
         fl->options.dt = o.dt * (changes && n % 3 == 2 ? 0.7 : 1.0);
@@ -279,7 +280,7 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
                 fl->eps_us[3 * c + k] = 0.1 * cos(2.0 * c + k);
             }
         }
-        if (n == 0) fluid_settle_eps(fl);
+        if (n == 0) fluid_reset_eps_history(fl);
         run(fl, 1);
         for (int i = 0; i < 3 * m->n_cells; i++) {
             const double V = m->V[i / 3];
@@ -520,7 +521,7 @@ START_TEST(convection_schemes_are_known_by_name)
     const double expected[] = {0.0, 0.3, 0.15, 0.0, 0.0};
     for (int i = 0; convection_schemes[i].name != NULL; i++) {
         double share;
-        convection_schemes[i].shares(&face, &share);
+        convection_schemes[i].owner_weights(&face, &share);
         ck_assert_double_eq(share, expected[i]);
     }
 }

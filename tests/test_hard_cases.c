@@ -4,9 +4,9 @@
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
-#include "particles/attraction.h"
-#include "particles/capillary.h"
-#include "particles/neighbours.h"
+#include "dem/cohesion/attraction.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/fast/neighbours.h"
 #include "spheres.h"
 
 /* --- 30 : 1 --------------------------------------------------------------- */
@@ -18,7 +18,7 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     const double D = 0.03, d = 1e-3, skin = 2e-4;
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.02, 0.02};
     const int periodic[3] = {_i, _i, 0};
-    const struct domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = bodies_domain(lo, hi, periodic);
     struct particles *const ps = particles_create(401);
     uint64_t seed = 11;
     int expected = 0, found = 0;
@@ -35,8 +35,8 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     }
     struct neighbours *const nb = neighbours_create(ps, &box);
     nb->skin = skin;
-    neighbours_open(nb);
-    neighbours_fetch(nb);
+    neighbours_begin_run(nb);
+    neighbours_load(nb);
     ck_assert_double_gt(neighbours_refresh(nb, 1e-6), 0.0);
     for (int i = 0; i < ps->n; i++)
         for (int j = 0; j < i; j++) {
@@ -49,8 +49,8 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
             }
             expected += sqrt(r2) - 0.5 * (ps->d[i] + ps->d[j]) <= skin;
         }
-    for (int s = 0; s < nb->count; s++)
-        found += nb->strips[s].pairs.n;
+    for (int s = 0; s < nb->n_chunks; s++)
+        found += nb->chunks[s].pairs.n;
     ck_assert_int_gt(expected, 10);
     ck_assert_int_eq(found, expected);
     neighbours_free(nb);
@@ -201,7 +201,7 @@ START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
         o.materials = &all;
         o.attractions = &wet;
         o.n_attractions = 1;
-        particles_distinguish(ps);
+        particles_add_material(ps);
         for (int i = 0; i < n; i++) {
             spheres_add(ps, 0.0, 0.0, 0.0, 0.01);
             spheres_throw(ps, i, 1.0, 2.0, 3.0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/images.h"
+#include "averaging/more/images.h"
 
 #include <check.h>
 #include <gsl/gsl_integration.h>

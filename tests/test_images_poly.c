@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/images_poly.h"
+#include "averaging/poly/images_poly.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -7,11 +7,11 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/normals.h"
+#include "averaging/poly/gaussian_moments.h"
 #include "base/vector.h"
 #include "blocks.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 
 /* The largest difference between a box and the same as a mesh of faces, over
  * the largest value. */
@@ -233,9 +233,9 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
     const double b = 0.1, shear[3] = {0.3, -0.2, 0.4};
     struct mesh *const m = mesh_create_sheared(&spec, shear);
     struct facets *const f = facets_create(m);
-    struct mirrors *const none = mirrors_create(f, 1e-9);
-    struct normals *const N = normals_create(f, none, b);
-    const double *const A = N->normal[0].A;
+    struct wall_images *const none = wall_images_create(f, 1e-9);
+    struct gaussian_moments *const N = gaussian_moments_create(f, none, b);
+    const double *const A = N->moment[0].A;
     const double twice[9] = {2.0 * A[0], 2.0 * A[1], 2.0 * A[2],
                              2.0 * A[1], 2.0 * A[3], 2.0 * A[4],
                              2.0 * A[2], 2.0 * A[4], 2.0 * A[5]};
@@ -264,8 +264,8 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
             }
             ck_assert_double_eq_tol(by_places, by_corners, 1e-15);
         }
-    normals_free(N);
-    mirrors_free(none);
+    gaussian_moments_free(N);
+    wall_images_free(none);
     facets_free(f);
     mesh_free(m);
 }

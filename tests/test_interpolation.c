@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/hosts.h"
+#include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
 #include "cloud.h"
 
@@ -80,7 +80,8 @@ START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double x[3] = {s.ps->x[i], s.ps->y[i], s.ps->z[i]};
-        if (touches_the_boundary(s.mesh, averaging_host(s.a)[i])) continue;
+        if (touches_the_boundary(s.mesh, averaging_cell_of_particle(s.a)[i]))
+            continue;
         inside++;
         for (int k = 0; k < M; k++)
             ck_assert_double_eq_tol(s.q[M * i + k], plane(k, x), 1e-13);
@@ -146,7 +147,7 @@ START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double *const centre =
-            &s.mesh->centre[3 * averaging_host(s.a)[i]];
+            &s.mesh->centre[3 * averaging_cell_of_particle(s.a)[i]];
         const double x[3] = {n[0] > 1 ? s.ps->x[i] : centre[0],
                              n[1] > 1 ? s.ps->y[i] : centre[1],
                              n[2] > 1 ? s.ps->z[i] : centre[2]};
@@ -187,7 +188,7 @@ START_TEST(linear_is_of_second_order_and_nearest_of_first)
 }
 END_TEST
 
-START_TEST(nearest_is_the_value_of_the_host)
+START_TEST(nearest_is_the_value_of_the_particles_cell)
 {
     struct scene s = scene_of(&cloud_shapes[_i], "pcm");
 
@@ -196,7 +197,7 @@ START_TEST(nearest_is_the_value_of_the_host)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert(s.q[M * i + k] ==
-                      s.field[M * averaging_host(s.a)[i] + k]);
+                      s.field[M * averaging_cell_of_particle(s.a)[i] + k]);
     scene_free(&s);
 }
 END_TEST
@@ -244,7 +245,8 @@ START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert_double_eq_tol(
-                s.q[M * i + k], s.field[M * averaging_host(s.a)[i] + k], 1e-15);
+                s.q[M * i + k],
+                s.field[M * averaging_cell_of_particle(s.a)[i] + k], 1e-15);
     scene_free(&s);
 }
 END_TEST
@@ -271,7 +273,8 @@ int main(void)
                         0, 2);
     tcase_add_test(t, a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
     tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
-    tcase_add_loop_test(t, nearest_is_the_value_of_the_host, 0, CLOUD_SHAPES);
+    tcase_add_loop_test(t, nearest_is_the_value_of_the_particles_cell, 0,
+                        CLOUD_SHAPES);
     tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,
                         CLOUD_SHAPES);
     tcase_add_loop_test(t, every_way_gives_constants_back, 0, CLOUD_SHAPES);

@@ -3,7 +3,7 @@
 #include <check.h>
 #include <gsl/gsl_math.h>
 
-#include "particles/limits.h"
+#include "dem/limits.h"
 #include "spheres.h"
 
 /* E 1.2e5 Pa, nu 0.33, rho 1000, d 1.2 mm [SX15 Table 1]; worked out apart. */

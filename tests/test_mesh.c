@@ -257,11 +257,11 @@ START_TEST(the_measures_of_a_graded_row_are_those_of_its_widths)
     struct mesh *const m = mesh_create_box(&spec);
     const struct mesh_quality q = mesh_quality(m);
     ck_assert_double_eq_tol(q.aspect, 4.0 / 0.3, 1e-12);
-    ck_assert_int_eq(q.flat, 2);
+    ck_assert_int_eq(q.n_flat, 2);
     ck_assert_double_eq_tol(q.growth, 2.0, 1e-12);
-    ck_assert_double_eq_tol(q.V_least, 0.15, 1e-12);
-    ck_assert_double_eq_tol(q.V_most, 0.6, 1e-12);
-    ck_assert_int_eq(q.small, 0);
+    ck_assert_double_eq_tol(q.V_min, 0.15, 1e-12);
+    ck_assert_double_eq_tol(q.V_max, 0.6, 1e-12);
+    ck_assert_int_eq(q.n_small, 0);
     ck_assert_double_eq(q.skewness, 0.0);
     ck_assert_double_lt(q.non_orthogonal, 1e-5); /* acos of 1 to rounding */
     mesh_free(m);
@@ -278,7 +278,7 @@ START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
     const struct mesh_quality q = mesh_quality(m);
     ck_assert_double_eq_tol(q.growth, 4.0, 1e-12);
     ck_assert_double_eq_tol(q.aspect, 1.0, 1e-12); /* half a width each way */
-    ck_assert_int_eq(q.small, 2);
+    ck_assert_int_eq(q.n_small, 2);
     mesh_free(m);
 }
 END_TEST
@@ -307,11 +307,11 @@ START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
         {1.0, 3.0, 1.0}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
     struct mesh *const m = mesh_create_sheared(&spec, (double[]){0, 0, 0});
     const double way = m->d[4]; /* of face 1, along y */
-    m->middle[3] += 0.06 * way;
-    m->middle[5] -= 0.08 * way;
+    m->face_centre[3] += 0.06 * way;
+    m->face_centre[5] -= 0.08 * way;
     const struct mesh_quality q = mesh_quality(m);
     ck_assert_double_eq_tol(q.skewness, 0.1, 1e-12);
-    ck_assert_int_eq(q.skewed, m->owner[1]);
+    ck_assert_int_eq(q.n_skewed, m->owner[1]);
     mesh_free(m);
 }
 END_TEST

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "particles/surface.h"
+#include "dem/surfaces/surface.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -277,17 +277,17 @@ END_TEST
 /* --- driven particles --------------------------------------------------------
  */
 
-START_TEST(driven_particle_is_free_and_then_circles)
+START_TEST(prescribed_particle_is_free_and_then_circles)
 {
-    const struct driven one = {
+    const struct prescribed_particle one = {
         .id = 0,
         .motion = {.from = 0.5, .centre = {0.5, 0.0, 0.0}, .spin = {0, 0, 4}}};
     struct dem_options o = with(NULL, 1e-3);
     struct particles *const ps = sphere_at(0.0, 0.0, 0.0);
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     spheres_throw(ps, 0, 0.2, 0.0, 0.0);
     struct dem *const dem = started(ps, &o);
     dem_run(dem, 500, &r);
@@ -310,16 +310,16 @@ START_TEST(driven_particle_is_free_and_then_circles)
 END_TEST
 
 /* To the others it is a wall: (1 + e) V, though it weighs no more than they. */
-START_TEST(driven_particle_throws_another_as_a_wall_does)
+START_TEST(prescribed_particle_repels_another_as_a_wall_does)
 {
-    const struct driven one = {.id = 0,
-                               .motion = {.velocity = {0.5, 0.0, 0.0}}};
+    const struct prescribed_particle one = {
+        .id = 0, .motion = {.velocity = {0.5, 0.0, 0.0}}};
     struct dem_options o = with(NULL, 2e-5);
     struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     spheres_add(ps, 0.2, 0.0, 0.0, 0.1);
     struct dem *const dem = started(ps, &o);
     ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
@@ -335,14 +335,14 @@ END_TEST
 START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
 {
     const double A = 0.1, f = 3.0, dt = 1e-3;
-    const struct driven one = {
+    const struct prescribed_particle one = {
         .id = 0, .motion = {.amplitude = {0.0, A, 0.0}, .frequency = f}};
     struct dem_options o = with(NULL, dt);
     struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     o.integrator = &integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 1; k <= 10; k++) {
@@ -363,7 +363,7 @@ END_TEST
 START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
 {
     const double V = 0.01, until = 0.1, delta = V * until;
-    const struct driven one = {
+    const struct prescribed_particle one = {
         .id = 0, .motion = {.velocity = {0.0, -V, 0.0}, .until = until}};
     const struct surface s = plate(&(struct motion){.until = 0.0});
     struct dem_options o = with(&s, 1e-4);
@@ -372,8 +372,8 @@ START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
     double fastest = 0.0;
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     o.integrator = &integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 0; k < 2000; k++) {
@@ -417,7 +417,7 @@ START_TEST(clock_is_all_that_a_motion_remembers)
     struct dem_spring *const list = dem_springs(first, &n);
     struct dem *const second = started(ps[1], &o);
     dem_clock(second, 4000);
-    dem_recall(second, list, n);
+    dem_restore_springs(second, list, n);
     dem_run(second, 4000, &r);
     ck_assert_double_eq_tol(ps[0]->x[0], ps[1]->x[0], 1e-10);
     ck_assert_double_eq_tol(ps[0]->y[0], ps[1]->y[0], 1e-10);
@@ -448,8 +448,8 @@ static Suite *suite(void)
         t, sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 0, 2);
     tcase_add_test(t, sphere_in_a_drum_spins_with_the_wall);
     tcase_add_loop_test(t, surface_accounts_for_force_torque_and_work, 0, 2);
-    tcase_add_test(t, driven_particle_is_free_and_then_circles);
-    tcase_add_test(t, driven_particle_throws_another_as_a_wall_does);
+    tcase_add_test(t, prescribed_particle_is_free_and_then_circles);
+    tcase_add_test(t, prescribed_particle_repels_another_as_a_wall_does);
     tcase_add_loop_test(
         t, driven_particle_goes_the_same_way_by_every_integrator, 0, 3);
     tcase_add_loop_test(

@@ -5,14 +5,14 @@
 
 #include "averaging/averaging.h"
 #include "averaging/interpolation.h"
-#include "effects/effects.h"
-#include "exchange/drag.h"
+#include "coupling/effects.h"
+#include "coupling/drag.h"
 #include "fluid/convection.h"
-#include "fluid/slope.h"
+#include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
-#include "particles/contact.h"
-#include "particles/integrators.h"
-#include "particles/sizes.h"
+#include "dem/contact.h"
+#include "dem/integrators.h"
+#include "dem/population/sizes.h"
 
 /* By a name spelled anew, so that it is the letters that count. */
 static const char *copy(const char *name, char to[64])
@@ -39,8 +39,9 @@ START_TEST(each_name_finds_its_own_row)
         CHECK_ROW(drag_law_named, &drag_laws[i]);
     for (int i = 0; convection_schemes[i].name != NULL; i++)
         CHECK_ROW(convection_scheme_named, &convection_schemes[i]);
-    for (int i = 0; slope_schemes[i].name != NULL; i++)
-        CHECK_ROW(slope_scheme_named, &slope_schemes[i]);
+    for (int i = 0; velocity_gradient_schemes[i].name != NULL; i++)
+        CHECK_ROW(velocity_gradient_scheme_named,
+                  &velocity_gradient_schemes[i]);
     for (int i = 0; time_schemes[i].name != NULL; i++)
         CHECK_ROW(time_scheme_named, &time_schemes[i]);
     for (int i = 0; integrators[i].name != NULL; i++)
@@ -62,7 +63,7 @@ START_TEST(a_name_that_no_row_has_finds_none)
         ck_assert_ptr_null(contact_law_named(wrong[i]));
         ck_assert_ptr_null(drag_law_named(wrong[i]));
         ck_assert_ptr_null(convection_scheme_named(wrong[i]));
-        ck_assert_ptr_null(slope_scheme_named(wrong[i]));
+        ck_assert_ptr_null(velocity_gradient_scheme_named(wrong[i]));
         ck_assert_ptr_null(time_scheme_named(wrong[i]));
         ck_assert_ptr_null(integrators_named(wrong[i]));
         ck_assert_ptr_null(effects_named(wrong[i]));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/nearest.h"
+#include "case/nearest.h"
 
 #include <check.h>
 #include <stddef.h>

@@ -4,7 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/neighbours.h"
+#include "dem/fast/neighbours.h"
 #include "spheres.h"
 
 /* --- all pairs -------------------------------------------------------------
@@ -442,23 +442,23 @@ END_TEST
  * Of 10, 20, 30 and 40 the middles are at 5, 20, 45 and 80 of 100, and the
  * third ends above the half; of 10, 20, 60 and 10 at 5, 20, 60 and 95, and the
  * third begins below it. */
-START_TEST(a_strip_belongs_to_whom_the_middle_of_its_work_belongs)
+START_TEST(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work)
 {
     const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
     const int walls[3] = {0, 0, 0};
-    const struct domain box = bodies_domain(lo, hi, walls);
+    const struct box_domain box = bodies_domain(lo, hi, walls);
     struct particles *const ps = particles_create(8000);
     struct neighbours *const nb = neighbours_create(ps, &box);
-    struct neighbours_share share[2] = {{0, 0}, {0, 0}};
+    struct chunk_range share[2] = {{0, 0}, {0, 0}};
 
     static const int contacts[2][4] = {{10, 20, 30, 40}, {10, 20, 60, 10}};
     const int first_of_second = _i == 0 ? 7 : 6;
 
-    ck_assert_int_eq(nb->count, 8);
+    ck_assert_int_eq(nb->n_chunks, 8);
     for (int s = 4; s < 8; s++)
-        nb->strips[s].contacts.n_pairs = contacts[_i][s - 4];
+        nb->chunks[s].contacts.n_pairs = contacts[_i][s - 4];
 #pragma omp parallel num_threads(2)
-    share[omp_get_thread_num()] = neighbours_work(nb);
+    share[omp_get_thread_num()] = neighbours_balanced_range(nb);
     ck_assert_int_eq(share[0].first, 0);
     ck_assert_int_eq(share[0].last, first_of_second);
     ck_assert_int_eq(share[1].first, first_of_second);
@@ -486,7 +486,7 @@ int main(void)
     tcase_add_loop_test(t, the_spring_of_rolling_survives_them_too, 0, 2);
     tcase_add_test(t, ls_4_8_the_spring_of_a_wall_survives_rebuilds);
     tcase_add_loop_test(
-        t, a_strip_belongs_to_whom_the_middle_of_its_work_belongs, 0, 2);
+        t, a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 0, 2);
     tcase_add_test(
         t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
     tcase_add_loop_test(

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/pairs.h"
+#include "linear/pairwise_aggregation.h"
 
 #include "linear_case.h"
 
@@ -22,7 +22,7 @@ static struct step coarsen(struct links b)
                           b.link, b.V);
     s.parent = alloc_ints(b.n);
     s.bundle = alloc_ints(b.n_links);
-    s.coarse = pairs_coarser(s.fine, s.parent, s.bundle);
+    s.coarse = pairwise_aggregation_coarsen(s.fine, s.parent, s.bundle);
     return s;
 }
 
@@ -93,8 +93,9 @@ START_TEST(links_through_a_periodic_side_stay_apart)
 
     ck_assert_int_eq(s.coarse->n, 2);
     ck_assert_int_eq(s.coarse->n_links, 2);
-    ck_assert_double_eq(s.coarse->link[0], 2.0);
-    ck_assert_double_eq(s.coarse->link[3], -2.0); /* seen from aggregate 0 */
+    ck_assert_double_eq(s.coarse->distance[0], 2.0);
+    ck_assert_double_eq(s.coarse->distance[3],
+                        -2.0); /* seen from aggregate 0 */
     release(&s);
 }
 END_TEST

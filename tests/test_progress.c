@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/progress.h"
+#include "case/progress.h"
 
 #include "capture.h"
 
@@ -100,7 +100,7 @@ START_TEST(time_left_follows_from_time_spent)
 END_TEST
 
 /* A run that goes on from 1 s has spent nothing on the first second. */
-START_TEST(share_counts_from_where_the_run_begins)
+START_TEST(progress_counts_from_where_the_run_begins)
 {
     const struct progress p = {PROGRESS_BAR, 1.0, 2.0, 0.0, 0.0, 0};
     char text[PROGRESS_TEXT];
@@ -126,7 +126,7 @@ int main(void)
     tcase_add_test(t, quiet_says_nothing);
     tcase_add_test(t, quiet_and_files_are_told_from_terminals);
     tcase_add_test(t, time_left_follows_from_time_spent);
-    tcase_add_test(t, share_counts_from_where_the_run_begins);
+    tcase_add_test(t, progress_counts_from_where_the_run_begins);
     r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     failed = srunner_ntests_failed(r);

@@ -16,7 +16,7 @@ START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
     const struct time_scheme *const s = &time_schemes[_i % 2];
     const double dt = 0.3, ratios[] = {1.0, 0.5, 3.0}, r = ratios[_i / 2];
     const double t = 2.0, t1 = t - dt, t2 = t1 - dt / r;
-    const double curve = s->steps > 1 ? 0.7 : 0.0;
+    const double curve = s->time_levels > 1 ? 0.7 : 0.0;
     const struct time_weights w = s->weights(r);
     const double slope = (w.now * (5.0 * t + curve * t * t) -
                           w.old * (5.0 * t1 + curve * t1 * t1) +
@@ -24,7 +24,7 @@ START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
                          dt;
     ck_assert_double_eq_tol(slope, 5.0 + 2.0 * curve * t, 1e-12);
     ck_assert_double_eq_tol(w.now - w.old + w.older, 0.0, 1e-15);
-    if (s->steps > 1) ck_assert_double_eq(w.ahead, r);
+    if (s->time_levels > 1) ck_assert_double_eq(w.ahead, r);
 }
 END_TEST
 
@@ -63,17 +63,17 @@ static struct fluid *vortex_create(const struct vortex *v)
                                   {1.0, 1.0, 1.0},
                                   {1, 1, 1}};
     struct mesh *const m = mesh_create_box(&spec);
-    const struct fluid_options o = {.rho = 1.0,
-                                    .mu = nu,
-                                    .dt = v->dt,
-                                    .time = time_scheme_named(v->time),
-                                    .convection =
-                                        convection_scheme_named(v->convection),
-                                    .slope = slope_scheme_named(v->slope),
-                                    .blend = 0.8,
-                                    .correctors = 3,
-                                    .repeats = v->repeats,
-                                    .tolerance = 1e-11};
+    const struct fluid_options o = {
+        .rho = 1.0,
+        .mu = nu,
+        .dt = v->dt,
+        .time = time_scheme_named(v->time),
+        .convection = convection_scheme_named(v->convection),
+        .velocity_gradient = velocity_gradient_scheme_named(v->slope),
+        .blend = 0.8,
+        .correctors = 3,
+        .outer_correctors = v->repeats,
+        .tolerance = 1e-11};
     struct fluid *const fl = fluid_create(m, &o);
 
     for (int c = 0; c < m->n_cells; c++)
@@ -275,7 +275,7 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
                                              m->d[3 * f + j]);
             }
         }
-    slope_schemes[_i % 2].fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i % 2].fill(m, u, u_b, slope);
     for (int i = 0; i < 9 * m->n_cells; i++)
         ck_assert_double_eq_tol(slope[i], G[i % 9 / 3][i % 3], 1e-12);
     free(u);
@@ -301,7 +301,7 @@ START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
         u_b[3 * (f - m->n_internal) + 1] = u[3 * m->owner[f] + 1];
     const double below = (2.0 * 0.25 + 1.0 * 4.0) / 3.0; /* at x = 1 */
     const double above = (2.0 * 4.0 + 1.0 * 25.0) / 3.0; /* at x = 3 */
-    slope_schemes[_i].fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i].fill(m, u, u_b, slope);
     ck_assert_double_eq_tol(
         slope[9 + 3], _i ? 0.5 * (2.5 + 7.0) : 0.5 * (above - below), 1e-12);
     for (int i = 0; i < 9; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/separable.h"
+#include "averaging/more/separable.h"
 
 #include <check.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
 #include "cloud.h"
-#include "linear/chebyshev.h"
+#include "linear/fast/chebyshev.h"
 
 /* The whole matrix of the mesh, which knows nothing of directions. */
 static struct csr *laplacian(const struct mesh *m)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/keys.h"
-#include "scene/settings.h"
+#include "case/keys.h"
+#include "case/settings.h"
 
 #include "capture.h"
 

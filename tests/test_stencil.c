@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/stencil.h"
+#include "averaging/more/stencil.h"
 
 #include <check.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 #include "warped.h"
 
 /* Distance along k from the host's cell (its interval) to x. */
@@ -66,7 +66,7 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
 
 /* 0.01: within the host. 0.37: across more than a period of those shapes that
  * have two cells or five. */
-START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
+START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
 {
     static const double b[] = {0.01, 0.11, 0.23, 0.37};
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 4]);
@@ -90,7 +90,7 @@ END_TEST
 
 /* Equal cells, walls all round, b of 1.6 cells reaches 2 cells off: 2 kinds of
  * cell near each wall and one between, 5 a direction. */
-START_TEST(hosts_that_look_alike_share_a_stencil)
+START_TEST(cells_with_equal_surroundings_share_a_stencil)
 {
     const struct box_spec spec = {
         {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -189,9 +189,9 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_loop_test(t,
-                        a_stencil_holds_the_cells_near_its_host_and_no_others,
+                        a_stencil_contains_the_cells_near_its_own_and_no_others,
                         0, 4 * CLOUD_SHAPES);
-    tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
+    tcase_add_test(t, cells_with_equal_surroundings_share_a_stencil);
     tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
     tcase_add_test(t, the_memory_is_known_beforehand);
     tcase_add_loop_test(t, equal_cells_need_no_memory_and_graded_ones_do, 0, 4);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "particles/stl.h"
+#include "dem/surfaces/stl.h"
 #include "scratch.h"
 
 static const char two_solids[] =

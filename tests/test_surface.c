@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One point and one surface: where it is nearest, on which side, how far. */
-#include "particles/surface.h"
-#include "particles/surface_start.h"
+#include "dem/surfaces/surface.h"
+#include "dem/surfaces/surface_start.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "particles/triangle.h"
+#include "dem/surfaces/triangle.h"
 #include "capture.h"
 #include "spheres.h"
 
@@ -106,13 +106,13 @@ START_TEST(a_plane_that_has_turned_is_met_where_it_is_now)
                                          .spin = {0.0, 0.0, 0.5 * M_PI}}};
     const struct pose p = motion_pose(&s.motion, 1.0);
     const double x[3] = {0.7, 5.0, 6.0}, deep[3] = {1.3, 5.0, 6.0};
-    const struct surface_hit h = surface_meet(&s, 0, &p, x);
+    const struct surface_hit h = surface_nearest_moved(&s, 0, &p, x);
     ck_assert_double_eq_tol(h.r, 0.3, 1e-14);
     assert_vector(h.n, -1.0, 0.0, 0.0);
     assert_vector(h.q, 1.0, 5.0, 6.0);
-    ck_assert_int_eq(surface_holds(&s, &p, x, 0.1), 0);
-    ck_assert_int_eq(surface_holds(&s, &p, deep, 0.31), 0);
-    ck_assert_int_eq(surface_holds(&s, &p, deep, 0.29), 1);
+    ck_assert_int_eq(surface_contains(&s, &p, x, 0.1), 0);
+    ck_assert_int_eq(surface_contains(&s, &p, deep, 0.31), 0);
+    ck_assert_int_eq(surface_contains(&s, &p, deep, 0.29), 1);
 }
 END_TEST
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "particles/touches.h"
-#include "particles/triangle.h"
+#include "dem/surfaces/surface_contact_points.h"
+#include "dem/surfaces/triangle.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -213,7 +213,7 @@ START_TEST(nearest_point_of_a_triangle_has_no_corner_in_front)
 }
 END_TEST
 
-START_TEST(way_through_a_triangle_is_seen_and_one_beside_it_is_not)
+START_TEST(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not)
 {
     const double corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -476,7 +476,7 @@ START_TEST(springs_of_surfaces_are_part_of_the_state)
     struct dem_spring *const list = dem_springs(first, &n);
     ck_assert_int_eq(n, 1);
     ck_assert_double_gt(vector_length(list[0].xi), 1e-9);
-    dem_recall(second, list, n);
+    dem_restore_springs(second, list, n);
     dem_run(second, 5000, &r);
     ck_assert_double_eq_tol(ps->x[0], twin->x[0], 1e-13);
     ck_assert_double_eq_tol(ps->wz[0], twin->wz[0], 1e-13);
@@ -542,7 +542,8 @@ static Suite *suite(void)
     tcase_add_test(t, sphere_in_a_smooth_cylinder_keeps_its_angular_momentum);
     tcase_add_test(t, sphere_rebounds_from_a_rod_at_its_radius);
     tcase_add_test(t, nearest_point_of_a_triangle_has_no_corner_in_front);
-    tcase_add_test(t, way_through_a_triangle_is_seen_and_one_beside_it_is_not);
+    tcase_add_test(
+        t, a_path_through_a_triangle_is_detected_and_one_beside_it_is_not);
     tcase_add_loop_test(t, sphere_crosses_a_seam_as_if_there_were_none, 0, 9);
     tcase_add_loop_test(t, convex_body_touches_a_sphere_once, 0, 3);
     tcase_add_loop_test(t, concave_corner_touches_a_sphere_with_each_face, 0,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/symmetric.h"
+#include "linear/fast/symmetric.h"
 
 #include "linear_case.h"
 

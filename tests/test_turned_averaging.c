@@ -126,7 +126,7 @@ static void spread(struct scene *s)
             s->q[M * i + k] =
                 k == 0 ? particles_volume(s->ps, i)
                        : 1e-3 * sin(3.0 * i + 5.0 * k) * s->L * s->L * s->L;
-    averaging_leave_out(s->a, M, s->q);
+    averaging_apply_cap(s->a, M, s->q);
     averaging_spread(s->a, M, s->q, s->field);
 }
 

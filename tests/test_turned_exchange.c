@@ -10,21 +10,21 @@ static const struct {
     const char *averaging, *interpolation, *drag;
     enum treatment treatment;
     enum continuity continuity;
-    enum relaxation relaxation;
+    enum slip_integration relaxation;
     int pressure, model_b, substeps, extras, one_way;
-} variants[] = {{"pcm", "nearest", "syamlal-obrien", TREATMENT_EXPLICIT,
-                 CONTINUITY_MIXTURE, RELAXATION_FROZEN, 0, 0, 1, 0, 0},
-                {"kernel", "linear", "gidaspow", TREATMENT_SEMI_IMPLICIT,
-                 CONTINUITY_VOID_RATE, RELAXATION_EXPONENTIAL, 1, 0, 1, 0, 0},
-                {"diffusion", "same", "gidaspow", TREATMENT_SEMI_IMPLICIT,
-                 CONTINUITY_MIXTURE, RELAXATION_FROZEN, 1, 1, 3, 0, 0},
-                {"dpvm", "same", "syamlal-obrien", TREATMENT_EXPLICIT,
-                 CONTINUITY_VOID_RATE, RELAXATION_EXPONENTIAL, 1, 0, 0, 1, 0},
-                {"images", "linear", "syamlal-obrien", TREATMENT_SEMI_IMPLICIT,
-                 CONTINUITY_MIXTURE, RELAXATION_EXPONENTIAL, 1, 1, 1, 1, 0},
-                {"diffusion", "linear", "schiller-naumann",
-                 TREATMENT_SEMI_IMPLICIT, CONTINUITY_VOID_RATE,
-                 RELAXATION_FROZEN, 1, 0, 2, 1, 1}};
+} variants[] = {
+    {"pcm", "nearest", "syamlal-obrien", TREATMENT_EXPLICIT, CONTINUITY_MIXTURE,
+     SLIP_INTEGRATION_FROZEN, 0, 0, 1, 0, 0},
+    {"kernel", "linear", "gidaspow", TREATMENT_SEMI_IMPLICIT,
+     CONTINUITY_VOID_RATE, SLIP_INTEGRATION_EXPONENTIAL, 1, 0, 1, 0, 0},
+    {"diffusion", "same", "gidaspow", TREATMENT_SEMI_IMPLICIT,
+     CONTINUITY_MIXTURE, SLIP_INTEGRATION_FROZEN, 1, 1, 3, 0, 0},
+    {"dpvm", "same", "syamlal-obrien", TREATMENT_EXPLICIT, CONTINUITY_VOID_RATE,
+     SLIP_INTEGRATION_EXPONENTIAL, 1, 0, 0, 1, 0},
+    {"images", "linear", "syamlal-obrien", TREATMENT_SEMI_IMPLICIT,
+     CONTINUITY_MIXTURE, SLIP_INTEGRATION_EXPONENTIAL, 1, 1, 1, 1, 0},
+    {"diffusion", "linear", "schiller-naumann", TREATMENT_SEMI_IMPLICIT,
+     CONTINUITY_VOID_RATE, SLIP_INTEGRATION_FROZEN, 1, 0, 2, 1, 1}};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
 static struct scene scene_of(int v, const struct frame *t, struct units in)

@@ -4,10 +4,10 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-#include "particles/capillary.h"
-#include "particles/electrostatic.h"
-#include "particles/energy.h"
-#include "particles/van_der_waals.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/energy.h"
+#include "dem/cohesion/van_der_waals.h"
 #include "spheres.h"
 #include "turned.h"
 
@@ -168,8 +168,8 @@ static void add_grains(struct scene *s)
     uint64_t state = 5;
 
     s->ps = particles_create(N);
-    if (s->v->materials) particles_distinguish(s->ps);
-    if (s->v->drag) particles_hold_back(s->ps);
+    if (s->v->materials) particles_add_material(s->ps);
+    if (s->v->drag) particles_add_implicit_drag(s->ps);
     for (int i = 0; i < N; i++) {
         double w[3], e[3];
         for (int k = 0; k < 3; k++) {
@@ -179,7 +179,7 @@ static void add_grains(struct scene *s)
         add_grain(s, of, i, w, e);
         if (s->v->materials) s->ps->material[i] = i % 3 == 0;
         if (!s->v->drag) continue;
-        s->ps->resistance[i] = 5.0 * s->ps->m[i] / s->in.T;
+        s->ps->drag_coefficient[i] = 5.0 * s->ps->m[i] / s->in.T;
         s->ps->added_mass[i] = 0.2 * s->ps->m[i];
     }
     particles_free(of);
@@ -202,7 +202,7 @@ static struct scene *create(const struct variant *v, const struct frame *t,
     const struct dem_options o = options_of(s);
     s->dem = dem_create(s->ps, &o);
     ck_assert_ptr_nonnull(s->dem);
-    dem_keep_energy(s->dem);
+    dem_start_energy_budget(s->dem);
     ck_assert_int_eq(dem_run(s->dem, 600, &s->r), 0);
     return s;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/two_grid.h"
+#include "averaging/more/two_grid.h"
 
 #include <check.h>
 #include <math.h>

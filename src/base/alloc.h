@@ -1,11 +1,11 @@
 /* alloc.h -- memory that is there or the program ends.
  *
  * Every array of the solver comes from here: zeroed, aligned to 64 bytes for
- * vector loads. Out of memory ends the program with a message and exit code 4,
- * so that no caller carries a ladder of clean-ups. Released with free().
+ * vector loads. If memory is exhausted the program ends with a message and exit
+ * code 4, so no caller has to handle it. Released with free().
  */
-#ifndef ALLOC_H
-#define ALLOC_H
+#ifndef BASE_ALLOC_H
+#define BASE_ALLOC_H
 
 #include <stddef.h>
 

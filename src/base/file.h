@@ -1,12 +1,12 @@
-/* file.h -- files that appear whole or not at all.
+/* file.h -- files that are written completely or not at all.
  *
  * Everything is written to PATH.partial and takes its name only when the last
  * byte is on the disk: a reader, a crash or a full disk never meets half a
  * file, and the old file stays until the new one is complete. Every failure
  * gives one message on stderr, with the path and the reason.
  */
-#ifndef FILE_H
-#define FILE_H
+#ifndef BASE_FILE_H
+#define BASE_FILE_H
 
 #include <stdio.h>
 

@@ -3,8 +3,8 @@
  * Only ordinary ones: a device has no end, a pipe without a writer is waited
  * for for ever, and a folder is none; but fopen takes them all.
  */
-#ifndef INPUT_H
-#define INPUT_H
+#ifndef BASE_INPUT_H
+#define BASE_INPUT_H
 
 #include <stddef.h>
 

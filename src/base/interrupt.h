@@ -7,8 +7,8 @@
  * a step is never left half done. No handler and no variable that one would
  * change is needed.
  */
-#ifndef INTERRUPT_H
-#define INTERRUPT_H
+#ifndef BASE_INTERRUPT_H
+#define BASE_INTERRUPT_H
 
 #include <pthread.h>
 

@@ -5,8 +5,8 @@
  * them. The rooms that read a key own no second description; an effect brings
  * its own rows in its descriptor.
  */
-#ifndef KEY_H
-#define KEY_H
+#ifndef BASE_KEY_H
+#define BASE_KEY_H
 
 enum key_type {
     KEY_GROUP,  /* { name = value; ... } */

@@ -6,8 +6,8 @@
  * open what a cast makes of it, and most machines make -2147483648. So nothing
  * in this program casts a real number; it asks here.
  */
-#ifndef NUMBER_H
-#define NUMBER_H
+#ifndef BASE_NUMBER_H
+#define BASE_NUMBER_H
 
 /* Room for any double and its closing zero [bytes]. */
 enum { NUMBER_LENGTH = 32 };

@@ -4,7 +4,7 @@
  * Every cell offers the faces on its upper sides: those in x first, all over
  * the box, then those that lead round its end; then those in y, then z. So the
  * faces between a row of cells and the next row are numbered in a row, too, and
- * a loop over them reads memory as it lies (linear/runs.h).
+ * a loop over them reads memory as it lies (linear/fast/contiguous_faces.h).
  */
 #include "mesh/mesh.h"
 

@@ -11,8 +11,8 @@
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
  */
-#ifndef FOLDER_H
-#define FOLDER_H
+#ifndef OUTPUT_FOLDER_H
+#define OUTPUT_FOLDER_H
 
 #include "output/table.h"
 

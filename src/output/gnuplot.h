@@ -4,8 +4,8 @@
  * it expects the name of a file. So no name that somebody else has chosen
  * reaches it: it runs within the folder, on names of our own.
  */
-#ifndef GNUPLOT_H
-#define GNUPLOT_H
+#ifndef OUTPUT_GNUPLOT_H
+#define OUTPUT_GNUPLOT_H
 
 struct gnuplot {
     const char *folder; /* where to run; whatever the user called it */

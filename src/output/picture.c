@@ -103,7 +103,7 @@ static double sampled(const struct picture *p, double x[3], double step, int n)
     int met = 0;
 
     for (int k = 0; k < n; k++, x[2] += step) {
-        const int c = mesh_locate(p->mesh, x, offset);
+        const int c = mesh_cell_and_offset(p->mesh, x, offset);
         if (c < 0) continue;
         sum += p->eps[c];
         met++;

@@ -11,13 +11,13 @@
  * The pressure is read from DIR/history.csv, columns `time [s]`, `pressure_drop
  * [Pa]` and `bed_weight [Pa]`.
  */
-#ifndef PICTURE_H
-#define PICTURE_H
+#ifndef OUTPUT_PICTURE_H
+#define OUTPUT_PICTURE_H
 
 #include "mesh/mesh.h"
 #include "output/folder.h"
 
-/* What is to be seen; all borrowed. */
+/* The data of a picture; all borrowed. */
 struct picture {
     const char *title;
     double time; /* [s] */

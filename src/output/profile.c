@@ -122,7 +122,7 @@ struct profile *profile_create(const struct mesh *m,
     }
     struct profile *const p = alloc_zeroed(1, sizeof *p);
     p->line = *line;
-    if (m->middle == NULL)
+    if (m->face_centre == NULL)
         lay_out(p, &m->box);
     else
         lay_probes(p, m);

@@ -96,7 +96,7 @@ function put_fluid(    i, d) {
 function material(density) {
     return density (is("contact", "hertz") ? " young = 1e5; poisson = 0.3;" : \
         " stiffness = 20.0;") " restitution = 0.8; friction = 0.3;" \
-        (on("rolling") ? " rolling = 0.1;" : "")
+        (on("rolling") ? " rolling_friction = 0.1;" : "")
 }
 
 function put_materials() {
@@ -113,9 +113,9 @@ function put_materials() {
 # Each diameter about d.
 function put_sizes(    s) {
     if (is("sizes", "equal")) return
-    s = is("sizes", "uniform") ? sprintf("least = %g; most = %g;", 0.8 * d, 1.2 * d) : \
-        is("sizes", "normal") ? sprintf("mean = %g; deviation = %g; least = %g; most = %g;", d, 0.1 * d, 0.7 * d, 1.3 * d) : \
-        is("sizes", "lognormal") ? sprintf("median = %g; ratio = 1.1; least = %g; most = %g;", d, 0.7 * d, 1.3 * d) : \
+    s = is("sizes", "uniform") ? sprintf("min = %g; max = %g;", 0.8 * d, 1.2 * d) : \
+        is("sizes", "normal") ? sprintf("mean = %g; deviation = %g; min = %g; max = %g;", d, 0.1 * d, 0.7 * d, 1.3 * d) : \
+        is("sizes", "lognormal") ? sprintf("median = %g; ratio = 1.1; min = %g; max = %g;", d, 0.7 * d, 1.3 * d) : \
         sprintf("points = ((%g, %s), (%g, %s)); by = \"mass\";", 0.8 * d, \
             is("sizes", "table") ? "0.0" : "0.4", 1.2 * d, \
             is("sizes", "table") ? "1.0" : "0.6")
@@ -199,11 +199,11 @@ function put_sinks(    a, b) {
 
 function put_driven() {
     if (is("driven", "line"))
-        put("  driven = ( { id = 0; velocity = [0.1, 0.0, 0.0]; from = 4e-4; } );")
+        put("  prescribed = ( { id = 0; velocity = [0.1, 0.0, 0.0]; from = 4e-4; } );")
     if (is("driven", "swing"))
-        put("  driven = ( { id = 0; amplitude = [0.0, 1e-4, 0.0]; frequency = 200.0; } );")
+        put("  prescribed = ( { id = 0; amplitude = [0.0, 1e-4, 0.0]; frequency = 200.0; } );")
     if (is("driven", "circle"))
-        put("  driven = ( { id = 0; centre = " at(0.5, 0.5, 0.5) "; spin = [0.0, 0.0, 20.0]; until = 1e-3; } );")
+        put("  prescribed = ( { id = 0; centre = " at(0.5, 0.5, 0.5) "; spin = [0.0, 0.0, 20.0]; until = 1e-3; } );")
 }
 
 function put_surface() {
@@ -242,7 +242,7 @@ function put_averaging(    b) {
     put("averaging = { method = \"" v["averaging"] "\"; scheme = \"" v["scheme"] \
         "\"; steps = " v["steps"] "; interpolation = \"" v["interpolation"] "\";")
     put(is("width", "delta_05") ? "  delta_05 = 0.006;" : "  bandwidth = 0.004;")
-    if (is("width", "cells grains")) put("  vary = \"" v["width"] "\";")
+    if (is("width", "cells grains")) put("  bandwidth_variation = \"" v["width"] "\";")
     if (is("width", "regions"))
         put("  regions = ( { low = [0.0, 0.0, 0.0]; high = " at(0.5, 0.5, 0.5) "; bandwidth = 0.002; } );")
     if (on("cap")) put("  cap = " v["cap"] ";")
