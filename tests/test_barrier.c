@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/fast/barrier.h"
+#include "facts.h"
 
-#include <check.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <threads.h>
@@ -47,20 +47,9 @@ START_TEST(a_thread_that_waits_long_sleeps)
 }
 END_TEST
 
-int main(void)
+FACTS("barrier")
 {
-    Suite *s = suite_create("barrier");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, no_thread_passes_the_barrier_before_all_have_arrived);
-    tcase_add_test(t, a_thread_that_waits_long_sleeps);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(no_thread_passes_the_barrier_before_all_have_arrived);
+    FACT(a_thread_that_waits_long_sleeps);
 }

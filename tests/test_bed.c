@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bed before time 0: settled, the same from the same seed, and the same
  * from its file, which is refused if it was made for another case. */
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +9,7 @@
 #include "dem/bed.h"
 #include "dem/population/bed_file.h"
 
+#include "facts.h"
 #include "capture.h"
 
 /* A file of our own, that is not there yet. */
@@ -383,28 +383,18 @@ START_TEST(lattice_begins_where_gravity_points)
 }
 END_TEST
 
-int main(void)
+FACTS("bed")
 {
-    Suite *const s = suite_create("bed");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, bed_settles_to_a_poured_packing);
-    tcase_add_test(t, bed_stays_at_rest_when_the_run_begins);
-    tcase_add_test(t, bed_follows_from_its_seed);
-    tcase_add_test(t, bed_from_its_file_goes_on_bit_for_bit);
-    tcase_add_test(t, bed_of_another_case_is_refused);
-    tcase_add_test(t, half_a_bed_is_refused);
-    tcase_add_loop_test(t, bed_file_with_what_no_bed_has_is_refused_by_its_line,
-                        0, 15);
-    tcase_add_test(t, bed_that_does_not_fit_is_refused);
-    tcase_add_test(t, bed_of_two_sizes_settles_and_each_has_its_mass);
-    tcase_add_test(t, bed_of_other_sizes_is_refused);
-    tcase_add_test(t, lattice_begins_where_gravity_points);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60);
+    FACT(bed_settles_to_a_poured_packing);
+    FACT(bed_stays_at_rest_when_the_run_begins);
+    FACT(bed_follows_from_its_seed);
+    FACT(bed_from_its_file_goes_on_bit_for_bit);
+    FACT(bed_of_another_case_is_refused);
+    FACT(half_a_bed_is_refused);
+    FACT_FOR_EACH(bed_file_with_what_no_bed_has_is_refused_by_its_line, 15);
+    FACT(bed_that_does_not_fit_is_refused);
+    FACT(bed_of_two_sizes_settles_and_each_has_its_mass);
+    FACT(bed_of_other_sizes_is_refused);
+    FACT(lattice_begins_where_gravity_points);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/bicgstab.h"
 
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <gsl/gsl_linalg.h>
 #include <omp.h>
 
@@ -258,28 +258,16 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("bicgstab")
 {
-    Suite *s = suite_create("bicgstab");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, each_component_is_solved_as_by_elimination);
-    tcase_add_test(t, the_worst_true_residual_is_the_one_reported);
-    tcase_add_test(t, a_good_guess_costs_nothing);
-    tcase_add_test(
-        t, a_converged_component_is_not_changed_while_the_others_iterate);
-    tcase_add_test(t, without_a_right_hand_side_the_solution_is_zero);
-    tcase_add_test(t, a_breakdown_is_reported);
-    tcase_add_test(t, limits_and_numbers_that_are_none_are_reported);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(each_component_is_solved_as_by_elimination);
+    FACT(the_worst_true_residual_is_the_one_reported);
+    FACT(a_good_guess_costs_nothing);
+    FACT(a_converged_component_is_not_changed_while_the_others_iterate);
+    FACT(without_a_right_hand_side_the_solution_is_zero);
+    FACT(a_breakdown_is_reported);
+    FACT(limits_and_numbers_that_are_none_are_reported);
+    FACT(threads_do_not_change_a_bit);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
@@ -305,24 +305,15 @@ START_TEST(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large)
 }
 END_TEST
 
-int main(void)
+FACTS("boundary")
 {
-    Suite *const s = suite_create("boundary");
-    TCase *const t = tcase_create("boundaries");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, couette_flow_under_a_moving_wall_is_exact);
-    tcase_add_loop_test(t, a_turned_box_has_the_turned_flow, 0, 2);
-    tcase_add_test(t, the_stretches_of_a_parabola_have_its_mean);
-    tcase_add_test(t, a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
-    tcase_add_loop_test(t, a_vortex_leaves_through_an_outlet, 0, 4);
-    tcase_add_test(t, a_mean_gradient_and_the_mean_flow_that_is_kept_agree);
-    tcase_add_loop_test(
-        t, ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 0,
-        2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(couette_flow_under_a_moving_wall_is_exact);
+    FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2);
+    FACT(the_stretches_of_a_parabola_have_its_mean);
+    FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
+    FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4);
+    FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree);
+    FACT_FOR_EACH(
+        ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2);
 }

@@ -10,9 +10,9 @@
 #include "case/schema.h"
 #include "case/case_file.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -418,41 +418,30 @@ START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
 }
 END_TEST
 
-int main(void)
+FACTS("scene")
 {
-    Suite *const s = suite_create("scene");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, the_cases_are_right);
-    tcase_add_test(t, sx15_10_the_size_of_a_cell_is_the_root_of_its_volume);
-    tcase_add_test(t, something_must_be_there_to_compute);
-    tcase_add_test(t, each_side_of_the_box_is_described_once);
-    tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
-    tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
-    tcase_add_test(t, average_is_no_wider_than_the_mesh_by_far);
-    tcase_add_test(t, whole_number_is_written_without_point_or_exponent);
-    tcase_add_test(t, cells_are_of_a_size_that_can_be_computed);
-    tcase_add_test(t, sink_without_a_side_asks_for_a_region);
-    tcase_add_test(t, every_profile_has_a_file_of_its_own);
-    tcase_add_test(t, contact_law_asks_for_its_constants);
-    tcase_add_test(t, materials_are_known_by_their_names);
-    tcase_add_test(t, materials_of_a_case_reach_the_particles);
-    tcase_add_test(t, cohesion_is_complete_and_possible);
-    tcase_add_test(t, cohesion_of_a_case_reaches_the_particles);
-    tcase_add_test(t, bed_must_fit_into_the_box);
-    tcase_add_test(t, averaging_by_a_width_asks_for_one);
-    tcase_add_test(t, profiles_lie_inside_the_box);
-    tcase_add_test(t, probes_lie_inside_the_box);
-    tcase_add_test(t, empty_bed_and_missing_inlet_are_allowed);
-    tcase_add_test(t, numbers_of_an_effect_come_in_the_order_of_its_keys);
-    tcase_add_test(t, models_and_keys_name_the_same);
-    tcase_add_test(t, list_shows_every_model_and_key);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(the_cases_are_right);
+    FACT(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume);
+    FACT(something_must_be_there_to_compute);
+    FACT(each_side_of_the_box_is_described_once);
+    FACT(sizes_are_possible_and_known_by_their_names);
+    FACT(what_flows_in_must_be_able_to_flow_out);
+    FACT(average_is_no_wider_than_the_mesh_by_far);
+    FACT(whole_number_is_written_without_point_or_exponent);
+    FACT(cells_are_of_a_size_that_can_be_computed);
+    FACT(sink_without_a_side_asks_for_a_region);
+    FACT(every_profile_has_a_file_of_its_own);
+    FACT(contact_law_asks_for_its_constants);
+    FACT(materials_are_known_by_their_names);
+    FACT(materials_of_a_case_reach_the_particles);
+    FACT(cohesion_is_complete_and_possible);
+    FACT(cohesion_of_a_case_reaches_the_particles);
+    FACT(bed_must_fit_into_the_box);
+    FACT(averaging_by_a_width_asks_for_one);
+    FACT(profiles_lie_inside_the_box);
+    FACT(probes_lie_inside_the_box);
+    FACT(empty_bed_and_missing_inlet_are_allowed);
+    FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
+    FACT(models_and_keys_name_the_same);
+    FACT(list_shows_every_model_and_key);
 }

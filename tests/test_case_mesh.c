@@ -4,9 +4,9 @@
 #include "case/case_mesh.h"
 #include "case/case_file.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -277,24 +277,15 @@ START_TEST(a_mesh_is_a_box_or_from_files)
 }
 END_TEST
 
-int main(void)
+FACTS("case_mesh")
 {
-    Suite *const s = suite_create("case_mesh");
-    TCase *const t = tcase_create("meshes of cases");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_box_from_files_has_the_flow_of_our_box);
-    tcase_add_test(t, a_box_sheared_by_nothing_has_the_flow_of_the_box);
-    tcase_add_test(t, a_sheared_channel_has_poiseuilles_flow);
-    tcase_add_test(t, a_box_from_files_has_the_bed_of_our_box);
-    tcase_add_loop_test(t, slanted_walls_hold_the_grains, 0, 3);
-    tcase_add_test(t, what_grains_cannot_do_on_such_a_mesh_is_refused);
-    tcase_add_test(t, patches_go_by_their_own_names);
-    tcase_add_test(t, a_mesh_is_a_box_or_from_files);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_box_from_files_has_the_flow_of_our_box);
+    FACT(a_box_sheared_by_nothing_has_the_flow_of_the_box);
+    FACT(a_sheared_channel_has_poiseuilles_flow);
+    FACT(a_box_from_files_has_the_bed_of_our_box);
+    FACT_FOR_EACH(slanted_walls_hold_the_grains, 3);
+    FACT(what_grains_cannot_do_on_such_a_mesh_is_refused);
+    FACT(patches_go_by_their_own_names);
+    FACT(a_mesh_is_a_box_or_from_files);
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/cell_of_particle.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 120 };
@@ -106,22 +106,11 @@ START_TEST(particles_outside_or_nowhere_are_counted)
 }
 END_TEST
 
-int main(void)
+FACTS("hosts")
 {
-    Suite *const s = suite_create("hosts");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, every_particle_is_a_member_of_the_cell_that_holds_it_once, 0,
-        CLOUD_SHAPES);
-    tcase_add_test(t, particles_are_found_where_they_went);
-    tcase_add_loop_test(t, offsets_end_at_the_walls_of_the_particles_cell, 0,
-                        CLOUD_SHAPES);
-    tcase_add_test(t, particles_outside_or_nowhere_are_counted);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(every_particle_is_a_member_of_the_cell_that_holds_it_once,
+                  CLOUD_SHAPES);
+    FACT(particles_are_found_where_they_went);
+    FACT_FOR_EACH(offsets_end_at_the_walls_of_the_particles_cell, CLOUD_SHAPES);
+    FACT(particles_outside_or_nowhere_are_counted);
 }

@@ -8,6 +8,7 @@
 #include "dem/dem_internal.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
+#include "facts.h"
 #include "plain_contacts.h"
 
 /* --- all pairs ------------------------------------------------------------ */
@@ -407,22 +408,10 @@ START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
 }
 END_TEST
 
-int main(void)
+FACTS("contact_loop")
 {
-    Suite *const s = suite_create("contact_loop");
-    TCase *const t = tcase_create("all pairs");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 0, 8);
-    tcase_add_loop_test(
-        t, the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 0,
-        2);
-    tcase_add_test(
-        t, a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8);
+    FACT_FOR_EACH(
+        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 2);
+    FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
 }

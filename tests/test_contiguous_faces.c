@@ -4,10 +4,9 @@
 #include "linear/fast/contiguous_faces.h"
 #include "linear/fast/vec3.h"
 
+#include "facts.h"
 #include "linear_case.h"
 #include "mesh/mesh.h"
-
-#include <check.h>
 
 static struct mesh *box(int nx, int ny, int nz, int periodic)
 {
@@ -265,24 +264,13 @@ START_TEST(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces)
 }
 END_TEST
 
-int main(void)
+FACTS("runs")
 {
-    Suite *const s = suite_create("runs");
-    TCase *const t = tcase_create("links in a row");
-    SRunner *const r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, each_face_occurs_once_from_its_owner, 0, 3);
-    tcase_add_loop_test(t, each_cell_has_its_faces_in_one_order, 0, 3);
-    tcase_add_test(t, faces_in_disorder_have_no_contiguous_ranges);
-    tcase_add_loop_test(t, product_by_contiguous_faces_is_that_by_rows, 0, 3);
-    tcase_add_test(t, one_number_times_three_is_as_in_a_plain_loop);
-    tcase_add_loop_test(
-        t, a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces, 0, 2);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(each_face_occurs_once_from_its_owner, 3);
+    FACT_FOR_EACH(each_cell_has_its_faces_in_one_order, 3);
+    FACT(faces_in_disorder_have_no_contiguous_ranges);
+    FACT_FOR_EACH(product_by_contiguous_faces_is_that_by_rows, 3);
+    FACT(one_number_times_three_is_as_in_a_plain_loop);
+    FACT_FOR_EACH(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces,
+                  2);
 }

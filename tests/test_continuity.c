@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 
 /* A column of 12 cells: an inlet of U below, an outlet above. No drag: what
@@ -163,19 +163,10 @@ START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
 }
 END_TEST
 
-int main(void)
+FACTS("continuity")
 {
-    Suite *const s = suite_create("continuity");
-    TCase *const t = tcase_create("volume");
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on);
-    tcase_add_test(t, xs11_2_7_both_phases_together_have_the_flux_of_the_inlet);
-    tcase_add_loop_test(t, both_forms_of_continuity_pass_the_volume_of_a_grain,
-                        0, 2);
-    tcase_add_loop_test(t, ls_5_9_courant_number_of_a_uniform_stream, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on);
+    FACT(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet);
+    FACT_FOR_EACH(both_forms_of_continuity_pass_the_volume_of_a_grain, 2);
+    FACT_FOR_EACH(ls_5_9_courant_number_of_a_uniform_stream, 2);
 }

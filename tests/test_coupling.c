@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include "facts.h"
 #include "suspension.h"
 #include "coupling/transfer.h"
 
@@ -609,49 +610,28 @@ START_TEST(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("coupling")
 {
-    Suite *const s = suite_create("coupling");
-    TCase *const t = tcase_create("algorithm 3.1");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(
-        t, xs11_3_18_total_momentum_is_constant_for_every_combination, 0,
-        3 * METHODS);
-    tcase_add_loop_test(t, volume_above_a_cap_has_no_volume_force, 0, 3);
-    tcase_add_test(t, a_cap_counts_the_same_share_of_the_viscous_stress);
-    tcase_add_loop_test(t, a_cap_leaves_the_whole_buoyancy_in_both_models, 0,
-                        2);
-    tcase_add_test(t,
-                   the_void_rate_form_averages_the_solids_velocity_on_demand);
-    tcase_add_test(t, sampling_the_solids_velocity_does_not_change_the_run);
-    tcase_add_test(t, without_the_debt_algorithm_3_1_loses_momentum);
-    tcase_add_test(
-        t, xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
-    tcase_add_test(t, xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
-    tcase_add_loop_test(t, xs11_3_16_relaxation_is_exact_for_a_constant_rate, 0,
-                        10);
-    tcase_add_test(t, xs11_2_9_drag_is_along_the_slip_of_the_fluid);
-    tcase_add_test(t,
-                   xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);
-    tcase_add_test(t, xs11_2_6_a_pressure_gradient_pushes_by_the_volume);
-    tcase_add_test(t, a_sphere_with_no_interpolated_fluid_ends_the_run);
-    tcase_add_test(t, ls_5_1_a_neutral_sphere_floats);
-    tcase_add_loop_test(t, ls_5_27_a_fixed_bed_has_erguns_pressure_drop, 0, 4);
-    tcase_add_test(t, ls_5_one_way_leaves_the_fluid_alone);
-    tcase_add_loop_test(t, xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau,
-                        0, 3);
-    tcase_add_test(
-        t, the_coupled_loop_gives_the_same_bits_for_any_number_of_threads);
-    tcase_add_test(t, a_step_of_several_sub_steps_reports_its_deepest_overlap);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const r = srunner_create(suite());
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(xs11_3_18_total_momentum_is_constant_for_every_combination,
+                  3 * METHODS);
+    FACT_FOR_EACH(volume_above_a_cap_has_no_volume_force, 3);
+    FACT(a_cap_counts_the_same_share_of_the_viscous_stress);
+    FACT_FOR_EACH(a_cap_leaves_the_whole_buoyancy_in_both_models, 2);
+    FACT(the_void_rate_form_averages_the_solids_velocity_on_demand);
+    FACT(sampling_the_solids_velocity_does_not_change_the_run);
+    FACT(without_the_debt_algorithm_3_1_loses_momentum);
+    FACT(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
+    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
+    FACT_FOR_EACH(xs11_3_16_relaxation_is_exact_for_a_constant_rate, 10);
+    FACT(xs11_2_9_drag_is_along_the_slip_of_the_fluid);
+    FACT(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);
+    FACT(xs11_2_6_a_pressure_gradient_pushes_by_the_volume);
+    FACT(a_sphere_with_no_interpolated_fluid_ends_the_run);
+    FACT(ls_5_1_a_neutral_sphere_floats);
+    FACT_FOR_EACH(ls_5_27_a_fixed_bed_has_erguns_pressure_drop, 4);
+    FACT(ls_5_one_way_leaves_the_fluid_alone);
+    FACT_FOR_EACH(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau, 3);
+    FACT(the_coupled_loop_gives_the_same_bits_for_any_number_of_threads);
+    FACT(a_step_of_several_sub_steps_reports_its_deepest_overlap);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "facts.h"
 #include "capture.h"
 #include "spheres.h"
 
@@ -377,32 +378,19 @@ START_TEST(springs_taken_out_and_put_back_continue_a_run)
 }
 END_TEST
 
-int main(void)
+FACTS("dem_run")
 {
-    Suite *const s = suite_create("dem_run");
-    TCase *const t = tcase_create("runs");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_test(t, no_particle_at_all_is_no_trouble);
-    tcase_add_test(t, xs11_2_1_one_particle_flies_a_parabola_in_any_direction);
-    tcase_add_test(
-        t, a_particle_that_shoots_through_a_wall_is_reported_with_its_id);
-    tcase_add_loop_test(
-        t, a_particle_that_is_not_a_number_is_reported_with_its_id, 0, 6);
-    tcase_add_loop_test(t, a_periodic_box_has_no_seam, 0, 2);
-    tcase_add_loop_test(t, a_periodic_box_keeps_its_momentum, 0, 2);
-    tcase_add_test(
-        t, a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);
-    tcase_add_loop_test(
-        t, the_deepest_overlap_is_known_with_its_two_and_its_place, 0, 3);
-    tcase_add_loop_test(t, overlaps_are_reported_over_the_mean_diameter, 0, 2);
-    tcase_add_test(t, ls_4_4_the_contact_force_of_the_last_step_can_be_seen);
-    tcase_add_test(t, a_run_may_be_cut_into_pieces);
-    tcase_add_loop_test(t, springs_taken_out_and_put_back_continue_a_run, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(no_particle_at_all_is_no_trouble);
+    FACT(xs11_2_1_one_particle_flies_a_parabola_in_any_direction);
+    FACT(a_particle_that_shoots_through_a_wall_is_reported_with_its_id);
+    FACT_FOR_EACH(a_particle_that_is_not_a_number_is_reported_with_its_id, 6);
+    FACT_FOR_EACH(a_periodic_box_has_no_seam, 2);
+    FACT_FOR_EACH(a_periodic_box_keeps_its_momentum, 2);
+    FACT(a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);
+    FACT_FOR_EACH(the_deepest_overlap_is_known_with_its_two_and_its_place, 3);
+    FACT_FOR_EACH(overlaps_are_reported_over_the_mean_diameter, 2);
+    FACT(ls_4_4_the_contact_force_of_the_last_step_can_be_seen);
+    FACT(a_run_may_be_cut_into_pieces);
+    FACT_FOR_EACH(springs_taken_out_and_put_back_continue_a_run, 2);
 }

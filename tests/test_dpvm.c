@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/more/dpvm.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 #include "mesh/poly/poly.h"
 #include "warped.h"
@@ -215,24 +215,12 @@ START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
 }
 END_TEST
 
-int main(void)
+FACTS("dpvm")
 {
-    Suite *const s = suite_create("dpvm");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_sphere_across_a_face_is_divided_by_its_cap);
-    tcase_add_test(t, a_sphere_in_a_corner_is_divided_where_there_are_cells);
-    tcase_add_test(t, divided_no_cell_gets_more_than_it_has_room_for);
-    tcase_add_loop_test(
-        t, the_part_in_a_region_does_not_depend_on_the_cells_in_it, 0, 2);
-    tcase_add_loop_test(t, a_box_from_files_divides_as_a_box, 0,
-                        3 * CLOUD_SHAPES);
-    tcase_add_loop_test(
-        t, the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 0, 3);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(a_sphere_across_a_face_is_divided_by_its_cap);
+    FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells);
+    FACT(divided_no_cell_gets_more_than_it_has_room_for);
+    FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2);
+    FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES);
+    FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3);
 }

@@ -6,6 +6,7 @@
 
 #include "dem/cohesion/electrostatic.h"
 #include "dem/energy.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* 64 spheres of two sizes thrown about in a box, under gravity. */
@@ -361,31 +362,20 @@ START_TEST(a_budget_changes_no_bit_and_does_not_depend_on_threads)
 }
 END_TEST
 
-int main(void)
+FACTS("energy")
 {
-    Suite *const s = suite_create("energy");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 30);
-    tcase_add_loop_test(
-        t, the_energy_budget_closes_to_first_order_with_friction_and_damping, 0,
-        6);
-    tcase_add_loop_test(
-        t, the_energy_budget_closes_to_second_order_where_nothing_damps, 0, 2);
-    tcase_add_test(t, the_normal_dashpot_takes_1_less_e_squared);
-    tcase_add_test(t, the_work_of_gravity_is_the_height_lost);
-    tcase_add_test(t, sliding_takes_two_sevenths_until_it_rolls);
-    tcase_add_test(t, rolling_friction_takes_what_a_rolling_sphere_has);
-    tcase_add_loop_test(t, a_driven_sphere_does_the_work_that_it_gives, 0, 4);
-    tcase_add_test(t, a_wall_that_moves_does_the_work_that_it_gives);
-    tcase_add_test(t, attractions_do_the_work_that_comes_out_as_motion);
-    tcase_add_test(t, energy_added_between_runs_is_counted);
-    tcase_add_loop_test(
-        t, a_budget_changes_no_bit_and_does_not_depend_on_threads, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 30);
+    FACT_FOR_EACH(
+        the_energy_budget_closes_to_first_order_with_friction_and_damping, 6);
+    FACT_FOR_EACH(the_energy_budget_closes_to_second_order_where_nothing_damps,
+                  2);
+    FACT(the_normal_dashpot_takes_1_less_e_squared);
+    FACT(the_work_of_gravity_is_the_height_lost);
+    FACT(sliding_takes_two_sevenths_until_it_rolls);
+    FACT(rolling_friction_takes_what_a_rolling_sphere_has);
+    FACT_FOR_EACH(a_driven_sphere_does_the_work_that_it_gives, 4);
+    FACT(a_wall_that_moves_does_the_work_that_it_gives);
+    FACT(attractions_do_the_work_that_comes_out_as_motion);
+    FACT(energy_added_between_runs_is_counted);
+    FACT_FOR_EACH(a_budget_changes_no_bit_and_does_not_depend_on_threads, 2);
 }

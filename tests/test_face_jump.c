@@ -2,8 +2,8 @@
 /* Beds whose fluid fraction jumps from cell to cell, blown through without any
  * drag that would damp: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -172,21 +172,10 @@ START_TEST(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded)
 }
 END_TEST
 
-int main(void)
+FACTS("jump")
 {
-    Suite *const s = suite_create("jump");
-    TCase *const t = tcase_create("jump");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 120.0);
-    tcase_add_loop_test(t, a_bed_of_random_cells_stays_bounded_by_any_scheme, 0,
-                        5);
-    tcase_add_loop_test(t, so_does_one_of_full_and_empty_cells_between_walls, 0,
-                        5);
-    tcase_add_loop_test(
-        t, waves_along_the_surface_of_a_bed_die_out_or_stay_bounded, 0, 5);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 120.0);
+    FACT_FOR_EACH(a_bed_of_random_cells_stays_bounded_by_any_scheme, 5);
+    FACT_FOR_EACH(so_does_one_of_full_and_empty_cells_between_walls, 5);
+    FACT_FOR_EACH(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded, 5);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -547,42 +547,24 @@ START_TEST(the_pressure_of_flat_cells_takes_few_iterations)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("fluid")
 {
-    Suite *const s = suite_create("fluid");
-    TCase *const t = tcase_create("averaged flow");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_graded_cells, 0,
-                        3);
-    tcase_add_test(t,
-                   xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps);
-    tcase_add_test(t, fluid_at_rest_stays_at_rest_whatever_eps_is);
-    tcase_add_loop_test(
-        t, step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 0, 8);
-    tcase_add_loop_test(t, friction_of_1e12_is_as_stable_as_any, 0, 2);
-    tcase_add_test(t, a_steady_flow_does_not_know_the_time_step);
-    tcase_add_loop_test(t, momentum_changes_only_by_the_forces_on_it, 0, 12);
-    tcase_add_test(t, mass_residual_is_what_the_fluxes_leave);
-    tcase_add_test(t, ls_3_13_flow_between_plates_converges_with_order_two);
-    tcase_add_test(t, ls_3_13_vortices_decay_with_order_two_in_space);
-    tcase_add_test(t, upwind_has_order_one_and_linear_is_better);
-    tcase_add_test(t, an_inlet_follows_its_course_in_time);
-    tcase_add_test(t, what_enters_leaves_while_the_inlet_ramps_up);
-    tcase_add_test(t, backflow_through_an_outlet_is_counted_and_stays_bounded);
-    tcase_add_loop_test(t, a_closed_box_of_one_cell_and_of_many_is_solved, 0,
-                        2);
-    tcase_add_test(t, convection_schemes_are_known_by_name);
-    tcase_add_loop_test(t, the_pressure_of_flat_cells_takes_few_iterations, 0,
-                        3);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const r = srunner_create(suite());
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_graded_cells, 3);
+    FACT(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps);
+    FACT(fluid_at_rest_stays_at_rest_whatever_eps_is);
+    FACT_FOR_EACH(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 8);
+    FACT_FOR_EACH(friction_of_1e12_is_as_stable_as_any, 2);
+    FACT(a_steady_flow_does_not_know_the_time_step);
+    FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12);
+    FACT(mass_residual_is_what_the_fluxes_leave);
+    FACT(ls_3_13_flow_between_plates_converges_with_order_two);
+    FACT(ls_3_13_vortices_decay_with_order_two_in_space);
+    FACT(upwind_has_order_one_and_linear_is_better);
+    FACT(an_inlet_follows_its_course_in_time);
+    FACT(what_enters_leaves_while_the_inlet_ramps_up);
+    FACT(backflow_through_an_outlet_is_counted_and_stays_bounded);
+    FACT_FOR_EACH(a_closed_box_of_one_cell_and_of_many_is_solved, 2);
+    FACT(convection_schemes_are_known_by_name);
+    FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/folder.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include "base/file.h"
@@ -189,27 +190,16 @@ START_TEST(a_folder_in_which_nothing_was_begun_goes_with_those_above)
 }
 END_TEST
 
-int main(void)
+FACTS("folder")
 {
-    Suite *const s = suite_create("folder");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, what_is_listed_goes_and_what_is_not_stays);
-    tcase_add_test(t, a_second_run_is_refused_and_a_dead_one_holds_nothing);
-    tcase_add_loop_test(t, a_manifest_that_names_what_is_not_inside_is_refused,
-                        0, 10);
-    tcase_add_test(t, a_manifest_of_another_program_is_refused);
-    tcase_add_test(t, a_line_cut_short_by_a_crash_is_no_name);
-    tcase_add_loop_test(
-        t, a_foreign_file_that_would_be_overwritten_refuses_the_folder, 0, 4);
-    tcase_add_test(t, a_link_out_of_the_folder_is_not_followed);
-    tcase_add_test(t,
-                   a_folder_in_which_nothing_was_begun_goes_with_those_above);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(what_is_listed_goes_and_what_is_not_stays);
+    FACT(a_second_run_is_refused_and_a_dead_one_holds_nothing);
+    FACT_FOR_EACH(a_manifest_that_names_what_is_not_inside_is_refused, 10);
+    FACT(a_manifest_of_another_program_is_refused);
+    FACT(a_line_cut_short_by_a_crash_is_no_name);
+    FACT_FOR_EACH(a_foreign_file_that_would_be_overwritten_refuses_the_folder,
+                  4);
+    FACT(a_link_out_of_the_folder_is_not_followed);
+    FACT(a_folder_in_which_nothing_was_begun_goes_with_those_above);
 }

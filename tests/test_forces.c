@@ -4,6 +4,7 @@
 
 #include <omp.h>
 
+#include "facts.h"
 #include "suspension.h"
 
 /* Density of the spheres over that of the fluid: sand in air is far above. */
@@ -272,27 +273,15 @@ START_TEST(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
 }
 END_TEST
 
-int main(void)
+FACTS("forces")
 {
-    Suite *const s = suite_create("forces");
-    TCase *const t = tcase_create("forces");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, ls_5_3_a_released_sphere_falls_with_its_added_mass,
-                        0, 4);
-    tcase_add_loop_test(
-        t, ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 0, 4);
-    tcase_add_test(t, ls_5_3_a_converging_stream_accelerates_what_is_in_it);
-    tcase_add_loop_test(t, ls_5_3_virtual_mass_and_model_b_keep_total_momentum,
-                        0, 32);
-    tcase_add_test(t, ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
-    tcase_add_test(t, ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
-    tcase_add_loop_test(t, ls_5_1_viscous_stress_keeps_total_momentum, 0, 4);
-    tcase_add_test(t, sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(ls_5_3_a_released_sphere_falls_with_its_added_mass, 4);
+    FACT_FOR_EACH(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 4);
+    FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it);
+    FACT_FOR_EACH(ls_5_3_virtual_mass_and_model_b_keep_total_momentum, 32);
+    FACT(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
+    FACT(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
+    FACT_FOR_EACH(ls_5_1_viscous_stress_keeps_total_momentum, 4);
+    FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The grid: nobody is missed, in walls, across periodic ends and between
  * strips; and springs find their pairs whatever the order of the particles. */
-#include <check.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 static struct dem_options box(const char *law, double x, double y, double z,
@@ -222,21 +222,12 @@ START_TEST(springs_find_their_pairs_in_any_order)
 }
 END_TEST
 
-int main(void)
+FACTS("grid")
 {
-    Suite *const s = suite_create("grid");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_between_walls);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_across_periodic_ends);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_between_chunks);
-    tcase_add_test(t, same_bits_for_any_threads_around_a_periodic_end);
-    tcase_add_test(t, springs_find_their_pairs_in_any_order);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60);
+    FACT(ls_5_15_list_finds_all_pairs_between_walls);
+    FACT(ls_5_15_list_finds_all_pairs_across_periodic_ends);
+    FACT(ls_5_15_list_finds_all_pairs_between_chunks);
+    FACT(same_bits_for_any_threads_around_a_periodic_end);
+    FACT(springs_find_their_pairs_in_any_order);
 }

@@ -3,6 +3,7 @@
  * accurate at these steps; all must stay finite and bounded, and balance. */
 #include "coupling/coupling.h"
 
+#include "facts.h"
 #include "hard_beds.h"
 #include "suspension.h"
 
@@ -85,19 +86,10 @@ START_TEST(full_cells_become_empty_ones_in_one_step)
 }
 END_TEST
 
-int main(void)
+FACTS("hard scenes")
 {
-    Suite *const s = suite_create("hard scenes");
-    TCase *const t = tcase_create("hard scenes");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 120.0);
-    tcase_add_loop_test(t, hard_scenes_stay_finite_bounded_and_balanced, 0,
-                        2 * HARD_SCENES);
-    tcase_add_loop_test(t, full_cells_become_empty_ones_in_one_step, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    tcase_set_timeout(facts, 120.0);
+    FACT_FOR_EACH(hard_scenes_stay_finite_bounded_and_balanced,
+                  2 * HARD_SCENES);
+    FACT_FOR_EACH(full_cells_become_empty_ones_in_one_step, 2);
 }

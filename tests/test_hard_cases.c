@@ -7,6 +7,7 @@
 #include "dem/cohesion/attraction.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/fast/neighbours.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* --- 30 : 1 --------------------------------------------------------------- */
@@ -217,25 +218,13 @@ START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
 }
 END_TEST
 
-int main(void)
+FACTS("hard_cases")
 {
-    Suite *const s = suite_create("hard_cases");
-    TCase *const t = tcase_create("contacts");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 0, 2);
-    tcase_add_loop_test(t, ls_4_4_a_grain_rebounds_from_a_boulder, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 0, 2);
-    tcase_add_loop_test(t, ls_4_4_a_perfectly_elastic_sphere_never_tires, 0, 2);
-    tcase_add_test(t, ls_4_11_a_column_that_gives_nothing_back_lies_still);
-    tcase_add_loop_test(t, no_particle_or_one_is_no_trouble_with_everything_on,
-                        0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2);
+    FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2);
+    FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2);
+    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_never_tires, 2);
+    FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still);
+    FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/poly/images_poly.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,6 +8,7 @@
 #include "averaging/averaging.h"
 #include "averaging/poly/gaussian_moments.h"
 #include "base/vector.h"
+#include "facts.h"
 #include "blocks.h"
 #include "cloud.h"
 #include "mesh/poly/poly.h"
@@ -271,22 +271,12 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
 }
 END_TEST
 
-int main(void)
+FACTS("images_poly")
 {
-    Suite *const s = suite_create("images_poly");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, ew18_21_a_box_of_faces_comes_to_the_box, 0, 2);
-    tcase_add_loop_test(
-        t, ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room, 0, ROOMS);
-    tcase_add_test(t, ew18_21_no_flux_leads_into_a_wall);
-    tcase_add_test(t, ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
-    tcase_add_test(t,
-                   ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(ew18_21_a_box_of_faces_comes_to_the_box, 2);
+    FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room,
+                  ROOMS);
+    FACT(ew18_21_no_flux_leads_into_a_wall);
+    FACT(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
+    FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
 }

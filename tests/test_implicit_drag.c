@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/energy.h"
 #include "dem/implicit_drag.h"
+#include "facts.h"
 #include "spheres.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -171,21 +171,12 @@ START_TEST(the_gain_is_one_at_rest_and_falls_like_one_over_x)
 }
 END_TEST
 
-int main(void)
+FACTS("response")
 {
-    Suite *const s = suite_create("response");
-    TCase *const t = tcase_create("response");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, an_added_mass_and_a_drag_are_solved_exactly, 0, 18);
-    tcase_add_test(t, the_fluid_feels_the_drag_alone_of_a_driven_particle);
-    tcase_add_test(t, implicit_drag_of_zero_changes_nothing);
-    tcase_add_test(t, a_sphere_in_honey_creeps_to_its_balance);
-    tcase_add_loop_test(t, the_added_mass_is_part_of_the_energy, 0, 2);
-    tcase_add_test(t, the_gain_is_one_at_rest_and_falls_like_one_over_x);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    FACT_FOR_EACH(an_added_mass_and_a_drag_are_solved_exactly, 18);
+    FACT(the_fluid_feels_the_drag_alone_of_a_driven_particle);
+    FACT(implicit_drag_of_zero_changes_nothing);
+    FACT(a_sphere_in_honey_creeps_to_its_balance);
+    FACT_FOR_EACH(the_added_mass_is_part_of_the_energy, 2);
+    FACT(the_gain_is_one_at_rest_and_falls_like_one_over_x);
 }

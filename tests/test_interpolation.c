@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/interpolation.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 120, M = 3 };
@@ -260,29 +260,16 @@ START_TEST(an_unknown_way_has_no_name)
 }
 END_TEST
 
-int main(void)
+FACTS("interpolation")
 {
-    Suite *const s = suite_create("interpolation");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, linear_is_exact_for_linear_fields_in_the_interior);
-    tcase_add_loop_test(t, linear_is_exact_at_boundaries_whose_values_are_given,
-                        0, 3);
-    tcase_add_loop_test(t, linear_without_boundary_values_is_exact_at_walls_too,
-                        0, 2);
-    tcase_add_test(t, a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
-    tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
-    tcase_add_loop_test(t, nearest_is_the_value_of_the_particles_cell, 0,
-                        CLOUD_SHAPES);
-    tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,
-                        CLOUD_SHAPES);
-    tcase_add_loop_test(t, every_way_gives_constants_back, 0, CLOUD_SHAPES);
-    tcase_add_test(t, the_cap_of_pcm_does_not_cut_down_what_particles_see);
-    tcase_add_test(t, an_unknown_way_has_no_name);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(linear_is_exact_for_linear_fields_in_the_interior);
+    FACT_FOR_EACH(linear_is_exact_at_boundaries_whose_values_are_given, 3);
+    FACT_FOR_EACH(linear_without_boundary_values_is_exact_at_walls_too, 2);
+    FACT(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
+    FACT(linear_is_of_second_order_and_nearest_of_first);
+    FACT_FOR_EACH(nearest_is_the_value_of_the_particles_cell, CLOUD_SHAPES);
+    FACT_FOR_EACH(same_is_the_adjoint_of_the_averaging, CLOUD_SHAPES);
+    FACT_FOR_EACH(every_way_gives_constants_back, CLOUD_SHAPES);
+    FACT(the_cap_of_pcm_does_not_cut_down_what_particles_see);
+    FACT(an_unknown_way_has_no_name);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/kernel.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 90 };
@@ -297,29 +297,17 @@ START_TEST(a_very_wide_kernel_gives_the_mean)
 }
 END_TEST
 
-int main(void)
+FACTS("kernel")
 {
-    Suite *const s = suite_create("kernel");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_3_6_values);
-    tcase_add_loop_test(t,
-                        xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
-                        0, 3 * CLOUD_SHAPES);
-    tcase_add_test(
-        t, xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
-    tcase_add_loop_test(t, sx15_6_the_gaussian_weight_falls_as_it_should, 0,
-                        2 * CLOUD_SHAPES);
-    tcase_add_loop_test(t, xs11_3_4_the_weights_of_each_particle_sum_to_one, 0,
-                        CLOUD_SHAPES);
-    tcase_add_loop_test(t, an_even_bed_is_even_on_cells_of_several_sizes, 0, 2);
-    tcase_add_loop_test(t, a_very_wide_kernel_gives_the_mean, 0, 2);
-    tcase_add_loop_test(t, a_kernel_narrower_than_a_cell_is_pcm, 0,
-                        CLOUD_SHAPES);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_3_6_values);
+    FACT_FOR_EACH(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
+                  3 * CLOUD_SHAPES);
+    FACT(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
+    FACT_FOR_EACH(sx15_6_the_gaussian_weight_falls_as_it_should,
+                  2 * CLOUD_SHAPES);
+    FACT_FOR_EACH(xs11_3_4_the_weights_of_each_particle_sum_to_one,
+                  CLOUD_SHAPES);
+    FACT_FOR_EACH(an_even_bed_is_even_on_cells_of_several_sizes, 2);
+    FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean, 2);
+    FACT_FOR_EACH(a_kernel_narrower_than_a_cell_is_pcm, CLOUD_SHAPES);
 }

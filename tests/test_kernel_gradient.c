@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/more/kernel_gradient.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 /* Largest error of the gradient of sin(2 pi x) cos(2 pi y) in a box of n cells
@@ -147,21 +147,11 @@ START_TEST(ew18_b_8_the_small_system_is_solved)
 }
 END_TEST
 
-int main(void)
+FACTS("slope")
 {
-    Suite *const s = suite_create("slope");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row);
-    tcase_add_loop_test(t, ew18_b_10_a_constant_has_no_slope_anywhere, 0,
-                        CLOUD_SHAPES);
-    tcase_add_test(t, ew18_b_8_the_small_system_is_solved);
-    tcase_add_test(t, ew18_b_8_inside_the_gradient_is_of_second_order);
-    tcase_add_test(t, ew18_b_6_at_a_wall_it_is_of_first_order);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ew18_b_7_a_plane_has_its_slope_in_the_middle_of_a_row);
+    FACT_FOR_EACH(ew18_b_10_a_constant_has_no_slope_anywhere, CLOUD_SHAPES);
+    FACT(ew18_b_8_the_small_system_is_solved);
+    FACT(ew18_b_8_inside_the_gradient_is_of_second_order);
+    FACT(ew18_b_6_at_a_wall_it_is_of_first_order);
 }

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Flows made for the averaged equations, between walls, with a fluid fraction
  * that varies in space and time: the orders in which they are met. */
+#include "facts.h"
 #include "manufactured.h"
-
-#include <check.h>
 
 static struct manufactured setting(int i)
 {
@@ -114,22 +113,12 @@ START_TEST(two_step_schemes_are_stable_on_non_orthogonal_links)
 }
 END_TEST
 
-int main(void)
+FACTS("made")
 {
-    Suite *const s = suite_create("made");
-    TCase *const t = tcase_create("made");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 120.0);
-    tcase_add_loop_test(
-        t, a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p, 0,
-        6);
-    tcase_add_loop_test(t, so_it_has_in_three_dimensions_graded_and_sheared, 0,
-                        2);
-    tcase_add_test(t, non_orthogonal_links_need_few_more_correctors);
-    tcase_add_test(t, two_step_schemes_are_stable_on_non_orthogonal_links);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 120.0);
+    FACT_FOR_EACH(
+        a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p, 6);
+    FACT_FOR_EACH(so_it_has_in_three_dimensions_graded_and_sheared, 2);
+    FACT(non_orthogonal_links_need_few_more_correctors);
+    FACT(two_step_schemes_are_stable_on_non_orthogonal_links);
 }

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include "dem/materials.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const struct material glass = {.young = 48e9,
@@ -184,23 +185,14 @@ START_TEST(equal_materials_are_one_material_bit_for_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("materials")
 {
-    Suite *const s = suite_create("materials");
-    TCase *const t = tcase_create("pairs");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both);
-    tcase_add_test(t, ls_4_4_two_linear_springs_act_in_series);
-    tcase_add_test(t, what_is_not_measured_is_the_smaller_one);
-    tcase_add_test(t, measured_pair_values_are_symmetric);
-    tcase_add_test(t, ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both);
-    tcase_add_test(t, each_pair_and_the_wall_have_their_own_restitution);
-    tcase_add_loop_test(t, equal_materials_are_one_material_bit_for_bit, 0, 4);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both);
+    FACT(ls_4_4_two_linear_springs_act_in_series);
+    FACT(what_is_not_measured_is_the_smaller_one);
+    FACT(measured_pair_values_are_symmetric);
+    FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both);
+    FACT(each_pair_and_the_wall_have_their_own_restitution);
+    FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/mesh.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -316,36 +316,23 @@ START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
 }
 END_TEST
 
-int main(void)
+FACTS("mesh")
 {
-    Suite *const s = suite_create("mesh");
-    TCase *const t = tcase_create("box");
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, cell_volumes_fill_the_box, 0, N_SHAPES);
-    tcase_add_loop_test(t, outline_of_a_box_says_what_the_box_has, 0, N_SHAPES);
-    tcase_add_loop_test(
-        t, every_cell_is_closed_where_no_direction_is_periodic_with_one_cell, 0,
+    FACT_FOR_EACH(cell_volumes_fill_the_box, N_SHAPES);
+    FACT_FOR_EACH(outline_of_a_box_says_what_the_box_has, N_SHAPES);
+    FACT_FOR_EACH(
+        every_cell_is_closed_where_no_direction_is_periodic_with_one_cell,
         N_SHAPES);
-    tcase_add_loop_test(t, links_weights_and_areas_give_each_volume_back, 0,
-                        N_SHAPES);
-    tcase_add_test(t, grading_is_the_ratio_of_the_last_cell_to_the_first);
-    tcase_add_loop_test(t, every_point_of_the_box_has_exactly_one_owner, 0,
-                        N_SHAPES);
-    tcase_add_loop_test(
-        t, a_cell_owns_the_points_between_its_edges_to_the_last_bit, 0,
-        N_SHAPES);
-    tcase_add_test(t, a_point_on_a_face_belongs_to_the_cell_above_it);
-    tcase_add_test(t, a_periodic_direction_wraps_points);
-    tcase_add_test(t, patches_stand_where_their_names_say);
-    tcase_add_test(t, the_measures_of_a_graded_row_are_those_of_its_widths);
-    tcase_add_test(
-        t, a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
-    tcase_add_test(t, a_sheared_box_is_as_crooked_as_its_shear);
-    tcase_add_test(t,
-                   skewness_is_the_way_from_the_link_to_the_middle_of_the_face);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(links_weights_and_areas_give_each_volume_back, N_SHAPES);
+    FACT(grading_is_the_ratio_of_the_last_cell_to_the_first);
+    FACT_FOR_EACH(every_point_of_the_box_has_exactly_one_owner, N_SHAPES);
+    FACT_FOR_EACH(a_cell_owns_the_points_between_its_edges_to_the_last_bit,
+                  N_SHAPES);
+    FACT(a_point_on_a_face_belongs_to_the_cell_above_it);
+    FACT(a_periodic_direction_wraps_points);
+    FACT(patches_stand_where_their_names_say);
+    FACT(the_measures_of_a_graded_row_are_those_of_its_widths);
+    FACT(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
+    FACT(a_sheared_box_is_as_crooked_as_its_shear);
+    FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face);
 }

@@ -5,6 +5,7 @@
 
 #include "base/vector.h"
 #include "dem/surfaces/surface.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -432,39 +433,19 @@ START_TEST(clock_is_all_that_a_motion_remembers)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("motion")
 {
-    Suite *const s = suite_create("motion");
-    TCase *const t = tcase_create("motion");
-
-    tcase_add_test(t, velocity_of_a_motion_is_its_derivative);
-    tcase_add_test(t, motion_leaves_distances_and_finds_back);
-    tcase_add_loop_test(
-        t, moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 0, 2);
-    tcase_add_test(t, wall_rests_before_its_time);
-    tcase_add_loop_test(t, sphere_follows_a_swinging_plate_at_two_sevenths, 0,
-                        2);
-    tcase_add_loop_test(
-        t, sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 0, 2);
-    tcase_add_test(t, sphere_in_a_drum_spins_with_the_wall);
-    tcase_add_loop_test(t, surface_accounts_for_force_torque_and_work, 0, 2);
-    tcase_add_test(t, prescribed_particle_is_free_and_then_circles);
-    tcase_add_test(t, prescribed_particle_repels_another_as_a_wall_does);
-    tcase_add_loop_test(
-        t, driven_particle_goes_the_same_way_by_every_integrator, 0, 3);
-    tcase_add_loop_test(
-        t, driven_particle_is_let_go_with_the_energy_that_it_has, 0, 3);
-    tcase_add_test(t, clock_is_all_that_a_motion_remembers);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const runner = srunner_create(suite());
-
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    FACT(velocity_of_a_motion_is_its_derivative);
+    FACT(motion_leaves_distances_and_finds_back);
+    FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2);
+    FACT(wall_rests_before_its_time);
+    FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2);
+    FACT_FOR_EACH(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 2);
+    FACT(sphere_in_a_drum_spins_with_the_wall);
+    FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
+    FACT(prescribed_particle_is_free_and_then_circles);
+    FACT(prescribed_particle_repels_another_as_a_wall_does);
+    FACT_FOR_EACH(driven_particle_goes_the_same_way_by_every_integrator, 3);
+    FACT_FOR_EACH(driven_particle_is_let_go_with_the_energy_that_it_has, 3);
+    FACT(clock_is_all_that_a_motion_remembers);
 }

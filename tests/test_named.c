@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a case chooses by its name. */
-#include <check.h>
 #include <stdio.h>
 
 #include "averaging/averaging.h"
@@ -13,6 +12,7 @@
 #include "dem/contact.h"
 #include "dem/integrators.h"
 #include "dem/population/sizes.h"
+#include "facts.h"
 
 /* By a name spelled anew, so that it is the letters that count. */
 static const char *copy(const char *name, char to[64])
@@ -72,16 +72,8 @@ START_TEST(a_name_that_no_row_has_finds_none)
 }
 END_TEST
 
-int main(void)
+FACTS("named")
 {
-    Suite *const s = suite_create("named");
-    TCase *const t = tcase_create("tables");
-    suite_add_tcase(s, t);
-    tcase_add_test(t, each_name_finds_its_own_row);
-    tcase_add_test(t, a_name_that_no_row_has_finds_none);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(each_name_finds_its_own_row);
+    FACT(a_name_that_no_row_has_finds_none);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "dem/fast/neighbours.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* --- all pairs -------------------------------------------------------------
@@ -468,34 +469,20 @@ START_TEST(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work)
 }
 END_TEST
 
-int main(void)
+FACTS("neighbours")
 {
-    Suite *const s = suite_create("neighbours");
-    TCase *const t = tcase_create("lists");
-
-    omp_set_num_threads(1);     /* more only where that is the question */
-    tcase_set_timeout(t, 20.0); /* threads wait long on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4, 0,
-        N_HUNTS);
-    tcase_add_test(t, ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide);
-    tcase_add_test(t, ls_5_15_the_skin_changes_nothing_but_the_work);
-    tcase_add_loop_test(
-        t, ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 0, 2);
-    tcase_add_loop_test(t, the_spring_of_rolling_survives_them_too, 0, 2);
-    tcase_add_test(t, ls_4_8_the_spring_of_a_wall_survives_rebuilds);
-    tcase_add_loop_test(
-        t, a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 0, 2);
-    tcase_add_test(
-        t, what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
-    tcase_add_loop_test(
-        t, thrown_spheres_have_the_same_bits_with_1_2_and_3_threads, 0, 2);
-    tcase_add_test(t, contacts_round_a_period_push_both_spheres_alike);
-    tcase_add_loop_test(t, link_cells_move_particles_as_the_list_does, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    omp_set_num_threads(1);         /* more only where that is the question */
+    tcase_set_timeout(facts, 20.0); /* threads wait long on a busy machine */
+    FACT_FOR_EACH(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4,
+                  N_HUNTS);
+    FACT(ls_5_16_a_list_lasts_as_long_as_the_skin_is_wide);
+    FACT(ls_5_15_the_skin_changes_nothing_but_the_work);
+    FACT_FOR_EACH(ls_4_8_the_spring_survives_rebuilds_and_a_change_of_owner, 2);
+    FACT_FOR_EACH(the_spring_of_rolling_survives_them_too, 2);
+    FACT(ls_4_8_the_spring_of_a_wall_survives_rebuilds);
+    FACT_FOR_EACH(a_chunk_belongs_to_the_thread_of_the_midpoint_of_its_work, 2);
+    FACT(what_belongs_to_a_particle_follows_it_when_particles_are_sorted);
+    FACT_FOR_EACH(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads, 2);
+    FACT(contacts_round_a_period_push_both_spheres_alike);
+    FACT_FOR_EACH(link_cells_move_particles_as_the_list_does, 2);
 }

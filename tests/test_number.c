@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include <float.h>
@@ -110,21 +111,12 @@ START_TEST(the_decimal_point_is_a_point_in_every_language)
 }
 END_TEST
 
-int main(void)
+FACTS("number")
 {
-    Suite *const s = suite_create("number");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, numbers_are_as_short_as_they_can_be);
-    tcase_add_test(t, numbers_read_back_to_the_same_bits);
-    tcase_add_test(t, rounded_numbers_keep_so_many_digits);
-    tcase_add_test(t, a_whole_number_out_of_range_is_refused_not_wrapped);
-    tcase_add_test(t, a_clamped_number_stays_in_its_range_whatever_comes);
-    tcase_add_test(t, the_decimal_point_is_a_point_in_every_language);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(numbers_are_as_short_as_they_can_be);
+    FACT(numbers_read_back_to_the_same_bits);
+    FACT(rounded_numbers_keep_so_many_digits);
+    FACT(a_whole_number_out_of_range_is_refused_not_wrapped);
+    FACT(a_clamped_number_stays_in_its_range_whatever_comes);
+    FACT(the_decimal_point_is_a_point_in_every_language);
 }

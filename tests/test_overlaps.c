@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spheres that are in each other before time 0. */
 #include "dem/population/overlaps.h"
+#include "facts.h"
 #include "spheres.h"
 
 static struct box_domain box_of(double half, int periodic)
@@ -76,19 +77,10 @@ START_TEST(insertion_without_space_is_reported)
 }
 END_TEST
 
-int main(void)
+FACTS("overlaps")
 {
-    Suite *const s = suite_create("overlaps");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, the_deepest_pair_is_found_also_across_a_seam, 0, 2);
-    tcase_add_test(t, touching_is_not_overlapping);
-    tcase_add_loop_test(t, spheres_are_moved_apart_and_stay_inside, 0, 2);
-    tcase_add_test(t, insertion_without_space_is_reported);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(the_deepest_pair_is_found_also_across_a_seam, 2);
+    FACT(touching_is_not_overlapping);
+    FACT_FOR_EACH(spheres_are_moved_apart_and_stay_inside, 2);
+    FACT(insertion_without_space_is_reported);
 }

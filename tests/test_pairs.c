@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/pairwise_aggregation.h"
 
+#include "facts.h"
 #include "linear_case.h"
-
-#include <check.h>
 
 static const double unit[3] = {1, 1, 1};
 static const int closed[3] = {0, 0, 0};
@@ -138,25 +137,13 @@ START_TEST(the_way_to_a_wall_grows_with_the_aggregate)
 }
 END_TEST
 
-int main(void)
+FACTS("pairs")
 {
-    Suite *s = suite_create("pairs");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, a_box_becomes_the_box_of_half_as_many_cells);
-    tcase_add_test(t, a_cell_left_over_joins_the_pair_beside_it);
-    tcase_add_test(t, flat_cells_are_joined_across_their_flat_sides_only);
-    tcase_add_test(t, links_through_a_periodic_side_stay_apart);
-    tcase_add_test(
-        t, every_link_is_within_an_aggregate_or_in_a_bundle_between_two);
-    tcase_add_test(t, the_way_to_a_wall_grows_with_the_aggregate);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(a_box_becomes_the_box_of_half_as_many_cells);
+    FACT(a_cell_left_over_joins_the_pair_beside_it);
+    FACT(flat_cells_are_joined_across_their_flat_sides_only);
+    FACT(links_through_a_periodic_side_stay_apart);
+    FACT(every_link_is_within_an_aggregate_or_in_a_bundle_between_two);
+    FACT(the_way_to_a_wall_grows_with_the_aggregate);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/averaging.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 /* 2 x 1 x 1 cells of 1 x 1 x 1 m: two particles in the left one, one in the
@@ -133,25 +133,13 @@ START_TEST(a_bind_counts_afresh)
 }
 END_TEST
 
-int main(void)
+FACTS("pcm")
 {
-    Suite *const s = suite_create("pcm");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
-    tcase_add_test(t, sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
-    tcase_add_test(
-        t, sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
-    tcase_add_test(t, a_capped_cell_is_counted_and_its_loss_reported);
-    tcase_add_test(t, the_cap_leaves_the_velocity_as_it_is);
-    tcase_add_test(
-        t,
-        amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell);
-    tcase_add_test(t, a_bind_counts_afresh);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
+    FACT(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
+    FACT(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
+    FACT(a_capped_cell_is_counted_and_its_loss_reported);
+    FACT(the_cap_leaves_the_velocity_as_it_is);
+    FACT(amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell);
+    FACT(a_bind_counts_afresh);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/picture.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include "base/file.h"
@@ -170,22 +171,13 @@ START_TEST(a_picture_that_cannot_be_written_is_reported)
 }
 END_TEST
 
-int main(void)
+FACTS("picture")
 {
-    Suite *const s = suite_create("picture");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, particles_are_listed_from_back_to_front);
-    tcase_add_test(t, the_void_fraction_is_averaged_over_the_depth_by_volume);
-    tcase_add_test(t, gnuplot_draws_every_kind_of_scene_or_is_missed_politely);
-    tcase_add_test(t, without_gnuplot_it_is_said_what_to_install);
-    tcase_add_test(t, a_failing_gnuplot_leaves_its_words_and_no_picture);
-    tcase_add_test(t, a_picture_that_cannot_be_written_is_reported);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(particles_are_listed_from_back_to_front);
+    FACT(the_void_fraction_is_averaged_over_the_depth_by_volume);
+    FACT(gnuplot_draws_every_kind_of_scene_or_is_missed_politely);
+    FACT(without_gnuplot_it_is_said_what_to_install);
+    FACT(a_failing_gnuplot_leaves_its_words_and_no_picture);
+    FACT(a_picture_that_cannot_be_written_is_reported);
 }

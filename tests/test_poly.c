@@ -3,13 +3,13 @@
 #include "mesh/poly/poly.h"
 #include "mesh/poly/poly_order.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "facts.h"
 #include "capture.h"
 #include "cloud.h"
 #include "warped.h"
@@ -461,29 +461,20 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
 }
 END_TEST
 
-int main(void)
+FACTS("poly")
 {
-    Suite *const s = suite_create("poly");
-    TCase *const t = tcase_create("OpenFOAM's meshes");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_block_is_our_box);
-    tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
-    tcase_add_test(t, shuffled_hexahedra_are_put_in_rows);
-    tcase_add_test(t, shuffled_polyhedra_are_put_in_waves);
-    tcase_add_test(t, faces_of_a_patch_come_one_a_cell);
-    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
-    tcase_add_test(t, a_period_more_is_the_same_point);
-    tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);
-    tcase_add_test(t, a_point_behind_a_corner_is_found);
-    tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
-    tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
-    tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
-    tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
-                        13);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_block_is_our_box);
+    FACT_FOR_EACH(every_mesh_is_closed_and_in_order, 5);
+    FACT(shuffled_hexahedra_are_put_in_rows);
+    FACT(shuffled_polyhedra_are_put_in_waves);
+    FACT(faces_of_a_patch_come_one_a_cell);
+    FACT_FOR_EACH(a_walk_finds_the_cell_of_a_point, 5);
+    FACT(a_period_more_is_the_same_point);
+    FACT(every_point_of_a_warped_mesh_has_one_cell);
+    FACT(a_point_behind_a_corner_is_found);
+    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10);
+    FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10);
+    FACT(the_order_of_the_cells_does_not_matter_to_the_flow);
+    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 13);
 }

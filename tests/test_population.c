@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "dem/population/population.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double table[][2] = {{1e-3, 3.0}, {2e-3, 1.0}, {4e-3, 1.0}};
@@ -389,26 +390,17 @@ START_TEST(a_file_brings_its_spheres_in_its_order)
 }
 END_TEST
 
-int main(void)
+FACTS("life")
 {
-    Suite *const s = suite_create("life");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 30);
-    tcase_add_loop_test(t, inserted_particles_overlap_no_others, 0, 2);
-    tcase_add_test(t, dense_insertion_does_not_change_the_size_distribution);
-    tcase_add_test(t, insertion_positions_are_uniform_over_the_region);
-    tcase_add_test(t, a_source_inserts_at_its_rate);
-    tcase_add_test(t, ids_are_never_given_twice);
-    tcase_add_test(t, inserted_mass_is_present_or_removed);
-    tcase_add_test(t, remaining_particles_keep_their_tangential_displacements);
-    tcase_add_test(t, a_resumed_run_with_insertion_has_the_same_bits);
-    tcase_add_test(t, inserted_particles_have_no_data_of_removed_ones);
-    tcase_add_test(t, a_file_brings_its_spheres_in_its_order);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 30);
+    FACT_FOR_EACH(inserted_particles_overlap_no_others, 2);
+    FACT(dense_insertion_does_not_change_the_size_distribution);
+    FACT(insertion_positions_are_uniform_over_the_region);
+    FACT(a_source_inserts_at_its_rate);
+    FACT(ids_are_never_given_twice);
+    FACT(inserted_mass_is_present_or_removed);
+    FACT(remaining_particles_keep_their_tangential_displacements);
+    FACT(a_resumed_run_with_insertion_has_the_same_bits);
+    FACT(inserted_particles_have_no_data_of_removed_ones);
+    FACT(a_file_brings_its_spheres_in_its_order);
 }

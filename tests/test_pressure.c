@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/alloc.h"
 #include "fluid/piso.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 #include <string.h>
 #include <stdlib.h>
@@ -322,32 +322,19 @@ START_TEST(a_face_leans_upstream_by_how_much_eps_jumps_there)
 }
 END_TEST
 
-int main(void)
+FACTS("pressure")
 {
-    Suite *const s = suite_create("pressure");
-    TCase *const t = tcase_create("faces where eps jumps");
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, pressure_balances_any_forces_on_the_cells_of_a_closed_column, 0, 2);
-    tcase_add_loop_test(
-        t, a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is, 0,
-        4);
-    tcase_add_loop_test(t, a_checkerboard_of_pressure_is_gone_after_one_step, 0,
-                        2);
-    tcase_add_loop_test(
-        t, a_stream_through_a_bed_of_any_eps_and_drag_stays_exact, 0, 8);
-    tcase_add_test(t, forces_after_the_prediction_are_those_of_the_product);
-    tcase_add_test(
-        t, xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8);
-    tcase_add_loop_test(
-        t, a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli, 0, 2);
-    tcase_add_loop_test(
-        t, waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme, 0, 4);
-    tcase_add_loop_test(t, a_face_leans_upstream_by_how_much_eps_jumps_there, 0,
-                        4);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(pressure_balances_any_forces_on_the_cells_of_a_closed_column,
+                  2);
+    FACT_FOR_EACH(
+        a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is, 4);
+    FACT_FOR_EACH(a_checkerboard_of_pressure_is_gone_after_one_step, 2);
+    FACT_FOR_EACH(a_stream_through_a_bed_of_any_eps_and_drag_stays_exact, 8);
+    FACT(forces_after_the_prediction_are_those_of_the_product);
+    FACT(xs11_2_4_with_the_pressure_force_of_the_particles_is_xs11_2_8);
+    FACT_FOR_EACH(a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli,
+                  2);
+    FACT_FOR_EACH(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme,
+                  4);
+    FACT_FOR_EACH(a_face_leans_upstream_by_how_much_eps_jumps_there, 4);
 }

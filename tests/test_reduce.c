@@ -2,9 +2,9 @@
 #include "linear/reduce.h"
 
 #include "linear/fast/parallel_ranges.h"
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
 START_TEST(parallel_ranges_cover_every_unknown_once)
@@ -108,24 +108,13 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("reduce")
 {
-    Suite *s = suite_create("reduce");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, parallel_ranges_cover_every_unknown_once);
-    tcase_add_test(t, two_threads_share_a_small_mesh_evenly);
-    tcase_add_test(t, a_dot_product_counts_every_unknown_once);
-    tcase_add_test(t, fields_side_by_side_have_their_own_dot_products);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(parallel_ranges_cover_every_unknown_once);
+    FACT(two_threads_share_a_small_mesh_evenly);
+    FACT(a_dot_product_counts_every_unknown_once);
+    FACT(fields_side_by_side_have_their_own_dot_products);
+    FACT(threads_do_not_change_a_bit);
 }

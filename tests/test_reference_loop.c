@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "dem/materials.h"
+#include "facts.h"
 #include "spheres.h"
 
 enum { N = 150, WALLS = 6 };
@@ -214,16 +215,7 @@ START_TEST(the_fast_loop_agrees_with_the_reference_loop)
 }
 END_TEST
 
-int main(void)
+FACTS("plain")
 {
-    Suite *const suite = suite_create("plain");
-    TCase *const tc = tcase_create("core");
-    SRunner *const runner = srunner_create(suite);
-
-    tcase_add_loop_test(tc, the_fast_loop_agrees_with_the_reference_loop, 0, 2);
-    suite_add_tcase(suite, tc);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed > 0;
+    FACT_FOR_EACH(the_fast_loop_agrees_with_the_reference_loop, 2);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/replacement.h"
 
+#include "facts.h"
 #include "suspension.h"
 
 static const struct {
@@ -210,23 +211,12 @@ START_TEST(one_way_insertion_and_removal_do_not_change_the_fluid)
 }
 END_TEST
 
-int main(void)
+FACTS("replacement")
 {
-    Suite *const suite = suite_create("replacement");
-    TCase *const t = tcase_create("replacement");
-
-    tcase_add_loop_test(
-        t, momentum_and_mass_are_conserved_during_insertion_and_removal, 0,
-        METHODS);
-    tcase_add_loop_test(
-        t, a_sphere_that_appears_at_rest_does_not_move_the_fluid, 0, 4);
-    tcase_add_test(t, xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
-    tcase_add_loop_test(t, the_last_particle_may_go, 0, METHODS);
-    tcase_add_test(t, one_way_insertion_and_removal_do_not_change_the_fluid);
-    suite_add_tcase(suite, t);
-    SRunner *const runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed > 0;
+    FACT_FOR_EACH(momentum_and_mass_are_conserved_during_insertion_and_removal,
+                  METHODS);
+    FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4);
+    FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
+    FACT_FOR_EACH(the_last_particle_may_go, METHODS);
+    FACT(one_way_insertion_and_removal_do_not_change_the_fluid);
 }

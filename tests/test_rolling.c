@@ -5,6 +5,7 @@
 
 #include "dem/fast/neighbours.h"
 #include "dem/fast/sweep_rolling.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double R = 0.005, g = 9.81, mu_r = 0.05;
@@ -226,26 +227,15 @@ START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
 }
 END_TEST
 
-int main(void)
+FACTS("rolling")
 {
-    Suite *const s = suite_create("rolling");
-    TCase *const t = tcase_create("friction");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, a_rolling_sphere_stops_after_the_distance_that_theory_gives, 0, 2);
-    tcase_add_loop_test(t, a_sphere_that_has_stopped_is_at_rest, 0, 2);
-    tcase_add_loop_test(t, a_sphere_stays_on_a_slope_of_less_than_mu_r, 0, 2);
-    tcase_add_loop_test(
-        t, rolling_friction_keeps_the_angular_momentum_of_a_pair, 0, 2);
-    tcase_add_test(
-        t, rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit);
-    tcase_add_test(t, a_rolling_spring_is_wound_by_rolling_alone);
-    tcase_add_test(t, without_rolling_friction_there_is_no_array_for_it);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(a_rolling_sphere_stops_after_the_distance_that_theory_gives,
+                  2);
+    FACT_FOR_EACH(a_sphere_that_has_stopped_is_at_rest, 2);
+    FACT_FOR_EACH(a_sphere_stays_on_a_slope_of_less_than_mu_r, 2);
+    FACT_FOR_EACH(rolling_friction_keeps_the_angular_momentum_of_a_pair, 2);
+    FACT(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit);
+    FACT(a_rolling_spring_is_wound_by_rolling_alone);
+    FACT(without_rolling_friction_there_is_no_array_for_it);
 }

@@ -2,8 +2,8 @@
 #include "case/digits.h"
 #include "case/schema.h"
 #include "case/case_file.h"
+#include "facts.h"
 
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -142,25 +142,13 @@ START_TEST(numbers_too_large_for_an_int_are_found_outside_strings_only)
 }
 END_TEST
 
-int main(void)
+FACTS("rows")
 {
-    Suite *const s = suite_create("rows");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, conditions_on_a_number_hold_all);
-    tcase_add_test(t, words_are_whole_words);
-    tcase_add_test(t, each_side_of_the_box_matches_the_row_of_sides);
-    tcase_add_test(t, expectation_names_kind_condition_and_unit);
-    tcase_add_test(t, every_key_that_is_proposed_for_an_unknown_one_exists);
-    tcase_add_test(t, every_row_of_the_tables_is_complete);
-    tcase_add_test(t,
-                   numbers_too_large_for_an_int_are_found_outside_strings_only);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(conditions_on_a_number_hold_all);
+    FACT(words_are_whole_words);
+    FACT(each_side_of_the_box_matches_the_row_of_sides);
+    FACT(expectation_names_kind_condition_and_unit);
+    FACT(every_key_that_is_proposed_for_an_unknown_one_exists);
+    FACT(every_row_of_the_tables_is_complete);
+    FACT(numbers_too_large_for_an_int_are_found_outside_strings_only);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -311,26 +311,15 @@ START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
 }
 END_TEST
 
-int main(void)
+FACTS("schemes")
 {
-    Suite *const s = suite_create("schemes");
-    TCase *const t = tcase_create("time and space");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(
-        t, time_weights_give_the_slope_of_a_line_or_of_a_parabola, 0, 6);
-    tcase_add_test(t, the_first_step_of_bdf2_is_one_of_euler);
-    tcase_add_loop_test(t, euler_has_order_one_in_time, 0, 2);
-    tcase_add_loop_test(t, sx15_bdf2_has_order_two_in_time, 0, 4);
-    tcase_add_loop_test(t, each_convection_scheme_has_its_order_in_space, 0, 6);
-    tcase_add_test(t, upwind_and_van_leer_stay_within_bounds_and_others_do_not);
-    tcase_add_loop_test(t, slopes_of_a_linear_field_are_exact_on_graded_cells,
-                        0, 4);
-    tcase_add_loop_test(t, slopes_of_a_parabola_are_those_of_the_formulas, 0,
-                        2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(time_weights_give_the_slope_of_a_line_or_of_a_parabola, 6);
+    FACT(the_first_step_of_bdf2_is_one_of_euler);
+    FACT_FOR_EACH(euler_has_order_one_in_time, 2);
+    FACT_FOR_EACH(sx15_bdf2_has_order_two_in_time, 4);
+    FACT_FOR_EACH(each_convection_scheme_has_its_order_in_space, 6);
+    FACT(upwind_and_van_leer_stay_within_bounds_and_others_do_not);
+    FACT_FOR_EACH(slopes_of_a_linear_field_are_exact_on_graded_cells, 4);
+    FACT_FOR_EACH(slopes_of_a_parabola_are_those_of_the_formulas, 2);
 }

@@ -4,6 +4,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "coupling/drag.h"
+#include "facts.h"
 #include "suspension.h"
 
 static const double stream = 0.05, step = 1.1e-3; /* [m/s], [s] */
@@ -104,18 +105,8 @@ START_TEST(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges)
 }
 END_TEST
 
-int main(void)
+FACTS("grain")
 {
-    Suite *const s = suite_create("grain");
-    TCase *const t = tcase_create("grain");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_4_1_sub_steps_converge_to_the_exact_course);
-    tcase_add_test(
-        t, xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    FACT(xs11_4_1_sub_steps_converge_to_the_exact_course);
+    FACT(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges);
 }

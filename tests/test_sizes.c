@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Distributions of diameters: what is drawn has the moments that are said, and
  * these are the exact ones. */
-#include <check.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <string.h>
 
 #include "dem/population/sizes.h"
+#include "facts.h"
 
 static const double sieves[][2] = {
     {1e-4, 0.0}, {2e-4, 0.1}, {5e-4, 0.1}, {8e-4, 0.7}, {2e-3, 1.0}};
@@ -257,27 +257,17 @@ START_TEST(a_distribution_that_cannot_be_is_refused)
 }
 END_TEST
 
-int main(void)
+FACTS("sizes")
 {
-    Suite *const s = suite_create("sizes");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, drawn_diameters_have_the_given_moments, 0, KINDS);
-    tcase_add_loop_test(
-        t, the_quantile_is_the_inverse_of_the_cumulative_distribution, 0,
-        KINDS);
-    tcase_add_test(t, xs11_case_4_has_the_moments_of_a_bell_with_cut_offs);
-    tcase_add_test(t, a_bell_far_from_its_cut_offs_has_the_moments_of_gauss);
-    tcase_add_test(t, a_uniform_distribution_has_its_textbook_moments);
-    tcase_add_test(t, a_lognormal_distribution_has_its_textbook_moments);
-    tcase_add_test(t, a_lognormal_mass_has_its_median_by_mass);
-    tcase_add_test(t, fractions_by_mass_are_fractions_by_number_times_d_cubed);
-    tcase_add_test(t, a_sieve_analysis_by_mass_is_met_by_the_mass);
-    tcase_add_test(t, a_distribution_that_cannot_be_is_refused);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(drawn_diameters_have_the_given_moments, KINDS);
+    FACT_FOR_EACH(the_quantile_is_the_inverse_of_the_cumulative_distribution,
+                  KINDS);
+    FACT(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs);
+    FACT(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss);
+    FACT(a_uniform_distribution_has_its_textbook_moments);
+    FACT(a_lognormal_distribution_has_its_textbook_moments);
+    FACT(a_lognormal_mass_has_its_median_by_mass);
+    FACT(fractions_by_mass_are_fractions_by_number_times_d_cubed);
+    FACT(a_sieve_analysis_by_mass_is_met_by_the_mass);
+    FACT(a_distribution_that_cannot_be_is_refused);
 }

@@ -2,6 +2,7 @@
 /* What limits the coupled step: the formulas, and the program beside them. */
 #include "coupling/stability.h"
 
+#include "facts.h"
 #include "suspension.h"
 
 /* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
@@ -162,24 +163,14 @@ START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
 }
 END_TEST
 
-int main(void)
+FACTS("stability")
 {
-    Suite *const s = suite_create("stability");
-    TCase *const t = tcase_create("stability");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_packed_bed_asks_for_less_than_half_its_relaxation_time);
-    tcase_add_test(t, the_swing_dies_out_below_the_densest_packing);
-    tcase_add_test(t, the_loading_is_mass_beside_mass);
-    tcase_add_loop_test(
-        t, the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them, 0, 3);
-    tcase_add_test(t, what_relaxes_in_the_step_or_in_its_parts_is_stable);
-    tcase_add_test(
-        t, light_spheres_are_limited_by_the_amplification_not_by_their_loading);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_packed_bed_asks_for_less_than_half_its_relaxation_time);
+    FACT(the_swing_dies_out_below_the_densest_packing);
+    FACT(the_loading_is_mass_beside_mass);
+    FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
+                  3);
+    FACT(what_relaxes_in_the_step_or_in_its_parts_is_stable);
+    FACT(light_spheres_are_limited_by_the_amplification_not_by_their_loading);
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/more/stencil.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 #include "mesh/poly/poly.h"
 #include "warped.h"
@@ -182,22 +182,12 @@ START_TEST(equal_cells_need_no_memory_and_graded_ones_do)
 }
 END_TEST
 
-int main(void)
+FACTS("stencil")
 {
-    Suite *const s = suite_create("stencil");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t,
-                        a_stencil_contains_the_cells_near_its_own_and_no_others,
-                        0, 4 * CLOUD_SHAPES);
-    tcase_add_test(t, cells_with_equal_surroundings_share_a_stencil);
-    tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
-    tcase_add_test(t, the_memory_is_known_beforehand);
-    tcase_add_loop_test(t, equal_cells_need_no_memory_and_graded_ones_do, 0, 4);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(a_stencil_contains_the_cells_near_its_own_and_no_others,
+                  4 * CLOUD_SHAPES);
+    FACT(cells_with_equal_surroundings_share_a_stencil);
+    FACT_FOR_EACH(cells_that_share_a_corner_are_near, 3);
+    FACT(the_memory_is_known_beforehand);
+    FACT_FOR_EACH(equal_cells_need_no_memory_and_graded_ones_do, 4);
 }

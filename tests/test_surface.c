@@ -3,7 +3,6 @@
 #include "dem/surfaces/surface.h"
 #include "dem/surfaces/surface_start.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdint.h>
@@ -12,6 +11,7 @@
 
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
+#include "facts.h"
 #include "capture.h"
 #include "spheres.h"
 
@@ -239,29 +239,15 @@ START_TEST(who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves)
 }
 END_TEST
 
-int main(void)
+FACTS("surface")
 {
-    Suite *const s = suite_create("surface");
-    TCase *const t = tcase_create("one point");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, a_cylinder_is_solid_around_or_inside_its_radius, 0,
-                        2);
-    tcase_add_loop_test(
-        t, a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 0, 12);
-    tcase_add_loop_test(
-        t, a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 0, 3);
-    tcase_add_test(t, a_triangle_without_an_area_has_no_normal);
-    tcase_add_test(t, a_plane_that_has_turned_is_met_where_it_is_now);
-    tcase_add_test(t, a_surface_reaches_to_the_farthest_corner_from_its_centre);
-    tcase_add_test(t, what_makes_no_surface_is_refused);
-    tcase_add_loop_test(t, a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin,
-                        0, 2);
-    tcase_add_test(
-        t, who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    FACT_FOR_EACH(a_cylinder_is_solid_around_or_inside_its_radius, 2);
+    FACT_FOR_EACH(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 12);
+    FACT_FOR_EACH(a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 3);
+    FACT(a_triangle_without_an_area_has_no_normal);
+    FACT(a_plane_that_has_turned_is_met_where_it_is_now);
+    FACT(a_surface_reaches_to_the_farthest_corner_from_its_centre);
+    FACT(what_makes_no_surface_is_refused);
+    FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2);
+    FACT(who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/thread_tuner.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 
 /* Time of a step with so many threads [s]: shared work, and what each costs. */
@@ -89,21 +89,10 @@ START_TEST(one_thread_stays_one)
 }
 END_TEST
 
-int main(void)
+FACTS("crew")
 {
-    Suite *s = suite_create("crew");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, it_finds_the_number_that_is_fastest, 0, 4);
-    tcase_add_test(t, it_follows_what_others_leave);
-    tcase_add_test(t, trials_cost_little);
-    tcase_add_test(t, one_thread_stays_one);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(it_finds_the_number_that_is_fastest, 4);
+    FACT(it_follows_what_others_leave);
+    FACT(trials_cost_little);
+    FACT(one_thread_stays_one);
 }

@@ -3,12 +3,12 @@
  * the same numbers. */
 #include "averaging/interpolation.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 #include "turned.h"
 
@@ -209,19 +209,10 @@ START_TEST(averages_do_not_know_the_unit_of_length)
 }
 END_TEST
 
-int main(void)
+FACTS("turned averaging")
 {
-    Suite *const s = suite_create("turned averaging");
-    TCase *const t = tcase_create("frames");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, averages_do_not_know_the_axes_that_they_are_taken_in,
-                        0, WAYS * BOXES);
-    tcase_add_loop_test(t, averages_do_not_know_the_unit_of_length, 0,
-                        WAYS * BOXES);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(averages_do_not_know_the_axes_that_they_are_taken_in,
+                  WAYS * BOXES);
+    FACT_FOR_EACH(averages_do_not_know_the_unit_of_length, WAYS * BOXES);
 }

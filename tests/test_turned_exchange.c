@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spheres that fly through a fluid, seen in other axes and measured in other
  * units: the same numbers. */
+#include "facts.h"
 #include "suspension.h"
 #include "turned.h"
 
@@ -210,17 +211,9 @@ START_TEST(the_exchange_does_not_know_the_units)
 }
 END_TEST
 
-int main(void)
+FACTS("turned exchange")
 {
-    Suite *const s = suite_create("turned exchange");
-    TCase *const t = tcase_create("frames");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, the_exchange_does_not_know_the_axes, 0, VARIANTS);
-    tcase_add_loop_test(t, the_exchange_does_not_know_the_units, 0, VARIANTS);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(the_exchange_does_not_know_the_axes, VARIANTS);
+    FACT_FOR_EACH(the_exchange_does_not_know_the_units, VARIANTS);
 }

@@ -3,11 +3,11 @@
  * units: the same numbers. */
 #include "fluid/fluid.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "facts.h"
 #include "turned.h"
 
 /* What is switched on. */
@@ -315,19 +315,11 @@ START_TEST(a_flow_does_not_know_the_units_that_it_is_measured_in)
 }
 END_TEST
 
-int main(void)
+FACTS("turned flow")
 {
-    Suite *const s = suite_create("turned flow");
-    TCase *const t = tcase_create("frames");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, a_flow_does_not_know_the_axes_that_it_is_written_in,
-                        0, VARIANTS);
-    tcase_add_loop_test(
-        t, a_flow_does_not_know_the_units_that_it_is_measured_in, 0, VARIANTS);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(a_flow_does_not_know_the_axes_that_it_is_written_in,
+                  VARIANTS);
+    FACT_FOR_EACH(a_flow_does_not_know_the_units_that_it_is_measured_in,
+                  VARIANTS);
 }

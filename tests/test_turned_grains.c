@@ -8,6 +8,7 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/energy.h"
 #include "dem/cohesion/van_der_waals.h"
+#include "facts.h"
 #include "spheres.h"
 #include "turned.h"
 
@@ -320,19 +321,10 @@ START_TEST(grains_do_not_know_the_units_that_they_are_measured_in)
 }
 END_TEST
 
-int main(void)
+FACTS("turned grains")
 {
-    Suite *const s = suite_create("turned grains");
-    TCase *const t = tcase_create("frames");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, grains_do_not_know_the_axes_that_they_move_in, 0,
-                        VARIANTS);
-    tcase_add_loop_test(
-        t, grains_do_not_know_the_units_that_they_are_measured_in, 0, VARIANTS);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(grains_do_not_know_the_axes_that_they_move_in, VARIANTS);
+    FACT_FOR_EACH(grains_do_not_know_the_units_that_they_are_measured_in,
+                  VARIANTS);
 }

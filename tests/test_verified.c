@@ -2,8 +2,8 @@
 /* The fluid against solutions made for it, a published table, and hard cases.
  */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
@@ -451,27 +451,15 @@ START_TEST(corrections_go_on_where_viscosity_is_fast)
 }
 END_TEST
 
-int main(void)
+FACTS("verified")
 {
-    Suite *const s = suite_create("verified");
-    TCase *const t = tcase_create("fluid");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 120.0);
-    tcase_add_loop_test(t, a_made_solution_with_eps_has_order_two_in_u_and_p, 0,
-                        2);
-    tcase_add_loop_test(t, a_made_solution_in_time_has_the_order_of_the_scheme,
-                        0, 2);
-    tcase_add_test(t, a_travelling_void_has_order_two_in_space_and_time);
-    tcase_add_test(t, the_cavity_has_the_profile_of_ghia_at_re_100);
-    tcase_add_test(t,
-                   the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);
-    tcase_add_loop_test(
-        t, a_stream_switched_on_at_once_comes_to_its_steady_state, 0, 6);
-    tcase_add_test(t, a_cavity_at_courant_number_5_stays_below_its_lid);
-    tcase_add_test(t, corrections_go_on_where_viscosity_is_fast);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 120.0);
+    FACT_FOR_EACH(a_made_solution_with_eps_has_order_two_in_u_and_p, 2);
+    FACT_FOR_EACH(a_made_solution_in_time_has_the_order_of_the_scheme, 2);
+    FACT(a_travelling_void_has_order_two_in_space_and_time);
+    FACT(the_cavity_has_the_profile_of_ghia_at_re_100);
+    FACT(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);
+    FACT_FOR_EACH(a_stream_switched_on_at_once_comes_to_its_steady_state, 6);
+    FACT(a_cavity_at_courant_number_5_stays_below_its_lid);
+    FACT(corrections_go_on_where_viscosity_is_fast);
 }

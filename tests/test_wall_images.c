@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/poly/wall_images.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,6 +8,7 @@
 
 #include "averaging/diffusion.h"
 #include "base/vector.h"
+#include "facts.h"
 #include "blocks.h"
 
 /* The mirrors of a mesh, with what they are made of. */
@@ -155,19 +155,9 @@ START_TEST(the_images_of_all_cells_fill_the_room_once)
 }
 END_TEST
 
-int main(void)
+FACTS("mirrors")
 {
-    Suite *const s = suite_create("mirrors");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ew18_21_a_corner_of_a_box_has_seven_images);
-    tcase_add_test(t, between_two_walls_images_have_images);
-    tcase_add_loop_test(t, the_images_of_all_cells_fill_the_room_once, 0,
-                        ROOMS);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ew18_21_a_corner_of_a_box_has_seven_images);
+    FACT(between_two_walls_images_have_images);
+    FACT_FOR_EACH(the_images_of_all_cells_fill_the_room_once, ROOMS);
 }
