@@ -109,7 +109,11 @@ struct fluid {
                         minus that which replaced removed ones: fluid_replace */
     double replaced_momentum[3]; /* [N s] and its momentum */
     struct fluid_report report;
-    struct piso *piso; /* matrices and work space */
+    struct momentum_system *momentum; /* matrices and work space */
+    struct pressure_system *pressure;
+    struct face_jump *jump;
+    struct time_levels *levels;
+    struct face_geometry *geometry;
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */

@@ -4,4 +4,5 @@
 
 #include <stddef.h>
 
-const struct face_order *const face_orders[] = {&contiguous_faces_order, NULL};
+const struct faces_order *const faces_orders[] = {&contiguous_faces_order,
+                                                  NULL};
