@@ -18,6 +18,7 @@ SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/scene/ledger_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
+STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
 # All cores, unless make was told how many.
 CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
@@ -34,7 +35,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style cli vtk tools text pages
+checks: solutions results sanitized facts style steps-check cli vtk tools text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -48,11 +49,19 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
+steps-check: $B/winnow $(STEPS)
+	@sh tests/steps.sh $B
 solutions: $(PATCHES:=.tried)
 chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
+
+steps: $(STEPS) ## the twelve steps to a fluidized bed: build/steps/01-bounce and on
+$B/steps/%: chapters/steps/%.c
+	@mkdir -p $(@D)
+	@echo "compile $<"
+	@$(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -104,7 +113,7 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks facts sanitized style cli vtk tools solutions results \
+.PHONY: all run check checks facts sanitized style steps steps-check cli vtk tools solutions results \
         text pages validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d
