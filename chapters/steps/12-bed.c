@@ -339,9 +339,8 @@ int main(int argc, char **argv)
                 96.0 * n / n_steps, 28.0 - 0.12 * drop);
         if (5 * n % n_steps == 0) draw_bed(svg, 5 * n / n_steps - 1, n * dt);
     }
-    printf("t = %g s: mean pressure drop = %.4g Pa, weight over ground = %.4g "
-           "Pa\n",
-           t_end, mean, weight);
+    printf("mean pressure drop = %.4g Pa, weight over ground = %.4g Pa\n", mean,
+           weight);
     fprintf(svg, "</svg>\n");
     write_vtk(create(argv[0], ".vtk"));
     return 0;
