@@ -19,90 +19,88 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NX = 16, NY = 32, MOST = 1000 }; /* cells; steps that are kept */
+enum { NX = 16, NY = 32, W = NX + 2, CELLS = W * (NY + 2) }; /* cells */
+enum { MOST = 1000 };                                        /* steps kept */
 
 static const double pi = 3.14159265358979323846, g = 9.81; /* [m/s^2] */
-static const double rho_f = 1000.0, mu = 0.02;  /* [kg/m^3], [Pa s] */
-static const double rho_s = 2500.0, d = 1.2e-3; /* [kg/m^3], [m] the grain */
+static const double rho_f = 1000.0, mu = 0.02;  /* [kg/m^3], [Pa s] liquid */
+static const double rho_s = 2500.0, d = 1.2e-3; /* [kg/m^3], [m] grain */
 static const double dx = 1.5e-3, depth = 6e-3;  /* [m] cells, box across */
 static const double dt = 1e-3;                  /* [s] */
 
-/* [m/s] on the left face of a cell, on its lower face; [Pa] in its middle */
-static double ux[NX + 2][NY + 2], uy[NX + 2][NY + 2], p[NX + 2][NY + 2];
-static double Fx[NX + 2][NY + 2], Fy[NX + 2][NY + 2]; /* [N/m^3] on the faces */
+/* One value a cell. The next cell in direction k is c + next[k]. */
+typedef double field[CELLS];
+static const int next[2] = {1, W};
+static field p;      /* [Pa] */
+static field u[2];   /* [m/s] u_k on the lower face of a cell across k */
+static field mob[2]; /* [m^3 s/kg] how u_k follows the slope of p; 0 at walls */
+static field F[2];   /* [N/m^3] from the grain, on the same faces */
 
-static double x, y, vx, vy; /* [m], [m/s] the grain */
+static double x[2], v[2]; /* [m], [m/s] the grain */
 static double path[MOST][2];
 
-/* No wall moves: on its two sides the mean velocity is zero. */
+/* No wall moves: the mean of the velocities on both sides is zero. */
 static void walls(void)
 {
     for (int i = 1; i <= NX; i++) {
-        ux[i][0] = -ux[i][1];
-        ux[i][NY + 1] = -ux[i][NY];
+        u[0][i] = -u[0][i + W];
+        u[0][i + W * (NY + 1)] = -u[0][i + W * NY];
     }
     for (int j = 1; j <= NY; j++) {
-        uy[0][j] = -uy[1][j];
-        uy[NX + 1][j] = -uy[NX][j];
+        u[1][W * j] = -u[1][W * j + 1];
+        u[1][W * j + NX + 1] = -u[1][W * j + NX];
     }
 }
 
-/* What advection with u, v, diffusion and a force F change in a component f. */
-static double change(double f[NX + 2][NY + 2], int i, int j, double u, double v,
-                     double F)
+/* What advection by a and diffusion change in f; s is 1/2 in (5.9). */
+static double change(const double *f, int c, const double a[2])
 {
-    const double sum = f[i - 1][j] + f[i + 1][j] + f[i][j - 1] + f[i][j + 1];
-    return dt * (mu / rho_f * (sum - 4.0 * f[i][j]) / (dx * dx) -
-                 u * (f[i + 1][j] - f[i - 1][j]) / (2.0 * dx) -
-                 v * (f[i][j + 1] - f[i][j - 1]) / (2.0 * dx) + F / rho_f);
+    double sum =
+        mu / rho_f * (f[c - 1] + f[c + 1] + f[c - W] + f[c + W] - 4.0 * f[c]);
+    for (int k = 0; k < 2; k++)
+        sum -= 0.5 * dx * a[k] * (f[c + next[k]] - f[c - next[k]]);
+    return sum * dt / (dx * dx);
 }
 
+/* The u without p. That along a face is the mean of the four around it. */
 static void predict(void)
 {
-    static double old_x[NX + 2][NY + 2], old_y[NX + 2][NY + 2];
-    memcpy(old_x, ux, sizeof ux);
-    memcpy(old_y, uy, sizeof uy);
-    for (int i = 1; i <= NX; i++)
-        for (int j = 1; j <= NY; j++) {
-            const double v = 0.25 * (old_y[i - 1][j] + old_y[i][j] +
-                                     old_y[i - 1][j + 1] + old_y[i][j + 1]);
-            const double u = 0.25 * (old_x[i][j - 1] + old_x[i][j] +
-                                     old_x[i + 1][j - 1] + old_x[i + 1][j]);
-            if (i > 1)
-                ux[i][j] += change(old_x, i, j, old_x[i][j], v, Fx[i][j]);
-            if (j > 1)
-                uy[i][j] += change(old_y, i, j, u, old_y[i][j], Fy[i][j]);
+    static field old[2];
+    memcpy(old, u, sizeof u);
+    for (int k = 0; k < 2; k++)
+        for (int c = W * (1 + k); c < W * (NY + 1); c++) {
+            if (c % W < 2 - k || c % W > NX) continue; /* a wall */
+            const int b = c - next[k], o = next[1 - k];
+            const double *const f = old[k], *const f_o = old[1 - k];
+            double a[2];
+            a[k] = f[c];
+            a[1 - k] = 0.25 * (f_o[b] + f_o[b + o] + f_o[c] + f_o[c + o]);
+            mob[k][c] = dt / rho_f;
+            u[k][c] = f[c] + change(f, c, a) + dt / rho_f * F[k][c];
         }
 }
 
-static double divergence(int i, int j) /* [1/s] */
-{
-    return (ux[i + 1][j] - ux[i][j] + uy[i][j + 1] - uy[i][j]) / dx;
-}
-
-/* Over and over, each p goes to where its own equation wants it, and half as
- * far again. Nothing flows through a wall, and so a wall has no term. */
+/* Over and over, each p goes to where its own equation wants it, and beyond. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)
-        for (int i = 1; i <= NX; i++)
-            for (int j = 1; j <= NY; j++) {
-                const double w = (i > 1), e = (i < NX), s = (j > 1),
-                             n = (j < NY);
-                const double sum = w * p[i - 1][j] + e * p[i + 1][j] +
-                                   s * p[i][j - 1] + n * p[i][j + 1];
-                const double b = rho_f * dx * dx / dt * divergence(i, j);
-                p[i][j] += 1.5 * ((sum - b) / (w + e + s + n) - p[i][j]);
+        for (int c = W; c < W * (NY + 1); c++) {
+            double sum = 0.0, sum_mob = 0.0;
+            for (int k = 0; k < 2; k++) {
+                const int n = c + next[k];
+                sum += mob[k][c] * p[c - next[k]] + mob[k][n] * p[n] -
+                       dx * (u[k][n] - u[k][c]);
+                sum_mob += mob[k][c] + mob[k][n];
             }
+            if (sum_mob > 0.0) p[c] += 1.5 * (sum / sum_mob - p[c]);
+        }
 }
 
 static void correct(void)
 {
-    for (int i = 1; i <= NX; i++)
-        for (int j = 1; j <= NY; j++) {
-            if (i > 1) ux[i][j] -= dt / rho_f * (p[i][j] - p[i - 1][j]) / dx;
-            if (j > 1) uy[i][j] -= dt / rho_f * (p[i][j] - p[i][j - 1]) / dx;
-        }
+    for (int k = 0; k < 2; k++)
+        for (int c = W; c < W * (NY + 1); c++)
+            u[k][c] -= mob[k][c] * (p[c] - p[c - next[k]]) / dx;
 }
 
 /* [kg/s] drag over slip (9.1), (9.2), (9.4) */
@@ -117,22 +115,20 @@ static double drag(double slip)
 static double move_grain(void)
 {
     const double V_p = pi / 6.0 * d * d * d, m = rho_s * V_p; /* [m^3], [kg] */
-    const int i = (int)(x / dx) + 1, j = (int)(y / dx) + 1;   /* its cell */
-    const double slip_x = 0.5 * (ux[i][j] + ux[i + 1][j]) - vx;
-    const double slip_y = 0.5 * (uy[i][j] + uy[i][j + 1]) - vy;
-    const double slip = sqrt(slip_x * slip_x + slip_y * slip_y);
-    const double f_x = drag(slip) * slip_x, f_y = drag(slip) * slip_y; /* [N] */
-    const double half_cell = 0.5 / (dx * dx * depth); /* [1/m^3] */
+    const int c = (int)(x[0] / dx) + 1 + W * ((int)(x[1] / dx) + 1);
+    double slip[2];
 
-    memset(Fx, 0, sizeof Fx);
-    memset(Fy, 0, sizeof Fy);
-    Fx[i][j] = Fx[i + 1][j] = -f_x * half_cell;
-    Fy[i][j] = Fy[i][j + 1] = -f_y * half_cell;
-    vx += f_x / m * dt;
-    vy += (f_y / m - g * (1.0 - rho_f / rho_s)) * dt;
-    x += vx * dt;
-    y += vy * dt;
-    return slip;
+    for (int k = 0; k < 2; k++)
+        slip[k] = 0.5 * (u[k][c] + u[k][c + next[k]]) - v[k];
+    const double size = hypot(slip[0], slip[1]);
+    memset(F, 0, sizeof F);
+    for (int k = 0; k < 2; k++) {
+        const double f = drag(size) * slip[k]; /* [N] */
+        F[k][c] = F[k][c + next[k]] = -0.5 * f / (dx * dx * depth);
+        v[k] += (f / m - k * g * (1.0 - rho_f / rho_s)) * dt;
+        x[k] += v[k] * dt;
+    }
+    return size;
 }
 
 static FILE *create(const char *program, const char *ending)
@@ -152,37 +148,37 @@ static void write_vtk(FILE *file)
             NY + 1);
     fprintf(file, "ORIGIN 0 0 0\nSPACING %g %g 1\n", dx, dx);
     fprintf(file, "CELL_DATA %d\nVECTORS u double\n", NX * NY);
-    for (int j = 1; j <= NY; j++)
-        for (int i = 1; i <= NX; i++)
-            fprintf(file, "%.9g %.9g 0\n", 0.5 * (ux[i][j] + ux[i + 1][j]),
-                    0.5 * (uy[i][j] + uy[i][j + 1]));
+    for (int c = W; c < W * (NY + 1); c++)
+        if (c % W > 0 && c % W <= NX)
+            fprintf(file, "%.9g %.9g 0\n", 0.5 * (u[0][c] + u[0][c + 1]),
+                    0.5 * (u[1][c] + u[1][c + W]));
     fclose(file);
 }
 
-/* The box in cells. A stroke for each cell, thick where it begins, one cell
+/* The box in cells. A stroke for each cell, thick where it begins, three cells
  * long for 1 cm/s; then the grain and its path. */
 static void write_svg(FILE *file, int n_steps)
 {
     fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='400' "
-                  "viewBox='0 -32.5 17 33' fill='#1f5fa8'>\n<path d='M0.5 "
-                  "0.5V-32.5M16.5-32.5V0.5H0.5' fill='none' stroke='black' "
-                  "stroke-width='0.1'/>\n");
-    for (int i = 1; i <= NX; i++)
-        for (int j = 1; j <= NY; j++) {
-            const double u = 150.0 * (ux[i][j] + ux[i + 1][j]);
-            const double v = 150.0 * (uy[i][j] + uy[i][j + 1]);
-            fprintf(file, "<path d='M%.2f %.2fL%.2f %.2fL%.2f %.2fz'/>\n",
-                    i - 0.1 * v, -j - 0.1 * u, i + 0.1 * v, -j + 0.1 * u, i + u,
-                    -j - v);
-        }
-    fprintf(file,
-            "<polyline fill='none' stroke='red' stroke-width='0.1' points='");
+                  "viewBox='0 -33 17 33.5' fill='#1f5fa8' stroke-width='0.1'>\n"
+                  "<path d='M0.5-32.5V-0.5H16.5V-32.5z' fill='none' "
+                  "stroke='black'/>\n");
+    for (int c = W; c < W * (NY + 1); c++) {
+        const int i = c % W, j = c / W;
+        if (i == 0 || i > NX) continue;
+        const double a = 150.0 * (u[0][c] + u[0][c + 1]);
+        const double b = 150.0 * (u[1][c] + u[1][c + W]);
+        fprintf(file, "<path d='M%.2f %.2fL%.2f %.2fL%.2f %.2fz'/>\n",
+                i - 0.1 * b, -j - 0.1 * a, i + 0.1 * b, -j + 0.1 * a, i + a,
+                -j - b);
+    }
+    fprintf(file, "<polyline fill='none' stroke='red' points='");
     for (int n = 0; n < n_steps && n < MOST; n++)
         fprintf(file, "%.3f,%.3f ", path[n][0] / dx + 0.5,
                 -path[n][1] / dx - 0.5);
-    fprintf(file,
-            "'/>\n<circle cx='%.3f' cy='%.3f' r='%.3f' fill='red'/>\n</svg>\n",
-            x / dx + 0.5, -y / dx - 0.5, 0.5 * d / dx);
+    fprintf(file, "'/>\n<circle cx='%.3f' cy='%.3f' r='%.3f' fill='red'/>\n",
+            x[0] / dx + 0.5, -x[1] / dx - 0.5, 0.5 * d / dx);
+    fprintf(file, "</svg>\n");
     fclose(file);
 }
 
@@ -192,18 +188,15 @@ int main(int argc, char **argv)
     const int n_steps = (int)lround(t_end / dt);
     double slip = 0.0, tau = 0.0, settled = 0.0;
 
-    x = 0.4 * NX * dx;
-    y = 0.9 * NY * dx;
+    x[0] = 0.4 * NX * dx;
+    x[1] = 0.9 * NY * dx;
     for (int n = 0; n < n_steps; n++) {
         walls();
         predict();
         find_pressure();
         correct();
         slip = move_grain();
-        if (n < MOST) {
-            path[n][0] = x;
-            path[n][1] = y;
-        }
+        if (n < MOST) memcpy(path[n], x, sizeof x);
     }
     for (int n = 0; n < 50;
          n++) { /* (9.5) for the steady slip, by repetition */
@@ -211,7 +204,7 @@ int main(int argc, char **argv)
         settled = tau * g * (1.0 - rho_f / rho_s);
     }
     printf("t = %g s: velocity of the grain = %.5g m/s, slip = %.5g m/s\n",
-           t_end, vy, slip);
+           t_end, v[1], slip);
     printf("steady slip = %.9g m/s, Re = %.9g, tau = %.9g s\n", settled,
            rho_f * d * settled / mu, tau);
     write_vtk(create(argv[0], ".vtk"));

@@ -21,9 +21,6 @@
  * O'Brien (9.11)-(9.14) [Syamlal87]. It acts on the velocity at the end of the
  * step, and may be as large as it likes. Faces carry what comes from upwind, as
  * in step 7.
- *
- * A field is now one row of numbers, cell after cell, and a vector is two
- * fields: one line of the program is one equation for both directions.
  */
 #include <math.h>
 #include <stdio.h>
@@ -211,7 +208,7 @@ static void write_svg(FILE *file)
     fprintf(file, "<g fill='none' stroke='black'>\n"
                   "<path d='M0-40V0H16V-40M19-40V0H39'/>\n");
     for (int a = 0; a < N; a++)
-        fprintf(file, "<circle cx='%.2f' cy='%.2f' r='0.5'/>\n", 1e3 * x[0][a],
+        fprintf(file, "<circle cx='%.2f' cy='%.2f' r='0.55'/>\n", 1e3 * x[0][a],
                 -1e3 * x[1][a]);
     fprintf(file, "<polyline stroke='red' stroke-width='0.3' points='");
     for (int j = 1; j <= 20; j++)

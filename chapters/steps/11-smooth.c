@@ -224,7 +224,7 @@ static void write_svg(FILE *file)
     fprintf(file, "<g fill='none' stroke='black'>\n"
                   "<path d='M0-40V0H16V-40M19-40V0H39'/>\n");
     for (int a = 0; a < N; a++)
-        fprintf(file, "<circle cx='%.2f' cy='%.2f' r='0.5'/>\n", 1e3 * x[0][a],
+        fprintf(file, "<circle cx='%.2f' cy='%.2f' r='0.55'/>\n", 1e3 * x[0][a],
                 -1e3 * x[1][a]);
     fprintf(file, "<polyline stroke='red' stroke-width='0.3' points='");
     for (int j = 1; j <= 20; j++)

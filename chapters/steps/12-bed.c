@@ -299,7 +299,7 @@ static void draw_bed(FILE *svg, int place, double t)
             "stroke='black'>\n<path d='M0-64V0H16V-64'/>",
             t);
     for (int a = 0; a < N; a++)
-        fprintf(svg, "<circle cx='%.2f' cy='%.2f' r='0.5'/>\n", 1e3 * x[0][a],
+        fprintf(svg, "<circle cx='%.2f' cy='%.2f' r='0.55'/>\n", 1e3 * x[0][a],
                 -1e3 * x[1][a]);
     fprintf(svg, "</g></g>\n");
 }
