@@ -79,8 +79,8 @@ close and_spins_as_in_winnow "$(number 3.out w)" \
     "$(column spin rotational_energy_particles |
         awk -v m="$m" '{ print -sqrt(2 * $1 / (0.4 * m * 0.6e-3 ^ 2)) }')" 1e-5
 
-# Rounding grows by about ten with each contact, and until 0.03 s few grains have
-# had more than five.
+# Rounding grows by about ten with each contact, and until 0.04 s few grains have
+# had more than ten. A pair that the grid misses moves the mean by per cents.
 ./04-grid 0 >/dev/null
 awk 'BEGIN {
     print "title = \"grains in a box\";"
@@ -94,11 +94,11 @@ awk 'BEGIN {
         printf "%s{ position = [%s, 0.005]; diameter = %s; }\n",
             (i > 1 ? "," : ""), place[i], d[i]
     print "); }; effects = { gravity = [0.0, -9.81, 0.0]; };"
-    print "output = { end = 0.03; every = 0.03; };" }' 04-grid.vtk >grid.cfg
+    print "output = { end = 0.04; every = 0.04; };" }' 04-grid.vtk >grid.cfg
 run grid
-./04-grid 0.03 >4.out
+./04-grid 0.04 >4.out
 close two_hundred_grains_fall_as_in_winnow "$(number 4.out 'mean height')" \
-    "$(column grid mean_height)" 1e-6
+    "$(column grid mean_height)" 1e-5
 
 # After 0.3 s the heap has its shape and settles: its middle moves up and down
 # with less than a twentieth of g.
@@ -176,7 +176,7 @@ bed diffusion diffusion 1e8 0.2 0.02 0.0
 close diffusion_keeps_the_volume_of_the_grains \
     "$(number 11.out 'volume of solids')" 2.714336052e-07 1e-9
 close eps_is_diffused_as_in_winnow "$(number 11.out 'lowest eps')" \
-    "$(column diffusion eps_f_lowest)" 0.003
+    "$(column diffusion eps_f_lowest)" 0.002
 close and_has_the_pressure_drop_of_winnow "$(number 11.out 'pressure drop')" \
     "$(column diffusion pressure_drop)" 0.02
 
