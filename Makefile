@@ -14,8 +14,8 @@ OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
-SRC   := $(filter-out src/main.c,$(wildcard src/*/*.c))
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/scene/ledger_rows.o
+SRC   := $(wildcard src/*/*.c src/*/*/*.c)
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -34,8 +34,19 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
+check-slow: ## what check has no time for (up to half an hour)
+	sh .ci/install check
+	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
+slow: commands-slow faults-slow pairs-slow
+	@echo "all slow checks hold"
+faults-slow: $B/winnow
+	@sh tests/faults.sh $B/winnow long
+commands-slow: $B/winnow $B/tests/test_impacts
+	@sh tests/commands.sh $B whole
+
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style steps-check cli vtk tools text pages
+checks: solutions results sanitized pairs facts style faults steps-check cli vtk tools \
+        commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -45,12 +56,20 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+faults: $B/winnow
+	@sh tests/faults.sh $B/winnow
+pairs: $B/winnow
+	@sh tests/pairs.sh $B/winnow
+pairs-slow: $B/winnow
+	@for seed in 1 2 3; do sh tests/pairs.sh $B/winnow all $$seed || exit; done
 vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
 steps-check: $B/winnow $(STEPS)
 	@sh tests/steps.sh $B
+commands: $B/winnow
+	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
 chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
@@ -81,7 +100,7 @@ book: ## the chapters as pages: build/book/index.html
 	sh chapters/tools/browser.sh $B/book
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /make \1: /p' Makefile
 
 clean: ## forget everything built
 	rm -rf $B
@@ -97,13 +116,13 @@ $B/%.o: %.c
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
 # What takes longer to optimise than to run.
-$B/tests/%.o $B/src/scene/%.o: LIGHT = -O1
+$B/tests/%.o $B/src/case/%.o: LIGHT = -O1
 $B/tests/bench/%.o: LIGHT =
 # The book's table of equations, for `winnow explain KEY`.
-$B/src/scene/ledger_rows.c: chapters/equations.md chapters/tools/rows.awk
+$B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
 	@awk -f chapters/tools/rows.awk $< >$@.new && mv $@.new $@
-$B/src/scene/ledger_rows.o: $B/src/scene/ledger_rows.c src/scene/ledger.h
+$B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows.c src/case/report/equation_index.h
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -c -o $@ $<
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
@@ -113,7 +132,8 @@ $B/tests/%: $B/tests/%.o $B/libwinnow.a
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
-.PHONY: all run check checks facts sanitized style steps steps-check cli vtk tools solutions results \
+.PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
+        steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow solutions results \
         text pages validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "particles/contact_hertz.h"
+#include "dem/contact_hertz.h"
 
 static const double R = 0.1, E = 70e9, nu = 0.33, rho = 2700.0;
 static const double mu = 0.4, e = 0.5, v_n = 0.2;

@@ -16,9 +16,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "particles/contact_hertz.h"
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
+#include "dem/contact_hertz.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
 
 static const double d = 1.5e-3, rho = 2000.0, k = 5000.0, nu = 0.3;
 static const double mu = 0.15;

@@ -14,9 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "particles/bed.h"
-#include "particles/contact_linear.h"
-#include "particles/neighbours.h"
+#include "dem/bed.h"
+#include "dem/contact_linear.h"
+#include "dem/fast/neighbours.h"
 
 static const double d = 1e-3, skin = 1e-3 / 6.0;
 
@@ -54,11 +54,12 @@ static struct particles *settled(const struct dem_options *o)
 static struct neighbours *lists(struct particles *ps,
                                 const struct dem_options *o)
 {
-    const struct domain b = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct box_domain b = bodies_domain(o->lo, o->hi, o->periodic);
     struct neighbours *const nb = neighbours_create(ps, &b);
 
     nb->skin = skin;
-    neighbours_open(nb);
+    neighbours_begin_run(nb);
+    neighbours_load(nb);
     neighbours_refresh(nb, 2e-6);
     return nb;
 }
@@ -103,13 +104,13 @@ static void counts(struct particles *ps, const struct neighbours *nb)
             beside += !apart;
             touch += r2 < d * d;
         }
-    for (int s = 0; s < nb->count; s++) {
-        near += nb->strips[s].pairs.n;
-        chosen += nb->strips[s].contacts.n_pairs;
+    for (int s = 0; s < nb->n_chunks; s++) {
+        near += nb->chunks[s].pairs.n;
+        chosen += nb->chunks[s].contacts.n_pairs;
     }
     printf("all = %d\ncells = %d\nvicinity = %d\ncontacts = %d\ntouch = %d\n",
            ps->n * (ps->n - 1) / 2, beside, near, chosen, touch);
-    printf("strips = %d\n", nb->count);
+    printf("strips = %d\n", nb->n_chunks);
 }
 
 static void skins(struct particles *ps, struct dem_options *o)
@@ -150,10 +151,10 @@ static void picture(const struct particles *ps, const struct neighbours *nb)
     double origin[3], width[3];
 
     puts("# x, y [mm], strip");
-    for (int s = 0; s < nb->count; s++)
-        for (int i = nb->strips[s].begin; i < nb->strips[s].end; i++)
+    for (int s = 0; s < nb->n_chunks; s++)
+        for (int i = nb->chunks[s].begin; i < nb->chunks[s].end; i++)
             printf("%.3f %.3f %d\n", 1e3 * ps->x[i], 1e3 * ps->y[i], s);
-    const struct strip *const s = &nb->strips[0];
+    const struct chunk *const s = &nb->chunks[0];
     const int a = (s->end - s->begin) / 2;
     printf("\n\n# one, and its partners\n%.3f %.3f\n",
            1e3 * ps->x[s->begin + a], 1e3 * ps->y[s->begin + a]);

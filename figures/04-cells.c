@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A mesh from files, seen from above: the faces of its lid as closed lines, and
  * points at random with the cell that owns each. */
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -40,7 +40,7 @@ int main(void)
         double x[3] = {0.0, 0.0899, 0.0}, offset[3];
         for (int k = 0; k < 3; k += 2)
             x[k] = m->lo[k] + chance(&state) * (m->hi[k] - m->lo[k]);
-        const int c = mesh_locate(m, x, offset);
+        const int c = mesh_cell_and_offset(m, x, offset);
         if (c < 0) continue;
         printf("%.4f %.4f %d\n", 1e3 * x[0], 1e3 * x[2], c);
         inside++;

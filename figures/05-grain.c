@@ -51,7 +51,7 @@ static void step(struct view *w, int n)
     struct fluid *const fl = w->fluid;
 
     place_grain(fl, w->bandwidth, (FACE - 0.5) * h + v * dt * (n + 0.5));
-    if (n == 0) fluid_settle_eps(fl);
+    if (n == 0) fluid_reset_eps_history(fl);
     fluid_step(fl);
     w->short_by = U - fl->phi[FACE] / (h * h);
     w->most = fmax(w->most, w->short_by);

@@ -52,7 +52,7 @@ static void set_drift(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     for (int c = 0; c < CELLS; c++)
         fl->u[3 * c] = U;
     for (int f = 0; f < m->n_internal; f++)

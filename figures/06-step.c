@@ -49,7 +49,7 @@ static void reach(double dt, int steps, double p[N])
             fl->eps[i + NX * j] = 0.45;
             fl->K[i + NX * j] = 1e5;
         }
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     for (int n = 0; n < steps; n++)
         fluid_step(fl);
     memcpy(p, fl->p, N * sizeof *p);

@@ -54,7 +54,7 @@ int main(int n, char **word)
         fl->eps[c] = eps;
         fl->K[c] = K;
     }
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     for (int i = 0; i < STEPS; i++)
         if (fluid_step(fl) != 0) {
             printf("broke down after %d steps\n", i);

@@ -14,7 +14,7 @@
 #include <time.h>
 
 #include "averaging/diffusion.h"
-#include "averaging/hosts.h"
+#include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
 
 enum { CUBE = 15, FIELDS = 8 };

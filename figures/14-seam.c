@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "particles/contact_hertz.h"
-#include "particles/dem.h"
+#include "dem/contact_hertz.h"
+#include "dem/dem.h"
 
 static const double g = 9.81; /* [m/s^2] */
 

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
 
 static const double g = 9.81, R = 0.05, k = 1e6; /* [m/s^2], [m], [N/m] */
 static const double turn = 3.0, v = 0.1;         /* [rad/s], [m/s] */

@@ -12,8 +12,8 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "particles/contact_hertz.h"
-#include "particles/dem.h"
+#include "dem/contact_hertz.h"
+#include "dem/dem.h"
 
 static const double d = 1e-3, pitch = 1.12e-3; /* [m] */
 enum { STEPS = 300 };

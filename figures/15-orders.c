@@ -11,9 +11,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
-#include "particles/energy.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
+#include "dem/energy.h"
 
 static const double k_n = 1e4, overlap = 1e-4, d = 0.01; /* [N/m], [m], [m] */
 
@@ -63,7 +63,7 @@ static double energy(const struct integrator *by, int periods)
     ps->vx[0] = 0.01;
     o.step = 2.0 * M_PI / sqrt(2.0 * k_n / ps->m[0]) / 25.0;
     struct dem *const dem = dem_create(ps, &o);
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     dem_run(dem, 25 * periods, &r);
     const struct energy *const b = dem_energy(dem);
     const double rest = k_n * gsl_pow_2(0.01 * d);

@@ -9,7 +9,7 @@
 #include <gsl/gsl_rng.h>
 #include <stdio.h>
 
-#include "particles/sizes.h"
+#include "dem/population/sizes.h"
 
 enum { COUNT = 2160, LINES = 50 };
 
@@ -40,8 +40,8 @@ int main(void)
     const struct sizes_options o = {.law = sizes_law_named("normal"),
                                     .mean = 1.25e-3,
                                     .deviation = 0.5e-3,
-                                    .least = 0.083e-3,
-                                    .most = 2.5e-3};
+                                    .min = 0.083e-3,
+                                    .max = 2.5e-3};
     struct sizes *const s = sizes_create(&o);
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
     double d[COUNT];

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
 
 static const double g = 9.81; /* [m/s^2] */
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "particles/dem.h"
+#include "dem/dem.h"
 
 enum { SPHERES = 4, SAMPLES = 61, STEPS = 1000 };
 

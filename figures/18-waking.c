@@ -6,7 +6,7 @@
 #include <time.h>
 
 #include "base/clock.h"
-#include "particles/barrier.h"
+#include "dem/fast/barrier.h"
 
 enum { TIMES = 20000, SLEEPS = 200 };
 

@@ -45,7 +45,7 @@ static struct fluid *cavity(int cube, int n, double re,
                                     .convection =
                                         convection_scheme_named("linear"),
                                     .correctors = 2,
-                                    .splitting = 1e-3,
+                                    .piso_tolerance = 1e-3,
                                     .tolerance = 1e-5,
                                     .boundaries = b};
 

@@ -152,7 +152,7 @@ static void ask_correctors(void)
         for (int i = 0; i < 5; i++) {
             struct fluid_options o = options("bdf2", "linear");
             o.correctors = i < 4 ? i + 1 : 2;
-            o.repeats = i < 4 ? 0 : 1;
+            o.outer_correctors = i < 4 ? 0 : 1;
             run("correctors", names[i], 48, cfl, o);
         }
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Flows made for the averaged equations, between walls (tests/made.h): errors
- * of velocity and pressure, root mean square of all cells, the largest, and
- * root mean square of the cells at a wall, with mesh and step halved together;
- * and the orders from the mesh before.
+/* Flows made for the averaged equations, between walls (tests/manufactured.h):
+ * errors of velocity and pressure, root mean square of all cells, the largest,
+ * and root mean square of the cells at a wall, with mesh and step halved
+ * together; and the orders from the mesh before.
  *
  *   sh figures/run.sh figures/19-made.c */
 #include "../tests/made.h"
@@ -11,33 +11,39 @@
 
 static const struct row {
     const char *name;
-    struct made setting;
+    struct manufactured setting;
     int n;
 } rows[] = {
-    {"box", {.kind = MADE_BOX}, 16},
-    {"box_A", {.kind = MADE_BOX, .shared = 1, .mixture = 1}, 16},
-    {"box_drag", {.kind = MADE_BOX, .shared = 1, .K = 20.0}, 16},
-    {"box_graded", {.kind = MADE_BOX, .shared = 1, .grading = 3.0}, 16},
+    {"box", {.kind = MANUFACTURED_BOX}, 16},
+    {"box_A", {.kind = MANUFACTURED_BOX, .shared = 1, .mixture = 1}, 16},
+    {"box_drag", {.kind = MANUFACTURED_BOX, .shared = 1, .K = 20.0}, 16},
+    {"box_graded", {.kind = MANUFACTURED_BOX, .shared = 1, .grading = 3.0}, 16},
     {"box_sheared",
-     {.kind = MADE_BOX, .mixture = 1, .grading = 3.0, .shear = {0.4}},
+     {.kind = MANUFACTURED_BOX, .mixture = 1, .grading = 3.0, .shear = {0.4}},
      16},
-    {"channel", {.kind = MADE_CHANNEL}, 16},
-    {"channel_A", {.kind = MADE_CHANNEL, .shared = 1, .mixture = 1}, 16},
-    {"channel_drag", {.kind = MADE_CHANNEL, .shared = 1, .K = 20.0}, 16},
-    {"channel_graded", {.kind = MADE_CHANNEL, .grading = 3.0}, 16},
+    {"channel", {.kind = MANUFACTURED_CHANNEL}, 16},
+    {"channel_A",
+     {.kind = MANUFACTURED_CHANNEL, .shared = 1, .mixture = 1},
+     16},
+    {"channel_drag",
+     {.kind = MANUFACTURED_CHANNEL, .shared = 1, .K = 20.0},
+     16},
+    {"channel_graded", {.kind = MANUFACTURED_CHANNEL, .grading = 3.0}, 16},
 };
 
 /* Its run in three directions begins coarser. */
 static const struct row deep[] = {
-    {"box_3D", {.kind = MADE_BOX, .shared = 1, .grading = 2.0}, 8},
+    {"box_3D", {.kind = MANUFACTURED_BOX, .shared = 1, .grading = 2.0}, 8},
     {"sheared_3D",
-     {.kind = MADE_BOX, .mixture = 1, .shear = {0.3, 0.2, -0.3}},
+     {.kind = MANUFACTURED_BOX, .mixture = 1, .shear = {0.3, 0.2, -0.3}},
      8},
-    {"channel_3D", {.kind = MADE_CHANNEL, .shared = 1, .mixture = 1}, 8},
+    {"channel_3D",
+     {.kind = MANUFACTURED_CHANNEL, .shared = 1, .mixture = 1},
+     8},
 };
 
-static void print(const char *name, int n, const struct made_error *now,
-                  const struct made_error *before)
+static void print(const char *name, int n, const struct manufactured_error *now,
+                  const struct manufactured_error *before)
 {
     printf("%s %d %.2e %.2e %.2e %.2e %.2e %.2e", name, n, now->u, now->u_max,
            now->u_wall, now->p, now->p_max, now->p_wall);
@@ -52,17 +58,17 @@ static void print(const char *name, int n, const struct made_error *now,
 
 static void refine(const struct row *r, int flat, int most)
 {
-    struct made_error before = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    struct manufactured_error before = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 
     for (int n = r->n; n <= most; n *= 2) {
-        struct made a = r->setting;
+        struct manufactured a = r->setting;
         a.n = n;
         a.flat = flat;
         a.time = "bdf2";
         a.convection = "linear";
         a.end = 0.32;
         a.dt = a.end / n;
-        const struct made_error now = made_run(&a);
+        const struct manufactured_error now = manufactured_run(&a);
         print(r->name, n, &now, &before);
         before = now;
     }

@@ -10,10 +10,10 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/history.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/history.h"
+#include "case/case_file.h"
 
 enum { SEEDS = 6, MOST = 2 };
 
@@ -29,7 +29,7 @@ static const struct variant {
     {"particle step 5e-6 s", {"particles.step=5e-6"}},
     {"particle step 2e-5 s", {"particles.step=2e-5"}},
     {"explicit", {"exchange.treatment=explicit"}},
-    {"exponential", {"exchange.relaxation=exponential"}},
+    {"exponential", {"exchange.slip_integration=exponential"}},
     {"4 sub-steps", {"exchange.substeps=4"}},
     {"bell, 4.8 mm", {"averaging.method=kernel"}},
     {"diffusion, 2.4 mm", {"averaging.bandwidth=2.4e-3"}},
@@ -62,7 +62,7 @@ static int run(const struct variant *v, int seed, struct outcome *r)
     for (int i = 0; i < MOST && v->overrides[i] != NULL; i++)
         list[n++] = v->overrides[i];
     struct settings *const s =
-        scene_read("cases/small-bed.cfg", n, list, &code);
+        case_file_read("cases/small-bed.cfg", n, list, &code);
     if (s == NULL) return 1;
     struct simulation *const sim = build_simulation(s, &code);
     settings_free(s);

@@ -9,7 +9,7 @@ velocity() { # OVERRIDES...: after 1.1 ms
 }
 step() { awk "BEGIN { printf \"%.9g\", $1 }"; }
 mkdir -p out
-exact=$(velocity -s exchange.relaxation=exponential -s fluid.step=2.2e-6 \
+exact=$(velocity -s exchange.slip_integration=exponential -s fluid.step=2.2e-6 \
     -s particles.step=2.2e-6)
 error() { awk "BEGIN { e = ($1 - $exact) / 0.05; printf \" %9.2e\", e < 0 ? -e : e }"; }
 echo "# evaluations, error with sub-steps, with exponential sub-steps, with steps"
@@ -19,8 +19,8 @@ for n in 1 2 4 8 16 32; do
     fine=$(step "1.1e-3 / 32")
     error "$(velocity -s particles.step="$fine" -s exchange.substeps=$n)"
     error "$(velocity -s particles.step="$fine" -s exchange.substeps=$n \
-        -s exchange.relaxation=exponential)"
+        -s exchange.slip_integration=exponential)"
     error "$(velocity -s particles.step="$fine" -s exchange.substeps=1 \
-        -s fluid.step="$(step "1.1e-3 / $n")" -s exchange.relaxation=exponential)"
+        -s fluid.step="$(step "1.1e-3 / $n")" -s exchange.slip_integration=exponential)"
     echo
 done

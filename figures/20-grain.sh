@@ -11,7 +11,7 @@ run() { # NAME OVERRIDES...
 }
 mkdir -p out
 if [ "${1:-}" = exact ]; then
-    run fine -s exchange.relaxation=exponential -s fluid.step=2.2e-5
+    run fine -s exchange.slip_integration=exponential -s fluid.step=2.2e-5
     awk '{printf "%.6f %.5f\n", 2.2e-5 * (NR - 1), $1}' out/grain-fine.txt |
         awk 'NR % 5 == 1'
     exit
@@ -19,8 +19,8 @@ fi
 run 1 -s exchange.substeps=1
 run 2 -s exchange.substeps=2
 run 50 -s exchange.substeps=50
-run relaxed -s exchange.relaxation=exponential
-run fine -s exchange.relaxation=exponential -s fluid.step=2.2e-5
+run relaxed -s exchange.slip_integration=exponential
+run fine -s exchange.slip_integration=exponential -s fluid.step=2.2e-5
 awk 'NR % 50 == 1' out/grain-fine.txt >out/grain-exact.txt
 echo "# t [s], N_s = 1, 2, 50, exponential, exact [m/s]"
 paste -d' ' out/grain-1.txt out/grain-2.txt out/grain-50.txt \

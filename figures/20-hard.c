@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* 20-hard.c -- what each form of continuity does to the pressure where it is
- * hardest: the scenes of tests/hard_scenes.h. One line a scene and form.
+ * hardest: the scenes of tests/hard_beds.h. One line a scene and form.
  *
  * swing: the largest change of the pressure in a cell from one step to the
  * next, and its root mean square over cells and steps, [Pa]. The first five
@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "exchange/coupling.h"
+#include "coupling/coupling.h"
 #include "../tests/hard_scenes.h"
 
 struct found {

@@ -18,7 +18,7 @@ steps() {
     short="-s output.end=0.032"
     # shellcheck disable=SC2086
     exact=$(fall $short -s fluid.step=2e-5 \
-        -s exchange.relaxation=exponential)
+        -s exchange.slip_integration=exponential)
     echo "# step [ms], over tau_p [-], evaluations; error frozen, sub-steps, exponential [-]"
     for n in 32 16 8 4 2 1; do
         dt=$(awk "BEGIN { print 0.032 / $n }")
@@ -28,7 +28,7 @@ steps() {
         {
             error "$(fall $short -s fluid.step=$dt)" "$exact"
             error "$(fall $short -s fluid.step=$dt -s exchange.substeps=$((64 / n)))" "$exact"
-            error "$(fall $short -s fluid.step=$dt -s exchange.relaxation=exponential)" "$exact"
+            error "$(fall $short -s fluid.step=$dt -s exchange.slip_integration=exponential)" "$exact"
         }
         echo
     done

@@ -21,9 +21,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_file.h"
 
 enum { STEPS = 400, MOST = 12, TEXT = 200, EXPLICIT = 0, BED = 2 };
 static const char *const systems[] = {"suspension", "one", "bed"};
@@ -121,14 +121,14 @@ static struct simulation *prepare(const struct run *r)
     int code;
 
     say(&o, "exchange.treatment", treatment[r->treatment]);
-    say(&o, "exchange.relaxation", relaxation[r->relaxation]);
+    say(&o, "exchange.slip_integration", relaxation[r->relaxation]);
     say(&o, "exchange.substeps", "1");
     give(&o, "fluid.density", rho);
     if (r->system == BED)
         prepare_bed(&o, rho, r->x);
     else
         prepare_box(&o, r->x, r->system == 1);
-    struct settings *const s = scene_read(
+    struct settings *const s = case_file_read(
         r->system == BED ? "cases/small-bed.cfg" : "cases/closed-box.cfg", o.n,
         o.list, &code);
     if (s == NULL) exit(code);

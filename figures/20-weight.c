@@ -12,10 +12,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/history.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/history.h"
+#include "case/case_file.h"
 
 enum { MOST = 12 };
 
@@ -71,7 +71,7 @@ int main(int n, char **word)
     for (int i = 3; i < n && count < MOST; i++)
         list[count++] = word[i];
     struct settings *const set =
-        scene_read("cases/fluidization-ramp.cfg", count, list, &code);
+        case_file_read("cases/fluidization-ramp.cfg", count, list, &code);
     if (set == NULL) return code;
     struct simulation *const sim = build_simulation(set, &code);
     settings_free(set);

@@ -8,15 +8,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_file.h"
 
 int main(int argc, char **argv)
 {
     int code = 2;
     if (argc != 3) return code;
-    struct settings *const s = scene_read(argv[1], 0, NULL, &code);
+    struct settings *const s = case_file_read(argv[1], 0, NULL, &code);
     if (s == NULL) return code;
     struct simulation *const sim = build_simulation(s, &code);
     if (sim == NULL) return code;

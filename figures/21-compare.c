@@ -19,6 +19,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "averaging/cell_of_particle.h"
 #include "averaging/interpolation.h"
 #include "base/alloc.h"
 
@@ -223,7 +224,7 @@ static struct averaging *prepare(const struct way *way, const struct mesh *m,
 /* q: volumes, of which a cap may leave some out. */
 static double average(struct averaging *a, const double *q, double *field)
 {
-    const int n_particles = averaging_hosts(a)->ps->n;
+    const int n_particles = averaging_cells(a)->ps->n;
     double *const counted = alloc_doubles(n_particles);
     double shortest = INFINITY;
 
@@ -232,7 +233,7 @@ static double average(struct averaging *a, const double *q, double *field)
         if (averaging_bind(a) != 0) exit(1);
         for (int i = 0; i < n_particles; i++)
             counted[i] = q[i];
-        averaging_leave_out(a, 1, counted);
+        averaging_apply_cap(a, 1, counted);
         averaging_spread(a, 1, counted, field);
         shortest = fmin(shortest, seconds() - begin);
     }

@@ -12,7 +12,7 @@
 
 #include "averaging/averaging.h"
 #include "base/alloc.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 
 static const double step = 0.8e-3; /* [m] of the lattice */
 enum { ROOM = 400000 };

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
+#include "base/file.h"
+#include "base/interrupt.h"
 #include "base/version.h"
-#include "scene/check.h"
-#include "scene/eval.h"
-#include "scene/explain.h"
-#include "scene/interrupt.h"
-#include "scene/ledger.h"
-#include "scene/list.h"
-#include "scene/nearest.h"
-#include "scene/run.h"
-#include "scene/scene.h"
+#include "case/report/report.h"
+#include "case/report/eval.h"
+#include "case/report/explain.h"
+#include "case/report/equation_index.h"
+#include "case/report/list.h"
+#include "case/nearest.h"
+#include "case/run.h"
+#include "case/case_file.h"
 
+#include <fcntl.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,39 +35,39 @@ struct command {
     int (*act)(const struct line *l);
 };
 
-/* out/NAME for a case some/where/NAME.cfg. */
-static void default_dir(const char *file, char dir[256])
+/* out/NAME for a case some/where/NAME.cfg, as a new string. A name that begins
+ * with a dot stays whole, lest it become another folder's. */
+static char *default_dir(const char *file)
 {
     const char *const slash = strrchr(file, '/');
     const char *const name = slash != NULL ? slash + 1 : file;
-    const char *const dot = strrchr(name, '.');
-    const int length =
-        dot != NULL && dot > name ? (int)(dot - name) : (int)strlen(name);
+    char *const dir = file_join("out", name);
+    char *const dot = strrchr(dir, '.');
 
-    snprintf(dir, 256, "out/%.*s", length, name);
+    if (dot != NULL && name[0] != '.') *dot = '\0';
+    return dir;
 }
 
 static struct settings *read_case(const struct line *l, int *code)
 {
-    return scene_read(l->words[0], l->n_overrides, l->overrides, code);
+    return case_file_read(l->words[0], l->n_overrides, l->overrides, code);
 }
 
 static int run(const struct line *l)
 {
     int code;
-    struct settings *const s = read_case(l, &code);
-    struct run_options o = {l->dir, l->quiet};
-    char dir[256];
+    struct interrupt_watch watch;
+    char *const dir = default_dir(l->words[0]);
+    const struct run_options o = {l->dir != NULL ? l->dir : dir, l->quiet};
 
-    if (s == NULL) return code;
-    if (o.dir == NULL) {
-        default_dir(l->words[0], dir);
-        o.dir = dir;
-    }
-    if (l->threads > 0) omp_set_num_threads(l->threads);
     interrupt_hold();
-    code = run_case(s, &o);
+    interrupt_watch_begin(&watch, NULL, NULL);
+    struct settings *const s = read_case(l, &code);
+    interrupt_watch_end(&watch);
+    if (l->threads > 0) omp_set_num_threads(l->threads);
+    if (s != NULL) code = run_case(s, &o);
     settings_free(s);
+    free(dir);
     return code;
 }
 
@@ -74,7 +76,7 @@ static int check(const struct line *l)
     int code;
     struct settings *const s = read_case(l, &code);
 
-    if (s != NULL) code = check_case(s);
+    if (s != NULL) code = report_case(s);
     settings_free(s);
     return code;
 }
@@ -83,7 +85,8 @@ static int explain(const struct line *l)
 {
     int code;
 
-    if (ledger_is_key(l->words[0])) return ledger_explain(l->words[0]);
+    if (equation_index_is_key(l->words[0]))
+        return equation_index_explain(l->words[0]);
 
     struct settings *const s = read_case(l, &code);
 
@@ -154,6 +157,7 @@ static const struct command *command_named(const char *name)
     return NULL;
 }
 
+/* One message, and how the command is called. */
 static int wrong(const struct command *c, const char *what, const char *why)
 {
     fprintf(stderr, "winnow: %s%s\nwinnow %s %s\n", what, why, c->name,
@@ -163,10 +167,13 @@ static int wrong(const struct command *c, const char *what, const char *why)
 
 static int wrong_option(const struct command *c, const char *option)
 {
-    fprintf(stderr, "winnow: %s knows no option %s", c->name, option);
-    if (strchr(c->options, '-') != NULL && nearest_edits(option, "--quiet") < 4)
-        fputs("; did you mean --quiet?", stderr);
-    return wrong(c, "", "");
+    const int near =
+        strchr(c->options, '-') != NULL && nearest_edits(option, "--quiet") < 4;
+
+    fprintf(stderr, "winnow: %s knows no option %s%s\nwinnow %s %s\n", c->name,
+            option, near ? "; did you mean --quiet?" : "", c->name,
+            c->arguments);
+    return 2;
 }
 
 /* A whole number of threads, 1 to 1024, or 0. */
@@ -196,6 +203,8 @@ static int take_option(const struct command *c, int argc, char **argv, int *i,
         return wrong_option(c, option);
     if (value == NULL && *i + 1 < argc) value = argv[++*i];
     if (value == NULL) return wrong(c, option, " asks for a value");
+    if (option[1] == 'o' && value[0] == '\0')
+        return wrong(c, "-o asks for a folder, not for an empty name", "");
     if (option[1] == 'o')
         l->dir = value;
     else if (option[1] == 's')
@@ -222,8 +231,22 @@ static int perform(const struct command *c, int argc, char **argv,
     return c->act(l);
 }
 
+/* A stream that is closed would lend its number to the next file, and what is
+ * said on it would land there. Each gets /dev/null; results that nobody reads
+ * still count as not written. Non-zero if that fails. */
+static int open_streams(void)
+{
+    static const int how[] = {O_RDONLY, O_RDONLY, O_WRONLY};
+
+    for (int d = 0; d < 3; d++)
+        if (fcntl(d, F_GETFD) < 0 && open("/dev/null", how[d]) != d) return 1;
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (open_streams() != 0) return 4;
+
     const char *const first = argc > 1 ? argv[1] : "";
     const char **const room = alloc_zeroed(2 * (size_t)argc, sizeof *room);
     struct line l = {0, 0, room, room + argc, NULL, 0, 0};

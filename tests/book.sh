@@ -85,7 +85,7 @@ END
 edit() { sed -i "$1" "$2"; }
 weave() { sh "$tools/weave.sh" "$@"; }
 ledger() { sh "$tools/ledger.sh" check; }
-text() { awk -f "$tools/text.awk" chapters/*.md src/*/*.c; }
+text() { awk -f "$tools/text.awk" chapters/*.md $(find src -name '*.c'); }
 chapter=chapters/01-fall.md
 
 echo "weaving:"

@@ -58,6 +58,8 @@ fact misspelt_option_finds_the_one_meant 2 "did you mean --quiet?" \
     "$winnow" run tiny.cfg --quite
 fact option_of_another_command_is_refused 2 "check knows no option -o" \
     "$winnow" check tiny.cfg -o there
+unknown() { "$winnow" list -swinnow 2>&1 | grep -x 'winnow: list knows no option -swinnow'; }
+fact unknown_option_is_named_and_nothing_else_is_said 0 "" unknown
 fact option_without_value_is_refused 2 "-o asks for a value" \
     "$winnow" run tiny.cfg -o
 fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many
@@ -75,9 +77,34 @@ fact negative_diameter_names_unit 2 "a number > 0 [m], found -0.001" \
     "$winnow" run negative.cfg
 fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
     "$winnow" run tiny.cfg -s fluid.density=heavy
+fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
+    "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
+    "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact more_particle_steps_than_an_int_holds_are_refused 2 \
+    "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
+    "$winnow" check tiny.cfg -s particles.step=1e-14
+fact end_that_is_too_far_to_count_steps_is_refused 2 "output.end: 1e+300 s are" \
+    "$winnow" run tiny.cfg -s output.end=1e300
+fact end_before_the_first_step_is_refused 2 "less than half of one step" \
+    "$winnow" run tiny.cfg -s output.end=9e-5
+fact picture_after_the_end_is_only_that_of_the_start 0 "" \
+    "$winnow" run tiny.cfg -o seldom -s output.every=1e300 -s output.end=2e-3 --quiet
+fact no_further_pictures_are_written 0 "1" \
+    sh -c 'ls seldom/particles | grep -c vtp && test $(ls seldom/fluid | wc -l) = 1'
+fact mesh_of_more_cells_than_an_int_numbers_is_refused 2 \
+    "4.299e+09 cells with 1.29e+10 faces; no more than" \
+    "$winnow" run tiny.cfg -s 'mesh.cells=[2050,2048,1024]'
+fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
+    "need about 1.44 GB, and this machine has 0.512 GB" \
+    sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "mesh.cells=[100,80,100]"' "$winnow"
+fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
+    "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
+    check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'
+fact check_of_a_box_does_not_make_its_mesh 0 "4e+06" timeout 5 \
+    "$winnow" check "$top/cases/rebound.cfg" -s 'mesh.cells=[200,200,100]'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
-sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg
+sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling_friction = 0.1;/' tiny.cfg >felt.cfg
 fact several_materials_and_rolling_run 0 "" "$winnow" run felt.cfg -o felt --quiet
 fact material_is_in_the_pictures 0 'Name="material"' \
     sh -c 'cat felt/particles/*.vtp | tr -d "\000" | grep -a material | head -1'
@@ -92,9 +119,65 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
+fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
+    "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
+fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
+    "$winnow" check "$top/cases/small-bed.cfg" \
+    -s 'particles.bed={count=490;diameter=1.4e-3;}'
+fact check_refuses_a_period_too_short_for_the_list 2 "long in the periodic direction z" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s 'mesh.periodic=[false,false,true]' \
+    -s 'fluid={density=1.2;viscosity=1e-5;step=1e-4;sides="slip";bottom_top="slip";}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
+cat >fields.cfg <<'END'
+title = "a sphere falls, and no fluid";
+mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.005, 0.005, 0.005]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.01; every = 0.01; history = 0.001; };
+END
+fact field_without_a_fluid_is_wrong_input 2 "no field p: fields are those of a fluid" \
+    "$winnow" run fields.cfg -s 'output.probes=({field="p";position=[0.005,0.005,0.005];})'
+fact field_of_solids_is_refused_one_way 2 'no field us_y: it asks for exchange' \
+    "$winnow" check tiny.cfg -s exchange.coupling=one-way \
+    -s 'output.profiles=({field="us_y";height=0.001;})'
+fact time_average_is_refused_one_way 2 "one-way there are no averaged fields" \
+    "$winnow" run tiny.cfg -s exchange.coupling=one-way \
+    -s 'effects.time_average={time=0.01;}'
+sed 's/place = .*/bed = { count = 10; diameter = 1e-3; }; };/' fields.cfg >bed.cfg
+fact bed_wider_than_half_a_period_is_refused_with_its_reason 2 \
+    "long in the periodic direction z" "$winnow" run bed.cfg -o never \
+    -s 'mesh.size=[0.01,0.01,0.002]' -s 'mesh.periodic=[false,false,true]'
+fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
+    "$winnow" run bed.cfg -o never -s particles.bed.count=0 \
+    -s 'particles.prescribed=({id=0;velocity=[1.0,0.0,0.0];})'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
+
+mkdir beside
+echo "0.002 0.008 0.003 1e-3" >beside/two.grains
+sed 's/place = (.*/insert = ( { file = "two.grains"; } ); };/; /position = .0.0031/d' tiny.cfg >beside/fed.cfg
+fact file_of_spheres_lies_beside_the_case 0 "" \
+    "$winnow" check beside/fed.cfg
+sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "small.bed"; }; };/; /position = .0.0031/d' tiny.cfg >beside/bed.cfg
+fact file_of_a_bed_lies_beside_the_case 0 "" \
+    sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"
+
+mkfifo pipe
+fact pipe_is_no_file 2 "pipe: it is a device or a pipe" timeout 5 \
+    "$winnow" run tiny.cfg -s 'particles.insert=({file="pipe";})'
+fact device_without_an_end_is_no_surface 2 "/dev/zero: cannot be read: it is a device" \
+    timeout 5 "$winnow" check tiny.cfg \
+    -s 'particles.surfaces=({name="a";shape="stl";file="/dev/zero";})'
+fact file_must_have_a_name 2 "expected the name of a file in quotes" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="";})'
+printf '\357\273\277' | cat - tiny.cfg >mark.cfg
+fact byte_order_mark_is_named 2 "begins with a byte order mark" \
+    "$winnow" check mark.cfg
+{ cat tiny.cfg; echo '# @include "pipe"'; echo '@include "."'; } >round.cfg
+fact folder_cannot_be_included 4 "round.cfg:15: cannot read what is included, .:" \
+    "$winnow" check round.cfg
 
 echo "tables:"
 fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list
@@ -106,7 +189,7 @@ fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
-fact explain_names_the_function 0 "src/exchange/drag.c                drag_terminal_ratio" \
+fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \
     "$winnow" explain XS11:2.13
 fact explain_names_the_test 0 "xs11_2_13_terminal_ratio_solves_its_quadratic" \
     "$winnow" explain xs11:2.13
@@ -203,6 +286,74 @@ fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
 
+cat >soft.cfg <<'END'
+title = "two spheres that meet in springs too soft for them";
+mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-4;
+    grains = { density = 1000; stiffness = 1.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.03, 0.05, 0.05]; velocity = [0.1, 0.0, 0.0]; diameter = 1e-2; },
+              { position = [0.0405, 0.05, 0.05]; velocity = [-0.1, 0.0, 0.0]; diameter = 1e-2; } ); };
+output = { end = 0.05; every = 0.05; history = 1e-3; };
+END
+# 3.5 and 12 particle steps between two rows; the sphere turns around on the way.
+written() {
+    for every in 3.5e-4 1.2e-3; do
+        "$winnow" run soft.cfg -o written --quiet -s output.history=$every \
+            -s output.every=4.8e-2 -s output.end=4.8e-2 \
+            -s particles.expected_overlap=0.5 >/dev/null
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /kinetic_energy_p/) c = i }
+            END { printf "%.9e %.6f\n", $c, $1 }' written/history.csv
+    done | uniq | wc -l
+}
+fact what_is_written_does_not_change_the_motion 0 1 written
+sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
+soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
+fact overlap_deeper_than_expected_is_told_with_who_and_where 0 \
+    "particle 0 and particle 1 overlap by 0.1" soft
+once() { soft | grep -c expected_overlap; }
+fact it_is_told_once 0 1 once
+meant() { soft -s particles.expected_overlap=0.4 | wc -c; }
+fact overlap_that_is_meant_is_not_told 0 0 meant
+fact overlap_deeper_than_the_limit_is_code_3 3 "more than particles.max_overlap" \
+    soft -s particles.max_overlap=0.2
+
+cat >come.cfg <<'END'
+title = "spheres that come";
+mesh = { size = [0.02, 0.02, 0.02]; cells = [1, 1, 1]; periodic = [true, false, false]; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.3; };
+    insert = ( { count = 100; rate = 1e5; diameter = 3e-3; seed = 3; to = [0.02, 0.006, 0.02]; } ); };
+output = { end = 2e-3; every = 1e-3; };
+END
+come() { "$winnow" run come.cfg -o come --quiet "$@" 2>&1 >/dev/null; }
+come_written() {
+    for every in 4e-4 1.2e-3; do
+        "$winnow" run come.cfg -o come --quiet -s output.history=$every \
+            -s output.end=2.4e-3 >/dev/null 2>&1
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /kinetic_energy_p/) c = i }
+            END { print $c, $1 }' come/history.csv
+    done | uniq | wc -l
+}
+fact what_is_written_does_not_change_when_spheres_come 0 1 come_written
+fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
+fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
+fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \
+    come -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
+    -s particles.insert.0.count=1
+fact check_knows_that_too 2 "periodic direction x" "$winnow" check come.cfg \
+    -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
+    -s particles.insert.0.count=1
+printf '%s\n' "0.01 0.01 0.01 3e-3" "0.004 0.01 0.01 3e-3" "0.01 0.01 0.01 3e-3" >twice.spheres
+sed 's/insert = .*/insert = ( { file = "twice.spheres"; } ); };/' come.cfg >twice.cfg
+fact spheres_of_a_file_in_one_place_cannot_come_at_once 2 "spheres 0 and 2 of its file" \
+    "$winnow" run twice.cfg -o never
+fact one_after_the_other_they_can 0 "" "$winnow" run twice.cfg -o after --quiet \
+    -s particles.insert.0.rate=1e3 -s 'particles.insert.0.velocity=[0.0,0.5,0.0]'
+speed() { "$winnow" check come.cfg "$@" | grep 'impact speed'; }
+fact safe_step_counts_the_speed_of_those_that_come 0 " 10 m/s" \
+    speed -s 'particles.insert.0.velocity=[0.0,10.0,0.0]' -s 'effects.gravity=[0.0,-9.81,0.0]'
+fact and_of_those_that_are_thrown 0 " 7 m/s" "$winnow" check thrown.cfg
+
 cat >walls.cfg <<'END'
 title = "a sphere and a sheet of metal";
 mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };
@@ -241,7 +392,7 @@ sed 's/shape = "plane"; point/shape = "plane"; radius = 0.1; point/' walls.cfg >
 fact plane_has_no_radius 2 "floor is a plane: it has no radius" "$winnow" check shape.cfg
 sed 's/name = "floor"/name = "sheet"/' walls.cfg >shape.cfg
 fact surface_has_a_name_of_its_own 2 "the name sheet is given twice" "$winnow" check shape.cfg
-sed 's/    place/    driven = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n    place/' walls.cfg >shape.cfg
+sed 's/    place/    prescribed = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n    place/' walls.cfg >shape.cfg
 fact driven_particle_must_be_there 2 "there is no particle 7: they are 0 to 1" \
     "$winnow" run shape.cfg -o driven
 

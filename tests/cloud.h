@@ -11,7 +11,7 @@
 #include "averaging/averaging.h"
 #include "base/alloc.h"
 #include "mesh/mesh.h"
-#include "particles/particles.h"
+#include "dem/particles.h"
 
 /* One cell, one, two and three directions, graded, periodic with one, two and
  * more cells. The widest grading is milder than the 1:5 of test_mesh. */

@@ -11,9 +11,9 @@
 
 #include <gsl/gsl_math.h>
 
-#include "particles/contact_hertz.h"
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
+#include "dem/contact_hertz.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
 
 enum impact_partner { RIGID_PLANE, EQUAL_SPHERE, BIG_SPHERE };
 

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "particles/contact_hertz.h"
-#include "particles/contact_linear.h"
-#include "particles/dem.h"
+#include "dem/contact_hertz.h"
+#include "dem/contact_linear.h"
+#include "dem/dem.h"
 
 /* A box from -half to half; a material that forgets neither energy nor lets
  * anything stick, until the test says otherwise. */

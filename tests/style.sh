@@ -50,16 +50,19 @@ clang_too() {
 
 # A room knows itself and earlier ones; some not even all of these.
 rooms() {
-    grep -rn --include='*.[ch]' '^#include "' src | awk -F'[:/"]' '
+    grep -rn --include='*.[ch]' '^#include "' src | awk '
     BEGIN {
-        n = split("base mesh linear fluid particles averaging exchange effects" \
-                  " output scene", order, " ")
+        n = split("base mesh linear fluid dem averaging coupling output case",
+                  order, " ")
         for (i = 1; i <= n; i++) rank[order[i]] = i
-        apart["linear mesh"]; apart["particles fluid"]; apart["averaging fluid"]
-        apart["output fluid"]; apart["output exchange"]
+        apart["linear mesh"]; apart["dem fluid"]; apart["averaging fluid"]
+        apart["output fluid"]; apart["output coupling"]
     }
-    $2 != "main.c" { # src/room/file:line:#include "other/file"
-        room = $2; other = $6
+    { # src/room/[folder/]file:line:#include "other/[folder/]file"
+        split($1, path, "/"); split($0, quoted, "\"")
+        split(quoted[2], included, "/")
+        room = path[2]; other = included[1]
+        if (room ~ /^main[.]c/) next
         if (rank[other] == 0 || rank[other] > rank[room] ||
             (room " " other) in apart)
             print $0
@@ -71,18 +74,20 @@ rooms() {
 names() {
     # shellcheck disable=SC2086
     nm -A -g --defined-only $objects | awk -v headers="$headers" '
-    BEGIN { # behind["src/room"]: a pattern of its headers
+    BEGIN { # behind[room]: a pattern of its headers, those of its folders too
         n = split(headers, h, " |\n")
         for (i = 1; i <= n; i++) {
-            split(h[i], part, "[/.]")
-            behind[part[2]] = behind[part[2]] part[3] "|"
+            m = split(h[i], part, "[/.]")
+            behind[part[2]] = behind[part[2]] part[m - 1] "|"
         }
     }
-    { # build/src/room/file.o:0000 T name
-        n = split($1, part, "[/:]")
-        if (part[n - 2] == "src") next # main
+    { # build/.../src/room/[folder/]file.o:0000 T name
+        path = $1
+        sub(/^.*\/src\//, "", path)
+        n = split(path, part, "[/:]")
+        if (path ~ /^main[.]o/) next
         sub(/\.o$/, "", part[n - 1])
-        own = "^(" behind[part[n - 2]] part[n - 1] ")(s?_.*|s?)$"
+        own = "^(" behind[part[1]] part[n - 1] ")(s?_.*|s?)$"
         if ($3 !~ own) print $1 " " $3
     }' | wrong 'exported name without its module'
 }
@@ -111,6 +116,22 @@ lengths() {
     done
 }
 
+# A cast of a real number beyond the range of the whole one gives nonsense: only
+# base/number makes one of the other. clang knows the type of what is cast.
+casts() {
+    grep -n -E '\<l?l(round|rint)[fl]?\(' $modules $headers |
+        wrong 'whole number that number.h did not make'
+    command -v clang >/dev/null || return
+    for module in $(grep -l -E '\((int|long|unsigned|u?int[0-9]*_t|size_t)\)' \
+        $modules); do
+        # shellcheck disable=SC2086
+        clang $flags -fno-color-diagnostics -Xclang -ast-dump "$module" \
+            2>/dev/null | awk -v module="$module" '
+            /^[|`]-FunctionDecl/ { mine = $0 !~ / number_(int|long|clamped) / }
+            /CStyleCastExpr.*<FloatingToIntegral>/ && mine { print module }'
+    done | uniq -c | wrong 'cast of a real number, which number.h does'
+}
+
 text() {
     grep -rn --include='*.[ch]' '^ *# *if' src |
         grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP' | wrong 'code behind #if'
@@ -120,13 +141,24 @@ text() {
     done
 }
 
+# A guard is the path of its header, so that no two are the same.
+guards() {
+    for header in $headers; do
+        guard=$(echo "${header#src/}" | tr 'a-z/.' 'A-Z__')
+        grep -q "^#ifndef $guard\$" "$header" ||
+            echo "$header: $guard" | wrong 'guard that is not the path'
+    done
+}
+
 layout
 alone
+guards
 clang_too
 rooms
 names
 variables
 lengths
+casts
 text
 if [ -s "$found" ]; then
     cat "$found"

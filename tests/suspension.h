@@ -11,14 +11,14 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "effects/effects.h"
-#include "exchange/coupling.h"
-#include "particles/life.h"
+#include "coupling/effects.h"
+#include "coupling/coupling.h"
+#include "dem/population/population.h"
 
 /* A scene put together by hand: everything that a test wants to vary. */
 struct scene {
     const char *averaging, *scheme, *interpolation, *drag;
-    enum relaxation relaxation;
+    enum slip_integration relaxation;
     enum treatment treatment;
     enum continuity continuity;
     int pressure_gradient, substeps, one_way;
@@ -121,7 +121,7 @@ static inline void create_coupling(struct simulation *sim,
     const struct coupling_options co = {
         .law = drag_law_named(s->drag),
         .treatment = s->treatment,
-        .relaxation = s->relaxation,
+        .slip_integration = s->relaxation,
         .interpolation = interpolation_named(s->interpolation),
         .substeps = s->substeps,
         .two_way = !s->one_way};
@@ -136,12 +136,12 @@ static inline void create_coupling(struct simulation *sim,
 static inline void create_life(struct simulation *sim, const struct scene *s,
                                const struct dem_options *o)
 {
-    const struct domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct box_domain box = bodies_domain(o->lo, o->hi, o->periodic);
     const double L = s->size;
 
-    sim->life = life_create(&box, s->fed > 0.0, s->sink > 0.0);
+    sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);
     if (s->fed > 0.0)
-        sim->life->sources[0].options =
+        sim->population->sources[0].options =
             (struct insertion_options){.hi = {L, L, L},
                                        .velocity = {0.1, -0.4, 0.2},
                                        .diameter = 0.7 * s->d,
@@ -150,8 +150,8 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
                                        .rate = s->fed,
                                        .seed = 3};
     if (s->sink > 0.0)
-        sim->life->sinks[0] =
-            (struct life_sink){.hi = {L, s->sink * L, L}, .side = -1};
+        sim->population->sinks[0] =
+            (struct population_sink){.hi = {L, s->sink * L, L}, .side = -1};
 }
 
 static inline struct simulation *build(const struct scene *s)
@@ -172,8 +172,8 @@ static inline struct simulation *build(const struct scene *s)
     sim->dt = s->dt;
     sim->dem_steps = s->dem_steps;
     scatter(sim, s);
-    sim->held = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, sim->held, 3);
+    sim->held_force = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, sim->held_force, 3);
     sim->dem = dem_create(sim->particles, &o);
     if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);
@@ -197,10 +197,10 @@ static inline void discard(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    life_free(sim->life);
+    population_free(sim->population);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
-    free(sim->held);
+    free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);
 }

@@ -5,9 +5,10 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/capillary.h"
-#include "particles/electrostatic.h"
-#include "particles/van_der_waals.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/cohesion/van_der_waals.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double d = 1e-3;
@@ -90,7 +91,7 @@ START_TEST(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials)
     o.materials = &all;
     for (int of_j = 0; of_j < 2; of_j++) {
         struct particles *const ps = pair_apart(2.0 * d, d, d);
-        particles_distinguish(ps);
+        particles_add_material(ps);
         ps->material[1] = of_j;
         run(ps, &o, 1);
         const double F =
@@ -117,7 +118,7 @@ START_TEST(ls_4_13_unlike_charges_circle_as_keplers_planets)
                                  .charge = charge};
     struct particles *const ps = particles_create(2);
 
-    particles_distinguish(ps);
+    particles_add_material(ps);
     for (int k = 0; k < 2; k++) {
         spheres_add(ps, k == 0 ? -0.5 * l : 0.5 * l, 0.0, 0.0, d);
         ps->material[k] = k;
@@ -410,34 +411,22 @@ START_TEST(attractions_keep_the_momentum_of_a_periodic_box)
 }
 END_TEST
 
-int main(void)
+FACTS("attraction")
 {
-    Suite *const s = suite_create("attraction");
-    TCase *const t = tcase_create("laws");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ls_4_13_like_charges_repel_with_coulombs_constant);
-    tcase_add_test(
-        t, ls_4_13_unlike_spheres_are_drawn_together_by_their_materials);
-    tcase_add_test(t, ls_4_13_unlike_charges_circle_as_keplers_planets);
-    tcase_add_test(t, ls_4_14_van_der_waals_by_hand);
-    tcase_add_test(t,
-                   ls_4_14_the_force_grows_to_the_closest_gap_and_no_further);
-    tcase_add_test(
-        t, ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well);
-    tcase_add_test(t, ls_4_14_a_wall_is_a_sphere_without_end);
-    tcase_add_test(t, ls_4_15_a_bridge_of_water_by_hand);
-    tcase_add_test(t, ls_4_15_unequal_spheres_tell_the_two_means_apart);
-    tcase_add_test(t, ls_4_15_a_wet_grain_hangs_under_the_ceiling);
-    tcase_add_test(t, ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge);
-    tcase_add_test(t, attractions_have_the_same_bits_for_any_number_of_threads);
-    tcase_add_test(t, attractions_do_not_know_the_skin);
-    tcase_add_test(t, attractions_reach_through_the_seam);
-    tcase_add_test(t, attractions_keep_the_momentum_of_a_periodic_box);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ls_4_13_like_charges_repel_with_coulombs_constant);
+    FACT(ls_4_13_unlike_spheres_are_drawn_together_by_their_materials);
+    FACT(ls_4_13_unlike_charges_circle_as_keplers_planets);
+    FACT(ls_4_14_van_der_waals_by_hand);
+    FACT(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further);
+    FACT(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well);
+    FACT(ls_4_14_a_wall_is_a_sphere_without_end);
+    FACT(ls_4_15_a_bridge_of_water_by_hand);
+    FACT(ls_4_15_unequal_spheres_tell_the_two_means_apart);
+    FACT(ls_4_15_a_wet_grain_hangs_under_the_ceiling);
+    FACT(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge);
+    FACT(attractions_have_the_same_bits_for_any_number_of_threads);
+    FACT(attractions_do_not_know_the_skin);
+    FACT(attractions_reach_through_the_seam);
+    FACT(attractions_keep_the_momentum_of_a_periodic_box);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/averaging.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 150, M = 8 };
@@ -158,7 +158,7 @@ END_TEST
 
 /* Spheres of 2.5 cells, on all the corners, edges, faces; a body reaches over
  * the walls, across a period, and over cells smaller than itself. */
-START_TEST(large_particles_are_shared_out_wholly_too)
+START_TEST(weights_of_large_particles_sum_to_one_too)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
 
@@ -350,7 +350,7 @@ START_TEST(solids_stay_between_zero_and_the_fullest_cell)
 END_TEST
 
 /* All but diffusion, to the last bit. */
-START_TEST(weights_that_are_shares_are_not_negative)
+START_TEST(normalised_weights_are_not_negative)
 {
     struct scene s = scene_of(_i % WAYS, _i / WAYS, N);
 
@@ -365,7 +365,7 @@ START_TEST(weights_that_are_shares_are_not_negative)
 END_TEST
 
 /* Graded cells, so that a count of cells is no share of the volume. */
-START_TEST(the_report_says_what_share_of_the_first_field_is_negative)
+START_TEST(the_report_gives_the_negative_fraction_of_the_first_field)
 {
     struct scene s = scene_of(0, 4, N);
     double below = 0.0, all = 0.0, lowest = 0.0, highest = 0.0;
@@ -480,7 +480,7 @@ END_TEST
 /* x, y and z are alike: with the mesh and the particles turned by a third about
  * the diagonal the field is turned and nothing else. To what the tolerances
  * leave. */
-START_TEST(what_is_turned_makes_a_turned_field)
+START_TEST(rotated_particles_give_a_rotated_field)
 {
     const int way = _i % WAYS;
     if (ways[way].o.n_regions > 0) return; /* these stay where they are */
@@ -523,39 +523,25 @@ START_TEST(what_is_turned_makes_a_turned_field)
 }
 END_TEST
 
-int main(void)
+FACTS("averaging")
 {
-    Suite *const s = suite_create("averaging");
-    TCase *const t = tcase_create("every way on every mesh");
-
-    omp_set_num_threads(1); /* on meshes this small threads only wait */
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, sx15_a_1a_volume_is_conserved, 0, ALL);
-    tcase_add_loop_test(t, sx15_a_1b_momentum_is_conserved, 0, ALL);
-    tcase_add_loop_test(t, sx15_a_1c_the_fluid_gets_what_the_particles_get, 0,
-                        ALL);
-    tcase_add_loop_test(
-        t, sx15_a_5_the_sum_is_kept_however_early_the_solver_stops, 0, 2);
-    tcase_add_test(t,
-                   the_report_says_what_share_of_the_first_field_is_negative);
-    tcase_add_loop_test(t, gathering_is_the_adjoint_of_spreading, 0, ALL);
-    tcase_add_loop_test(t, constants_are_gathered_as_they_are, 0, ALL);
-    tcase_add_loop_test(t, one_thread_and_two_give_the_same_bits, 0, WAYS);
-    tcase_add_loop_test(t, fewer_fields_side_by_side_give_the_same, 0, ALL);
-    tcase_add_loop_test(t, solids_stay_between_zero_and_the_fullest_cell, 0,
-                        ALL);
-    tcase_add_loop_test(t, weights_that_are_shares_are_not_negative, 0, ALL);
-    tcase_add_loop_test(t, large_particles_are_shared_out_wholly_too, 0, ALL);
-    tcase_add_loop_test(t, no_particles_make_a_field_of_zeros, 0, ALL);
-    tcase_add_loop_test(t, particles_moved_by_a_cell_move_the_field_by_a_cell,
-                        0, WAYS);
-    tcase_add_loop_test(t, what_is_turned_makes_a_turned_field, 0, ALL);
-    tcase_add_loop_test(t, a_particle_outside_the_mesh_is_named, 0, WAYS);
-    tcase_add_loop_test(t, wrong_options_are_refused, 0, 8);
-    SRunner *const r = srunner_create(s);
-    srunner_set_fork_status(r, CK_NOFORK); /* hundreds of small tests */
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    setenv("CK_FORK", "no", 1); /* hundreds of small tests */
+    omp_set_num_threads(1);     /* on meshes this small threads only wait */
+    FACT_FOR_EACH(sx15_a_1a_volume_is_conserved, ALL);
+    FACT_FOR_EACH(sx15_a_1b_momentum_is_conserved, ALL);
+    FACT_FOR_EACH(sx15_a_1c_the_fluid_gets_what_the_particles_get, ALL);
+    FACT_FOR_EACH(sx15_a_5_the_sum_is_kept_however_early_the_solver_stops, 2);
+    FACT(the_report_gives_the_negative_fraction_of_the_first_field);
+    FACT_FOR_EACH(gathering_is_the_adjoint_of_spreading, ALL);
+    FACT_FOR_EACH(constants_are_gathered_as_they_are, ALL);
+    FACT_FOR_EACH(one_thread_and_two_give_the_same_bits, WAYS);
+    FACT_FOR_EACH(fewer_fields_side_by_side_give_the_same, ALL);
+    FACT_FOR_EACH(solids_stay_between_zero_and_the_fullest_cell, ALL);
+    FACT_FOR_EACH(normalised_weights_are_not_negative, ALL);
+    FACT_FOR_EACH(weights_of_large_particles_sum_to_one_too, ALL);
+    FACT_FOR_EACH(no_particles_make_a_field_of_zeros, ALL);
+    FACT_FOR_EACH(particles_moved_by_a_cell_move_the_field_by_a_cell, WAYS);
+    FACT_FOR_EACH(rotated_particles_give_a_rotated_field, ALL);
+    FACT_FOR_EACH(a_particle_outside_the_mesh_is_named, WAYS);
+    FACT_FOR_EACH(wrong_options_are_refused, 8);
 }

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/averaging.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 #include "warped.h"
 
 enum { N = 200, M = 4 };
@@ -77,7 +77,7 @@ static struct particles *everywhere(const struct mesh *m)
         double x[3];
         for (int k = 0; k < 3; k++)
             x[k] = i % 4 == 0   ? s->point[3 * p + k]
-                   : i % 4 == 1 ? m->middle[3 * (11 * i % m->n_faces) + k]
+                   : i % 4 == 1 ? m->face_centre[3 * (11 * i % m->n_faces) + k]
                    : i % 4 == 2
                        ? centre[k] + 0.1 * width * (cloud_random(&state) - 0.5)
                        : 0.01 * centre[k] + 0.99 * s->point[3 * corner + k];
@@ -205,19 +205,9 @@ START_TEST(a_very_wide_kernel_gives_the_mean_on_any_mesh)
 }
 END_TEST
 
-int main(void)
+FACTS("averaging_poly")
 {
-    Suite *const s = suite_create("averaging_poly");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, all_methods_conserve_on_any_mesh, 0, MESHES * WAYS);
-    tcase_add_test(t, a_sheared_box_smears_along_its_diagonal);
-    tcase_add_loop_test(t, a_very_wide_kernel_gives_the_mean_on_any_mesh, 0,
-                        10);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(all_methods_conserve_on_any_mesh, MESHES * WAYS);
+    FACT(a_sheared_box_smears_along_its_diagonal);
+    FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean_on_any_mesh, 10);
 }

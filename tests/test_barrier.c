@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "particles/barrier.h"
+#include "dem/fast/barrier.h"
+#include "facts.h"
 
-#include <check.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <threads.h>
@@ -11,7 +11,7 @@ enum { TEAM = 3, ROUNDS = 1000 };
 
 /* Each writes its round, and sees that of the others after the barrier; the
  * second keeps them from going on before all have looked. */
-START_TEST(nobody_leaves_before_all_are_there)
+START_TEST(no_thread_passes_the_barrier_before_all_have_arrived)
 {
     struct barrier *const b = barrier_create();
     int at[TEAM] = {0}, behind = 0;
@@ -31,7 +31,7 @@ END_TEST
 
 /* One comes 50 ms late, five times. The other's processor time [s] is what it
  * looked around for, five times 0.2 ms, and not the quarter of a second. */
-START_TEST(who_waits_long_sleeps)
+START_TEST(a_thread_that_waits_long_sleeps)
 {
     const struct timespec late = {0, 50000000};
     struct barrier *const b = barrier_create();
@@ -47,20 +47,9 @@ START_TEST(who_waits_long_sleeps)
 }
 END_TEST
 
-int main(void)
+FACTS("barrier")
 {
-    Suite *s = suite_create("barrier");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, nobody_leaves_before_all_are_there);
-    tcase_add_test(t, who_waits_long_sleeps);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(no_thread_passes_the_barrier_before_all_have_arrived);
+    FACT(a_thread_that_waits_long_sleeps);
 }

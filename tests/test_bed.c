@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bed before time 0: settled, the same from the same seed, and the same
  * from its file, which is refused if it was made for another case. */
-#include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "particles/bed.h"
-#include "particles/bed_file.h"
+#include "dem/bed.h"
+#include "dem/population/bed_file.h"
+
+#include "facts.h"
+#include "capture.h"
 
 /* A file of our own, that is not there yet. */
 static void temporary(char path[64])
@@ -47,7 +49,7 @@ static struct particles *made(const char *file, const struct bed_options *bed,
     struct dem *const dem = dem_create(ps, &o);
     struct dem_report moved;
 
-    ck_assert_int_eq(bed_make(file, ps, dem, bed, &o, r), BED_MADE);
+    ck_assert_int_eq(bed_create(file, ps, dem, bed, &o, r), BED_CREATED);
     for (int i = 0; i < ps->n; i++)
         ps->ey[i] = -9.81 * ps->m[i];
     if (steps > 0) ck_assert_int_eq(dem_run(dem, steps, &moved), 0);
@@ -74,7 +76,7 @@ START_TEST(bed_settles_to_a_poured_packing)
 
     ck_assert_int_eq(ps->n, 120);
     ck_assert_int_eq(r.settled, 1);
-    ck_assert_double_lt(r.kinetic, BED_REST);
+    ck_assert_double_lt(r.kinetic, BED_SETTLED_ENERGY);
     ck_assert_double_gt(r.packing, 0.48);
     ck_assert_double_lt(r.packing, 0.66);
     ck_assert_double_gt(r.top, r.height);
@@ -176,7 +178,7 @@ START_TEST(bed_of_another_case_is_refused)
     temporary(path);
     ck_assert_int_eq(load(path, &bed, &o), BED_ABSENT);
     particles_free(made(path, &bed, &r, 0));
-    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     bed.diameter = 2.0000001e-3;
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     bed.diameter = 2e-3;
@@ -209,6 +211,65 @@ START_TEST(half_a_bed_is_refused)
     ck_assert_int_eq(truncate(path, length / 2), 0);
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
+}
+END_TEST
+
+/* Puts a word in the place of the k-th of the first line that begins so. */
+static void spoil(const char *path, const char *line, int k, const char *word)
+{
+    static char text[1 << 16];
+    FILE *f = fopen(path, "r");
+
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    char *at = strstr(text, line) + 1; /* behind the end of the line before */
+    for (; k > 0; k--)
+        at += strcspn(at, " ") + 1;
+    f = fopen(path, "w");
+    fprintf(f, "%.*s%s%s", (int)(at - text), text, word,
+            at + strcspn(at, " \n"));
+    fclose(f);
+}
+
+/* Two spheres, so that particle 0 is on line 19, and particle 1 after it. */
+START_TEST(bed_file_with_what_no_bed_has_is_refused_by_its_line)
+{
+    static const struct {
+        const char *line;
+        int field;
+        const char *word, *message;
+    } rows[] = {{"\n0 0x", 0, "1", ":20: its number"},
+                {"\n0 0x", 0, "2147483647", ":19: its number"},
+                {"\n0 0x", 0, "-1", ":19: its number"},
+                {"\n0 0x", 1, "1e303", ":19: it is not in the box"},
+                {"\n0 0x", 2, "nan", ":19: it is not in the box"},
+                {"\n1 0x", 3, "-1e-3", ":20: it is not in the box"},
+                {"\n1 0x", 5, "inf", ":20: its velocity"},
+                {"\n1 0x", 9, "nan", ":20: its velocity or spin"},
+                {"\n1 0x", 10, "1e300", ":20: its diameter"},
+                {"\n1 0x", 11, "0", ":20: its mass"},
+                {"\n1 0x", 11, "x", ":20: the bed is not complete"},
+                {"\nparticles", 1, "3", ":18: expected \"particles\""},
+                {"\nsprings", 1, "2147483647", ":21: so many springs"},
+                {"\nsprings", 1, "1\n0 7 0 0 0", ":22: this spring"},
+                {"\nsprings", 1, "1\n0 1 0 nan 0", ":22: this spring"}};
+    struct bed_options bed = small_bed();
+    const struct dem_options o = small_box();
+    struct bed_report r;
+    char path[64], said[CAPTURE_TEXT];
+
+    bed.settle = 0.0;
+    bed.count = 2;
+    temporary(path);
+    particles_free(made(path, &bed, &r, 0));
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
+    spoil(path, rows[_i].line, rows[_i].field, rows[_i].word);
+    struct capture heard = capture_begin(2);
+    const int code = load(path, &bed, &o);
+    capture_end(&heard, said);
+    unlink(path);
+    ck_assert_int_eq(code, BED_REFUSED);
+    ck_assert_msg(strstr(said, rows[_i].message) != NULL, "%s", said);
 }
 END_TEST
 
@@ -269,8 +330,8 @@ START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
     ck_assert_double_eq_tol(small / 120.0, 8.0 / 9.0, 0.06);
     ck_assert_double_eq_tol(sum / weight, 1.0, 0.1);
     const struct bed_range range = bed_range(&bed);
-    ck_assert_double_eq(range.least, 1e-3);
-    ck_assert_double_eq(range.most, 2e-3);
+    ck_assert_double_eq(range.min, 1e-3);
+    ck_assert_double_eq(range.max, 2e-3);
     ck_assert_double_eq_tol(range.volume * 1500.0 * 9.81 / weight, 1.0, 1e-12);
     particles_free(ps);
     sizes_free(sizes);
@@ -292,7 +353,7 @@ START_TEST(bed_of_other_sizes_is_refused)
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
     particles_free(made(path, &bed, &r, 0));
-    ck_assert_int_eq(load(path, &bed, &o), BED_MADE);
+    ck_assert_int_eq(load(path, &bed, &o), BED_CREATED);
     unlink(path);
     sizes_free(sizes);
 }
@@ -322,26 +383,18 @@ START_TEST(lattice_begins_where_gravity_points)
 }
 END_TEST
 
-int main(void)
+FACTS("bed")
 {
-    Suite *const s = suite_create("bed");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, bed_settles_to_a_poured_packing);
-    tcase_add_test(t, bed_stays_at_rest_when_the_run_begins);
-    tcase_add_test(t, bed_follows_from_its_seed);
-    tcase_add_test(t, bed_from_its_file_goes_on_bit_for_bit);
-    tcase_add_test(t, bed_of_another_case_is_refused);
-    tcase_add_test(t, half_a_bed_is_refused);
-    tcase_add_test(t, bed_that_does_not_fit_is_refused);
-    tcase_add_test(t, bed_of_two_sizes_settles_and_each_has_its_mass);
-    tcase_add_test(t, bed_of_other_sizes_is_refused);
-    tcase_add_test(t, lattice_begins_where_gravity_points);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60);
+    FACT(bed_settles_to_a_poured_packing);
+    FACT(bed_stays_at_rest_when_the_run_begins);
+    FACT(bed_follows_from_its_seed);
+    FACT(bed_from_its_file_goes_on_bit_for_bit);
+    FACT(bed_of_another_case_is_refused);
+    FACT(half_a_bed_is_refused);
+    FACT_FOR_EACH(bed_file_with_what_no_bed_has_is_refused_by_its_line, 15);
+    FACT(bed_that_does_not_fit_is_refused);
+    FACT(bed_of_two_sizes_settles_and_each_has_its_mass);
+    FACT(bed_of_other_sizes_is_refused);
+    FACT(lattice_begins_where_gravity_points);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static struct fluid_options options(const struct boundary *b)
                                     .convection =
                                         convection_scheme_named("linear"),
                                     .correctors = 2,
-                                    .splitting = 1e-3,
+                                    .piso_tolerance = 1e-3,
                                     .tolerance = 1e-11,
                                     .boundaries = b};
     return o;
@@ -175,7 +175,7 @@ START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
                                 {.kind = BOUNDARY_SLIP},
                                 {.kind = BOUNDARY_SLIP}};
         struct fluid_options o = options(b);
-        o.splitting = 1e-6;
+        o.piso_tolerance = 1e-6;
         struct fluid *const fl = fluid_create(m, &o);
         run(fl, 300);
         /* away from both ends */
@@ -295,33 +295,25 @@ START_TEST(ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large)
         ck_assert_double_eq_tol(fl->t, 0.05 * n, 1e-12);
         ck_assert_double_lt(fl->report.cfl, 0.55 * (_i ? 1.35 : 1.01));
     }
-    ck_assert_int_eq(fl->report.parts, 4); /* 2 m/s * 0.05 s / 0.05 m / 0.55 */
+    ck_assert_int_eq(fl->report.flow_substeps,
+                     4); /* 2 m/s * 0.05 s / 0.05 m / 0.55 */
     fl->options.cfl = 0.0;
     ck_assert_int_eq(fluid_advance(fl, 0.05), 0);
-    ck_assert_int_eq(fl->report.parts, 1);
+    ck_assert_int_eq(fl->report.flow_substeps, 1);
     ck_assert_double_eq_tol(fl->report.cfl, 2.0, 1e-3);
     discard(fl);
 }
 END_TEST
 
-int main(void)
+FACTS("boundary")
 {
-    Suite *const s = suite_create("boundary");
-    TCase *const t = tcase_create("boundaries");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, couette_flow_under_a_moving_wall_is_exact);
-    tcase_add_loop_test(t, a_turned_box_has_the_turned_flow, 0, 2);
-    tcase_add_test(t, the_stretches_of_a_parabola_have_its_mean);
-    tcase_add_test(t, a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
-    tcase_add_loop_test(t, a_vortex_leaves_through_an_outlet, 0, 4);
-    tcase_add_test(t, a_mean_gradient_and_the_mean_flow_that_is_kept_agree);
-    tcase_add_loop_test(
-        t, ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 0,
-        2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(couette_flow_under_a_moving_wall_is_exact);
+    FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2);
+    FACT(the_stretches_of_a_parabola_have_its_mean);
+    FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
+    FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4);
+    FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree);
+    FACT_FOR_EACH(
+        ls_5_9_a_step_is_divided_where_its_courant_number_is_too_large, 2);
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "mesh/mesh.h"
+#include "facts.h"
 
 /* left: a wall that moves along y; right: slip; bottom: inlet; top: outlet;
  * back and front: no-slip at rest. */
@@ -77,16 +77,7 @@ START_TEST(each_kind_of_side_has_its_velocity)
 }
 END_TEST
 
-int main(void)
+FACTS("boundary_velocity")
 {
-    Suite *const s = suite_create("boundary_velocity");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, each_kind_of_side_has_its_velocity);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(each_kind_of_side_has_its_velocity);
 }

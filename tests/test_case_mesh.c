@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/case_mesh.h"
-#include "scene/scene.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "case/case_file.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,12 +26,12 @@ static struct settings *read_case(const char *mesh, const char *patches,
     FILE *const f = fopen(file, "w");
     fprintf(f,
             "mesh = { %s };\nfluid = { density = 1.2; viscosity = 0.01; "
-            "step = %s; %s };\noutput = { end = 0.1; every = 0.1; };\n%s\n",
+            "step = %s; %s };\noutput = { end = 100.0; every = 100.0; };\n%s\n",
             mesh, strstr(patches, "mean_gradient") ? "5.0" : "0.01", patches,
             more);
     fclose(f);
     struct capture c = capture_begin(2);
-    struct settings *const s = scene_read(file, 0, NULL, code);
+    struct settings *const s = case_file_read(file, 0, NULL, code);
     capture_end(&c, said);
     return s;
 }
@@ -211,11 +211,11 @@ START_TEST(slanted_walls_hold_the_grains)
         const double x[3] = {sim->particles->x[i], sim->particles->y[i],
                              sim->particles->z[i]};
         double offset[3];
-        ck_assert_int_ge(mesh_locate(m, x, offset), 0);
+        ck_assert_int_ge(mesh_cell_and_offset(m, x, offset), 0);
         for (int f = m->n_internal; f < m->n_faces; f++) {
             double out = 0.0, S = 0.0;
             for (int k = 0; k < 3; k++) {
-                out += (x[k] - m->middle[3 * f + k]) * m->S[3 * f + k];
+                out += (x[k] - m->face_centre[3 * f + k]) * m->S[3 * f + k];
                 S += m->S[3 * f + k] * m->S[3 * f + k];
             }
             ck_assert_double_lt(out / sqrt(S), -0.99 * 0.05);
@@ -277,24 +277,15 @@ START_TEST(a_mesh_is_a_box_or_from_files)
 }
 END_TEST
 
-int main(void)
+FACTS("case_mesh")
 {
-    Suite *const s = suite_create("case_mesh");
-    TCase *const t = tcase_create("meshes of cases");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_box_from_files_has_the_flow_of_our_box);
-    tcase_add_test(t, a_box_sheared_by_nothing_has_the_flow_of_the_box);
-    tcase_add_test(t, a_sheared_channel_has_poiseuilles_flow);
-    tcase_add_test(t, a_box_from_files_has_the_bed_of_our_box);
-    tcase_add_loop_test(t, slanted_walls_hold_the_grains, 0, 3);
-    tcase_add_test(t, what_grains_cannot_do_on_such_a_mesh_is_refused);
-    tcase_add_test(t, patches_go_by_their_own_names);
-    tcase_add_test(t, a_mesh_is_a_box_or_from_files);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_box_from_files_has_the_flow_of_our_box);
+    FACT(a_box_sheared_by_nothing_has_the_flow_of_the_box);
+    FACT(a_sheared_channel_has_poiseuilles_flow);
+    FACT(a_box_from_files_has_the_bed_of_our_box);
+    FACT_FOR_EACH(slanted_walls_hold_the_grains, 3);
+    FACT(what_grains_cannot_do_on_such_a_mesh_is_refused);
+    FACT(patches_go_by_their_own_names);
+    FACT(a_mesh_is_a_box_or_from_files);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/cg.h"
 
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
 static const double unit[3] = {1, 1, 1};
@@ -161,26 +161,15 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("cg")
 {
-    Suite *s = suite_create("cg");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, the_true_residual_is_the_one_reported);
-    tcase_add_test(t, without_a_right_hand_side_the_solution_is_zero);
-    tcase_add_test(t, a_good_guess_costs_nothing);
-    tcase_add_test(t, the_absolute_tolerance_stops_too);
-    tcase_add_test(t, the_limit_of_iterations_is_reported);
-    tcase_add_test(t, a_matrix_that_is_not_positive_is_reported);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(the_true_residual_is_the_one_reported);
+    FACT(without_a_right_hand_side_the_solution_is_zero);
+    FACT(a_good_guess_costs_nothing);
+    FACT(the_absolute_tolerance_stops_too);
+    FACT(the_limit_of_iterations_is_reported);
+    FACT(a_matrix_that_is_not_positive_is_reported);
+    FACT(threads_do_not_change_a_bit);
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/cg_many.h"
+#include "linear/fast/cg_many.h"
 
 #include "linear/cg.h"
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
 /* An implicit step of diffusion in a closed box whose cells have volumes of
@@ -191,25 +191,14 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("cg_many")
 {
-    Suite *s = suite_create("cg_many");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, each_field_is_solved_as_by_cg_alone);
-    tcase_add_test(t, preconditioned_by_volume_mass_is_kept_to_rounding);
-    tcase_add_test(t, a_field_without_right_hand_side_becomes_zero);
-    tcase_add_test(t, the_report_is_that_of_the_worst_field);
-    tcase_add_test(t, a_number_that_is_none_is_reported);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(each_field_is_solved_as_by_cg_alone);
+    FACT(preconditioned_by_volume_mass_is_kept_to_rounding);
+    FACT(a_field_without_right_hand_side_becomes_zero);
+    FACT(the_report_is_that_of_the_worst_field);
+    FACT(a_number_that_is_none_is_reported);
+    FACT(threads_do_not_change_a_bit);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/chebyshev.h"
+#include "linear/fast/chebyshev.h"
 
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <gsl/gsl_eigen.h>
 #include <omp.h>
 
@@ -233,27 +233,16 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("chebyshev")
 {
-    Suite *s = suite_create("chebyshev");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, the_series_is_the_exponential_up_to_its_tail);
-    tcase_add_test(t, mass_is_kept_to_rounding);
-    tcase_add_test(t, a_constant_stays);
-    tcase_add_test(t, an_undershoot_is_smaller_than_the_tail);
-    tcase_add_test(t, the_series_is_its_own_adjoint_weighted_by_volume);
-    tcase_add_test(t, fields_side_by_side_diffuse_as_each_alone);
-    tcase_add_test(t, it_takes_about_as_many_products_as_the_root_of_z);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(the_series_is_the_exponential_up_to_its_tail);
+    FACT(mass_is_kept_to_rounding);
+    FACT(a_constant_stays);
+    FACT(an_undershoot_is_smaller_than_the_tail);
+    FACT(the_series_is_its_own_adjoint_weighted_by_volume);
+    FACT(fields_side_by_side_diffuse_as_each_alone);
+    FACT(it_takes_about_as_many_products_as_the_root_of_z);
+    FACT(threads_do_not_change_a_bit);
 }

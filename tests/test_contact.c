@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <stdlib.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 static const double restitutions[] = {0.1, 0.2, 0.3, 0.4, 0.5,
@@ -96,7 +97,7 @@ END_TEST
 
 /* The same with Hertz's law, whose spring hardens: it never pushes the two
  * apart faster than the dashpot takes in. */
-START_TEST(ls_4_11_critical_damping_lets_hertz_come_to_rest)
+START_TEST(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);
     struct dem_options o = spheres_options(&contact_hertz, 1e-7, 0.1);
@@ -148,7 +149,8 @@ static double swing_back(const struct contact_law *law, double e)
  * it would creep home, with half the dashpot swing to 0.16. Hertz's dashpot is
  * made of m*, which is 1.7 times critical for the sphere that turns: so it
  * creeps, and e = 0.7 swings less far than 0.7. */
-START_TEST(ls_4_12_critical_damping_lets_no_tangential_spring_swing_back)
+START_TEST(
+    ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring)
 {
     for (int law = 0; law < 2; law++) {
         ck_assert_double_lt(swing_back(contact_laws[law], 0.0), 1e-3);
@@ -464,46 +466,30 @@ START_TEST(laws_are_found_by_name_and_only_by_theirs)
 }
 END_TEST
 
-int main(void)
+FACTS("contact")
 {
-    Suite *const s = suite_create("contact");
-    TCase *const t = tcase_create("collisions");
-
     omp_set_num_threads(1); /* one pair has nothing to share */
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says, 0,
-        N_RESTITUTIONS);
-    tcase_add_test(t, ls_4_11_critical_damping_lets_nothing_rebound);
-    tcase_add_test(t, ls_4_11_critical_damping_lets_hertz_come_to_rest);
-    tcase_add_test(
-        t, ls_4_12_critical_damping_lets_no_tangential_spring_swing_back);
-    tcase_add_loop_test(t, ls_4_8_without_friction_nothing_turns, 0, 2);
-    tcase_add_loop_test(t, ls_4_7_hertz_collision_returns_e_at_any_speed, 0,
-                        N_RESTITUTIONS);
-    tcase_add_loop_test(
-        t, chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time, 0,
-        N_CHUNG);
-    tcase_add_loop_test(t, dem05_oblique_impacts_rebound_as_computed_by_mfix, 0,
-                        2 * N_KHARAZ);
-    tcase_add_loop_test(
-        t, ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force, 0,
-        2);
-    tcase_add_loop_test(
-        t, ls_4_8_an_impact_that_slides_throughout_obeys_coulomb, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip, 0, 2);
-    tcase_add_loop_test(t, ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it,
-                        0, 4);
-    tcase_add_loop_test(t, ls_4_8_a_sticking_contact_returns_e_of_its_slip, 0,
-                        N_RESTITUTIONS);
-    tcase_add_test(t, ls_4_9_effective_moduli_follow_hertz_and_mindlin);
-    tcase_add_loop_test(t, ls_4_10_a_contact_resists_shear_as_mindlin_found, 0,
-                        3);
-    tcase_add_test(t, laws_are_found_by_name_and_only_by_theirs);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says,
+                  N_RESTITUTIONS);
+    FACT(ls_4_11_critical_damping_lets_nothing_rebound);
+    FACT(ls_4_11_critical_damping_stops_a_hertz_impact_without_rebound);
+    FACT(ls_4_12_critical_damping_allows_no_overshoot_of_the_tangential_spring);
+    FACT_FOR_EACH(ls_4_8_without_friction_nothing_turns, 2);
+    FACT_FOR_EACH(ls_4_7_hertz_collision_returns_e_at_any_speed,
+                  N_RESTITUTIONS);
+    FACT_FOR_EACH(chung_ooi_tests_1_and_2_give_hertz_force_overlap_and_time,
+                  N_CHUNG);
+    FACT_FOR_EACH(dem05_oblique_impacts_rebound_as_computed_by_mfix,
+                  2 * N_KHARAZ);
+    FACT_FOR_EACH(
+        ls_4_8_a_sliding_contact_has_exactly_mu_times_the_normal_force, 2);
+    FACT_FOR_EACH(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb, 2);
+    FACT_FOR_EACH(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip,
+                  2);
+    FACT_FOR_EACH(ls_4_8_a_spring_gives_back_no_more_than_slip_gave_it, 4);
+    FACT_FOR_EACH(ls_4_8_a_sticking_contact_returns_e_of_its_slip,
+                  N_RESTITUTIONS);
+    FACT(ls_4_9_effective_moduli_follow_hertz_and_mindlin);
+    FACT_FOR_EACH(ls_4_10_a_contact_resists_shear_as_mindlin_found, 3);
+    FACT(laws_are_found_by_name_and_only_by_theirs);
 }

@@ -3,6 +3,7 @@
  * it is the same. */
 #include <omp.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 static struct particles *oblique_pair(int first, double d0, double d1)
@@ -173,26 +174,15 @@ START_TEST(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame)
 }
 END_TEST
 
-int main(void)
+FACTS("contact_symmetry")
 {
-    Suite *const s = suite_create("contact_symmetry");
-    TCase *const t = tcase_create("collisions");
-
     omp_set_num_threads(1); /* one pair has nothing to share */
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, the_two_of_a_pair_may_be_named_in_either_order_bit_for_bit, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit, 0,
-        2);
-    tcase_add_loop_test(t, a_collision_keeps_momentum_to_rounding, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_16_a_collision_keeps_angular_momentum_to_rounding, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(the_two_of_a_pair_may_be_named_in_either_order_bit_for_bit,
+                  2);
+    FACT_FOR_EACH(
+        ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit, 2);
+    FACT_FOR_EACH(a_collision_keeps_momentum_to_rounding, 2);
+    FACT_FOR_EACH(ls_4_16_a_collision_keeps_angular_momentum_to_rounding, 2);
+    FACT_FOR_EACH(ls_4_8_a_collision_is_the_same_in_a_turned_and_moving_frame,
+                  2);
 }

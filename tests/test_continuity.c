@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 
 /* A column of 12 cells: an inlet of U below, an outlet above. No drag: what
@@ -64,7 +64,7 @@ START_TEST(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
             kept[n][c] = n == 0 ? 0.0 : (eps - fl->eps[c]) * h * A / dt;
             fl->eps[c] = eps;
         }
-        if (n == 0) fluid_settle_eps(fl);
+        if (n == 0) fluid_reset_eps_history(fl);
         ck_assert_int_eq(fluid_step(fl), 0);
         double flux = U * A;
         for (int c = 0; c < N; c++) {
@@ -87,7 +87,7 @@ START_TEST(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet)
         fl->eps[c] = 0.6;
         fl->eps_us[3 * c + 1] = 0.1 * sin(2.0 * c);
     }
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     ck_assert_int_eq(fluid_step(fl), 0);
     for (int c = 0; c < N; c++) {
         const double solids =
@@ -117,7 +117,7 @@ START_TEST(both_forms_of_continuity_pass_the_volume_of_a_grain)
             fl->eps[c] = 1.0 - (c == host) * volume / (h * A);
             fl->eps_us[3 * c + 1] = (1.0 - fl->eps[c]) * speed;
         }
-        if (n == 0) fluid_settle_eps(fl);
+        if (n == 0) fluid_reset_eps_history(fl);
         ck_assert_int_eq(fluid_step(fl), 0);
         const double less = U * A - flux_above(fl, 5);
         missing += less * dt;
@@ -152,7 +152,7 @@ START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
         for (int k = 0; k < 3; k++)
             fl->u[3 * c + k] = u[k] / eps[_i];
     }
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     for (int f = 0; f < m->n_faces; f++)
         for (int k = 0; k < 3; k++)
             fl->phi[f] += u[k] * m->S[3 * f + k];
@@ -163,19 +163,10 @@ START_TEST(ls_5_9_courant_number_of_a_uniform_stream)
 }
 END_TEST
 
-int main(void)
+FACTS("continuity")
 {
-    Suite *const s = suite_create("continuity");
-    TCase *const t = tcase_create("volume");
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on);
-    tcase_add_test(t, xs11_2_7_both_phases_together_have_the_flux_of_the_inlet);
-    tcase_add_loop_test(t, both_forms_of_continuity_pass_the_volume_of_a_grain,
-                        0, 2);
-    tcase_add_loop_test(t, ls_5_9_courant_number_of_a_uniform_stream, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on);
+    FACT(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet);
+    FACT_FOR_EACH(both_forms_of_continuity_pass_the_volume_of_a_grain, 2);
+    FACT_FOR_EACH(ls_5_9_courant_number_of_a_uniform_stream, 2);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/csr.h"
 
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
 /* A matrix without symmetry on a periodic box of 2 x 3 x 1 cells: two links
@@ -165,25 +165,14 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("csr")
 {
-    Suite *s = suite_create("csr");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, every_entry_has_a_place_of_its_own);
-    tcase_add_test(t, columns_ascend_in_a_row);
-    tcase_add_test(t, product_is_that_of_the_full_matrix);
-    tcase_add_test(t, fields_side_by_side_are_multiplied_as_each_alone);
-    tcase_add_test(t, each_field_may_have_its_own_diagonal);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(every_entry_has_a_place_of_its_own);
+    FACT(columns_ascend_in_a_row);
+    FACT(product_is_that_of_the_full_matrix);
+    FACT(fields_side_by_side_are_multiplied_as_each_alone);
+    FACT(each_field_may_have_its_own_diagonal);
+    FACT(threads_do_not_change_a_bit);
 }

@@ -6,6 +6,7 @@
 #include <gsl/gsl_odeiv2.h>
 #include <omp.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -352,29 +353,17 @@ START_TEST(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts)
 }
 END_TEST
 
-int main(void)
+FACTS("dem")
 {
-    Suite *const s = suite_create("dem");
-    TCase *const t = tcase_create("motion");
-
     omp_set_num_threads(1); /* one or two spheres have nothing to share */
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, dem01_a_sphere_falls_touches_and_rises_as_the_closed_form, 0,
-        FALL_CASES);
-    tcase_add_test(t, dem02_bounces_approach_those_of_a_hard_sphere);
-    tcase_add_loop_test(
-        t, dem03_two_squeezed_spheres_swing_as_the_differential_equation, 0, 2);
-    tcase_add_test(t, dem03_squeezed_spheres_come_to_rest_where_forces_balance);
-    tcase_add_loop_test(
-        t, dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work, 0, 5);
-    tcase_add_test(
-        t, xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass);
-    tcase_add_test(
-        t, energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(dem01_a_sphere_falls_touches_and_rises_as_the_closed_form,
+                  FALL_CASES);
+    FACT(dem02_bounces_approach_those_of_a_hard_sphere);
+    FACT_FOR_EACH(dem03_two_squeezed_spheres_swing_as_the_differential_equation,
+                  2);
+    FACT(dem03_squeezed_spheres_come_to_rest_where_forces_balance);
+    FACT_FOR_EACH(dem04_a_slipping_sphere_rolls_when_friction_has_done_its_work,
+                  5);
+    FACT(xs11_2_2_a_sticking_sphere_swings_with_two_sevenths_of_its_mass);
+    FACT(energy_of_elastic_spheres_swings_with_dt_squared_and_never_drifts);
 }

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/dense.h"
 
+#include "facts.h"
 #include "linear_case.h"
-
-#include <check.h>
 
 /* Rounding of n = 20 pivots of order 1 to 8: below 1e-14. */
 START_TEST(the_solution_satisfies_the_system)
@@ -66,20 +65,9 @@ START_TEST(a_vanishing_pivot_leaves_its_unknown_at_zero)
 }
 END_TEST
 
-int main(void)
+FACTS("dense")
 {
-    Suite *s = suite_create("dense");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, the_solution_satisfies_the_system);
-    tcase_add_test(t, a_vanishing_pivot_leaves_its_unknown_at_zero);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(the_solution_satisfies_the_system);
+    FACT(a_vanishing_pivot_leaves_its_unknown_at_zero);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/diffusion.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 /* A box with one particle in the middle of every cell: to spread the amounts
@@ -496,45 +496,30 @@ START_TEST(sx15_9_momentum_is_to_be_diffused_and_not_velocity)
 }
 END_TEST
 
-int main(void)
+FACTS("diffusion")
 {
-    Suite *const s = suite_create("diffusion");
-    TCase *const t = tcase_create("core");
-
     omp_set_num_threads(1); /* on meshes this small threads only wait */
-    suite_add_tcase(s, t);
-    tcase_add_test(t, sx15_6_values);
-    tcase_add_test(t, sx15_6_encloses_one);
-    tcase_add_test(t, sx15_b_is_the_root_of_4_T);
-    tcase_add_test(t, sx15_6_diffusion_is_the_gaussian_kernel_to_second_order);
-    tcase_add_test(t, sx15_5c_a_wall_is_a_mirror);
-    tcase_add_test(t, sx15_5c_at_a_wall_the_gaussian_is_doubled);
-    tcase_add_loop_test(t, sx15_5_the_exponential_damps_a_wave_exactly, 0, 6);
-    tcase_add_loop_test(t, sx15_5_crank_nicolson_damps_a_wave_as_it_should, 0,
-                        3);
-    tcase_add_loop_test(t, sx15_5_implicit_euler_damps_a_wave_as_it_should, 0,
-                        3);
-    tcase_add_loop_test(t, sx15_5_sdirk2_damps_a_wave_as_it_should, 0, 3);
-    tcase_add_test(t, a_stiff_wave_is_gone_after_a_step_of_sdirk2);
-    tcase_add_test(t, sdirk2_is_of_second_order_in_pseudo_time);
-    tcase_add_loop_test(t, sdirk2_undershoots_with_few_odd_steps_and_says_so, 0,
-                        2);
-    tcase_add_test(t, crank_nicolson_is_of_second_order_in_pseudo_time);
-    tcase_add_test(t, implicit_euler_is_of_first_order_in_pseudo_time);
-    tcase_add_loop_test(
-        t, crank_nicolson_undershoots_beyond_its_limit_and_says_so, 0, 3);
-    tcase_add_test(
-        t, crank_nicolson_with_three_steps_at_dx_of_d_is_a_fifth_negative);
-    tcase_add_loop_test(t, exponential_and_implicit_euler_never_undershoot, 0,
-                        4);
-    tcase_add_test(t, the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes);
-    tcase_add_test(t, a_check_warns_of_too_few_steps_of_crank_nicolson_only);
-    tcase_add_test(t, sx15_9_momentum_is_to_be_diffused_and_not_velocity);
-    tcase_add_loop_test(t, sx15_a_5_what_is_left_after_a_long_time_is_the_mean,
-                        0, CLOUD_SHAPES);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(sx15_6_values);
+    FACT(sx15_6_encloses_one);
+    FACT(sx15_b_is_the_root_of_4_T);
+    FACT(sx15_6_diffusion_is_the_gaussian_kernel_to_second_order);
+    FACT(sx15_5c_a_wall_is_a_mirror);
+    FACT(sx15_5c_at_a_wall_the_gaussian_is_doubled);
+    FACT_FOR_EACH(sx15_5_the_exponential_damps_a_wave_exactly, 6);
+    FACT_FOR_EACH(sx15_5_crank_nicolson_damps_a_wave_as_it_should, 3);
+    FACT_FOR_EACH(sx15_5_implicit_euler_damps_a_wave_as_it_should, 3);
+    FACT_FOR_EACH(sx15_5_sdirk2_damps_a_wave_as_it_should, 3);
+    FACT(a_stiff_wave_is_gone_after_a_step_of_sdirk2);
+    FACT(sdirk2_is_of_second_order_in_pseudo_time);
+    FACT_FOR_EACH(sdirk2_undershoots_with_few_odd_steps_and_says_so, 2);
+    FACT(crank_nicolson_is_of_second_order_in_pseudo_time);
+    FACT(implicit_euler_is_of_first_order_in_pseudo_time);
+    FACT_FOR_EACH(crank_nicolson_undershoots_beyond_its_limit_and_says_so, 3);
+    FACT(crank_nicolson_with_three_steps_at_dx_of_d_is_a_fifth_negative);
+    FACT_FOR_EACH(exponential_and_implicit_euler_never_undershoot, 4);
+    FACT(the_safe_number_of_steps_is_3_T_over_dx_squared_in_cubes);
+    FACT(a_check_warns_of_too_few_steps_of_crank_nicolson_only);
+    FACT(sx15_9_momentum_is_to_be_diffused_and_not_velocity);
+    FACT_FOR_EACH(sx15_a_5_what_is_left_after_a_long_time_is_the_mean,
+                  CLOUD_SHAPES);
 }

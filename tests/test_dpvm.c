@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/dpvm.h"
+#include "averaging/more/dpvm.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 #include "warped.h"
 
 /* One amount of 1 for each particle, averaged; field times volume. */
@@ -103,7 +103,7 @@ END_TEST
 /* Eight cells in the place of one have together what the one has: exact
  * overlaps do not know of the mesh. Spheres smaller and larger than cells,
  * anywhere inside, none over a wall. */
-START_TEST(the_share_of_a_region_does_not_depend_on_the_cells_in_it)
+START_TEST(the_part_in_a_region_does_not_depend_on_the_cells_in_it)
 {
     const struct box_spec coarse = {
         {6.0, 6.0, 6.0}, {3, 3, 3}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -178,7 +178,7 @@ END_TEST
  * as its share says: those who look for the cell of a point and those who cut
  * the sphere do not know of each other. A bent face is a mean plane to the
  * former. Then cells of many faces, and a period, each at a wall. */
-START_TEST(the_share_of_a_cell_is_that_of_the_points_in_the_sphere)
+START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
 {
     enum { N = 80 };
     struct mesh *const m = _i == 0   ? warped()
@@ -215,24 +215,12 @@ START_TEST(the_share_of_a_cell_is_that_of_the_points_in_the_sphere)
 }
 END_TEST
 
-int main(void)
+FACTS("dpvm")
 {
-    Suite *const s = suite_create("dpvm");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_sphere_across_a_face_is_divided_by_its_cap);
-    tcase_add_test(t, a_sphere_in_a_corner_is_divided_where_there_are_cells);
-    tcase_add_test(t, divided_no_cell_gets_more_than_it_has_room_for);
-    tcase_add_loop_test(
-        t, the_share_of_a_region_does_not_depend_on_the_cells_in_it, 0, 2);
-    tcase_add_loop_test(t, a_box_from_files_divides_as_a_box, 0,
-                        3 * CLOUD_SHAPES);
-    tcase_add_loop_test(
-        t, the_share_of_a_cell_is_that_of_the_points_in_the_sphere, 0, 3);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(a_sphere_across_a_face_is_divided_by_its_cap);
+    FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells);
+    FACT(divided_no_cell_gets_more_than_it_has_room_for);
+    FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2);
+    FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES);
+    FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3);
 }

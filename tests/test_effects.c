@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The linker sends every call of the three functions of base/alloc.h through
  * the counters below (-Wl,--wrap, see the Makefile). */
-#include "effects/effects.h"
+#include "coupling/effects.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "effects/time_average.h"
-#include "exchange/coupling.h"
-#include "scene/build.h"
-#include "scene/scene.h"
+#include "coupling/effects/time_average.h"
+#include "coupling/coupling.h"
+#include "case/build.h"
+#include "case/case_file.h"
+#include "facts.h"
 
 static long allocations;
 
@@ -62,7 +62,7 @@ static struct simulation *build(const char *effects)
 
     fprintf(f, "%s%s", rest, effects);
     fclose(f);
-    struct settings *const s = scene_read(path, 0, NULL, &code);
+    struct settings *const s = case_file_read(path, 0, NULL, &code);
     remove(path);
     ck_assert_ptr_nonnull(s);
     allocations = 0;
@@ -228,26 +228,13 @@ START_TEST(sx15_13_mean_follows_a_step_with_order_one)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("effects")
 {
-    Suite *const s = suite_create("effects");
-    TCase *const t = tcase_create("effects");
-    suite_add_tcase(s, t);
-    tcase_add_test(t, an_effect_that_is_not_named_allocates_nothing);
-    tcase_add_test(t, an_effect_that_is_not_named_is_never_called);
-    tcase_add_test(t, a_step_allocates_nothing);
-    tcase_add_test(t, every_effect_is_known_by_its_name_and_has_a_row);
-    tcase_add_test(t, sx15_11_a_value_counts_by_its_age);
-    tcase_add_test(t, sx15_14_weight_is_one_over_one_plus_dt_over_b);
-    tcase_add_test(t, sx15_13_mean_follows_a_step_with_order_one);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const r = srunner_create(suite());
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(an_effect_that_is_not_named_allocates_nothing);
+    FACT(an_effect_that_is_not_named_is_never_called);
+    FACT(a_step_allocates_nothing);
+    FACT(every_effect_is_known_by_its_name_and_has_a_row);
+    FACT(sx15_11_a_value_counts_by_its_age);
+    FACT(sx15_14_weight_is_one_over_one_plus_dt_over_b);
+    FACT(sx15_13_mean_follows_a_step_with_order_one);
 }

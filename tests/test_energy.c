@@ -4,8 +4,9 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/electrostatic.h"
-#include "particles/energy.h"
+#include "dem/cohesion/electrostatic.h"
+#include "dem/energy.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* 64 spheres of two sizes thrown about in a box, under gravity. */
@@ -19,7 +20,7 @@ static struct energy of_a_cloud(const struct contact_law *law, double e,
     o.material.friction = mu;
     o.material.restitution = e;
     struct dem *const dem = dem_create(ps, &o);
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     for (int i = 0; i < ps->n; i++)
         ps->ey[i] = -10.0 * ps->m[i];
     ck_assert_int_eq(dem_run(dem, (int)lround(0.02 / step), &r), 0);
@@ -40,8 +41,8 @@ START_TEST(the_energy_budget_closes_to_first_order_with_friction_and_damping)
     for (int k = 0; k < 2; k++) {
         const struct energy b =
             of_a_cloud(law, e[_i % 3], mu[_i % 3], k == 0 ? 5e-6 : 2.5e-6);
-        share[k] = energy_residual(&b) / b.brought;
-        ck_assert_double_gt(b.damped_n + b.slid, 0.1 * b.brought);
+        share[k] = energy_residual(&b) / b.added;
+        ck_assert_double_gt(b.damped_n + b.slid, 0.1 * b.added);
     }
     ck_assert_double_lt(fabs(share[1]), 3e-3);
     ck_assert_double_eq_tol(share[1] / share[0], 0.5, 0.15);
@@ -58,15 +59,15 @@ static double worst_residual(const struct contact_law *law, double step)
     struct dem_report r;
     double worst = 0.0;
 
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     spheres_throw(ps, spheres_add(ps, -0.0051, 0, 0, 0.01), 1.0, 0, 0);
     spheres_throw(ps, spheres_add(ps, 0.0051, 0, 0, 0.01), -1.0, 0, 0);
     for (int k = 0; k * step < 2e-3; k++) {
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);
         const struct energy *const e = dem_energy(dem);
-        worst = fmax(worst, fabs(energy_residual(e)) / e->brought);
+        worst = fmax(worst, fabs(energy_residual(e)) / e->added);
     }
-    const double left = dem_energy(dem)->kinetic / dem_energy(dem)->brought;
+    const double left = dem_energy(dem)->kinetic / dem_energy(dem)->added;
     ck_assert_double_eq_tol(left, 1.0, 1e-3);
     dem_free(dem);
     particles_free(ps);
@@ -103,7 +104,7 @@ static struct lone lone(double e, double mu, double rolling, double height,
     o.material.friction = mu;
     o.material.rolling = rolling;
     one.dem = dem_create(one.ps, &o);
-    dem_keep_energy(one.dem);
+    dem_start_energy_budget(one.dem);
     spheres_add(one.ps, 0, -1.0 + 0.005 + height, 0, 0.01);
     one.m = one.ps->m[0];
     one.ps->ey[0] = -g * one.m;
@@ -148,7 +149,7 @@ START_TEST(the_work_of_gravity_is_the_height_lost)
 
     ck_assert_double_eq_tol(e.work / (one.m * 9.81 * fallen), 1.0, 1e-12);
     ck_assert_double_eq_tol(e.kinetic / e.work, 1.0, 1e-12);
-    ck_assert_double_eq_tol(e.brought, 0.0, 1e-18);
+    ck_assert_double_eq_tol(e.added, 0.0, 1e-18);
     done(&one);
 }
 END_TEST
@@ -206,7 +207,7 @@ START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
     o.surfaces = &piston;
     o.n_surfaces = 1;
     struct dem *const dem = dem_create(ps, &o);
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     dem_clock(dem, 0);
     spheres_add(ps, 0.0, 0, 0, 0.01);
     ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
@@ -215,6 +216,42 @@ START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
     ck_assert_double_eq_tol(ps->vx[0], 0.4, 1e-3);
     ck_assert_double_eq_tol(e->walls / whole, 1.0, 2e-3);
     ck_assert_double_lt(fabs(energy_residual(e)), 2e-3 * whole);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* The same with a sphere that is driven, from rest: what drives it gave it its
+ * own energy besides, and leaves it with that where it lets go. Off the line of
+ * centres, with friction and a dashpot, the budget still closes, to the first
+ * order of the integrator. */
+START_TEST(a_driven_sphere_does_the_work_that_it_gives)
+{
+    const int rough = _i % 2, stops = _i / 2;
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
+    const struct prescribed_particle ram = {
+        .id = 0,
+        .motion = {.velocity = {0.2, 0.0, 0.0}, .until = stops ? 0.03 : 0.0}};
+    struct dem_report r;
+
+    o.prescribed = &ram;
+    o.n_prescribed = 1;
+    o.material.friction = rough ? 0.3 : 0.0;
+    o.material.restitution = rough ? 0.8 : 1.0;
+    spheres_add(ps, -0.012, 0.0, 0.0, 0.01);
+    spheres_add(ps, 0.0, rough ? 0.003 : 0.0, 0.0, 0.01);
+    struct dem *const dem = dem_create(ps, &o);
+    dem_start_energy_budget(dem);
+    dem_clock(dem, 0);
+    for (int k = 0; k < 20; k++)
+        ck_assert_int_eq(dem_run(dem, 1000, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double v = ps->vx[spheres_place(ps, 1)], own = 0.02 * ps->m[0];
+    ck_assert_double_gt(v, 0.25);
+    ck_assert_double_lt(fabs(energy_residual(e)), 2e-3 * own);
+    ck_assert_double_lt(fabs(e->added), 1e-9 * own);
+    if (!rough) ck_assert_double_eq_tol(e->walls / own, 5.0, 1e-2);
     dem_free(dem);
     particles_free(ps);
 }
@@ -238,11 +275,11 @@ START_TEST(attractions_do_the_work_that_comes_out_as_motion)
     o.attractions = &pull;
     o.n_attractions = 1;
     o.materials = &two;
-    particles_distinguish(ps);
+    particles_add_material(ps);
     spheres_add(ps, -0.015, 0, 0, 0.01);
     ps->material[spheres_add(ps, 0.015, 0, 0, 0.01)] = 1;
     struct dem *const dem = dem_create(ps, &o);
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     ck_assert_int_eq(dem_run(dem, 30000, &r), 0);
     const struct energy *const e = dem_energy(dem);
     const double l = fabs(ps->x[1] - ps->x[0]);
@@ -258,19 +295,19 @@ END_TEST
 
 /* --- around runs ---------------------------------------------------------- */
 
-START_TEST(what_is_added_or_pushed_between_runs_was_brought)
+START_TEST(energy_added_between_runs_is_counted)
 {
     struct lone one = lone(1.0, 0.0, 0.0, 0.5, 0.0);
 
     one.ps->vx[0] = 1.0;
     const struct energy first = after(&one, 1e-4);
-    ck_assert_double_eq_tol(first.brought / (0.5 * one.m), 1.0, 1e-12);
+    ck_assert_double_eq_tol(first.added / (0.5 * one.m), 1.0, 1e-12);
     one.ps->vx[0] = 2.0;
     const int i = spheres_add(one.ps, 0.1, 0.1, 0.1, 0.01);
     one.ps->vz[i] = 3.0;
     dem_changed(one.dem);
     const struct energy e = after(&one, 1e-4);
-    ck_assert_double_eq_tol(e.brought / (0.5 * one.m), 13.0, 1e-11);
+    ck_assert_double_eq_tol(e.added / (0.5 * one.m), 13.0, 1e-11);
     ck_assert_double_eq_tol(energy_residual(&e) / one.m, 0.0, 1e-13);
     done(&one);
 }
@@ -289,7 +326,7 @@ static struct particles *moved(const struct contact_law *law, int keep,
     o.material.restitution = 0.8;
     o.periodic[2] = 1;
     struct dem *const dem = dem_create(ps, &o);
-    if (keep) dem_keep_energy(dem);
+    if (keep) dem_start_energy_budget(dem);
     for (int k = 0; k < pieces; k++)
         ck_assert_int_eq(dem_run(dem, 240 / pieces, &r), 0);
     ck_assert_int_gt(r.contacts, 50);
@@ -325,30 +362,20 @@ START_TEST(a_budget_changes_no_bit_and_does_not_depend_on_threads)
 }
 END_TEST
 
-int main(void)
+FACTS("energy")
 {
-    Suite *const s = suite_create("energy");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 30);
-    tcase_add_loop_test(
-        t, the_energy_budget_closes_to_first_order_with_friction_and_damping, 0,
-        6);
-    tcase_add_loop_test(
-        t, the_energy_budget_closes_to_second_order_where_nothing_damps, 0, 2);
-    tcase_add_test(t, the_normal_dashpot_takes_1_less_e_squared);
-    tcase_add_test(t, the_work_of_gravity_is_the_height_lost);
-    tcase_add_test(t, sliding_takes_two_sevenths_until_it_rolls);
-    tcase_add_test(t, rolling_friction_takes_what_a_rolling_sphere_has);
-    tcase_add_test(t, a_wall_that_moves_does_the_work_that_it_gives);
-    tcase_add_test(t, attractions_do_the_work_that_comes_out_as_motion);
-    tcase_add_test(t, what_is_added_or_pushed_between_runs_was_brought);
-    tcase_add_loop_test(
-        t, a_budget_changes_no_bit_and_does_not_depend_on_threads, 0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 30);
+    FACT_FOR_EACH(
+        the_energy_budget_closes_to_first_order_with_friction_and_damping, 6);
+    FACT_FOR_EACH(the_energy_budget_closes_to_second_order_where_nothing_damps,
+                  2);
+    FACT(the_normal_dashpot_takes_1_less_e_squared);
+    FACT(the_work_of_gravity_is_the_height_lost);
+    FACT(sliding_takes_two_sevenths_until_it_rolls);
+    FACT(rolling_friction_takes_what_a_rolling_sphere_has);
+    FACT_FOR_EACH(a_driven_sphere_does_the_work_that_it_gives, 4);
+    FACT(a_wall_that_moves_does_the_work_that_it_gives);
+    FACT(attractions_do_the_work_that_comes_out_as_motion);
+    FACT(energy_added_between_runs_is_counted);
+    FACT_FOR_EACH(a_budget_changes_no_bit_and_does_not_depend_on_threads, 2);
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/equations.h"
-#include "scene/eval.h"
+#include "case/report/equations.h"
+#include "case/report/eval.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -172,23 +172,12 @@ START_TEST(list_names_every_equation_with_units_and_function)
 }
 END_TEST
 
-int main(void)
+FACTS("eval")
 {
-    Suite *const s = suite_create("eval");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, every_equation_has_its_independent_value);
-    tcase_add_test(t, value_is_one_line_with_symbol_and_unit);
-    tcase_add_test(t, order_of_the_inputs_does_not_matter);
-    tcase_add_test(t, wrong_inputs_are_refused_with_what_it_takes);
-    tcase_add_test(t, value_that_is_no_number_is_refused);
-    tcase_add_test(t, list_names_every_equation_with_units_and_function);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(every_equation_has_its_independent_value);
+    FACT(value_is_one_line_with_symbol_and_unit);
+    FACT(order_of_the_inputs_does_not_matter);
+    FACT(wrong_inputs_are_refused_with_what_it_takes);
+    FACT(value_that_is_no_number_is_refused);
+    FACT(list_names_every_equation_with_units_and_function);
 }

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/facets.h"
+#include "averaging/poly/facets.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "averaging/overlap.h"
+#include "averaging/more/overlap.h"
 #include "base/alloc.h"
 #include "cloud.h"
-#include "mesh/poly.h"
-#include "mesh/poly_raw.h"
+#include "mesh/poly/poly.h"
+#include "mesh/poly/poly_raw.h"
 
 static const double ball = 4.0 / 3.0 * M_PI;
 

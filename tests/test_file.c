@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include <errno.h>
@@ -64,6 +65,43 @@ START_TEST(the_old_file_stays_until_the_new_one_is_whole)
     ck_assert_int_eq(file_commit(f), 0);
     scratch_assert_text(path, "new");
     file_discard(NULL);
+}
+END_TEST
+
+START_TEST(a_link_with_the_name_of_a_part_is_not_followed)
+{
+    const char *const path = scratch_path(dir, "a");
+
+    scratch_write(scratch_path(dir, "mine"), "mine");
+    ck_assert_int_eq(symlink("mine", scratch_path(dir, "a.partial")), 0);
+    struct file *const f = file_create(path);
+    fprintf(file_stream(f), "new");
+    ck_assert_int_eq(file_commit(f), 0);
+    scratch_assert_text(path, "new");
+    scratch_assert_text(scratch_path(dir, "mine"), "mine");
+}
+END_TEST
+
+START_TEST(of_two_that_write_one_file_the_last_to_begin_has_it)
+{
+    const char *const path = scratch_path(dir, "a");
+    struct file *const first = file_create(path);
+    struct file *const second = file_create(path);
+    fprintf(file_stream(first), "first");
+    fprintf(file_stream(second), "second");
+    ck_assert_int_eq(file_commit(first), 0);
+    ck_assert(!scratch_exists(path));
+    ck_assert_int_eq(file_commit(second), 0);
+    scratch_assert_text(path, "second");
+}
+END_TEST
+
+START_TEST(a_part_that_somebody_removes_is_reported)
+{
+    scratch_listen(dir);
+    struct file *const f = file_create(scratch_path(dir, "a"));
+    ck_assert_int_eq(remove(scratch_path(dir, "a.partial")), 0);
+    ck_assert_int_ne(file_commit(f), 0);
 }
 END_TEST
 
@@ -139,26 +177,18 @@ START_TEST(a_folder_below_a_file_is_refused_with_its_path)
 }
 END_TEST
 
-int main(void)
+FACTS("file")
 {
-    Suite *const s = suite_create("file");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_file_has_its_name_only_when_it_is_whole);
-    tcase_add_test(t, the_old_file_stays_until_the_new_one_is_whole);
-    tcase_add_loop_test(
-        t, a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing, 0,
-        2);
-    tcase_add_test(t, a_file_in_a_missing_folder_is_refused_with_its_path);
-    tcase_add_test(t, a_name_that_is_a_folder_is_reported_and_leaves_nothing);
-    tcase_add_test(t,
-                   folders_are_made_with_those_above_and_may_be_there_already);
-    tcase_add_test(t, a_folder_below_a_file_is_refused_with_its_path);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(a_file_has_its_name_only_when_it_is_whole);
+    FACT(the_old_file_stays_until_the_new_one_is_whole);
+    FACT(a_link_with_the_name_of_a_part_is_not_followed);
+    FACT(of_two_that_write_one_file_the_last_to_begin_has_it);
+    FACT(a_part_that_somebody_removes_is_reported);
+    FACT_FOR_EACH(
+        a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing, 2);
+    FACT(a_file_in_a_missing_folder_is_refused_with_its_path);
+    FACT(a_name_that_is_a_folder_is_reported_and_leaves_nothing);
+    FACT(folders_are_made_with_those_above_and_may_be_there_already);
+    FACT(a_folder_below_a_file_is_refused_with_its_path);
 }

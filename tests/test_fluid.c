@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -51,7 +51,7 @@ static void run(struct fluid *fl, int steps)
 
 static void set_eps(struct fluid *fl, int c, double eps)
 {
-    fl->eps[c] = fl->eps_phi[c] = fl->eps_start[c] = eps;
+    fl->eps[c] = fl->eps_n[c] = fl->eps_nm1[c] = eps;
 }
 
 /* Smooth but arbitrary numbers for the cells. */
@@ -109,8 +109,8 @@ START_TEST(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps)
     struct fluid *const fl = fluid_create(m, &o);
     for (int c = 0; c < m->n_cells; c++) {
         fl->eps[c] = 0.4;
-        fl->eps_phi[c] = c % 3 ? 0.5 : 0.9;
-        fl->eps_start[c] = c % 5 ? 0.45 : 0.95;
+        fl->eps_n[c] = c % 3 ? 0.5 : 0.9;
+        fl->eps_nm1[c] = c % 5 ? 0.45 : 0.95;
         for (int k = 0; k < 3; k++)
             fl->u[3 * c + k] = 1.0 + k;
     }
@@ -175,7 +175,7 @@ static void column(int shared, double K, double dt, enum continuity form)
     run(fl, 1500);
     const double gamma = shared ? 0.4 : 1.0, slope = K * U / 0.4 / gamma;
     /* At the surface the stream slows from U / 0.4 to U, and with upwind the
-     * clear cell takes all of that force: jump.c, s = 1. */
+     * clear cell takes all of that force: face_jump.c, s = 1. */
     const double rise = 1000.0 * U * U * (1.0 / 0.4 - 1.0);
     const double drop = fluid_patch_pressure(fl, mesh_patch(m, "bottom")) - 5.0;
     ck_assert_double_eq_tol(drop / (slope * 0.05 - rise), 1.0, 1e-7);
@@ -249,8 +249,9 @@ END_TEST
 
 /* In a closed periodic box only F - K u, [XS11 3.13] less its gradients,
  * changes the momentum, also when eps jumps at random: with the void-rate form
- * to rounding; with the mixture form once `relabelled` is taken into account.
- * 1e-12 of what the forces did. */
+ * to rounding; with the mixture form once `relabelled` is taken into account;
+ * by each time scheme, when the step changes, and with a predictor that leaves
+ * a tenth to the next step. 1e-12 of what the forces did. */
 START_TEST(momentum_changes_only_by_the_forces_on_it)
 {
     const double size[3] = {1.0, 1.0, 1.0};
@@ -258,26 +259,33 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     struct fluid_options o = options(NULL);
     o.coupled = 1;
     o.continuity = _i % 2 ? CONTINUITY_VOID_RATE : CONTINUITY_MIXTURE;
-    o.convection = &convection_schemes[_i / 2];
+    o.convection = &convection_schemes[_i / 2 % 2];
+    const int changes = _i >= 4; /* of the step */
+    o.time = &time_schemes[_i / 4 % 2];
+    if (changes) o.u_tolerance = 0.1;
     struct fluid *const fl = fluid_create(m, &o);
+    const double swing =
+        o.time->time_levels > 1 ? 0.02 : 0.2; /* or it blows up */
     double impulse[3] = {0.0, 0.0, 0.0}, gross = 0.0, now[3];
     for (int n = 0; n < 20; n++) {
+        fl->options.dt = o.dt * (changes && n % 3 == 2 ? 0.7 : 1.0);
         double mean = 0.0; /* of the solids: their volume does not change */
         for (int c = 0; c < m->n_cells; c++)
             mean += sin(7.0 * c + 3.0 * n) / m->n_cells;
         for (int c = 0; c < m->n_cells; c++) {
-            fl->eps[c] = 0.6 + 0.2 * (sin(7.0 * c + 3.0 * n) - mean);
+            fl->eps[c] = 0.6 + swing * (sin(7.0 * c + 3.0 * n) - mean);
             fl->K[c] = 1e3 * (1.0 + cos(5.0 * c));
             for (int k = 0; k < 3; k++) {
                 fl->F[3 * c + k] = 100.0 * sin(c + k + 0.1 * n);
                 fl->eps_us[3 * c + k] = 0.1 * cos(2.0 * c + k);
             }
         }
-        if (n == 0) fluid_settle_eps(fl);
+        if (n == 0) fluid_reset_eps_history(fl);
         run(fl, 1);
         for (int i = 0; i < 3 * m->n_cells; i++) {
             const double V = m->V[i / 3];
-            const double dI = o.dt * V * (fl->F[i] - fl->K[i / 3] * fl->u[i]);
+            const double dI =
+                fl->options.dt * V * (fl->F[i] - fl->K[i / 3] * fl->u[i]);
             impulse[i % 3] += dI;
             gross += fabs(dI);
         }
@@ -286,7 +294,7 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(
             (now[k] - impulse[k] - fl->relabelled[k]) / gross, 0.0, 1e-12);
-    if (o.continuity == CONTINUITY_VOID_RATE) /* solver tolerance */
+    if (o.continuity == CONTINUITY_VOID_RATE && !changes) /* solver */
         ck_assert_double_lt(fabs(fl->relabelled[0]) / gross, 1e-8);
     fluid_free(fl);
     mesh_free(m);
@@ -513,46 +521,50 @@ START_TEST(convection_schemes_are_known_by_name)
     const double expected[] = {0.0, 0.3, 0.15, 0.0, 0.0};
     for (int i = 0; convection_schemes[i].name != NULL; i++) {
         double share;
-        convection_schemes[i].shares(&face, &share);
+        convection_schemes[i].owner_weights(&face, &share);
         ck_assert_double_eq(share, expected[i]);
     }
 }
 END_TEST
 
-static Suite *suite(void)
+/* Cells that are ten times shorter in one direction: the hierarchy joins them
+ * across their large faces, as S.S / S.d of each face tells it. Measured: 9;
+ * with one component of S or d miscounted 69 and more in some direction. */
+START_TEST(the_pressure_of_flat_cells_takes_few_iterations)
 {
-    Suite *const s = suite_create("fluid");
-    TCase *const t = tcase_create("averaged flow");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_graded_cells, 0,
-                        3);
-    tcase_add_test(t,
-                   xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps);
-    tcase_add_test(t, fluid_at_rest_stays_at_rest_whatever_eps_is);
-    tcase_add_loop_test(
-        t, step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 0, 8);
-    tcase_add_loop_test(t, friction_of_1e12_is_as_stable_as_any, 0, 2);
-    tcase_add_test(t, a_steady_flow_does_not_know_the_time_step);
-    tcase_add_loop_test(t, momentum_changes_only_by_the_forces_on_it, 0, 4);
-    tcase_add_test(t, mass_residual_is_what_the_fluxes_leave);
-    tcase_add_test(t, ls_3_13_flow_between_plates_converges_with_order_two);
-    tcase_add_test(t, ls_3_13_vortices_decay_with_order_two_in_space);
-    tcase_add_test(t, upwind_has_order_one_and_linear_is_better);
-    tcase_add_test(t, an_inlet_follows_its_course_in_time);
-    tcase_add_test(t, what_enters_leaves_while_the_inlet_ramps_up);
-    tcase_add_test(t, backflow_through_an_outlet_is_counted_and_stays_bounded);
-    tcase_add_loop_test(t, a_closed_box_of_one_cell_and_of_many_is_solved, 0,
-                        2);
-    tcase_add_test(t, convection_schemes_are_known_by_name);
-    return s;
+    const double size[3] = {_i == 0 ? 0.1 : 1.0, _i == 1 ? 0.1 : 1.0,
+                            _i == 2 ? 0.1 : 1.0};
+    struct mesh *const m = box(size, 12, 12, 12, 1.0, 1, 1, 1);
+    const struct fluid_options o = options(NULL);
+    struct fluid *const fl = fluid_create(m, &o);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int k = 0; k < 3; k++)
+            fl->u[3 * c + k] = cos(3.0 * c * c + k);
+    run(fl, 1);
+    ck_assert_int_le(fl->report.pressure.iterations, 10);
+    fluid_free(fl);
+    mesh_free(m);
 }
+END_TEST
 
-int main(void)
+FACTS("fluid")
 {
-    SRunner *const r = srunner_create(suite());
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_graded_cells, 3);
+    FACT(xs11_2_8_predictor_keeps_a_uniform_velocity_when_eps_jumps);
+    FACT(fluid_at_rest_stays_at_rest_whatever_eps_is);
+    FACT_FOR_EACH(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 8);
+    FACT_FOR_EACH(friction_of_1e12_is_as_stable_as_any, 2);
+    FACT(a_steady_flow_does_not_know_the_time_step);
+    FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12);
+    FACT(mass_residual_is_what_the_fluxes_leave);
+    FACT(ls_3_13_flow_between_plates_converges_with_order_two);
+    FACT(ls_3_13_vortices_decay_with_order_two_in_space);
+    FACT(upwind_has_order_one_and_linear_is_better);
+    FACT(an_inlet_follows_its_course_in_time);
+    FACT(what_enters_leaves_while_the_inlet_ramps_up);
+    FACT(backflow_through_an_outlet_is_counted_and_stays_bounded);
+    FACT_FOR_EACH(a_closed_box_of_one_cell_and_of_many_is_solved, 2);
+    FACT(convection_schemes_are_known_by_name);
+    FACT_FOR_EACH(the_pressure_of_flat_cells_takes_few_iterations, 3);
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The forces beside the drag: virtual mass, pressure, and who pays for them. */
-#include "exchange/coupling.h"
+#include "coupling/coupling.h"
 
 #include <omp.h>
 
+#include "facts.h"
 #include "suspension.h"
 
 /* Density of the spheres over that of the fluid: sand in air is far above. */
@@ -40,7 +41,7 @@ static void let_go(struct simulation *sim, double u)
 /* (rho_s + rho/2) dv/dt = (rho_s - rho) g from rest: light spheres rise with
  * up to 2 g, not with 9 g. The drag of 10 steps, 0.44 of the dynamic pressure,
  * comes to 3 C_d v^2/(4 d (ratio + 1/2)) t, below 1e-5 of v after 1e-4 s. */
-START_TEST(ls_5_3_a_sphere_let_go_falls_with_the_fluid_that_it_takes_along)
+START_TEST(ls_5_3_a_released_sphere_falls_with_its_added_mass)
 {
     struct scene s = inviscid(ratios[_i]);
     s.gravity[1] = -9.81;
@@ -99,7 +100,7 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
             sim->fluid->phi[f] =
                 c * m->S[3 * f] *
                 (m->centre[3 * m->owner[f]] + 0.5 * m->d[3 * f]);
-        memset(sim->held, 0, 3 * sizeof *sim->held);
+        memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
         sim->particles->x[0] = m->centre[3 * host];
         sim->particles->y[0] = m->centre[3 * host + 1];
         sim->particles->z[0] = m->centre[3 * host + 2];
@@ -109,7 +110,7 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
     }
     const double V = particles_volume(sim->particles, 0);
     ck_assert_double_gt(m->centre[3 * host], 2.0 * dx);
-    ck_assert_double_eq_tol(sim->held[0] / (0.5 * s.rho * V),
+    ck_assert_double_eq_tol(sim->held_force[0] / (0.5 * s.rho * V),
                             c * c * m->centre[3 * host], 1e-12);
     discard(sim);
 }
@@ -127,7 +128,8 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
     s.rho_s = ratios[_i % 4] * s.rho;
     s.virtual_mass = 0.5;
     s.treatment = _i / 4 % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
-    s.relaxation = _i / 8 % 2 ? RELAXATION_EXPONENTIAL : RELAXATION_FROZEN;
+    s.relaxation =
+        _i / 8 % 2 ? SLIP_INTEGRATION_EXPONENTIAL : SLIP_INTEGRATION_FROZEN;
     s.model_b = _i / 16 % 2;
     struct simulation *const sim = build(&s);
     coupling_total_momentum(sim, before);
@@ -167,11 +169,11 @@ START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
     sim->particles->y[0] = m->centre[3 * host + 1];
     sim->particles->z[0] = m->centre[3 * host + 2];
     averaging_bind(sim->averaging);
-    memset(sim->held, 0, 3 * sizeof *sim->held);
+    memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
     sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
     const double f = particles_volume(sim->particles, 0) * s.mu * 2.0 * a;
-    ck_assert_double_eq_tol(sim->held[0], f, 1e-10 * f);
-    ck_assert_double_lt(fabs(sim->held[1]), 1e-10 * f);
+    ck_assert_double_eq_tol(sim->held_force[0], f, 1e-10 * f);
+    ck_assert_double_lt(fabs(sim->held_force[1]), 1e-10 * f);
     discard(sim);
 }
 END_TEST
@@ -194,13 +196,13 @@ START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
         sim->fluid->phi[f] = 0.0;
     for (int c = 0; c < m->n_cells; c++)
         sim->fluid->u[3 * c] = sin(2.0 * M_PI * m->centre[3 * c + 1] / s.size);
-    const int host = averaging_host(sim->averaging)[0];
+    const int host = averaging_cell_of_particle(sim->averaging)[0];
     const double before = sim->fluid->u[3 * host];
     run(sim, 1);
     const double decay = (sim->fluid->u[3 * host] - before) / s.dt;
     const double force = s.rho * particles_volume(sim->particles, 0) * decay;
     ck_assert_double_gt(fabs(decay), 100.0); /* m/s^2: there is something */
-    ck_assert_double_eq_tol(sim->held[0], force, 1e-8 * fabs(force));
+    ck_assert_double_eq_tol(sim->held_force[0], force, 1e-8 * fabs(force));
     discard(sim);
 }
 END_TEST
@@ -215,7 +217,7 @@ START_TEST(ls_5_1_viscous_stress_keeps_total_momentum)
     s.rho = 1000.0;
     s.mu = 0.5;
     s.substeps = 10;
-    s.relaxation = RELAXATION_EXPONENTIAL;
+    s.relaxation = SLIP_INTEGRATION_EXPONENTIAL;
     s.treatment = _i % 2 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
     s.model_b = _i / 2 % 2;
     s.dt = _i % 2 ? 1e-6 : 2e-4;
@@ -261,7 +263,7 @@ static double difference(int halvings)
 
 /* The same forces, paid at once (A) or a step later (B): the trajectories
  * differ by what a step is worth, and half of it with half the step. */
-START_TEST(sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero)
+START_TEST(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
 {
     const double coarse = difference(0), fine = difference(2);
 
@@ -271,28 +273,15 @@ START_TEST(sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero)
 }
 END_TEST
 
-int main(void)
+FACTS("forces")
 {
-    Suite *const s = suite_create("forces");
-    TCase *const t = tcase_create("forces");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(
-        t, ls_5_3_a_sphere_let_go_falls_with_the_fluid_that_it_takes_along, 0,
-        4);
-    tcase_add_loop_test(
-        t, ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 0, 4);
-    tcase_add_test(t, ls_5_3_a_converging_stream_accelerates_what_is_in_it);
-    tcase_add_loop_test(t, ls_5_3_virtual_mass_and_model_b_keep_total_momentum,
-                        0, 32);
-    tcase_add_test(t, ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
-    tcase_add_test(t, ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
-    tcase_add_loop_test(t, ls_5_1_viscous_stress_keeps_total_momentum, 0, 4);
-    tcase_add_test(t, sx15_2b_models_a_and_b_meet_as_the_step_goes_to_zero);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(ls_5_3_a_released_sphere_falls_with_its_added_mass, 4);
+    FACT_FOR_EACH(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead, 4);
+    FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it);
+    FACT_FOR_EACH(ls_5_3_virtual_mass_and_model_b_keep_total_momentum, 32);
+    FACT(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
+    FACT(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
+    FACT_FOR_EACH(ls_5_1_viscous_stress_keeps_total_momentum, 4);
+    FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero);
 }

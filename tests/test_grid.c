@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The grid: nobody is missed, in walls, across periodic ends and between
  * strips; and springs find their pairs whatever the order of the particles. */
-#include <check.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 static struct dem_options box(const char *law, double x, double y, double z,
@@ -127,7 +127,7 @@ START_TEST(ls_5_15_list_finds_all_pairs_across_periodic_ends)
 END_TEST
 
 /* Several strips (2100 particles: two), also around the periodic end. */
-START_TEST(ls_5_15_list_finds_all_pairs_between_strips)
+START_TEST(ls_5_15_list_finds_all_pairs_between_chunks)
 {
     compare_forces(box("linear", 15e-3, 20e-3, 15e-3, 0, 0, 0), 2100, 0.1);
     compare_forces(box("linear", 15e-3, 20e-3, 15e-3, 0, 1, 0), 2100, 0.1);
@@ -206,7 +206,7 @@ START_TEST(springs_find_their_pairs_in_any_order)
         struct dem_spring *const list = dem_springs(bt, &n);
         dem_run(at, 5, &r);
         particles_permute(b, order); /* and everybody changes places */
-        dem_recall(bt, list, n);
+        dem_restore_springs(bt, list, n);
         dem_run(bt, 5, &r);
         free(list);
     }
@@ -222,21 +222,12 @@ START_TEST(springs_find_their_pairs_in_any_order)
 }
 END_TEST
 
-int main(void)
+FACTS("grid")
 {
-    Suite *const s = suite_create("grid");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_between_walls);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_across_periodic_ends);
-    tcase_add_test(t, ls_5_15_list_finds_all_pairs_between_strips);
-    tcase_add_test(t, same_bits_for_any_threads_around_a_periodic_end);
-    tcase_add_test(t, springs_find_their_pairs_in_any_order);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60);
+    FACT(ls_5_15_list_finds_all_pairs_between_walls);
+    FACT(ls_5_15_list_finds_all_pairs_across_periodic_ends);
+    FACT(ls_5_15_list_finds_all_pairs_between_chunks);
+    FACT(same_bits_for_any_threads_around_a_periodic_end);
+    FACT(springs_find_their_pairs_in_any_order);
 }

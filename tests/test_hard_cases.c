@@ -4,9 +4,10 @@
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
-#include "particles/attraction.h"
-#include "particles/capillary.h"
-#include "particles/neighbours.h"
+#include "dem/cohesion/attraction.h"
+#include "dem/cohesion/capillary.h"
+#include "dem/fast/neighbours.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* --- 30 : 1 --------------------------------------------------------------- */
@@ -18,7 +19,7 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     const double D = 0.03, d = 1e-3, skin = 2e-4;
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.02, 0.02};
     const int periodic[3] = {_i, _i, 0};
-    const struct domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = bodies_domain(lo, hi, periodic);
     struct particles *const ps = particles_create(401);
     uint64_t seed = 11;
     int expected = 0, found = 0;
@@ -35,8 +36,8 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     }
     struct neighbours *const nb = neighbours_create(ps, &box);
     nb->skin = skin;
-    neighbours_open(nb);
-    neighbours_fetch(nb);
+    neighbours_begin_run(nb);
+    neighbours_load(nb);
     ck_assert_double_gt(neighbours_refresh(nb, 1e-6), 0.0);
     for (int i = 0; i < ps->n; i++)
         for (int j = 0; j < i; j++) {
@@ -49,8 +50,8 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
             }
             expected += sqrt(r2) - 0.5 * (ps->d[i] + ps->d[j]) <= skin;
         }
-    for (int s = 0; s < nb->count; s++)
-        found += nb->strips[s].pairs.n;
+    for (int s = 0; s < nb->n_chunks; s++)
+        found += nb->chunks[s].pairs.n;
     ck_assert_int_gt(expected, 10);
     ck_assert_int_eq(found, expected);
     neighbours_free(nb);
@@ -201,7 +202,7 @@ START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
         o.materials = &all;
         o.attractions = &wet;
         o.n_attractions = 1;
-        particles_distinguish(ps);
+        particles_add_material(ps);
         for (int i = 0; i < n; i++) {
             spheres_add(ps, 0.0, 0.0, 0.0, 0.01);
             spheres_throw(ps, i, 1.0, 2.0, 3.0);
@@ -217,25 +218,13 @@ START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
 }
 END_TEST
 
-int main(void)
+FACTS("hard_cases")
 {
-    Suite *const s = suite_create("hard_cases");
-    TCase *const t = tcase_create("contacts");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 0, 2);
-    tcase_add_loop_test(t, ls_4_4_a_grain_rebounds_from_a_boulder, 0, 2);
-    tcase_add_loop_test(
-        t, ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 0, 2);
-    tcase_add_loop_test(t, ls_4_4_a_perfectly_elastic_sphere_never_tires, 0, 2);
-    tcase_add_test(t, ls_4_11_a_column_that_gives_nothing_back_lies_still);
-    tcase_add_loop_test(t, no_particle_or_one_is_no_trouble_with_everything_on,
-                        0, 2);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2);
+    FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2);
+    FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2);
+    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_never_tires, 2);
+    FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still);
+    FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2);
 }

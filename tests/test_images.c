@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/images.h"
+#include "averaging/more/images.h"
 
-#include <check.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -9,6 +8,7 @@
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 START_TEST(ew18_20_half_the_height_is_at_half_of_delta)
@@ -177,23 +177,13 @@ START_TEST(ew18_18_a_narrow_gaussian_is_pcm)
 }
 END_TEST
 
-int main(void)
+FACTS("images")
 {
-    Suite *const s = suite_create("images");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ew18_20_half_the_height_is_at_half_of_delta);
-    tcase_add_test(t, ew18_19_encloses_one);
-    tcase_add_test(t, ew18_19_is_sx15_6_of_that_bandwidth);
-    tcase_add_loop_test(t, ew18_21_it_is_the_gaussian_with_all_its_images, 0,
-                        CLOUD_SHAPES);
-    tcase_add_test(t, ew18_21_an_even_bed_is_even_up_to_the_walls);
-    tcase_add_test(t, ew18_17_a_wave_comes_back_damped_and_nothing_else);
-    tcase_add_test(t, ew18_18_a_narrow_gaussian_is_pcm);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ew18_20_half_the_height_is_at_half_of_delta);
+    FACT(ew18_19_encloses_one);
+    FACT(ew18_19_is_sx15_6_of_that_bandwidth);
+    FACT_FOR_EACH(ew18_21_it_is_the_gaussian_with_all_its_images, CLOUD_SHAPES);
+    FACT(ew18_21_an_even_bed_is_even_up_to_the_walls);
+    FACT(ew18_17_a_wave_comes_back_damped_and_nothing_else);
+    FACT(ew18_18_a_narrow_gaussian_is_pcm);
 }

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/images_poly.h"
+#include "averaging/poly/images_poly.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/normals.h"
+#include "averaging/poly/gaussian_moments.h"
 #include "base/vector.h"
+#include "facts.h"
 #include "blocks.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 
 /* The largest difference between a box and the same as a mesh of faces, over
  * the largest value. */
@@ -233,9 +233,9 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
     const double b = 0.1, shear[3] = {0.3, -0.2, 0.4};
     struct mesh *const m = mesh_create_sheared(&spec, shear);
     struct facets *const f = facets_create(m);
-    struct mirrors *const none = mirrors_create(f, 1e-9);
-    struct normals *const N = normals_create(f, none, b);
-    const double *const A = N->normal[0].A;
+    struct wall_images *const none = wall_images_create(f, 1e-9);
+    struct gaussian_moments *const N = gaussian_moments_create(f, none, b);
+    const double *const A = N->moment[0].A;
     const double twice[9] = {2.0 * A[0], 2.0 * A[1], 2.0 * A[2],
                              2.0 * A[1], 2.0 * A[3], 2.0 * A[4],
                              2.0 * A[2], 2.0 * A[4], 2.0 * A[5]};
@@ -250,29 +250,33 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
             }
             ck_assert_double_eq_tol(one, row == col, 1e-12);
         }
-    normals_free(N);
-    mirrors_free(none);
+    /* The six places that stand for the cell have its moments: L L^T, half of
+     * it from either side of the diagonal. */
+    for (int row = 0; row < 3; row++)
+        for (int col = 0; col < 3; col++) {
+            double by_places = 0.0, by_corners = 0.0;
+            for (int k = 0; k < 3; k++)
+                by_places += N->spread[3 * k + row] * N->spread[3 * k + col];
+            for (int p = 0; p < 8; p++) {
+                double r[3];
+                vector_between(&m->shape->point[3 * p], m->centre, r);
+                by_corners += r[row] * r[col] / 24.0;
+            }
+            ck_assert_double_eq_tol(by_places, by_corners, 1e-15);
+        }
+    gaussian_moments_free(N);
+    wall_images_free(none);
     facets_free(f);
     mesh_free(m);
 }
 END_TEST
 
-int main(void)
+FACTS("images_poly")
 {
-    Suite *const s = suite_create("images_poly");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, ew18_21_a_box_of_faces_comes_to_the_box, 0, 2);
-    tcase_add_loop_test(
-        t, ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room, 0, ROOMS);
-    tcase_add_test(t, ew18_21_no_flux_leads_into_a_wall);
-    tcase_add_test(t, ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
-    tcase_add_test(t,
-                   ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(ew18_21_a_box_of_faces_comes_to_the_box, 2);
+    FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room,
+                  ROOMS);
+    FACT(ew18_21_no_flux_leads_into_a_wall);
+    FACT(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
+    FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);
 }

@@ -2,8 +2,8 @@
 /* Single impacts against measured and published ones: the oblique impacts of
  * Kharaz et al. [Kharaz01] and tests 3 to 8 of Chung and Ooi [Chung11]; tests 1
  * and 2 are in test_contact.c. Chapter 16. */
-#include <check.h>
 
+#include "facts.h"
 #include "impacts.h"
 
 static const double degree = M_PI / 180.0;
@@ -237,28 +237,19 @@ END_TEST
 #define LOOP(tc, test, table)                                                  \
     tcase_add_loop_test(tc, test, 0, (int)(sizeof table / sizeof *table))
 
-int main(void)
+FACTS("impacts")
 {
-    Suite *const suite = suite_create("impacts");
-    TCase *const tc = tcase_create("core");
-    SRunner *const runner = srunner_create(suite);
-
-    tcase_add_loop_test(tc, chung_ooi_test_3_a_normal_impact_returns_e, 0, 10);
-    LOOP(tc, kharaz_the_sphere_leaves_at_the_measured_angle, measured_angle);
-    LOOP(tc, kharaz_the_sphere_keeps_the_measured_part_of_its_speed_along,
+    FACT_FOR_EACH(chung_ooi_test_3_a_normal_impact_returns_e, 10);
+    LOOP(facts, kharaz_the_sphere_leaves_at_the_measured_angle, measured_angle);
+    LOOP(facts, kharaz_the_sphere_keeps_the_measured_part_of_its_speed_along,
          measured_e_t);
-    LOOP(tc, kharaz_the_sphere_leaves_with_the_measured_spin, measured_spin);
-    LOOP(tc, chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves,
+    LOOP(facts, kharaz_the_sphere_leaves_with_the_measured_spin, measured_spin);
+    LOOP(facts, chung_ooi_test_4_oblique_impacts_lie_on_the_published_curves,
          chung_4);
-    LOOP(tc, chung_ooi_test_5_spin_is_near_that_of_finite_elements, wu);
-    tcase_add_loop_test(
-        tc, chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v, 0, 2);
-    LOOP(tc, chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction,
+    LOOP(facts, chung_ooi_test_5_spin_is_near_that_of_finite_elements, wu);
+    FACT_FOR_EACH(chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v, 2);
+    LOOP(facts,
+         chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction,
          chung_6);
-    tcase_add_loop_test(tc, chung_ooi_tests_7_and_8_repeat_test_6, 0, 6);
-    suite_add_tcase(suite, tc);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed > 0;
+    FACT_FOR_EACH(chung_ooi_tests_7_and_8_repeat_test_6, 6);
 }

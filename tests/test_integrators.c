@@ -5,8 +5,9 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/energy.h"
-#include "particles/integrators.h"
+#include "dem/energy.h"
+#include "dem/integrators.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const char *const names[3] = {"velocity-verlet", "symplectic-euler",
@@ -123,7 +124,7 @@ static double energy_after(const char *integrator, int steps)
     const double w = sqrt(2.0 * o.material.stiffness / ps->m[0]);
     o.step = 2.0 * M_PI / w / 25.0;
     struct dem *const dem = dem_create(ps, &o);
-    dem_keep_energy(dem);
+    dem_start_energy_budget(dem);
     ck_assert_int_eq(dem_run(dem, steps, &r), 0);
     const struct energy e = *dem_energy(dem);
     dem_free(dem);
@@ -225,11 +226,11 @@ START_TEST(energy_closes_by_heun_to_second_order)
         ps->ex[0] = 10.0 * ps->m[0];
         spheres_add(ps, 0.005, 0, 0, 0.012);
         struct dem *const dem = dem_create(ps, &o);
-        dem_keep_energy(dem);
+        dem_start_energy_budget(dem);
         ck_assert_int_eq(dem_run(dem, k == 0 ? 50 : 100, &r), 0);
         const struct energy *const e = dem_energy(dem);
-        share[k] = fabs(energy_residual(e)) / e->brought;
-        ck_assert_double_gt(e->damped_n, 0.05 * e->brought);
+        share[k] = fabs(energy_residual(e)) / e->added;
+        ck_assert_double_gt(e->damped_n, 0.05 * e->added);
         dem_free(dem);
         particles_free(ps);
     }
@@ -238,26 +239,15 @@ START_TEST(energy_closes_by_heun_to_second_order)
 }
 END_TEST
 
-int main(void)
+FACTS("integrators")
 {
-    Suite *const s = suite_create("integrators");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 30);
-    tcase_add_loop_test(t, each_integrator_has_its_order, 0, 6);
-    tcase_add_loop_test(
-        t, heun_is_of_second_order_with_springs_dashpots_and_spin, 0, 2);
-    tcase_add_loop_test(t, the_integrators_agree_in_the_end, 0, 2);
-    tcase_add_test(t, verlet_and_euler_keep_energy_and_heun_gains_it);
-    tcase_add_loop_test(t, no_integrator_depends_on_the_number_of_threads, 0,
-                        3);
-    tcase_add_test(t, velocity_verlet_is_the_default_to_the_bit);
-    tcase_add_loop_test(t, a_run_in_pieces_is_one_run, 0, 3);
-    tcase_add_test(t, energy_closes_by_heun_to_second_order);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 30);
+    FACT_FOR_EACH(each_integrator_has_its_order, 6);
+    FACT_FOR_EACH(heun_is_of_second_order_with_springs_dashpots_and_spin, 2);
+    FACT_FOR_EACH(the_integrators_agree_in_the_end, 2);
+    FACT(verlet_and_euler_keep_energy_and_heun_gains_it);
+    FACT_FOR_EACH(no_integrator_depends_on_the_number_of_threads, 3);
+    FACT(velocity_verlet_is_the_default_to_the_bit);
+    FACT_FOR_EACH(a_run_in_pieces_is_one_run, 3);
+    FACT(energy_closes_by_heun_to_second_order);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/interpolation.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/hosts.h"
+#include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 120, M = 3 };
@@ -80,7 +80,8 @@ START_TEST(linear_is_exact_for_linear_fields_in_the_interior)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double x[3] = {s.ps->x[i], s.ps->y[i], s.ps->z[i]};
-        if (touches_the_boundary(s.mesh, averaging_host(s.a)[i])) continue;
+        if (touches_the_boundary(s.mesh, averaging_cell_of_particle(s.a)[i]))
+            continue;
         inside++;
         for (int k = 0; k < M; k++)
             ck_assert_double_eq_tol(s.q[M * i + k], plane(k, x), 1e-13);
@@ -107,6 +108,32 @@ START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
 }
 END_TEST
 
+/* Three cells in a row, 1, 2 and 4 wide: a parabola has another slope on either
+ * side of the middle one. Weighed by the inverse square of the distances, the
+ * fitted slope is the mean of the two; by the distances alone it would be
+ * nearer to that of the wide cell. */
+START_TEST(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides)
+{
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    struct particles *const ps = particles_create(1);
+    const struct averaging_options o = {.cap = 0.0};
+    double field[3], seen;
+    cloud_place(ps, 2.4, 0.5, 0.5, 0.1);
+    struct averaging *const a =
+        averaging_create(averaging_method_named("pcm"), m, ps, &o);
+    ck_assert_int_eq(averaging_bind(a), 0);
+    for (int c = 0; c < 3; c++)
+        field[c] = gsl_pow_2(m->centre[3 * c]); /* at 0.5, 2, 5 */
+    interpolation_named("linear")->apply(a, 1, field, NULL, &seen);
+    ck_assert_double_eq_tol(seen, 4.0 + 0.4 * 0.5 * (2.5 + 7.0), 1e-12);
+    averaging_free(a);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
 /* Graded, closed, in one and in three directions: without values on the
  * boundary the slope is fitted, and is all of it also in corners. Half of it,
  * as with f_f = f_c on a wall, would be off by 0.1. */
@@ -120,7 +147,7 @@ START_TEST(linear_without_boundary_values_is_exact_at_walls_too)
     interpolation_named("linear")->apply(s.a, M, s.field, NULL, s.q);
     for (int i = 0; i < N; i++) {
         const double *const centre =
-            &s.mesh->centre[3 * averaging_host(s.a)[i]];
+            &s.mesh->centre[3 * averaging_cell_of_particle(s.a)[i]];
         const double x[3] = {n[0] > 1 ? s.ps->x[i] : centre[0],
                              n[1] > 1 ? s.ps->y[i] : centre[1],
                              n[2] > 1 ? s.ps->z[i] : centre[2]};
@@ -161,7 +188,7 @@ START_TEST(linear_is_of_second_order_and_nearest_of_first)
 }
 END_TEST
 
-START_TEST(nearest_is_the_value_of_the_host)
+START_TEST(nearest_is_the_value_of_the_particles_cell)
 {
     struct scene s = scene_of(&cloud_shapes[_i], "pcm");
 
@@ -170,7 +197,7 @@ START_TEST(nearest_is_the_value_of_the_host)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert(s.q[M * i + k] ==
-                      s.field[M * averaging_host(s.a)[i] + k]);
+                      s.field[M * averaging_cell_of_particle(s.a)[i] + k]);
     scene_free(&s);
 }
 END_TEST
@@ -218,7 +245,8 @@ START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
     for (int i = 0; i < N; i++)
         for (int k = 0; k < M; k++)
             ck_assert_double_eq_tol(
-                s.q[M * i + k], s.field[M * averaging_host(s.a)[i] + k], 1e-15);
+                s.q[M * i + k],
+                s.field[M * averaging_cell_of_particle(s.a)[i] + k], 1e-15);
     scene_free(&s);
 }
 END_TEST
@@ -232,27 +260,16 @@ START_TEST(an_unknown_way_has_no_name)
 }
 END_TEST
 
-int main(void)
+FACTS("interpolation")
 {
-    Suite *const s = suite_create("interpolation");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, linear_is_exact_for_linear_fields_in_the_interior);
-    tcase_add_loop_test(t, linear_is_exact_at_boundaries_whose_values_are_given,
-                        0, 3);
-    tcase_add_loop_test(t, linear_without_boundary_values_is_exact_at_walls_too,
-                        0, 2);
-    tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
-    tcase_add_loop_test(t, nearest_is_the_value_of_the_host, 0, CLOUD_SHAPES);
-    tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,
-                        CLOUD_SHAPES);
-    tcase_add_loop_test(t, every_way_gives_constants_back, 0, CLOUD_SHAPES);
-    tcase_add_test(t, the_cap_of_pcm_does_not_cut_down_what_particles_see);
-    tcase_add_test(t, an_unknown_way_has_no_name);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(linear_is_exact_for_linear_fields_in_the_interior);
+    FACT_FOR_EACH(linear_is_exact_at_boundaries_whose_values_are_given, 3);
+    FACT_FOR_EACH(linear_without_boundary_values_is_exact_at_walls_too, 2);
+    FACT(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
+    FACT(linear_is_of_second_order_and_nearest_of_first);
+    FACT_FOR_EACH(nearest_is_the_value_of_the_particles_cell, CLOUD_SHAPES);
+    FACT_FOR_EACH(same_is_the_adjoint_of_the_averaging, CLOUD_SHAPES);
+    FACT_FOR_EACH(every_way_gives_constants_back, CLOUD_SHAPES);
+    FACT(the_cap_of_pcm_does_not_cut_down_what_particles_see);
+    FACT(an_unknown_way_has_no_name);
 }

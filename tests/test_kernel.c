@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/kernel.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/hosts.h"
+#include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 enum { N = 90 };
@@ -99,7 +99,7 @@ static int weights_of(const struct scene *s, int i, double *w)
         sum += w[c] = kernel_of(s, i, c);
     for (int c = 0; c < s->mesh->n_cells && sum > 0.0; c++)
         w[c] /= sum;
-    if (sum == 0.0) w[averaging_host(s->a)[i]] = 1.0;
+    if (sum == 0.0) w[averaging_cell_of_particle(s->a)[i]] = 1.0;
     return sum > 0.0;
 }
 
@@ -120,7 +120,7 @@ static void check_against_all_cells(struct scene s)
     averaging_spread(s.a, 1, q, s.field);
     for (int c = 0; c < s.mesh->n_cells; c++)
         ck_assert_double_eq_tol(s.field[c], expected[c], 1e-12 / s.mesh->V[c]);
-    ck_assert_int_eq(averaging_report(s.a)->alone, alone);
+    ck_assert_int_eq(averaging_report(s.a)->unsupported, alone);
     free(w);
     free(expected);
     scene_free(&s);
@@ -181,7 +181,7 @@ START_TEST(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance)
 END_TEST
 
 /* [XS11 3.9]: gathered, the weights sum to one; spread, [XS11 3.4]. */
-START_TEST(xs11_3_4_each_particle_is_shared_out_wholly)
+START_TEST(xs11_3_4_the_weights_of_each_particle_sum_to_one)
 {
     struct scene s = scene_of(_i, 0.16);
     double q[N];
@@ -220,7 +220,7 @@ START_TEST(a_kernel_narrower_than_a_cell_is_pcm)
     averaging_spread(pcm, 1, q, f);
     averaging_spread(s.a, 1, q, s.field);
     ck_assert_mem_eq(f, s.field, sizeof *f * (size_t)s.mesh->n_cells);
-    ck_assert_int_ge(averaging_report(s.a)->alone, N - 28);
+    ck_assert_int_ge(averaging_report(s.a)->unsupported, N - 28);
     averaging_free(pcm);
     free(f);
     scene_free(&s);
@@ -297,29 +297,17 @@ START_TEST(a_very_wide_kernel_gives_the_mean)
 }
 END_TEST
 
-int main(void)
+FACTS("kernel")
 {
-    Suite *const s = suite_create("kernel");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_3_6_values);
-    tcase_add_loop_test(t,
-                        xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
-                        0, 3 * CLOUD_SHAPES);
-    tcase_add_test(
-        t, xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
-    tcase_add_loop_test(t, sx15_6_the_gaussian_weight_falls_as_it_should, 0,
-                        2 * CLOUD_SHAPES);
-    tcase_add_loop_test(t, xs11_3_4_each_particle_is_shared_out_wholly, 0,
-                        CLOUD_SHAPES);
-    tcase_add_loop_test(t, an_even_bed_is_even_on_cells_of_several_sizes, 0, 2);
-    tcase_add_loop_test(t, a_very_wide_kernel_gives_the_mean, 0, 2);
-    tcase_add_loop_test(t, a_kernel_narrower_than_a_cell_is_pcm, 0,
-                        CLOUD_SHAPES);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_3_6_values);
+    FACT_FOR_EACH(xs11_3_5_stencils_give_what_a_sum_over_all_cells_gives,
+                  3 * CLOUD_SHAPES);
+    FACT(xs11_3_7_the_velocity_of_a_cell_is_weighed_by_volume_and_distance);
+    FACT_FOR_EACH(sx15_6_the_gaussian_weight_falls_as_it_should,
+                  2 * CLOUD_SHAPES);
+    FACT_FOR_EACH(xs11_3_4_the_weights_of_each_particle_sum_to_one,
+                  CLOUD_SHAPES);
+    FACT_FOR_EACH(an_even_bed_is_even_on_cells_of_several_sizes, 2);
+    FACT_FOR_EACH(a_very_wide_kernel_gives_the_mean, 2);
+    FACT_FOR_EACH(a_kernel_narrower_than_a_cell_is_pcm, CLOUD_SHAPES);
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How long a step may be, and what the suggested one is good for. */
-#include <check.h>
 #include <gsl/gsl_math.h>
 
-#include "particles/limits.h"
+#include "dem/limits.h"
+#include "facts.h"
 #include "spheres.h"
 
 /* E 1.2e5 Pa, nu 0.33, rho 1000, d 1.2 mm [SX15 Table 1]; worked out apart. */
@@ -113,21 +113,12 @@ START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
 }
 END_TEST
 
-int main(void)
+FACTS("limits")
 {
-    Suite *const s = suite_create("limits");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, ls_5_11_rayleigh_time_of_the_mueller_bed);
-    tcase_add_test(t, linear_contact_time_does_not_know_the_speed);
-    tcase_add_test(t, hertz_step_grows_with_slowness_up_to_rayleigh);
-    tcase_add_loop_test(t, suggested_step_keeps_restitution, 0, 20);
-    tcase_add_test(t, ls_4_11_suggested_step_resolves_critical_damping);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60);
+    FACT(ls_5_11_rayleigh_time_of_the_mueller_bed);
+    FACT(linear_contact_time_does_not_know_the_speed);
+    FACT(hertz_step_grows_with_slowness_up_to_rayleigh);
+    FACT_FOR_EACH(suggested_step_keeps_restitution, 20);
+    FACT(ls_4_11_suggested_step_resolves_critical_damping);
 }

@@ -3,7 +3,8 @@
  * was measured, and one material costs and computes what it always did. */
 #include <omp.h>
 
-#include "particles/materials.h"
+#include "dem/materials.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const struct material glass = {.young = 48e9,
@@ -19,7 +20,7 @@ static const struct material steel = {.young = 208e9,
 
 /* 1/E* = 0.96/48e9 + 0.91/208e9 and 1/G* = 1.8/20e9 + 1.7/80e9, by hand. A
  * mean of the two moduli would give 6.7e10. */
-START_TEST(ls_4_9_two_materials_meet_with_the_moduli_of_both)
+START_TEST(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both)
 {
     const struct material_pair p = materials_mixed(&glass, &steel);
     const struct contact_constants k = contact_hertz.constants(&p);
@@ -49,7 +50,7 @@ START_TEST(what_is_not_measured_is_the_smaller_one)
 END_TEST
 
 /* Measured for 1 and 0, asked for 0 and 1; only what was given is taken. */
-START_TEST(what_is_measured_holds_for_the_pair_either_way)
+START_TEST(measured_pair_values_are_symmetric)
 {
     const struct materials_measured m = {1, 0, -1.0, -1.0, 0.0, 0.7, -1.0};
     const struct materials all = {2, &steel, 1, &m, 0};
@@ -100,7 +101,7 @@ static double kept(const struct materials *all, int own, int other)
 
     o.material = glass;
     o.materials = all;
-    particles_distinguish(ps);
+    particles_add_material(ps);
     spheres_add(ps, -0.0949, 0.0, 0.0, 0.01);
     spheres_throw(ps, 0, -1.0, 0.0, 0.0);
     ps->material[0] = own;
@@ -151,7 +152,7 @@ static struct particles *stirred(const struct materials *all, int law,
     o.materials = all;
     o.periodic[0] = periodic;
     if (all != NULL) {
-        particles_distinguish(ps);
+        particles_add_material(ps);
         for (int i = 0; i < ps->n; i++)
             ps->material[i] = i % 3;
     }
@@ -184,23 +185,14 @@ START_TEST(equal_materials_are_one_material_bit_for_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("materials")
 {
-    Suite *const s = suite_create("materials");
-    TCase *const t = tcase_create("pairs");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_test(t, ls_4_9_two_materials_meet_with_the_moduli_of_both);
-    tcase_add_test(t, ls_4_4_two_linear_springs_act_in_series);
-    tcase_add_test(t, what_is_not_measured_is_the_smaller_one);
-    tcase_add_test(t, what_is_measured_holds_for_the_pair_either_way);
-    tcase_add_test(t, ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both);
-    tcase_add_test(t, each_pair_and_the_wall_have_their_own_restitution);
-    tcase_add_loop_test(t, equal_materials_are_one_material_bit_for_bit, 0, 4);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both);
+    FACT(ls_4_4_two_linear_springs_act_in_series);
+    FACT(what_is_not_measured_is_the_smaller_one);
+    FACT(measured_pair_values_are_symmetric);
+    FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both);
+    FACT(each_pair_and_the_wall_have_their_own_restitution);
+    FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/mean.h"
+#include "facts.h"
 
-#include <check.h>
 #include <math.h>
 #include <string.h>
 
@@ -93,20 +93,11 @@ START_TEST(the_state_carries_a_mean_over_an_interruption)
 }
 END_TEST
 
-int main(void)
+FACTS("mean")
 {
-    Suite *const s = suite_create("mean");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, mean_and_spread_keep_their_digits_far_from_zero);
-    tcase_add_test(t, weights_count_as_repetitions);
-    tcase_add_test(t, long_stretches_count_more);
-    tcase_add_test(t, without_a_weight_nothing_counts);
-    tcase_add_test(t, the_state_carries_a_mean_over_an_interruption);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(mean_and_spread_keep_their_digits_far_from_zero);
+    FACT(weights_count_as_repetitions);
+    FACT(long_stretches_count_more);
+    FACT(without_a_weight_nothing_counts);
+    FACT(the_state_carries_a_mean_over_an_interruption);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/mesh.h"
+#include "facts.h"
 
-#include <check.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,6 +40,54 @@ START_TEST(cell_volumes_fill_the_box)
         sum += m->V[c];
     }
     ck_assert_double_eq_tol(sum, 0.3 * 1.2 * 0.5, 1e-15); /* rounding */
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(outline_of_a_box_says_what_the_box_has)
+{
+    struct mesh *const m = shape(_i);
+    const struct box_spec spec = {
+        {m->hi[0], m->hi[1], m->hi[2]},
+        {m->box.n[0], m->box.n[1], m->box.n[2]},
+        {shapes[_i].grading, 1.0 / shapes[_i].grading, shapes[_i].grading},
+        {m->box.periodic[0], m->box.periodic[1], m->box.periodic[2]}};
+    struct mesh *const o = mesh_outline_box(&spec);
+    double least, most, mean, V_least = HUGE_VAL, V_most = 0.0, fastest = 0.0;
+
+    ck_assert_ptr_null(o->V);
+    ck_assert_int_eq(o->n_cells, m->n_cells);
+    ck_assert_int_eq(o->n_faces, m->n_faces);
+    ck_assert_int_eq(o->n_internal, m->n_internal);
+    ck_assert_double_ge(mesh_box_faces(&spec), m->n_faces);
+    ck_assert_int_eq(o->n_patches, m->n_patches);
+    for (int p = 0; p < m->n_patches; p++) {
+        ck_assert_str_eq(o->patches[p].name, m->patches[p].name);
+        ck_assert_int_eq(o->patches[p].n, m->patches[p].n);
+    }
+    for (int c = 0; c < m->n_cells; c++) {
+        double rate = 0.0;
+        V_least = fmin(V_least, m->V[c]);
+        V_most = fmax(V_most, m->V[c]);
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            double SS = 0.0, Sd = 0.0;
+            for (int k = 0; k < 3; k++) {
+                SS += m->S[3 * f + k] * m->S[3 * f + k];
+                Sd += m->S[3 * f + k] * m->d[3 * f + k];
+            }
+            if (f < m->n_internal) rate += SS / Sd / m->V[c];
+        }
+        fastest = fmax(fastest, rate);
+    }
+    mesh_volumes(o, &least, &most, &mean);
+    /* products of three widths, and sums of six terms, in another order */
+    ck_assert_double_eq_tol(least / V_least, 1.0, 1e-14);
+    ck_assert_double_eq_tol(most / V_most, 1.0, 1e-14);
+    ck_assert_double_eq_tol(mean * m->n_cells / (0.3 * 1.2 * 0.5), 1.0, 1e-14);
+    ck_assert_double_le(fabs(mesh_diffusion_rate(o) - fastest),
+                        1e-13 * fastest);
+    mesh_free(o);
     mesh_free(m);
 }
 END_TEST
@@ -199,29 +248,91 @@ START_TEST(patches_stand_where_their_names_say)
 }
 END_TEST
 
-int main(void)
+/* A row of cells that are 1, 2 and 4 wide, 0.5 deep and 0.3 high: from a centre
+ * to the middles of its faces it is half of each. */
+START_TEST(the_measures_of_a_graded_row_are_those_of_its_widths)
 {
-    Suite *const s = suite_create("mesh");
-    TCase *const t = tcase_create("box");
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, cell_volumes_fill_the_box, 0, N_SHAPES);
-    tcase_add_loop_test(
-        t, every_cell_is_closed_where_no_direction_is_periodic_with_one_cell, 0,
+    const struct box_spec spec = {
+        {0.3, 7.0, 0.5}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.aspect, 4.0 / 0.3, 1e-12);
+    ck_assert_int_eq(q.n_flat, 2);
+    ck_assert_double_eq_tol(q.growth, 2.0, 1e-12);
+    ck_assert_double_eq_tol(q.V_min, 0.15, 1e-12);
+    ck_assert_double_eq_tol(q.V_max, 0.6, 1e-12);
+    ck_assert_int_eq(q.n_small, 0);
+    ck_assert_double_eq(q.skewness, 0.0);
+    ck_assert_double_lt(q.non_orthogonal, 1e-5); /* acos of 1 to rounding */
+    mesh_free(m);
+}
+END_TEST
+
+/* The same numbers from cells in a ring, where each face is within: the ends
+ * are 4 and 1 wide, and the smallest cell comes last. */
+START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
+{
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {0.25, 1.0, 1.0}, {1, 1, 1}};
+    struct mesh *const m = mesh_create_box(&spec);
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.growth, 4.0, 1e-12);
+    ck_assert_double_eq_tol(q.aspect, 1.0, 1e-12); /* half a width each way */
+    ck_assert_int_eq(q.n_small, 2);
+    mesh_free(m);
+}
+END_TEST
+
+/* With y / 2 added to x, links between rows lean by atan(1/2); the faces across
+ * x lean by as much. The link of the rows crosses their face in its middle. */
+START_TEST(a_sheared_box_is_as_crooked_as_its_shear)
+{
+    const struct box_spec spec = {
+        {1.0, 1.0, 1.0}, {2, 2, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_sheared(&spec, (double[]){0.5, 0, 0});
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.non_orthogonal, atan(0.5) * 180.0 / M_PI, 1e-9);
+    ck_assert_double_lt(q.skewness, 1e-12);
+    ck_assert_double_eq_tol(q.growth, 1.0, 1e-12);
+    mesh_free(m);
+}
+END_TEST
+
+/* A face's middle that stands aside by a tenth of the link, along it and
+ * across it: only the second is skewness, as the weight says where the link
+ * crosses. */
+START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
+{
+    const struct box_spec spec = {
+        {1.0, 3.0, 1.0}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_sheared(&spec, (double[]){0, 0, 0});
+    const double way = m->d[4]; /* of face 1, along y */
+    m->face_centre[3] += 0.06 * way;
+    m->face_centre[5] -= 0.08 * way;
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.skewness, 0.1, 1e-12);
+    ck_assert_int_eq(q.n_skewed, m->owner[1]);
+    mesh_free(m);
+}
+END_TEST
+
+FACTS("mesh")
+{
+    FACT_FOR_EACH(cell_volumes_fill_the_box, N_SHAPES);
+    FACT_FOR_EACH(outline_of_a_box_says_what_the_box_has, N_SHAPES);
+    FACT_FOR_EACH(
+        every_cell_is_closed_where_no_direction_is_periodic_with_one_cell,
         N_SHAPES);
-    tcase_add_loop_test(t, links_weights_and_areas_give_each_volume_back, 0,
-                        N_SHAPES);
-    tcase_add_test(t, grading_is_the_ratio_of_the_last_cell_to_the_first);
-    tcase_add_loop_test(t, every_point_of_the_box_has_exactly_one_owner, 0,
-                        N_SHAPES);
-    tcase_add_loop_test(
-        t, a_cell_owns_the_points_between_its_edges_to_the_last_bit, 0,
-        N_SHAPES);
-    tcase_add_test(t, a_point_on_a_face_belongs_to_the_cell_above_it);
-    tcase_add_test(t, a_periodic_direction_wraps_points);
-    tcase_add_test(t, patches_stand_where_their_names_say);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(links_weights_and_areas_give_each_volume_back, N_SHAPES);
+    FACT(grading_is_the_ratio_of_the_last_cell_to_the_first);
+    FACT_FOR_EACH(every_point_of_the_box_has_exactly_one_owner, N_SHAPES);
+    FACT_FOR_EACH(a_cell_owns_the_points_between_its_edges_to_the_last_bit,
+                  N_SHAPES);
+    FACT(a_point_on_a_face_belongs_to_the_cell_above_it);
+    FACT(a_periodic_direction_wraps_points);
+    FACT(patches_stand_where_their_names_say);
+    FACT(the_measures_of_a_graded_row_are_those_of_its_widths);
+    FACT(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
+    FACT(a_sheared_box_is_as_crooked_as_its_shear);
+    FACT(skewness_is_the_way_from_the_link_to_the_middle_of_the_face);
 }

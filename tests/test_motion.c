@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "particles/surface.h"
+#include "dem/surfaces/surface.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -277,17 +278,17 @@ END_TEST
 /* --- driven particles --------------------------------------------------------
  */
 
-START_TEST(driven_particle_is_free_and_then_circles)
+START_TEST(prescribed_particle_is_free_and_then_circles)
 {
-    const struct driven one = {
+    const struct prescribed_particle one = {
         .id = 0,
         .motion = {.from = 0.5, .centre = {0.5, 0.0, 0.0}, .spin = {0, 0, 4}}};
     struct dem_options o = with(NULL, 1e-3);
     struct particles *const ps = sphere_at(0.0, 0.0, 0.0);
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     spheres_throw(ps, 0, 0.2, 0.0, 0.0);
     struct dem *const dem = started(ps, &o);
     dem_run(dem, 500, &r);
@@ -310,22 +311,79 @@ START_TEST(driven_particle_is_free_and_then_circles)
 END_TEST
 
 /* To the others it is a wall: (1 + e) V, though it weighs no more than they. */
-START_TEST(driven_particle_throws_another_as_a_wall_does)
+START_TEST(prescribed_particle_repels_another_as_a_wall_does)
 {
-    const struct driven one = {.id = 0,
-                               .motion = {.velocity = {0.5, 0.0, 0.0}}};
+    const struct prescribed_particle one = {
+        .id = 0, .motion = {.velocity = {0.5, 0.0, 0.0}}};
     struct dem_options o = with(NULL, 2e-5);
     struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
     struct dem_report r;
 
-    o.driven = &one;
-    o.n_driven = 1;
+    o.prescribed = &one;
+    o.n_prescribed = 1;
     spheres_add(ps, 0.2, 0.0, 0.0, 0.1);
     struct dem *const dem = started(ps, &o);
     ck_assert_int_eq(dem_run(dem, 20000, &r), 0);
     ck_assert_double_eq_tol(ps->vx[spheres_place(ps, 1)], 0.75, 1e-3);
     ck_assert_double_eq_tol(ps->vx[spheres_place(ps, 0)], 0.5, 1e-9);
     ck_assert_double_eq_tol(ps->y[spheres_place(ps, 0)], 0.0, 1e-9);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Of Heun's two halves each would take half of a step with its own velocity. */
+START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
+{
+    const double A = 0.1, f = 3.0, dt = 1e-3;
+    const struct prescribed_particle one = {
+        .id = 0, .motion = {.amplitude = {0.0, A, 0.0}, .frequency = f}};
+    struct dem_options o = with(NULL, dt);
+    struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
+    struct dem_report r;
+
+    o.prescribed = &one;
+    o.n_prescribed = 1;
+    o.integrator = &integrators[_i];
+    struct dem *const dem = started(ps, &o);
+    for (int k = 1; k <= 10; k++) {
+        const double phase = 2.0 * M_PI * f * 77.0 * dt * k;
+        ck_assert_int_eq(dem_run(dem, 77, &r), 0);
+        ck_assert_double_eq_tol(ps->y[0], A * sin(phase), 1e-11);
+        ck_assert_double_eq_tol(ps->vy[0], 2.0 * M_PI * f * A * cos(phase),
+                                1e-9);
+    }
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Led into a plate by delta at V, and let go: it has the energy of its spring
+ * and its own, (1/2) k delta^2 + (1/2) m V^2, and what it had not as long as
+ * it was as heavy as a wall. A per cent for the way of a last step. */
+START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
+{
+    const double V = 0.01, until = 0.1, delta = V * until;
+    const struct prescribed_particle one = {
+        .id = 0, .motion = {.velocity = {0.0, -V, 0.0}, .until = until}};
+    const struct surface s = plate(&(struct motion){.until = 0.0});
+    struct dem_options o = with(&s, 1e-4);
+    struct particles *const ps = sphere_at(0.0, 0.05, 0.0);
+    const double own = ps->m[0] * V * V;
+    double fastest = 0.0;
+    struct dem_report r;
+
+    o.prescribed = &one;
+    o.n_prescribed = 1;
+    o.integrator = &integrators[_i];
+    struct dem *const dem = started(ps, &o);
+    for (int k = 0; k < 2000; k++) {
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        fastest = fmax(fastest, fabs(ps->vy[0]));
+    }
+    const double most = o.material.stiffness * delta * delta + own;
+    ck_assert_double_gt(fastest, V);
+    ck_assert_double_le(ps->m[0] * fastest * fastest, 1.01 * most);
     dem_free(dem);
     particles_free(ps);
 }
@@ -360,7 +418,7 @@ START_TEST(clock_is_all_that_a_motion_remembers)
     struct dem_spring *const list = dem_springs(first, &n);
     struct dem *const second = started(ps[1], &o);
     dem_clock(second, 4000);
-    dem_recall(second, list, n);
+    dem_restore_springs(second, list, n);
     dem_run(second, 4000, &r);
     ck_assert_double_eq_tol(ps[0]->x[0], ps[1]->x[0], 1e-10);
     ck_assert_double_eq_tol(ps[0]->y[0], ps[1]->y[0], 1e-10);
@@ -375,35 +433,19 @@ START_TEST(clock_is_all_that_a_motion_remembers)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("motion")
 {
-    Suite *const s = suite_create("motion");
-    TCase *const t = tcase_create("motion");
-
-    tcase_add_test(t, velocity_of_a_motion_is_its_derivative);
-    tcase_add_test(t, motion_leaves_distances_and_finds_back);
-    tcase_add_loop_test(
-        t, moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 0, 2);
-    tcase_add_test(t, wall_rests_before_its_time);
-    tcase_add_loop_test(t, sphere_follows_a_swinging_plate_at_two_sevenths, 0,
-                        2);
-    tcase_add_loop_test(
-        t, sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 0, 2);
-    tcase_add_test(t, sphere_in_a_drum_spins_with_the_wall);
-    tcase_add_loop_test(t, surface_accounts_for_force_torque_and_work, 0, 2);
-    tcase_add_test(t, driven_particle_is_free_and_then_circles);
-    tcase_add_test(t, driven_particle_throws_another_as_a_wall_does);
-    tcase_add_test(t, clock_is_all_that_a_motion_remembers);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const runner = srunner_create(suite());
-
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    FACT(velocity_of_a_motion_is_its_derivative);
+    FACT(motion_leaves_distances_and_finds_back);
+    FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2);
+    FACT(wall_rests_before_its_time);
+    FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2);
+    FACT_FOR_EACH(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 2);
+    FACT(sphere_in_a_drum_spins_with_the_wall);
+    FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
+    FACT(prescribed_particle_is_free_and_then_circles);
+    FACT(prescribed_particle_repels_another_as_a_wall_does);
+    FACT_FOR_EACH(driven_particle_goes_the_same_way_by_every_integrator, 3);
+    FACT_FOR_EACH(driven_particle_is_let_go_with_the_energy_that_it_has, 3);
+    FACT(clock_is_all_that_a_motion_remembers);
 }

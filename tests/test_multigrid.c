@@ -2,9 +2,9 @@
 #include "linear/multigrid.h"
 
 #include "linear/cg.h"
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
 static const double unit[3] = {1, 1, 1};
@@ -368,32 +368,21 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("multigrid")
 {
-    Suite *s = suite_create("multigrid");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, iterations_do_not_grow_with_the_mesh);
-    tcase_add_test(t, one_cell_and_two_cells_are_solved);
-    tcase_add_test(t, flat_cells_cost_no_more);
-    tcase_add_test(t, a_graded_box_costs_little_more);
-    tcase_add_test(t, jumps_of_1000_converge_within_30_iterations);
-    tcase_add_test(t, a_closed_box_with_one_cell_held_converges_as_fast);
-    tcase_add_test(t, even_the_singular_system_converges);
-    tcase_add_test(t, cells_in_random_order_converge);
-    tcase_add_test(t, unknowns_without_links_are_solved);
-    tcase_add_test(t, the_cycle_is_symmetric_and_positive);
-    tcase_add_test(t, an_update_forgets_the_matrix_before);
-    tcase_add_test(t, units_do_not_matter);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(iterations_do_not_grow_with_the_mesh);
+    FACT(one_cell_and_two_cells_are_solved);
+    FACT(flat_cells_cost_no_more);
+    FACT(a_graded_box_costs_little_more);
+    FACT(jumps_of_1000_converge_within_30_iterations);
+    FACT(a_closed_box_with_one_cell_held_converges_as_fast);
+    FACT(even_the_singular_system_converges);
+    FACT(cells_in_random_order_converge);
+    FACT(unknowns_without_links_are_solved);
+    FACT(the_cycle_is_symmetric_and_positive);
+    FACT(an_update_forgets_the_matrix_before);
+    FACT(units_do_not_matter);
+    FACT(threads_do_not_change_a_bit);
 }

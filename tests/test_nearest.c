@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/nearest.h"
+#include "case/nearest.h"
+#include "facts.h"
 
-#include <check.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -67,23 +67,12 @@ START_TEST(strange_word_finds_none)
 }
 END_TEST
 
-int main(void)
+FACTS("nearest")
 {
-    Suite *const s = suite_create("nearest");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, edits_between_kitten_and_sitting_are_three);
-    tcase_add_test(t, edits_are_the_same_both_ways);
-    tcase_add_test(t, two_swapped_letters_are_one_edit);
-    tcase_add_test(t, capitals_are_no_edit);
-    tcase_add_test(t, misspelt_word_finds_the_one_meant);
-    tcase_add_test(t, strange_word_finds_none);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(edits_between_kitten_and_sitting_are_three);
+    FACT(edits_are_the_same_both_ways);
+    FACT(two_swapped_letters_are_one_edit);
+    FACT(capitals_are_no_edit);
+    FACT(misspelt_word_finds_the_one_meant);
+    FACT(strange_word_finds_none);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/overlap.h"
+#include "averaging/more/overlap.h"
 
 #include <check.h>
 #include <gsl/gsl_math.h>

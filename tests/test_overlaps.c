@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spheres that are in each other before time 0. */
-#include "particles/overlaps.h"
+#include "dem/population/overlaps.h"
+#include "facts.h"
 #include "spheres.h"
 
-static struct domain box_of(double half, int periodic)
+static struct box_domain box_of(double half, int periodic)
 {
     const double lo[3] = {-half, -half, -half}, hi[3] = {half, half, half};
     const int flags[3] = {periodic, 0, 0};
@@ -12,7 +13,7 @@ static struct domain box_of(double half, int periodic)
 
 START_TEST(the_deepest_pair_is_found_also_across_a_seam)
 {
-    const struct domain box = box_of(0.1, _i);
+    const struct box_domain box = box_of(0.1, _i);
     struct particles *const ps = particles_create(4);
 
     spheres_add(ps, 0.0, 0, 0, 0.01);
@@ -29,7 +30,7 @@ END_TEST
 
 START_TEST(touching_is_not_overlapping)
 {
-    const struct domain box = box_of(0.1, 0);
+    const struct box_domain box = box_of(0.1, 0);
     struct particles *const ps = particles_create(2);
 
     ck_assert_int_eq(overlaps_deepest(ps, &box).j, -1);
@@ -45,7 +46,7 @@ END_TEST
  * and two in one place: none is after, and all are inside. */
 START_TEST(spheres_are_moved_apart_and_stay_inside)
 {
-    const struct domain box = box_of(0.02, _i);
+    const struct box_domain box = box_of(0.02, _i);
     struct particles *const ps = particles_create(102);
     uint64_t seed = 3;
 
@@ -57,16 +58,16 @@ START_TEST(spheres_are_moved_apart_and_stay_inside)
     spheres_add(ps, 0.001, 0.002, 0.003, 0.008);
     ck_assert_double_gt(overlaps_deepest(ps, &box).depth, 0.5);
     ck_assert_int_gt(overlaps_relax(ps, &box, 1000), 0);
-    ck_assert_double_le(overlaps_deepest(ps, &box).depth, OVERLAPS_MOST);
+    ck_assert_double_le(overlaps_deepest(ps, &box).depth, OVERLAPS_MAX);
     for (int i = 0; i < ps->n; i++)
         ck_assert_double_le(fabs(ps->y[i]) + 0.5 * ps->d[i], 0.02 + 1e-15);
     particles_free(ps);
 }
 END_TEST
 
-START_TEST(no_room_is_said)
+START_TEST(insertion_without_space_is_reported)
 {
-    const struct domain box = box_of(0.01, 0);
+    const struct box_domain box = box_of(0.01, 0);
     struct particles *const ps = particles_create(20);
 
     for (int k = 0; k < 20; k++)
@@ -76,19 +77,10 @@ START_TEST(no_room_is_said)
 }
 END_TEST
 
-int main(void)
+FACTS("overlaps")
 {
-    Suite *const s = suite_create("overlaps");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, the_deepest_pair_is_found_also_across_a_seam, 0, 2);
-    tcase_add_test(t, touching_is_not_overlapping);
-    tcase_add_loop_test(t, spheres_are_moved_apart_and_stay_inside, 0, 2);
-    tcase_add_test(t, no_room_is_said);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(the_deepest_pair_is_found_also_across_a_seam, 2);
+    FACT(touching_is_not_overlapping);
+    FACT_FOR_EACH(spheres_are_moved_apart_and_stay_inside, 2);
+    FACT(insertion_without_space_is_reported);
 }

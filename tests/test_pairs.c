@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/pairs.h"
+#include "linear/pairwise_aggregation.h"
 
+#include "facts.h"
 #include "linear_case.h"
-
-#include <check.h>
 
 static const double unit[3] = {1, 1, 1};
 static const int closed[3] = {0, 0, 0};
@@ -22,7 +21,7 @@ static struct step coarsen(struct links b)
                           b.link, b.V);
     s.parent = alloc_ints(b.n);
     s.bundle = alloc_ints(b.n_links);
-    s.coarse = pairs_coarser(s.fine, s.parent, s.bundle);
+    s.coarse = pairwise_aggregation_coarsen(s.fine, s.parent, s.bundle);
     return s;
 }
 
@@ -93,8 +92,9 @@ START_TEST(links_through_a_periodic_side_stay_apart)
 
     ck_assert_int_eq(s.coarse->n, 2);
     ck_assert_int_eq(s.coarse->n_links, 2);
-    ck_assert_double_eq(s.coarse->link[0], 2.0);
-    ck_assert_double_eq(s.coarse->link[3], -2.0); /* seen from aggregate 0 */
+    ck_assert_double_eq(s.coarse->distance[0], 2.0);
+    ck_assert_double_eq(s.coarse->distance[3],
+                        -2.0); /* seen from aggregate 0 */
     release(&s);
 }
 END_TEST
@@ -137,25 +137,13 @@ START_TEST(the_way_to_a_wall_grows_with_the_aggregate)
 }
 END_TEST
 
-int main(void)
+FACTS("pairs")
 {
-    Suite *s = suite_create("pairs");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, a_box_becomes_the_box_of_half_as_many_cells);
-    tcase_add_test(t, a_cell_left_over_joins_the_pair_beside_it);
-    tcase_add_test(t, flat_cells_are_joined_across_their_flat_sides_only);
-    tcase_add_test(t, links_through_a_periodic_side_stay_apart);
-    tcase_add_test(
-        t, every_link_is_within_an_aggregate_or_in_a_bundle_between_two);
-    tcase_add_test(t, the_way_to_a_wall_grows_with_the_aggregate);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(a_box_becomes_the_box_of_half_as_many_cells);
+    FACT(a_cell_left_over_joins_the_pair_beside_it);
+    FACT(flat_cells_are_joined_across_their_flat_sides_only);
+    FACT(links_through_a_periodic_side_stay_apart);
+    FACT(every_link_is_within_an_aggregate_or_in_a_bundle_between_two);
+    FACT(the_way_to_a_wall_grows_with_the_aggregate);
 }

@@ -2,6 +2,7 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
+#include "facts.h"
 #include "spheres.h"
 
 enum { N = 5 };
@@ -96,19 +97,10 @@ START_TEST(no_particles_can_be_freed)
 }
 END_TEST
 
-int main(void)
+FACTS("particles")
 {
-    Suite *const s = suite_create("particles");
-    TCase *const t = tcase_create("arrays");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_particle_has_the_mass_of_its_sphere_and_is_at_rest);
-    tcase_add_test(t, a_permutation_takes_every_array_along);
-    tcase_add_test(t, an_attached_array_follows_until_it_is_detached);
-    tcase_add_test(t, no_particles_can_be_freed);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(a_particle_has_the_mass_of_its_sphere_and_is_at_rest);
+    FACT(a_permutation_takes_every_array_along);
+    FACT(an_attached_array_follows_until_it_is_detached);
+    FACT(no_particles_can_be_freed);
 }

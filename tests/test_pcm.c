@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/averaging.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
 
 /* 2 x 1 x 1 cells of 1 x 1 x 1 m: two particles in the left one, one in the
@@ -34,7 +34,7 @@ static struct scene scene_of(double cap)
     }
     s.a = averaging_create(averaging_method_named("pcm"), s.mesh, s.ps, &o);
     ck_assert_int_eq(averaging_bind(s.a), 0);
-    averaging_leave_out(s.a, 2, s.q);
+    averaging_apply_cap(s.a, 2, s.q);
     averaging_spread(s.a, 2, s.q, s.field);
     return s;
 }
@@ -103,16 +103,17 @@ END_TEST
 
 /* 1 + 4 N on the left, whose cell has room for less than its spheres: what is
  * not cut arrives whole. */
-START_TEST(what_does_not_go_by_volume_is_spread_whole_in_a_capped_cell)
+START_TEST(
+    amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell)
 {
     struct scene s = scene_of(0.7);
     const double f[3] = {1.0, 2.0, 4.0};
 
     averaging_spread(s.a, 1, f, s.field);
     ck_assert_double_eq_tol(s.field[0], 5.0, 1e-15);
-    ck_assert_double_eq_tol(averaging_share(s.a, 0), 0.7 / 0.79168134870462782,
-                            1e-15);
-    ck_assert(averaging_share(s.a, 1) == 1.0);
+    ck_assert_double_eq_tol(averaging_capped_fraction(s.a, 0),
+                            0.7 / 0.79168134870462782, 1e-15);
+    ck_assert(averaging_capped_fraction(s.a, 1) == 1.0);
     scene_free(&s);
 }
 END_TEST
@@ -132,24 +133,13 @@ START_TEST(a_bind_counts_afresh)
 }
 END_TEST
 
-int main(void)
+FACTS("pcm")
 {
-    Suite *const s = suite_create("pcm");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
-    tcase_add_test(t, sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
-    tcase_add_test(
-        t, sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
-    tcase_add_test(t, a_capped_cell_is_counted_and_its_loss_reported);
-    tcase_add_test(t, the_cap_leaves_the_velocity_as_it_is);
-    tcase_add_test(t,
-                   what_does_not_go_by_volume_is_spread_whole_in_a_capped_cell);
-    tcase_add_test(t, a_bind_counts_afresh);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(xs11_3_1_a_cell_has_the_sum_of_what_is_in_it);
+    FACT(sx15_7_the_velocity_of_a_cell_is_weighed_by_mass);
+    FACT(sx15_8_the_force_on_the_fluid_is_minus_that_on_the_particles);
+    FACT(a_capped_cell_is_counted_and_its_loss_reported);
+    FACT(the_cap_leaves_the_velocity_as_it_is);
+    FACT(amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell);
+    FACT(a_bind_counts_afresh);
 }

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
-#include "mesh/poly.h"
-#include "mesh/poly_order.h"
+#include "mesh/poly/poly.h"
+#include "mesh/poly/poly_order.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "facts.h"
 #include "capture.h"
 #include "cloud.h"
 #include "warped.h"
@@ -220,7 +220,7 @@ START_TEST(a_period_more_is_the_same_point)
             double y[3], offset[3];
             for (int k = 0; k < 3; k++)
                 y[k] = x[k] + laps * m->period[0][k];
-            ck_assert_int_eq(mesh_locate(m, y, offset), c);
+            ck_assert_int_eq(mesh_cell_and_offset(m, y, offset), c);
             for (int k = 0; k < 3; k++)
                 ck_assert_double_eq_tol(m->centre[3 * c + k] + offset[k], x[k],
                                         1e-12);
@@ -241,8 +241,8 @@ static int holders(const struct mesh *m, const double x[3], int *last)
             const int f = m->cell_face[a];
             double out = 0.0;
             for (int k = 0; k < 3; k++)
-                out +=
-                    m->out[a] * m->S[3 * f + k] * (x[k] - m->middle[3 * f + k]);
+                out += m->out[a] * m->S[3 * f + k] *
+                       (x[k] - m->face_centre[3 * f + k]);
             in &= out <= 0.0;
         }
         n += in;
@@ -266,7 +266,7 @@ START_TEST(every_point_of_a_warped_mesh_has_one_cell)
         double offset[3];
         int only = -1;
         const int n = holders(m, x, &only);
-        const int c = mesh_locate(m, x, offset);
+        const int c = mesh_cell_and_offset(m, x, offset);
         ck_assert_int_ge(c, 0);
         if (n == 1) ck_assert_int_eq(c, only);
         for (int k = 0; k < 3; k++)
@@ -304,7 +304,7 @@ START_TEST(a_point_behind_a_corner_is_found)
                              c);
     const double middle[3] = {0.0, 0.0, 0.25};
     double offset[3];
-    ck_assert_int_eq(mesh_locate(m, middle, offset), -1);
+    ck_assert_int_eq(mesh_cell_and_offset(m, middle, offset), -1);
     poly_raw_release(&r);
     mesh_free(m);
 }
@@ -322,9 +322,9 @@ static struct fluid *still(const struct mesh *m, struct boundary *b)
         .mu = 0.1,
         .dt = 0.01,
         .convection = convection_scheme_named("linear"),
-        .slope = slope_scheme_named("least-squares"),
+        .velocity_gradient = velocity_gradient_scheme_named("least-squares"),
         .correctors = 3,
-        .splitting = 1e-6,
+        .piso_tolerance = 1e-6,
         .tolerance = 1e-10,
         .boundaries = b};
     return fluid_create(m, &o);
@@ -372,7 +372,7 @@ START_TEST(fluid_at_rest_stays_at_rest_on_any_mesh)
         fl->eps[c] = 0.7 + 0.3 * sin(5.0 * c);
         fl->K[c] = c % 3 ? 0.0 : 1e8;
     }
-    fluid_settle_eps(fl);
+    fluid_reset_eps_history(fl);
     for (int n = 0; n < 3; n++)
         ck_assert_int_eq(fluid_step(fl), 0);
     for (int i = 0; i < 3 * m->n_cells; i++)
@@ -446,7 +446,10 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
         {"owner", "^23$", "5", "is not closed: its faces miss"},
         {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
         {"boundary", "nFaces *8", "nFaces 7", "begins with face"},
-        {"boundary", "right", "left", "the name is there twice"}};
+        {"boundary", "right", "left", "the name is there twice"},
+        {"faces", "4(1 6 26 21)", "2147483647(1 6 26 21)",
+         "faces:11: 2147483647 entries are more than the file can hold"},
+        {"points", "^60$", "600", "600 entries are more than the file can"}};
     spoil(rows[_i].name, rows[_i].old, rows[_i].by);
     struct mesh *m;
     char said[CAPTURE_TEXT];
@@ -458,29 +461,20 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
 }
 END_TEST
 
-int main(void)
+FACTS("poly")
 {
-    Suite *const s = suite_create("poly");
-    TCase *const t = tcase_create("OpenFOAM's meshes");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_block_is_our_box);
-    tcase_add_loop_test(t, every_mesh_is_closed_and_in_order, 0, 5);
-    tcase_add_test(t, shuffled_hexahedra_are_put_in_rows);
-    tcase_add_test(t, shuffled_polyhedra_are_put_in_waves);
-    tcase_add_test(t, faces_of_a_patch_come_one_a_cell);
-    tcase_add_loop_test(t, a_walk_finds_the_cell_of_a_point, 0, 5);
-    tcase_add_test(t, a_period_more_is_the_same_point);
-    tcase_add_test(t, every_point_of_a_warped_mesh_has_one_cell);
-    tcase_add_test(t, a_point_behind_a_corner_is_found);
-    tcase_add_loop_test(t, a_uniform_stream_stays_uniform_on_any_mesh, 0, 10);
-    tcase_add_loop_test(t, fluid_at_rest_stays_at_rest_on_any_mesh, 0, 10);
-    tcase_add_test(t, the_order_of_the_cells_does_not_matter_to_the_flow);
-    tcase_add_loop_test(t, what_is_not_a_mesh_is_refused_with_file_and_line, 0,
-                        11);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_block_is_our_box);
+    FACT_FOR_EACH(every_mesh_is_closed_and_in_order, 5);
+    FACT(shuffled_hexahedra_are_put_in_rows);
+    FACT(shuffled_polyhedra_are_put_in_waves);
+    FACT(faces_of_a_patch_come_one_a_cell);
+    FACT_FOR_EACH(a_walk_finds_the_cell_of_a_point, 5);
+    FACT(a_period_more_is_the_same_point);
+    FACT(every_point_of_a_warped_mesh_has_one_cell);
+    FACT(a_point_behind_a_corner_is_found);
+    FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10);
+    FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10);
+    FACT(the_order_of_the_cells_does_not_matter_to_the_flow);
+    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 13);
 }

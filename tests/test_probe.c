@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/probe.h"
+#include "facts.h"
 
-#include <check.h>
 #include <stdlib.h>
 
 enum { CELLS = 6 * 9 * 5 };
@@ -29,7 +29,7 @@ static void fill(const struct mesh *m, double *f)
 }
 
 /* The tolerance is rounding of a sum of 8 terms of size 5. */
-START_TEST(a_linear_field_is_seen_exactly_between_the_centres)
+START_TEST(a_linear_field_is_interpolated_exactly_between_the_centres)
 {
     static const double x[3][3] = {
         {0.11, 0.9, 0.05}, {0.2, 0.4, 0.06}, {0.3, 0.31, 0.031}};
@@ -46,7 +46,7 @@ START_TEST(a_linear_field_is_seen_exactly_between_the_centres)
 }
 END_TEST
 
-START_TEST(beyond_the_last_centre_the_last_cell_is_seen)
+START_TEST(beyond_the_last_centre_the_value_of_the_last_cell_is_used)
 {
     static const double corner[2][3] = {{0.0, 0.0, 0.0}, {0.4, 1.2, 0.1}};
     static const int cell[2] = {0, CELLS - 1};
@@ -79,18 +79,9 @@ START_TEST(cells_without_weight_do_not_count)
 }
 END_TEST
 
-int main(void)
+FACTS("probe")
 {
-    Suite *const s = suite_create("probe");
-    TCase *const t = tcase_create("probe");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_linear_field_is_seen_exactly_between_the_centres);
-    tcase_add_test(t, beyond_the_last_centre_the_last_cell_is_seen);
-    tcase_add_test(t, cells_without_weight_do_not_count);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    FACT(a_linear_field_is_interpolated_exactly_between_the_centres);
+    FACT(beyond_the_last_centre_the_value_of_the_last_cell_is_used);
+    FACT(cells_without_weight_do_not_count);
 }

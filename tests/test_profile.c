@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/profile.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include <math.h>
@@ -218,23 +219,14 @@ START_TEST(a_height_outside_the_box_is_refused)
 }
 END_TEST
 
-int main(void)
+FACTS("profile")
 {
-    Suite *const s = suite_create("profile");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_linear_field_is_met_exactly_on_a_graded_mesh);
-    tcase_add_test(t, beyond_the_last_centres_the_nearest_row_counts);
-    tcase_add_test(t, a_weighted_mean_counts_what_is_there);
-    tcase_add_test(t, where_nothing_was_met_there_is_no_mean);
-    tcase_add_test(t, samples_count_from_the_given_time_on);
-    tcase_add_test(t, columns_are_named_with_units);
-    tcase_add_test(t, a_height_outside_the_box_is_refused);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(a_linear_field_is_met_exactly_on_a_graded_mesh);
+    FACT(beyond_the_last_centres_the_nearest_row_counts);
+    FACT(a_weighted_mean_counts_what_is_there);
+    FACT(where_nothing_was_met_there_is_no_mean);
+    FACT(samples_count_from_the_given_time_on);
+    FACT(columns_are_named_with_units);
+    FACT(a_height_outside_the_box_is_refused);
 }

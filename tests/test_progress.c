@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/progress.h"
+#include "case/progress.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <string.h>
 
 static char said[CAPTURE_TEXT];
@@ -100,7 +100,7 @@ START_TEST(time_left_follows_from_time_spent)
 END_TEST
 
 /* A run that goes on from 1 s has spent nothing on the first second. */
-START_TEST(share_counts_from_where_the_run_begins)
+START_TEST(progress_counts_from_where_the_run_begins)
 {
     const struct progress p = {PROGRESS_BAR, 1.0, 2.0, 0.0, 0.0, 0};
     char text[PROGRESS_TEXT];
@@ -111,25 +111,14 @@ START_TEST(share_counts_from_where_the_run_begins)
 }
 END_TEST
 
-int main(void)
+FACTS("progress")
 {
-    Suite *const s = suite_create("progress");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, away_from_a_terminal_there_are_ten_lines);
-    tcase_add_test(t, few_steps_give_few_lines);
-    tcase_add_test(t, bar_stays_on_one_line_and_ends_full);
-    tcase_add_test(t, bar_is_not_drawn_for_every_step);
-    tcase_add_test(t, quiet_says_nothing);
-    tcase_add_test(t, quiet_and_files_are_told_from_terminals);
-    tcase_add_test(t, time_left_follows_from_time_spent);
-    tcase_add_test(t, share_counts_from_where_the_run_begins);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(away_from_a_terminal_there_are_ten_lines);
+    FACT(few_steps_give_few_lines);
+    FACT(bar_stays_on_one_line_and_ends_full);
+    FACT(bar_is_not_drawn_for_every_step);
+    FACT(quiet_says_nothing);
+    FACT(quiet_and_files_are_told_from_terminals);
+    FACT(time_left_follows_from_time_spent);
+    FACT(progress_counts_from_where_the_run_begins);
 }

@@ -1,28 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/reduce.h"
 
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
+#include "facts.h"
 #include "linear_case.h"
 
-#include <check.h>
 #include <omp.h>
 
-START_TEST(strips_cover_every_unknown_once)
+START_TEST(parallel_ranges_cover_every_unknown_once)
 {
     const int sizes[] = {0, 1, 15, 16, 63, 64, 1000, 1024, 65537, 2000000};
 
     for (int k = 0; k < 10; k++) {
         const int n = sizes[k];
 
-        ck_assert_int_eq(strips_first(n, 0), 0);
-        ck_assert_int_eq(strips_first(n, STRIPS), n);
-        for (int s = 0; s < STRIPS; s++)
-            ck_assert_int_le(strips_first(n, s), strips_first(n, s + 1));
-        for (int s = 0; s < STRIPS && strips_first(n, s) < n; s++)
-            ck_assert_int_eq(strips_of(n, strips_first(n, s)), s);
-        for (int s = 0; s < STRIPS; s++)
-            ck_assert_int_eq(s < strips_filled(n),
-                             strips_first(n, s) < strips_first(n, s + 1));
+        ck_assert_int_eq(parallel_ranges_first(n, 0), 0);
+        ck_assert_int_eq(parallel_ranges_first(n, PARALLEL_RANGES_COUNT), n);
+        for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
+            ck_assert_int_le(parallel_ranges_first(n, s),
+                             parallel_ranges_first(n, s + 1));
+        for (int s = 0;
+             s < PARALLEL_RANGES_COUNT && parallel_ranges_first(n, s) < n; s++)
+            ck_assert_int_eq(parallel_ranges_of(n, parallel_ranges_first(n, s)),
+                             s);
+        for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
+            ck_assert_int_eq(s < parallel_ranges_filled(n),
+                             parallel_ranges_first(n, s) <
+                                 parallel_ranges_first(n, s + 1));
     }
 }
 END_TEST
@@ -39,9 +43,9 @@ START_TEST(two_threads_share_a_small_mesh_evenly)
     int done[2] = {0, 0};
 
     omp_set_num_threads(2);
-    STRIPS_RUN(n, 12, count_mine, done);
+    PARALLEL_RANGES(n, 12, count_mine, done);
     ck_assert_int_eq(done[0] + done[1], n);
-    ck_assert_int_lt(abs(done[0] - done[1]), 2 * strips_length(n));
+    ck_assert_int_lt(abs(done[0] - done[1]), 2 * parallel_ranges_length(n));
 }
 END_TEST
 
@@ -104,24 +108,13 @@ START_TEST(threads_do_not_change_a_bit)
 }
 END_TEST
 
-int main(void)
+FACTS("reduce")
 {
-    Suite *s = suite_create("reduce");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
     omp_set_num_threads(1); /* two wait for each other on a busy machine */
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, strips_cover_every_unknown_once);
-    tcase_add_test(t, two_threads_share_a_small_mesh_evenly);
-    tcase_add_test(t, a_dot_product_counts_every_unknown_once);
-    tcase_add_test(t, fields_side_by_side_have_their_own_dot_products);
-    tcase_add_test(t, threads_do_not_change_a_bit);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(parallel_ranges_cover_every_unknown_once);
+    FACT(two_threads_share_a_small_mesh_evenly);
+    FACT(a_dot_product_counts_every_unknown_once);
+    FACT(fields_side_by_side_have_their_own_dot_products);
+    FACT(threads_do_not_change_a_bit);
 }

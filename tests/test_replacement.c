@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "exchange/replacement.h"
+#include "coupling/replacement.h"
 
+#include "facts.h"
 #include "suspension.h"
 
 static const struct {
@@ -34,7 +35,8 @@ static struct scene busy(int number)
     s.interpolation = ways[number % 3];
     s.treatment = number & 1 ? TREATMENT_EXPLICIT : TREATMENT_SEMI_IMPLICIT;
     s.continuity = number & 2 ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE;
-    s.relaxation = number & 4 ? RELAXATION_EXPONENTIAL : RELAXATION_FROZEN;
+    s.relaxation =
+        number & 4 ? SLIP_INTEGRATION_EXPONENTIAL : SLIP_INTEGRATION_FROZEN;
     s.virtual_mass = number & 8 ? 0.5 : 0.0;
     s.viscous_stress = (number & 8) != 0;
     s.model_b = (number & 16) != 0;
@@ -78,10 +80,10 @@ static void check(const struct scene *s)
     kept(sim, before);
     run(sim, 4);
     kept(sim, after);
-    const struct life_account *const a = &sim->life->account;
-    ck_assert_int_gt((int)a->came, 50);
-    ck_assert_int_gt((int)a->went, 20);
-    ck_assert_int_eq(sim->particles->n, s->n + (int)(a->came - a->went));
+    const struct population_totals *const a = &sim->population->totals;
+    ck_assert_int_gt((int)a->inserted, 50);
+    ck_assert_int_gt((int)a->removed, 20);
+    ck_assert_int_eq(sim->particles->n, s->n + (int)(a->inserted - a->removed));
     const int sure = strcmp(s->scheme, "exponential") == 0 ||
                      strcmp(s->scheme, "series") == 0;
     const double limit = sure ? 1e-12 : 1e-10;
@@ -98,7 +100,7 @@ static void check(const struct scene *s)
 
 /* Each method with 20 of the 256 choices of busy(), taken with strides that let
  * any two choices meet. */
-START_TEST(momentum_and_mass_are_kept_while_particles_come_and_go)
+START_TEST(momentum_and_mass_are_conserved_during_insertion_and_removal)
 {
     for (int j = 0; j < 20; j++) {
         struct scene s = busy((37 * _i + 77 * j) % 256);
@@ -121,9 +123,9 @@ START_TEST(a_sphere_that_appears_at_rest_does_not_move_the_fluid)
     s.sink = 0.0;
     struct simulation *const sim = build(&s);
 
-    sim->life->sources[0].options.velocity[0] = 0.0;
-    sim->life->sources[0].options.velocity[1] = 0.0;
-    sim->life->sources[0].options.velocity[2] = 0.0;
+    sim->population->sources[0].options.velocity[0] = 0.0;
+    sim->population->sources[0].options.velocity[1] = 0.0;
+    sim->population->sources[0].options.velocity[2] = 0.0;
     memset(sim->fluid->u, 0, 3 * (size_t)sim->mesh->n_cells * sizeof(double));
     memset(sim->fluid->phi, 0, (size_t)sim->mesh->n_faces * sizeof(double));
     run(sim, 5);
@@ -148,9 +150,10 @@ START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
     const struct coupling *const cp = sim->coupling;
     const double v[3] = {0.1, -0.4, 0.2};
 
-    sim->life->sources[0].options.rate = 0.0; /* all at once */
-    sim->life->sources[0].options.count = 40;
-    ck_assert_int_eq(life_insert(sim->life, sim->particles, sim->dem, 0.0), 0);
+    sim->population->sources[0].options.rate = 0.0; /* all at once */
+    sim->population->sources[0].options.count = 40;
+    ck_assert_int_eq(
+        population_insert(sim->population, sim->particles, sim->dem, 0.0), 0);
     ck_assert_int_eq(sim->particles->n, 40);
     ck_assert_int_eq(replacement_apply(sim, 0), 0);
     for (int i = 0; i < 40; i++) {
@@ -192,7 +195,7 @@ START_TEST(the_last_particle_may_go)
 END_TEST
 
 /* Without two-way coupling no fluid is replaced, and none loses momentum. */
-START_TEST(one_way_spheres_come_and_go_without_a_trace_in_the_fluid)
+START_TEST(one_way_insertion_and_removal_do_not_change_the_fluid)
 {
     struct scene s = busy(0);
     s.one_way = 1;
@@ -200,7 +203,7 @@ START_TEST(one_way_spheres_come_and_go_without_a_trace_in_the_fluid)
     struct simulation *const sim = build(&s);
 
     run(sim, 4);
-    ck_assert_int_gt((int)sim->life->account.went, 20);
+    ck_assert_int_gt((int)sim->population->totals.removed, 20);
     ck_assert_double_eq(sim->fluid->replaced, 0.0);
     for (int c = 0; c < sim->mesh->n_cells; c++)
         ck_assert_double_eq_tol(sim->fluid->u[3 * c], 0.3, 1e-12);
@@ -208,22 +211,12 @@ START_TEST(one_way_spheres_come_and_go_without_a_trace_in_the_fluid)
 }
 END_TEST
 
-int main(void)
+FACTS("replacement")
 {
-    Suite *const suite = suite_create("replacement");
-    TCase *const t = tcase_create("replacement");
-
-    tcase_add_loop_test(
-        t, momentum_and_mass_are_kept_while_particles_come_and_go, 0, METHODS);
-    tcase_add_loop_test(
-        t, a_sphere_that_appears_at_rest_does_not_move_the_fluid, 0, 4);
-    tcase_add_test(t, xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
-    tcase_add_loop_test(t, the_last_particle_may_go, 0, METHODS);
-    tcase_add_test(t, one_way_spheres_come_and_go_without_a_trace_in_the_fluid);
-    suite_add_tcase(suite, t);
-    SRunner *const runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed > 0;
+    FACT_FOR_EACH(momentum_and_mass_are_conserved_during_insertion_and_removal,
+                  METHODS);
+    FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4);
+    FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
+    FACT_FOR_EACH(the_last_particle_may_go, METHODS);
+    FACT(one_way_insertion_and_removal_do_not_change_the_fluid);
 }

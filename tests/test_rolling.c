@@ -3,8 +3,9 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "particles/neighbours.h"
-#include "particles/sweep_rolling.h"
+#include "dem/fast/neighbours.h"
+#include "dem/fast/sweep_rolling.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double R = 0.005, g = 9.81, mu_r = 0.05;
@@ -160,7 +161,7 @@ static struct particles *stirred(int threads, int halves)
         struct dem_spring *const springs = dem_springs(dem, &n);
         dem_free(dem);
         dem = dem_create(ps, &o);
-        dem_recall(dem, springs, n);
+        dem_restore_springs(dem, springs, n);
         free(springs);
     } else
         dem_changed(dem); /* both begin the second half with new lists */
@@ -170,7 +171,7 @@ static struct particles *stirred(int threads, int halves)
     return ps;
 }
 
-START_TEST(springs_of_rolling_survive_threads_sorting_and_recall_bit_for_bit)
+START_TEST(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit)
 {
     struct particles *const a = stirred(1, 0), *const b = stirred(2, 1);
     const size_t size = (size_t)a->n * sizeof(double);
@@ -187,20 +188,20 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
     struct particles *const ps = particles_create(2);
     const double half[3] = {1.0, 1.0, 1.0}, minus[3] = {-1.0, -1.0, -1.0};
     const int walls[3] = {0, 0, 0};
-    const struct domain box = bodies_domain(minus, half, walls);
+    const struct box_domain box = bodies_domain(minus, half, walls);
 
     for (int k = 0; k < 2; k++)
         spheres_add(ps, 0.009 * k, 0.0, 0.0, 0.01);
     for (int rolls = 0; rolls < 2; rolls++) {
         struct neighbours *const nb = neighbours_create(ps, &box);
-        if (rolls) neighbours_keep_rolling(nb);
+        if (rolls) neighbours_add_rolling(nb);
         nb->skin = 1e-3;
-        neighbours_open(nb);
-        neighbours_fetch(nb);
+        neighbours_begin_run(nb);
+        neighbours_load(nb);
         ck_assert_double_gt(neighbours_refresh(nb, 1e-5), 0.0);
-        ck_assert_int_eq(nb->strips[0].contacts.n_pairs, 1);
-        ck_assert_int_eq(nb->strips[0].contacts.roll[0] != NULL, rolls);
-        ck_assert_int_eq(nb->strips[0].pairs.roll != NULL, rolls);
+        ck_assert_int_eq(nb->chunks[0].contacts.n_pairs, 1);
+        ck_assert_int_eq(nb->chunks[0].contacts.roll_angle[0] != NULL, rolls);
+        ck_assert_int_eq(nb->chunks[0].pairs.roll_angle != NULL, rolls);
         neighbours_free(nb);
     }
     particles_free(ps);
@@ -226,26 +227,15 @@ START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
 }
 END_TEST
 
-int main(void)
+FACTS("rolling")
 {
-    Suite *const s = suite_create("rolling");
-    TCase *const t = tcase_create("friction");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(
-        t, a_rolling_sphere_stops_after_the_distance_that_theory_gives, 0, 2);
-    tcase_add_loop_test(t, a_sphere_that_has_stopped_is_at_rest, 0, 2);
-    tcase_add_loop_test(t, a_sphere_stays_on_a_slope_of_less_than_mu_r, 0, 2);
-    tcase_add_loop_test(
-        t, rolling_friction_keeps_the_angular_momentum_of_a_pair, 0, 2);
-    tcase_add_test(
-        t, springs_of_rolling_survive_threads_sorting_and_recall_bit_for_bit);
-    tcase_add_test(t, a_rolling_spring_is_wound_by_rolling_alone);
-    tcase_add_test(t, without_rolling_friction_there_is_no_array_for_it);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(a_rolling_sphere_stops_after_the_distance_that_theory_gives,
+                  2);
+    FACT_FOR_EACH(a_sphere_that_has_stopped_is_at_rest, 2);
+    FACT_FOR_EACH(a_sphere_stays_on_a_slope_of_less_than_mu_r, 2);
+    FACT_FOR_EACH(rolling_friction_keeps_the_angular_momentum_of_a_pair, 2);
+    FACT(rolling_springs_survive_threads_sorting_and_restoring_bit_for_bit);
+    FACT(a_rolling_spring_is_wound_by_rolling_alone);
+    FACT(without_rolling_friction_there_is_no_array_for_it);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
+#include "facts.h"
 
-#include <check.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
     const struct time_scheme *const s = &time_schemes[_i % 2];
     const double dt = 0.3, ratios[] = {1.0, 0.5, 3.0}, r = ratios[_i / 2];
     const double t = 2.0, t1 = t - dt, t2 = t1 - dt / r;
-    const double curve = s->steps > 1 ? 0.7 : 0.0;
+    const double curve = s->time_levels > 1 ? 0.7 : 0.0;
     const struct time_weights w = s->weights(r);
     const double slope = (w.now * (5.0 * t + curve * t * t) -
                           w.old * (5.0 * t1 + curve * t1 * t1) +
@@ -24,7 +24,7 @@ START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
                          dt;
     ck_assert_double_eq_tol(slope, 5.0 + 2.0 * curve * t, 1e-12);
     ck_assert_double_eq_tol(w.now - w.old + w.older, 0.0, 1e-15);
-    if (s->steps > 1) ck_assert_double_eq(w.ahead, r);
+    if (s->time_levels > 1) ck_assert_double_eq(w.ahead, r);
 }
 END_TEST
 
@@ -63,17 +63,17 @@ static struct fluid *vortex_create(const struct vortex *v)
                                   {1.0, 1.0, 1.0},
                                   {1, 1, 1}};
     struct mesh *const m = mesh_create_box(&spec);
-    const struct fluid_options o = {.rho = 1.0,
-                                    .mu = nu,
-                                    .dt = v->dt,
-                                    .time = time_scheme_named(v->time),
-                                    .convection =
-                                        convection_scheme_named(v->convection),
-                                    .slope = slope_scheme_named(v->slope),
-                                    .blend = 0.8,
-                                    .correctors = 3,
-                                    .repeats = v->repeats,
-                                    .tolerance = 1e-11};
+    const struct fluid_options o = {
+        .rho = 1.0,
+        .mu = nu,
+        .dt = v->dt,
+        .time = time_scheme_named(v->time),
+        .convection = convection_scheme_named(v->convection),
+        .velocity_gradient = velocity_gradient_scheme_named(v->slope),
+        .blend = 0.8,
+        .correctors = 3,
+        .outer_correctors = v->repeats,
+        .tolerance = 1e-11};
     struct fluid *const fl = fluid_create(m, &o);
 
     for (int c = 0; c < m->n_cells; c++)
@@ -275,7 +275,7 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
                                              m->d[3 * f + j]);
             }
         }
-    slope_schemes[_i % 2].fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i % 2].fill(m, u, u_b, slope);
     for (int i = 0; i < 9 * m->n_cells; i++)
         ck_assert_double_eq_tol(slope[i], G[i % 9 / 3][i % 3], 1e-12);
     free(u);
@@ -285,24 +285,41 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
 }
 END_TEST
 
-int main(void)
+/* u_y = x^2 in cells 1, 2 and 4 wide, around the middle one: by Gauss the slope
+ * between the linear values at its faces, by least squares, with the inverse
+ * square of the distances as weights, the mean of the slopes on both sides. */
+START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
 {
-    Suite *const s = suite_create("schemes");
-    TCase *const t = tcase_create("time and space");
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_loop_test(
-        t, time_weights_give_the_slope_of_a_line_or_of_a_parabola, 0, 6);
-    tcase_add_test(t, the_first_step_of_bdf2_is_one_of_euler);
-    tcase_add_loop_test(t, euler_has_order_one_in_time, 0, 2);
-    tcase_add_loop_test(t, sx15_bdf2_has_order_two_in_time, 0, 4);
-    tcase_add_loop_test(t, each_convection_scheme_has_its_order_in_space, 0, 6);
-    tcase_add_test(t, upwind_and_van_leer_stay_within_bounds_and_others_do_not);
-    tcase_add_loop_test(t, slopes_of_a_linear_field_are_exact_on_graded_cells,
-                        0, 4);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    double u[9] = {0.0}, slope[27];
+    double *const u_b = calloc(3 * (size_t)m->n_faces, sizeof *u_b);
+    for (int c = 0; c < 3; c++)
+        u[3 * c + 1] = gsl_pow_2(m->centre[3 * c]);  /* at 0.5, 2, 5 */
+    for (int f = m->n_internal; f < m->n_faces; f++) /* the sides' own */
+        u_b[3 * (f - m->n_internal) + 1] = u[3 * m->owner[f] + 1];
+    const double below = (2.0 * 0.25 + 1.0 * 4.0) / 3.0; /* at x = 1 */
+    const double above = (2.0 * 4.0 + 1.0 * 25.0) / 3.0; /* at x = 3 */
+    velocity_gradient_schemes[_i].fill(m, u, u_b, slope);
+    ck_assert_double_eq_tol(
+        slope[9 + 3], _i ? 0.5 * (2.5 + 7.0) : 0.5 * (above - below), 1e-12);
+    for (int i = 0; i < 9; i++)
+        if (i != 3) ck_assert_double_eq_tol(slope[9 + i], 0.0, 1e-14);
+    free(u_b);
+    mesh_free(m);
+}
+END_TEST
+
+FACTS("schemes")
+{
+    tcase_set_timeout(facts, 60.0);
+    FACT_FOR_EACH(time_weights_give_the_slope_of_a_line_or_of_a_parabola, 6);
+    FACT(the_first_step_of_bdf2_is_one_of_euler);
+    FACT_FOR_EACH(euler_has_order_one_in_time, 2);
+    FACT_FOR_EACH(sx15_bdf2_has_order_two_in_time, 4);
+    FACT_FOR_EACH(each_convection_scheme_has_its_order_in_space, 6);
+    FACT(upwind_and_van_leer_stay_within_bounds_and_others_do_not);
+    FACT_FOR_EACH(slopes_of_a_linear_field_are_exact_on_graded_cells, 4);
+    FACT_FOR_EACH(slopes_of_a_parabola_are_those_of_the_formulas, 2);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/separable.h"
+#include "averaging/more/separable.h"
 
-#include <check.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -9,8 +8,9 @@
 
 #include "averaging/diffusion.h"
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
-#include "linear/chebyshev.h"
+#include "linear/fast/chebyshev.h"
 
 /* The whole matrix of the mesh, which knows nothing of directions. */
 static struct csr *laplacian(const struct mesh *m)
@@ -217,26 +217,16 @@ START_TEST(no_box_or_a_very_long_one_is_refused)
 }
 END_TEST
 
-int main(void)
+FACTS("separable")
 {
-    Suite *const s = suite_create("separable");
-    TCase *const t = tcase_create("core");
-
     omp_set_num_threads(1);
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t,
-                        by_directions_it_is_the_exponential_of_the_whole_matrix,
-                        0, 9 * CLOUD_SHAPES);
-    tcase_add_loop_test(t, the_sum_is_kept_and_nothing_undershoots_for_any_tail,
-                        0, CLOUD_SHAPES);
-    tcase_add_loop_test(t, it_is_its_own_adjoint, 0, CLOUD_SHAPES);
-    tcase_add_loop_test(t, fields_and_threads_do_not_change_the_bits, 0, 9);
-    tcase_add_test(t, no_thread_packs_into_the_bundle_of_another);
-    tcase_add_test(t, weights_go_as_far_as_a_gaussian_does);
-    tcase_add_test(t, no_box_or_a_very_long_one_is_refused);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed == 0 ? 0 : 1;
+    FACT_FOR_EACH(by_directions_it_is_the_exponential_of_the_whole_matrix,
+                  9 * CLOUD_SHAPES);
+    FACT_FOR_EACH(the_sum_is_kept_and_nothing_undershoots_for_any_tail,
+                  CLOUD_SHAPES);
+    FACT_FOR_EACH(it_is_its_own_adjoint, CLOUD_SHAPES);
+    FACT_FOR_EACH(fields_and_threads_do_not_change_the_bits, 9);
+    FACT(no_thread_packs_into_the_bundle_of_another);
+    FACT(weights_go_as_far_as_a_gaussian_does);
+    FACT(no_box_or_a_very_long_one_is_refused);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/series.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include "base/number.h"
@@ -121,21 +122,12 @@ START_TEST(a_folder_that_cannot_be_made_is_reported)
 }
 END_TEST
 
-int main(void)
+FACTS("series")
 {
-    Suite *const s = suite_create("series");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, a_collection_lists_each_file_with_its_time);
-    tcase_add_test(t, names_are_escaped_and_read_back);
-    tcase_add_test(t, a_restart_drops_what_is_at_its_time_or_later);
-    tcase_add_test(t, a_restart_refuses_a_missing_or_foreign_collection);
-    tcase_add_test(t, a_folder_that_cannot_be_made_is_reported);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(a_collection_lists_each_file_with_its_time);
+    FACT(names_are_escaped_and_read_back);
+    FACT(a_restart_drops_what_is_at_its_time_or_later);
+    FACT(a_restart_refuses_a_missing_or_foreign_collection);
+    FACT(a_folder_that_cannot_be_made_is_reported);
 }

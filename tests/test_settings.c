@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/keys.h"
-#include "scene/settings.h"
+#include "case/keys.h"
+#include "case/settings.h"
 
+#include "facts.h"
 #include "capture.h"
 
-#include <check.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -354,34 +354,22 @@ START_TEST(file_that_cannot_be_read_is_code_4)
 }
 END_TEST
 
-int main(void)
+FACTS("settings")
 {
-    Suite *const s = suite_create("settings");
-    TCase *const t = tcase_create("core");
-    SRunner *r;
-    int failed;
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, make_folder, remove_folder);
-    tcase_add_test(t, values_come_back_as_the_case_says);
-    tcase_add_test(t, left_out_keys_have_their_defaults_and_are_not_named);
-    tcase_add_test(t, lists_hold_groups_with_defaults_of_their_own);
-    tcase_add_test(t, inlet_is_a_number_or_a_course_in_time);
-    tcase_add_test(t, side_is_found_alone_or_in_its_pair);
-    tcase_add_test(t, override_replaces_adds_and_reaches_into_lists);
-    tcase_add_test(t, unknown_key_names_file_line_and_the_nearest);
-    tcase_add_test(t, missing_key_names_its_group_and_meaning);
-    tcase_add_test(t, wrong_value_names_expectation_unit_and_what_was_found);
-    tcase_add_test(t, wrong_override_is_named_as_such);
-    tcase_add_test(t, group_that_is_needed_must_be_there);
-    tcase_add_test(t, whole_number_too_large_for_an_int_is_not_misread);
-    tcase_add_test(t, syntax_error_quotes_the_line);
-    tcase_add_test(t,
-                   included_file_is_found_beside_the_case_and_named_in_errors);
-    tcase_add_test(t, file_that_cannot_be_read_is_code_4);
-    r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, make_folder, remove_folder);
+    FACT(values_come_back_as_the_case_says);
+    FACT(left_out_keys_have_their_defaults_and_are_not_named);
+    FACT(lists_hold_groups_with_defaults_of_their_own);
+    FACT(inlet_is_a_number_or_a_course_in_time);
+    FACT(side_is_found_alone_or_in_its_pair);
+    FACT(override_replaces_adds_and_reaches_into_lists);
+    FACT(unknown_key_names_file_line_and_the_nearest);
+    FACT(missing_key_names_its_group_and_meaning);
+    FACT(wrong_value_names_expectation_unit_and_what_was_found);
+    FACT(wrong_override_is_named_as_such);
+    FACT(group_that_is_needed_must_be_there);
+    FACT(whole_number_too_large_for_an_int_is_not_misread);
+    FACT(syntax_error_quotes_the_line);
+    FACT(included_file_is_found_beside_the_case_and_named_in_errors);
+    FACT(file_that_cannot_be_read_is_code_4);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Distributions of diameters: what is drawn has the moments that are said, and
  * these are the exact ones. */
-#include <check.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <string.h>
 
-#include "particles/sizes.h"
+#include "dem/population/sizes.h"
+#include "facts.h"
 
 static const double sieves[][2] = {
     {1e-4, 0.0}, {2e-4, 0.1}, {5e-4, 0.1}, {8e-4, 0.7}, {2e-3, 1.0}};
@@ -19,14 +19,13 @@ static const struct {
     struct sizes_options o;
 } kinds[] = {
     {"normal",
-     {.mean = 1.25e-3, .deviation = 0.5e-3, .least = 8.3e-5, .most = 2.5e-3}},
-    {"uniform", {.least = 1e-3, .most = 3e-3}},
+     {.mean = 1.25e-3, .deviation = 0.5e-3, .min = 8.3e-5, .max = 2.5e-3}},
+    {"uniform", {.min = 1e-3, .max = 3e-3}},
     {"lognormal", {.median = 1e-3, .ratio = 1.5}},
-    {"lognormal",
-     {.median = 1e-3, .ratio = 1.5, .least = 5e-4, .most = 1.8e-3}},
+    {"lognormal", {.median = 1e-3, .ratio = 1.5, .min = 5e-4, .max = 1.8e-3}},
     {"discrete", {.n = 2, .point = two}},
     {"table", {.n = 5, .point = sieves}},
-    {"uniform", {.least = 1e-3, .most = 3e-3, .by_mass = 1}},
+    {"uniform", {.min = 1e-3, .max = 3e-3, .by_mass = 1}},
     {"lognormal", {.median = 1e-3, .ratio = 1.5, .by_mass = 1}},
     {"discrete", {.n = 2, .point = two, .by_mass = 1}},
     {"table", {.n = 5, .point = sieves, .by_mass = 1}}};
@@ -44,7 +43,7 @@ static struct sizes *kind(int i)
 
 /* The middle of every 1/N of the particles: the error of this rule is of
  * order 1/N^2, and 1/N where the quantile jumps or has a tail without end. */
-START_TEST(what_is_drawn_has_the_moments_that_are_said)
+START_TEST(drawn_diameters_have_the_given_moments)
 {
     enum { N = 100000 };
     struct sizes *const s = kind(_i);
@@ -61,7 +60,7 @@ END_TEST
 
 /* M_0 of the quantile of p is p, but for a jump of "discrete", where it is at
  * least p; and no quantile is outside of the cut-offs. */
-START_TEST(the_quantile_is_the_inverse_of_the_share_below)
+START_TEST(the_quantile_is_the_inverse_of_the_cumulative_distribution)
 {
     struct sizes *const s = kind(_i);
     const int jumps = strcmp(kinds[_i].law, "discrete") == 0;
@@ -74,13 +73,13 @@ START_TEST(the_quantile_is_the_inverse_of_the_share_below)
             ck_assert_double_ge(below, p);
         else
             ck_assert_double_eq_tol(below, p, 1e-9);
-        ck_assert_double_ge(d, sizes_least(s));
-        ck_assert_double_le(d, sizes_most(s));
+        ck_assert_double_ge(d, sizes_min(s));
+        ck_assert_double_le(d, sizes_max(s));
         ck_assert_double_ge(d, last);
         last = d;
     }
     ck_assert_double_eq_tol(sizes_moment(s, 0), 1.0, 1e-14);
-    ck_assert_double_eq(sizes_moment_below(s, 0, 0.5 * sizes_least(s)), 0.0);
+    ck_assert_double_eq(sizes_moment_below(s, 0, 0.5 * sizes_min(s)), 0.0);
     sizes_free(s);
 }
 END_TEST
@@ -133,8 +132,8 @@ START_TEST(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss)
     const struct sizes_options o = {.law = sizes_law_named("normal"),
                                     .mean = 1.0,
                                     .deviation = 0.1,
-                                    .least = 0.2,
-                                    .most = 1.8};
+                                    .min = 0.2,
+                                    .max = 1.8};
     struct sizes *const s = sizes_create(&o);
 
     ck_assert_double_eq_tol(sizes_moment(s, 1), 1.0, 1e-13);
@@ -190,7 +189,7 @@ END_TEST
 
 /* Of equal masses of two sizes, one twice as large, 8 of 9 particles are
  * small; of 3 to 1 by mass, 24 of 25. */
-START_TEST(shares_by_mass_are_shares_by_number_over_d_cubed)
+START_TEST(fractions_by_mass_are_fractions_by_number_times_d_cubed)
 {
     struct sizes *const number = kind(4), *const mass = kind(8);
 
@@ -238,14 +237,14 @@ START_TEST(a_distribution_that_cannot_be_is_refused)
     typedef struct sizes_options o;
 
     ck_assert_ptr_null(sizes_law_named("gauss"));
-    refused("uniform", (o){.least = 2.0, .most = 1.0}, "least must be below");
-    refused("uniform", (o){.least = 2.0}, "asks for least and most");
-    refused("normal", (o){.least = 1.0, .most = 2.0}, "mean > 0");
+    refused("uniform", (o){.min = 2.0, .max = 1.0}, "least must be below");
+    refused("uniform", (o){.min = 2.0}, "asks for least and most");
+    refused("normal", (o){.min = 1.0, .max = 2.0}, "mean > 0");
     refused("normal", (o){.mean = 1.0, .deviation = 1.0}, "negative");
     refused("normal",
-            (o){.mean = 1, .deviation = 1, .least = 1, .most = 2, .by_mass = 1},
+            (o){.mean = 1, .deviation = 1, .min = 1, .max = 2, .by_mass = 1},
             "by number only");
-    refused("normal", (o){.mean = 1, .deviation = 0.1, .least = 2, .most = 3},
+    refused("normal", (o){.mean = 1, .deviation = 0.1, .min = 2, .max = 3},
             "less than 1e-6");
     refused("lognormal", (o){.median = 1.0, .ratio = 1.0}, "ratio > 1");
     refused("discrete", (o){.n = 0}, "too few");
@@ -258,27 +257,17 @@ START_TEST(a_distribution_that_cannot_be_is_refused)
 }
 END_TEST
 
-int main(void)
+FACTS("sizes")
 {
-    Suite *const s = suite_create("sizes");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t, what_is_drawn_has_the_moments_that_are_said, 0,
-                        KINDS);
-    tcase_add_loop_test(t, the_quantile_is_the_inverse_of_the_share_below, 0,
-                        KINDS);
-    tcase_add_test(t, xs11_case_4_has_the_moments_of_a_bell_with_cut_offs);
-    tcase_add_test(t, a_bell_far_from_its_cut_offs_has_the_moments_of_gauss);
-    tcase_add_test(t, a_uniform_distribution_has_its_textbook_moments);
-    tcase_add_test(t, a_lognormal_distribution_has_its_textbook_moments);
-    tcase_add_test(t, a_lognormal_mass_has_its_median_by_mass);
-    tcase_add_test(t, shares_by_mass_are_shares_by_number_over_d_cubed);
-    tcase_add_test(t, a_sieve_analysis_by_mass_is_met_by_the_mass);
-    tcase_add_test(t, a_distribution_that_cannot_be_is_refused);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT_FOR_EACH(drawn_diameters_have_the_given_moments, KINDS);
+    FACT_FOR_EACH(the_quantile_is_the_inverse_of_the_cumulative_distribution,
+                  KINDS);
+    FACT(xs11_case_4_has_the_moments_of_a_bell_with_cut_offs);
+    FACT(a_bell_far_from_its_cut_offs_has_the_moments_of_gauss);
+    FACT(a_uniform_distribution_has_its_textbook_moments);
+    FACT(a_lognormal_distribution_has_its_textbook_moments);
+    FACT(a_lognormal_mass_has_its_median_by_mass);
+    FACT(fractions_by_mass_are_fractions_by_number_times_d_cubed);
+    FACT(a_sieve_analysis_by_mass_is_met_by_the_mass);
+    FACT(a_distribution_that_cannot_be_is_refused);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What limits the coupled step: the formulas, and the program beside them. */
-#include "exchange/stability.h"
+#include "coupling/stability.h"
 
+#include "facts.h"
 #include "suspension.h"
 
 /* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
@@ -21,10 +22,10 @@ START_TEST(the_swing_dies_out_below_the_densest_packing)
     static const double densest[] = {0.5, 0.5, 0.1 / 1.1, 0.4 / 1.4};
 
     for (int i = 0; i < 4; i++) {
-        const double eps_s = stability_densest(C[i], ratio[i], 1.0);
+        const double eps_s = stability_max_solid_fraction(C[i], ratio[i], 1.0);
         ck_assert_double_eq_tol(eps_s, densest[i], 1e-14);
-        ck_assert_double_eq_tol(stability_swing(C[i], ratio[i], eps_s, 1.0),
-                                1.0, 1e-14);
+        ck_assert_double_eq_tol(
+            stability_amplification(C[i], ratio[i], eps_s, 1.0), 1.0, 1e-14);
     }
 }
 END_TEST
@@ -62,16 +63,16 @@ static double growth(double ratio, double C)
 /* Below 1 nothing grows, though the spheres weigh a fiftieth of the fluid; far
  * above (the mean over 2 cells that a sphere sees takes some of it) the swing
  * runs away, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
-START_TEST(light_spheres_are_held_by_the_swing_not_by_their_loading)
+START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
 {
     const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;
 
     ck_assert_double_lt(stability_loading(0.15, eps_s, 1.0), 0.03);
-    ck_assert_double_lt(stability_swing(0.0, 0.15, eps_s, 1.0), 1.0);
+    ck_assert_double_lt(stability_amplification(0.0, 0.15, eps_s, 1.0), 1.0);
     ck_assert_double_lt(growth(0.15, 0.0), 1.0);
-    ck_assert_double_gt(stability_swing(0.0, 0.02, eps_s, 1.0), 5.0);
+    ck_assert_double_gt(stability_amplification(0.0, 0.02, eps_s, 1.0), 5.0);
     ck_assert_double_gt(growth(0.02, 0.0), 100.0);
-    ck_assert_double_lt(stability_swing(0.5, 0.02, eps_s, 1.0), 0.5);
+    ck_assert_double_lt(stability_amplification(0.5, 0.02, eps_s, 1.0), 0.5);
     ck_assert_double_lt(growth(0.02, 0.5), 1.0);
 }
 END_TEST
@@ -111,8 +112,8 @@ static double slip_left(double x, double M, const struct scene *way)
     return failed ? INFINITY : fabs(slip) / 0.1; /* the fluid began with 0.3 */
 }
 
-static struct scene way(enum treatment treatment, enum relaxation relaxation,
-                        int substeps)
+static struct scene way(enum treatment treatment,
+                        enum slip_integration relaxation, int substeps)
 {
     struct scene s = air;
 
@@ -129,9 +130,11 @@ START_TEST(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them)
 {
     static const double loading[] = {0.01, 1.0, 100.0},
                         root[] = {1.94387, 1.0, 0.514439};
-    const double M = loading[_i], edge = stability_frozen_edge(M);
-    const struct scene old = way(TREATMENT_EXPLICIT, RELAXATION_FROZEN, 1),
-                       new = way(TREATMENT_SEMI_IMPLICIT, RELAXATION_FROZEN, 1);
+    const double M = loading[_i], edge = stability_frozen_limit(M);
+    const struct scene old =
+                           way(TREATMENT_EXPLICIT, SLIP_INTEGRATION_FROZEN, 1),
+                       new = way(TREATMENT_SEMI_IMPLICIT,
+                                 SLIP_INTEGRATION_FROZEN, 1);
 
     ck_assert_double_eq_tol(edge, root[_i], 1e-5);
     ck_assert_double_lt(slip_left(1.6 / (1.0 + M), M, &old), 0.05);
@@ -146,9 +149,9 @@ START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
 {
     static const double loading[] = {0.1, 1.0, 10.0, 100.0};
     const struct scene exact = way(TREATMENT_SEMI_IMPLICIT,
-                                   RELAXATION_EXPONENTIAL, 1),
-                       parts =
-                           way(TREATMENT_SEMI_IMPLICIT, RELAXATION_FROZEN, 0);
+                                   SLIP_INTEGRATION_EXPONENTIAL, 1),
+                       parts = way(TREATMENT_SEMI_IMPLICIT,
+                                   SLIP_INTEGRATION_FROZEN, 0);
 
     for (int k = 0; k < 4; k++) {
         ck_assert_double_lt(slip_left(0.8, loading[k], &exact), 0.01);
@@ -160,23 +163,14 @@ START_TEST(what_relaxes_in_the_step_or_in_its_parts_is_stable)
 }
 END_TEST
 
-int main(void)
+FACTS("stability")
 {
-    Suite *const s = suite_create("stability");
-    TCase *const t = tcase_create("stability");
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60.0);
-    tcase_add_test(t, a_packed_bed_asks_for_less_than_half_its_relaxation_time);
-    tcase_add_test(t, the_swing_dies_out_below_the_densest_packing);
-    tcase_add_test(t, the_loading_is_mass_beside_mass);
-    tcase_add_loop_test(
-        t, the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them, 0, 3);
-    tcase_add_test(t, what_relaxes_in_the_step_or_in_its_parts_is_stable);
-    tcase_add_test(t, light_spheres_are_held_by_the_swing_not_by_their_loading);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    tcase_set_timeout(facts, 60.0);
+    FACT(a_packed_bed_asks_for_less_than_half_its_relaxation_time);
+    FACT(the_swing_dies_out_below_the_densest_packing);
+    FACT(the_loading_is_mass_beside_mass);
+    FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
+                  3);
+    FACT(what_relaxes_in_the_step_or_in_its_parts_is_stable);
+    FACT(light_spheres_are_limited_by_the_amplification_not_by_their_loading);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/stencil.h"
+#include "averaging/more/stencil.h"
 
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "facts.h"
 #include "cloud.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 #include "warped.h"
 
 /* Distance along k from the host's cell (its interval) to x. */
@@ -66,7 +66,7 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
 
 /* 0.01: within the host. 0.37: across more than a period of those shapes that
  * have two cells or five. */
-START_TEST(a_stencil_holds_the_cells_near_its_host_and_no_others)
+START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
 {
     static const double b[] = {0.01, 0.11, 0.23, 0.37};
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 4]);
@@ -90,7 +90,7 @@ END_TEST
 
 /* Equal cells, walls all round, b of 1.6 cells reaches 2 cells off: 2 kinds of
  * cell near each wall and one between, 5 a direction. */
-START_TEST(hosts_that_look_alike_share_a_stencil)
+START_TEST(cells_with_equal_surroundings_share_a_stencil)
 {
     const struct box_spec spec = {
         {1.2, 1.1, 1.0}, {12, 11, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -162,21 +162,32 @@ START_TEST(the_memory_is_known_beforehand)
 }
 END_TEST
 
-int main(void)
+/* Only cells that differ have a list each, in whichever direction they do. */
+START_TEST(equal_cells_need_no_memory_and_graded_ones_do)
 {
-    Suite *const s = suite_create("stencil");
-    TCase *const t = tcase_create("core");
+    struct box_spec spec = {
+        {0.8, 0.7, 0.6}, {4, 4, 4}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    if (_i < 3) spec.grading[_i] = 1.2;
+    struct mesh *const m = mesh_create_box(&spec);
+    const double near = stencil_bytes(m, 0.3, STENCIL_TO_CENTRE);
+    const double any = stencil_bytes(m, 0.3, STENCIL_TO_CELL);
+    if (_i == 3) {
+        ck_assert_double_eq(near, 0.0);
+        ck_assert_double_eq(any, 0.0);
+    } else {
+        ck_assert_double_gt(near, 0.0);
+        ck_assert_double_gt(any, near);
+    }
+    mesh_free(m);
+}
+END_TEST
 
-    suite_add_tcase(s, t);
-    tcase_add_loop_test(t,
-                        a_stencil_holds_the_cells_near_its_host_and_no_others,
-                        0, 4 * CLOUD_SHAPES);
-    tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
-    tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
-    tcase_add_test(t, the_memory_is_known_beforehand);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+FACTS("stencil")
+{
+    FACT_FOR_EACH(a_stencil_contains_the_cells_near_its_own_and_no_others,
+                  4 * CLOUD_SHAPES);
+    FACT(cells_with_equal_surroundings_share_a_stencil);
+    FACT_FOR_EACH(cells_that_share_a_corner_are_near, 3);
+    FACT(the_memory_is_known_beforehand);
+    FACT_FOR_EACH(equal_cells_need_no_memory_and_graded_ones_do, 4);
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* STL files of both kinds, whole and broken. */
-#include <check.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "particles/stl.h"
+#include "dem/surfaces/stl.h"
+#include "facts.h"
 #include "scratch.h"
 
 static const char two_solids[] =
@@ -139,27 +139,12 @@ START_TEST(binary_file_that_is_cut_off_or_not_there_is_refused)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("stl")
 {
-    Suite *const s = suite_create("stl");
-    TCase *const t = tcase_create("stl");
-
-    tcase_add_checked_fixture(t, arrive, leave);
-    tcase_add_test(t, text_with_two_solids_is_read);
-    tcase_add_test(t, binary_file_is_known_by_its_length);
-    tcase_add_test(t, broken_text_is_refused_with_its_line);
-    tcase_add_test(t, file_without_a_triangle_is_refused);
-    tcase_add_test(t, binary_file_that_is_cut_off_or_not_there_is_refused);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const runner = srunner_create(suite());
-
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, arrive, leave);
+    FACT(text_with_two_solids_is_read);
+    FACT(binary_file_is_known_by_its_length);
+    FACT(broken_text_is_refused_with_its_line);
+    FACT(file_without_a_triangle_is_refused);
+    FACT(binary_file_that_is_cut_off_or_not_there_is_refused);
 }

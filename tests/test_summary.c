@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/summary.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include <math.h>
@@ -102,20 +103,11 @@ START_TEST(a_summary_that_cannot_be_written_is_reported)
 }
 END_TEST
 
-int main(void)
+FACTS("summary")
 {
-    Suite *const s = suite_create("summary");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, entries_keep_their_order_and_groups);
-    tcase_add_test(t, what_is_no_number_is_null);
-    tcase_add_test(t, text_is_escaped_and_always_utf_8);
-    tcase_add_test(t, a_summary_that_cannot_be_written_is_reported);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(entries_keep_their_order_and_groups);
+    FACT(what_is_no_number_is_null);
+    FACT(text_is_escaped_and_always_utf_8);
+    FACT(a_summary_that_cannot_be_written_is_reported);
 }

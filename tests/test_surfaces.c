@@ -5,8 +5,9 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "particles/touches.h"
-#include "particles/triangle.h"
+#include "dem/surfaces/surface_contact_points.h"
+#include "dem/surfaces/triangle.h"
+#include "facts.h"
 #include "spheres.h"
 
 static const double g = 9.81; /* [m/s^2] */
@@ -213,7 +214,7 @@ START_TEST(nearest_point_of_a_triangle_has_no_corner_in_front)
 }
 END_TEST
 
-START_TEST(way_through_a_triangle_is_seen_and_one_beside_it_is_not)
+START_TEST(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not)
 {
     const double corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -476,7 +477,7 @@ START_TEST(springs_of_surfaces_are_part_of_the_state)
     struct dem_spring *const list = dem_springs(first, &n);
     ck_assert_int_eq(n, 1);
     ck_assert_double_gt(vector_length(list[0].xi), 1e-9);
-    dem_recall(second, list, n);
+    dem_restore_springs(second, list, n);
     dem_run(second, 5000, &r);
     ck_assert_double_eq_tol(ps->x[0], twin->x[0], 1e-13);
     ck_assert_double_eq_tol(ps->wz[0], twin->wz[0], 1e-13);
@@ -533,37 +534,21 @@ START_TEST(particle_in_the_solid_of_a_plane_is_lost)
 }
 END_TEST
 
-static Suite *suite(void)
+FACTS("surfaces")
 {
-    Suite *const s = suite_create("surfaces");
-    TCase *const t = tcase_create("surfaces");
-
-    tcase_add_loop_test(t, plane_is_what_a_wall_of_the_box_is, 0, 4);
-    tcase_add_test(t, sphere_in_a_smooth_cylinder_keeps_its_angular_momentum);
-    tcase_add_test(t, sphere_rebounds_from_a_rod_at_its_radius);
-    tcase_add_test(t, nearest_point_of_a_triangle_has_no_corner_in_front);
-    tcase_add_test(t, way_through_a_triangle_is_seen_and_one_beside_it_is_not);
-    tcase_add_loop_test(t, sphere_crosses_a_seam_as_if_there_were_none, 0, 9);
-    tcase_add_loop_test(t, convex_body_touches_a_sphere_once, 0, 3);
-    tcase_add_loop_test(t, concave_corner_touches_a_sphere_with_each_face, 0,
-                        3);
-    tcase_add_loop_test(t, thin_plate_touches_a_sphere_once, 0, 4);
-    tcase_add_test(t, sphere_between_two_plates_touches_both);
-    tcase_add_test(t, box_of_triangles_is_a_box);
-    tcase_add_test(t, surfaces_give_the_same_bits_with_two_threads);
-    tcase_add_test(t, springs_of_surfaces_are_part_of_the_state);
-    tcase_add_loop_test(t, particle_through_a_sheet_is_lost_by_its_id, 0, 2);
-    tcase_add_test(t, particle_in_the_solid_of_a_plane_is_lost);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *const runner = srunner_create(suite());
-
-    srunner_run_all(runner, CK_NORMAL);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    FACT_FOR_EACH(plane_is_what_a_wall_of_the_box_is, 4);
+    FACT(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum);
+    FACT(sphere_rebounds_from_a_rod_at_its_radius);
+    FACT(nearest_point_of_a_triangle_has_no_corner_in_front);
+    FACT(a_path_through_a_triangle_is_detected_and_one_beside_it_is_not);
+    FACT_FOR_EACH(sphere_crosses_a_seam_as_if_there_were_none, 9);
+    FACT_FOR_EACH(convex_body_touches_a_sphere_once, 3);
+    FACT_FOR_EACH(concave_corner_touches_a_sphere_with_each_face, 3);
+    FACT_FOR_EACH(thin_plate_touches_a_sphere_once, 4);
+    FACT(sphere_between_two_plates_touches_both);
+    FACT(box_of_triangles_is_a_box);
+    FACT(surfaces_give_the_same_bits_with_two_threads);
+    FACT(springs_of_surfaces_are_part_of_the_state);
+    FACT_FOR_EACH(particle_through_a_sheet_is_lost_by_its_id, 2);
+    FACT(particle_in_the_solid_of_a_plane_is_lost);
 }

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/symmetric.h"
+#include "linear/fast/symmetric.h"
 
+#include "facts.h"
 #include "linear_case.h"
-
-#include <check.h>
 
 static const double unit[3] = {1, 1, 1};
 
@@ -140,21 +139,10 @@ START_TEST(residual_and_relaxation_are_their_formulas)
 }
 END_TEST
 
-int main(void)
+FACTS("symmetric")
 {
-    Suite *s = suite_create("symmetric");
-    TCase *t = tcase_create("core");
-    SRunner *r = srunner_create(s);
-
-    suite_add_tcase(s, t);
-    tcase_set_timeout(t, 60); /* [s] for sanitizers on a busy machine */
-    tcase_add_test(t, a_box_needs_no_list_of_columns);
-    tcase_add_test(t, the_product_is_that_of_the_csr);
-    tcase_add_test(t, residual_and_relaxation_are_their_formulas);
-    srunner_run_all(r, CK_NORMAL);
-
-    const int failed = srunner_ntests_failed(r);
-
-    srunner_free(r);
-    return failed != 0;
+    tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
+    FACT(a_box_needs_no_list_of_columns);
+    FACT(the_product_is_that_of_the_csr);
+    FACT(residual_and_relaxation_are_their_formulas);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/table.h"
+#include "facts.h"
 #include "scratch.h"
 
 #include <math.h>
@@ -112,22 +113,13 @@ START_TEST(a_full_disk_is_reported_and_leaves_whole_rows)
 }
 END_TEST
 
-int main(void)
+FACTS("table")
 {
-    Suite *const s = suite_create("table");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, the_first_line_names_columns_with_units);
-    tcase_add_test(t, each_row_is_in_the_file_at_once);
-    tcase_add_test(t, names_with_commas_and_quotes_are_quoted);
-    tcase_add_test(t, a_restart_keeps_whole_rows_from_before_its_time);
-    tcase_add_test(t, a_restart_refuses_a_missing_file_and_other_columns);
-    tcase_add_test(t, a_full_disk_is_reported_and_leaves_whole_rows);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(the_first_line_names_columns_with_units);
+    FACT(each_row_is_in_the_file_at_once);
+    FACT(names_with_commas_and_quotes_are_quoted);
+    FACT(a_restart_keeps_whole_rows_from_before_its_time);
+    FACT(a_restart_refuses_a_missing_file_and_other_columns);
+    FACT(a_full_disk_is_reported_and_leaves_whole_rows);
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/two_grid.h"
+#include "averaging/more/two_grid.h"
 
-#include <check.h>
 #include <math.h>
 
 #include "averaging/averaging.h"
+#include "facts.h"
 #include "cloud.h"
 
 /* n equal cells in a row of length 1; one particle; its amount of 1 averaged
@@ -83,19 +83,10 @@ START_TEST(a_second_grid_that_is_finer_loses_nothing)
 }
 END_TEST
 
-int main(void)
+FACTS("two_grid")
 {
-    Suite *const s = suite_create("two_grid");
-    TCase *const t = tcase_create("core");
-
-    suite_add_tcase(s, t);
-    tcase_add_test(t, a_coarse_cell_gives_each_cell_what_is_common);
-    tcase_add_test(t, the_place_within_a_coarse_cell_does_not_matter);
-    tcase_add_test(t, with_the_width_of_a_cell_it_is_pcm);
-    tcase_add_test(t, a_second_grid_that_is_finer_loses_nothing);
-    SRunner *const r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    const int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    FACT(a_coarse_cell_gives_each_cell_what_is_common);
+    FACT(the_place_within_a_coarse_cell_does_not_matter);
+    FACT(with_the_width_of_a_cell_it_is_pcm);
+    FACT(a_second_grid_that_is_finer_loses_nothing);
 }

@@ -1,18 +1,18 @@
 # rows.awk -- turns chapters/equations.md into the table of `winnow explain KEY`.
 #
-#   awk -f rows.awk chapters/equations.md >ledger_rows.c
+#   awk -f rows.awk chapters/equations.md >equation_index_rows.c
 #
 # The book's table is the only one: this follows it, row by row.
 
 BEGIN {
     print "/* Made from chapters/equations.md by chapters/tools/rows.awk. */"
-    print "#include \"scene/ledger.h\"\n"
-    print "const struct ledger_row ledger_rows[] = {"
+    print "#include \"case/report/equation_index.h\"\n"
+    print "const struct equation_index_row equation_index_rows[] = {"
 }
 
 function emit(kind, name, file) {
     gsub(/["\\]/, "\\\\&", name)
-    printf "    {\"%s\", LEDGER_%s, \"%s\", \"%s\"},\n", key, kind, name, file
+    printf "    {\"%s\", EQUATION_INDEX_%s, \"%s\", \"%s\"},\n", key, kind, name, file
 }
 
 # Each link of a cell, [name](file#place).

@@ -1,7 +1,7 @@
 # source.awk -- source files as pages, for the book: OUT/FILE.html of each FILE,
 # named on stdin. The folders are there.
 #
-#   ls src/exchange/drag.[ch] | awk -f c.awk -f source.awk -v anchors=A -v out=OUT
+#   ls src/coupling/drag.[ch] | awk -f c.awk -f source.awk -v anchors=A -v out=OUT
 #
 # Each line has an address (#L12), each definition its name (#drag_beta);
 # citations lead to the table of equations, "Chapter 9" to the chapter.

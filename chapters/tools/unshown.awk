@@ -34,7 +34,7 @@ function counts(file, i) {
     if (kind[file, i] != "function") return 0
     if (name[file, i] ~ /_(create|free|init|release)$/) return 0
     if (citation(file, i) != "") return 1
-    return file ~ /\.h$/ || source[file, begin[file, i]] !~ /^(static|FIELDS_KERNEL) /
+    return file ~ /\.h$/ || source[file, begin[file, i]] !~ /^(static|FIELD_GROUPS_KERNEL) /
 }
 
 # A part, @label, shows the function that it is in.

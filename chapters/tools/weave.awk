@@ -3,8 +3,8 @@
 #   awk -f c.awk -f show.awk -f weave.awk chapters/09-drag.md
 #
 # Directives stand on a line of their own and own the fence that follows:
-#   <!-- code src/exchange/drag.c drag_beta drag_force -->   definitions by name
-#   <!-- code src/exchange/drag.h @head -->        the comment that opens a file
+#   <!-- code src/coupling/drag.c drag_beta drag_force -->   definitions by name
+#   <!-- code src/coupling/drag.h @head -->        the comment that opens a file
 #   <!-- code src/fluid/piso.c @label -->     from /*> label */ to /*< label */
 #   <!-- output figures/drag.txt -->                 a text file, whole
 #   <!-- output figures/drag.txt part -->            its part under "## part"

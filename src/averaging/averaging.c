@@ -2,25 +2,27 @@
 #include "averaging/averaging.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/bandwidth.h"
+#include "averaging/more/bandwidth.h"
 #include "averaging/diffusion.h"
-#include "averaging/dpvm.h"
-#include "averaging/hosts.h"
-#include "averaging/images.h"
+#include "averaging/more/dpvm.h"
+#include "averaging/cell_of_particle.h"
+#include "averaging/more/images.h"
 #include "averaging/kernel.h"
 #include "averaging/pcm.h"
-#include "averaging/stencil.h"
-#include "averaging/two_grid.h"
+#include "averaging/more/stencil.h"
+#include "averaging/more/two_grid.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 struct averaging {
     const struct averaging_method *method;
-    struct hosts *hosts;
+    struct cell_of_particle *hosts;
     void *state; /* the method's */
     int fields;  /* [-] most in one call */
     struct averaging_report report;
@@ -52,12 +54,13 @@ static struct averaging_options completed(const struct averaging_options *o)
     return full;
 }
 
-/* The row that serves on this mesh. */
+/* The variant of the method for this mesh. */
 static const struct averaging_method *
 row_for(const struct averaging_method *method, const struct mesh *mesh)
 {
-    return mesh->shape != NULL && method->elsewhere != NULL ? method->elsewhere
-                                                            : method;
+    return mesh->shape != NULL && method->polyhedral != NULL
+               ? method->polyhedral
+               : method;
 }
 
 struct averaging *averaging_create(const struct averaging_method *method,
@@ -67,7 +70,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
 {
     const struct averaging_options full = completed(o);
 
-    if (method->wide && !(full.bandwidth > 0.0)) {
+    if (method->needs_bandwidth && !(full.bandwidth > 0.0)) {
         fprintf(stderr,
                 "winnow: the bandwidth of the averaging by %s is %g; "
                 "expected a length above 0 [m]\n",
@@ -78,7 +81,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
 
     a->method = row_for(method, mesh);
     a->fields = full.fields;
-    a->hosts = hosts_create(mesh, ps);
+    a->hosts = cell_of_particle_create(mesh, ps);
     a->state = a->method->create(a->hosts, &full);
     if (a->state != NULL) return a;
     averaging_free(a);
@@ -89,7 +92,7 @@ void averaging_free(struct averaging *a)
 {
     if (a == NULL) return;
     if (a->state != NULL) a->method->free(a->state);
-    hosts_free(a->hosts);
+    cell_of_particle_free(a->hosts);
     free(a);
 }
 
@@ -99,10 +102,10 @@ int averaging_bind(struct averaging *a)
     const struct particles *const ps = a->hosts->ps;
 
     *r = (struct averaging_report){.worst = {.converged = 1}};
-    r->lost = hosts_find(a->hosts);
+    r->lost = cell_of_particle_find(a->hosts);
     if (r->lost > 0) {
         int i = 0;
-        while (a->hosts->host[i] >= 0)
+        while (a->hosts->cell[i] >= 0)
             i++;
         r->lost_id = ps->id[i];
         return 1;
@@ -111,9 +114,11 @@ int averaging_bind(struct averaging *a)
     return 0;
 }
 
-/* Extremes of the first of m fields, and the share of it that is below 0. */
-static void look_at_first(struct averaging_report *r, const struct mesh *mesh,
-                          int m, const double *field)
+/* Extremes of the first of m fields, and the fraction of its integral that is
+ * negative. */
+static void check_first_field(struct averaging_report *r,
+                              const struct mesh *mesh, int m,
+                              const double *field)
 {
     double below = 0.0, all = 0.0;
 
@@ -134,7 +139,7 @@ void averaging_spread(struct averaging *a, int m, const double *q,
     assert(m >= 1 && m <= a->fields);
     assert(a->report.lost == 0 && a->hosts->n == a->hosts->ps->n);
     a->method->spread(a->state, m, q, field, &a->report);
-    look_at_first(&a->report, a->hosts->mesh, m, field);
+    check_first_field(&a->report, a->hosts->mesh, m, field);
 }
 
 void averaging_gather(struct averaging *a, int m, const double *field,
@@ -145,25 +150,27 @@ void averaging_gather(struct averaging *a, int m, const double *field,
     a->method->gather(a->state, m, field, q, &a->report);
 }
 
-double averaging_share(const struct averaging *a, int i)
+double averaging_capped_fraction(const struct averaging *a, int i)
 {
-    return a->method->share == NULL ? 1.0 : a->method->share(a->state, i);
+    return a->method->capped_fraction == NULL
+               ? 1.0
+               : a->method->capped_fraction(a->state, i);
 }
 
-void averaging_leave_out(const struct averaging *a, int m, double *q)
+void averaging_apply_cap(const struct averaging *a, int m, double *q)
 {
     if (a->report.capped == 0) return;
     for (int i = 0; i < a->hosts->n; i++)
         for (int k = 0; k < m; k++)
-            q[m * i + k] *= averaging_share(a, i);
+            q[m * i + k] *= averaging_capped_fraction(a, i);
 }
 
-const int *averaging_host(const struct averaging *a)
+const int *averaging_cell_of_particle(const struct averaging *a)
 {
-    return a->hosts->host;
+    return a->hosts->cell;
 }
 
-const struct hosts *averaging_hosts(const struct averaging *a)
+const struct cell_of_particle *averaging_cells(const struct averaging *a)
 {
     return a->hosts;
 }
@@ -193,5 +200,5 @@ int averaging_check(const struct averaging_method *method,
     if (strcmp(full.scheme, "crank-nicolson") != 0) return 0;
     const double steps = diffusion_safe_steps(mesh, full.bandwidth);
     const double safe = ceil(steps * (1.0 - 1e-9)); /* 12.000000001 is 12 */
-    return full.steps < safe ? (int)safe : 0;
+    return full.steps < safe ? number_clamped(safe, 0, INT_MAX) : 0;
 }

@@ -8,17 +8,17 @@
  *     sum_c V_c spread(q)_c = sum_i q_i
  *     sum_i q_i gather(f)_i = sum_c V_c f_c spread(q)_c
  *
- * The m numbers of a cell or particle lie side by side, field[m * c + k] and
- * q[m * i + k], and are spread together, which is much cheaper than one by
- * one. The bits are the same for any number of threads.
+ * The m numbers of a cell or particle are interleaved, field[m * c + k] and q[m
+ * * i + k], and are spread together, which is much cheaper than one by one. The
+ * result has the same bits for any number of threads.
  */
-#ifndef AVERAGING_H
-#define AVERAGING_H
+#ifndef AVERAGING_AVERAGING_H
+#define AVERAGING_AVERAGING_H
 
 #include "averaging/averaging_method.h"
 #include "linear/report.h"
 #include "mesh/mesh.h"
-#include "particles/particles.h"
+#include "dem/particles.h"
 
 /* A box with a bandwidth of its own, see bandwidth.h. */
 struct averaging_region {
@@ -26,13 +26,14 @@ struct averaging_region {
     double bandwidth;       /* [m] 0: the pcm field stays */
 };
 
-/* What a case may choose. 0 or NULL takes the default in brackets. */
+/* Options of a case. 0 or NULL selects the default in brackets. */
 struct averaging_options {
     double bandwidth;   /* [m] b of kernel and diffusion; required there */
     const char *scheme; /* of the diffusion ["exponential"] */
     int steps;          /* [-] in pseudo-time, where the scheme has any [3] */
     double tolerance;   /* [-] tail of the series, or of the solver [1e-6] */
-    const char *vary;   /* of the diffusion, where b is another ["uniform"] */
+    const char
+        *vary; /* of the diffusion: variation of b in space ["uniform"] */
     const struct averaging_region *regions; /* borrowed during create */
     int n_regions;                          /* [-] [0] */
     double cap;                             /* [-] on eps_s, pcm only [none] */
@@ -44,8 +45,8 @@ struct averaging_options {
 struct averaging_report {
     int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
     int capped;             /* [-] pcm: cells with more solids than the cap */
-    double lost_volume;     /* [m^3] pcm: solids there is no room for */
-    int alone;              /* [-] kernel: particles with no centre within b */
+    double lost_volume;     /* [m^3] pcm: solid volume above the cap */
+    int unsupported;        /* [-] kernel: particles with no centre within b */
     double lowest, highest; /* of the first field: eps_s, by convention */
     double negative;        /* [-] of the first field: share of it below 0 */
     int products; /* [-] diffusion: with the matrix, all fields as 1 */
@@ -59,17 +60,17 @@ const struct averaging_method *averaging_method_named(const char *name);
 
 struct averaging;
 
-/* Room for ps->capacity particles; nothing is allocated afterwards. Mesh and
- * particles are borrowed. NULL after a message if the options are wrong. */
+/* Allocates for ps->capacity particles; nothing is allocated afterwards. Mesh
+ * and particles are borrowed. NULL after a message if the options are wrong. */
 struct averaging *averaging_create(const struct averaging_method *method,
                                    const struct mesh *mesh,
                                    const struct particles *ps,
                                    const struct averaging_options *o);
 void averaging_free(struct averaging *a);
 
-/* Finds where the particles are now; to be called whenever they have moved or
+/* Locates the particles; the caller calls this whenever they have moved or
  * changed their order. Non-zero, after a message with its id, if a particle is
- * outside the mesh; then only a bind that succeeds may follow. */
+ * outside the mesh; then the next call must be another averaging_bind. */
 int averaging_bind(struct averaging *a);
 
 /* Nothing is lost: with the volumes, momenta over density and forces of the
@@ -79,23 +80,26 @@ void averaging_spread(struct averaging *, int m, const double *q,
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
 
-/* The share of the volume of particle i that the fluid makes room for [-]: 1
- * but for the cap of pcm. Spreading and gathering know nothing of it; whoever
- * has amounts q that go by volume cuts them down by it: q_i *= share_i. */
-double averaging_share(const struct averaging *a, int i);
-void averaging_leave_out(const struct averaging *a, int m, double *q);
+/* Fraction of the volume of particle i that is left by the cap of pcm [-]; 1
+ * for all other methods. Spreading and gathering do not apply it: the caller
+ * multiplies amounts proportional to volume by it, q_i *= fraction_i. */
+double averaging_capped_fraction(const struct averaging *a, int i);
+void averaging_apply_cap(const struct averaging *a, int m, double *q);
 
-/* Borrowed: the host cell of each particle, all about hosts, the report. */
-const int *averaging_host(const struct averaging *a);
-const struct hosts *averaging_hosts(const struct averaging *a);
+/* Borrowed: the cell of each particle, the sorted lists of particles of each
+ * cell, the report. */
+const int *averaging_cell_of_particle(const struct averaging *a);
+const struct cell_of_particle *averaging_cells(const struct averaging *a);
 const struct averaging_report *averaging_report(const struct averaging *a);
 
-/* About the memory for the cells around each cell, where the largest particle
- * is d [m] wide [byte]. */
+/* For this and the next an outline of the mesh is enough.
+ *
+ * Estimate of the memory for the neighbourhoods of all cells [byte]; d [m] is
+ * the largest diameter. */
 double averaging_bytes(const struct averaging_method *, const struct mesh *,
                        double d, const struct averaging_options *);
 
-/* 0, or the steps that these options need so as not to undershoot. */
+/* 0, or the number of diffusion steps needed to avoid undershoots. */
 int averaging_check(const struct averaging_method *, const struct mesh *,
                     const struct averaging_options *);
 

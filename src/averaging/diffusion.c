@@ -8,27 +8,27 @@
 #include <string.h>
 
 #include "averaging/averaging.h"
-#include "averaging/bandwidth.h"
-#include "averaging/hosts.h"
-#include "averaging/separable.h"
+#include "averaging/more/bandwidth.h"
+#include "averaging/cell_of_particle.h"
+#include "averaging/more/separable.h"
 #include "base/alloc.h"
-#include "linear/cg_many.h"
-#include "linear/chebyshev.h"
+#include "linear/fast/cg_many.h"
+#include "linear/fast/chebyshev.h"
 #include "linear/csr.h"
 
 enum { MAX_ITERATIONS = 1000 };
 
 struct diffusion {
-    const struct hosts *h; /* borrowed */
+    const struct cell_of_particle *h; /* borrowed */
     const struct scheme *scheme;
     struct bandwidth *vary; /* NULL: everywhere the same */
     int steps;              /* [-] */
-    int fields;             /* [-] room in the arrays below */
-    double tolerance;       /* [-] */
-    double dtau;            /* [m^2] T / steps */
-    struct separable *box;  /* of a box, see bandwidth_is_by_lines; else NULL */
-    struct csr *K;          /* [m] -V times div (D grad) */
-    double most;            /* [-] largest D that the series is made for */
+    int fields;       /* [-] fields for which the arrays below are allocated */
+    double tolerance; /* [-] */
+    double dtau;      /* [m^2] T / steps */
+    struct separable *box; /* of a box, see bandwidth_is_by_lines; else NULL */
+    struct csr *K;         /* [m] -V times div (D grad) */
+    double max_fields;     /* [-] largest D for which the series holds */
     struct chebyshev *series;
     struct csr *A; /* [m^3] V + (a share of) dtau K */
     struct cg_many_work *work;
@@ -73,16 +73,7 @@ static double link_strength(const struct mesh *m, int f)
 
 double diffusion_safe_steps(const struct mesh *m, double b)
 {
-    double fastest = 0.0; /* [1/m^2] largest K_cc / V_c */
-
-    for (int c = 0; c < m->n_cells; c++) {
-        double K_cc = 0.0;
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            if (m->cell_face[a] < m->n_internal)
-                K_cc += link_strength(m, m->cell_face[a]);
-        fastest = fmax(fastest, K_cc / m->V[c]);
-    }
-    return 0.5 * diffusion_time(b) * fastest;
+    return 0.5 * diffusion_time(b) * mesh_diffusion_rate(m);
 }
 
 /* A = diag + factor times the Laplacian of [SX15 5a]; only internal faces have
@@ -139,9 +130,9 @@ static void worse_of(struct solve_report *worst, const struct solve_report *one)
     }
 }
 
-/* A u = rhs. The guess in u is a field of the same sum, and the solver is
- * preconditioned by V: then it keeps the sum of V u to rounding [SX15 A.5],
- * however early it stops. */
+/* Solves A u = rhs. The initial u has the same sum, and the solver is
+ * preconditioned by V, so the sum of V u is conserved to rounding [SX15 A.5]
+ * after any number of iterations. */
 static void solve(struct diffusion *d, double *u, struct averaging_report *r)
 {
     const struct solve_report one =
@@ -164,8 +155,7 @@ static void theta_step(struct diffusion *d, int m, double *u,
 
 /* Two stages with one matrix; the second is the step:
  *     A y = V u,  A u_new = V u - (1 - gamma) dtau K y,  A = V + gamma dtau K.
- * Of second order for gamma = 1 - 1/sqrt 2, and a wave of any length is gone
- * after a step that is long enough (L-stable). */
+ * The scheme is of second order for gamma = 1 - 1/sqrt 2, and L-stable. */
 static void sdirk2_step(struct diffusion *d, int m, double *u,
                         struct averaging_report *r)
 {
@@ -189,8 +179,8 @@ static void apply_steps(struct diffusion *d, int m, double *u,
         d->scheme->step(d, m, u, r);
 }
 
-/* The solver's work space has a fixed number of fields: the missing ones are
- * zero, for which it has nothing to do. */
+/* The work space of the solver has a fixed number of fields; unused ones are
+ * zero, and the solver does no iterations for them. */
 static void apply_padded(struct diffusion *d, int m, double *u,
                          struct averaging_report *r)
 {
@@ -280,20 +270,20 @@ static void fill_matrices(struct diffusion *d)
         fill_matrix(d->A, m, m->V, d->scheme->implicit * d->dtau, D);
 }
 
-/* The series for the matrix with the largest D that may come, on all faces; K
- * has its own coefficients afterwards. */
+/* Creates the series for the matrix with the largest possible D on all faces; K
+ * is then set to its actual coefficients. */
 static void make_series(struct diffusion *d)
 {
     const struct mesh *const m = d->h->mesh;
 
-    d->most = d->vary != NULL ? bandwidth_largest(d->vary) : 1.0;
-    fill_matrix(d->K, m, NULL, d->most, NULL);
+    d->max_fields = d->vary != NULL ? bandwidth_largest(d->vary) : 1.0;
+    fill_matrix(d->K, m, NULL, d->max_fields, NULL);
     chebyshev_free(d->series);
     d->series = chebyshev_create(d->K, m->V, d->dtau * d->steps, d->tolerance,
                                  d->fields);
 }
 
-/* Makes what the solver of a scheme with steps works on. */
+/* Creates the matrix and the solver of a scheme with steps. */
 static void make_solver(struct diffusion *d)
 {
     const struct mesh *const m = d->h->mesh;
@@ -306,7 +296,7 @@ static void make_solver(struct diffusion *d)
     d->wide = alloc_doubles(n * d->fields);
 }
 
-static void *diffusion_create(const struct hosts *h,
+static void *diffusion_create(const struct cell_of_particle *h,
                               const struct averaging_options *o)
 {
     if (wrong_options(o)) return NULL;
@@ -334,15 +324,15 @@ static void *diffusion_create(const struct hosts *h,
     return d;
 }
 
-/* Where the bandwidth follows the grains there are new matrices. The series
- * holds for smaller coefficients than it is made for. */
+/* Updates the matrices where the bandwidth depends on the particles. The series
+ * also holds for smaller coefficients. */
 static void diffusion_bind(void *state, struct averaging_report *r)
 {
     struct diffusion *const d = state;
 
     (void)r;
     if (d->vary == NULL || !bandwidth_bind(d->vary)) return;
-    if (d->series != NULL && bandwidth_largest(d->vary) > d->most)
+    if (d->series != NULL && bandwidth_largest(d->vary) > d->max_fields)
         make_series(d);
     fill_matrices(d);
 }
@@ -369,12 +359,12 @@ static void diffusion_spread(void *state, int m, const double *q, double *field,
 {
     struct diffusion *const d = state;
 
-    hosts_sum(d->h, m, q, field); /* [SX15 5b] */
+    cell_of_particle_sum(d->h, m, q, field); /* [SX15 5b] */
     smooth(d, m, field, r);
 }
 
 /* exp(-T V^-1 K) is its own adjoint in the inner product weighted by V, so to
- * gather is to smooth the field and to take the host's value. */
+ * gather is to smooth the field and to take the cell's value. */
 static void diffusion_gather(void *state, int m, const double *field, double *q,
                              struct averaging_report *r)
 {
@@ -383,7 +373,7 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
 
     memcpy(d->smooth, field, (size_t)n * sizeof *field);
     smooth(d, m, d->smooth, r);
-    hosts_value(d->h, m, d->smooth, q);
+    cell_of_particle_value(d->h, m, d->smooth, q);
 }
 
 const struct averaging_method diffusion_method = {
@@ -391,7 +381,7 @@ const struct averaging_method diffusion_method = {
     .cite = "SX15 5, 6, 9",
     .what = "the pcm field, smoothed by diffusion",
     .function = "diffusion_spread",
-    .wide = 1,
+    .needs_bandwidth = 1,
     .create = diffusion_create,
     .free = diffusion_free,
     .bind = diffusion_bind,

@@ -4,10 +4,10 @@
  *     d phi / d tau = lap phi,  phi(0) = the field of pcm,  tau = 0 .. T
  *     no flux through the boundary,  T = b^2 / 4            [SX15 5a-c]
  *
- * In the open this is the Gaussian kernel [SX15 6] of bandwidth b; at a wall
- * it is that kernel with its mirror image. All amounts of particles are
- * diffused, eps_s, eps_s U_s and eps_f F [SX15 9], and at once. Without flux
- * out the sum of V phi stays what it is [SX15 A.3-A.6].
+ * Far from walls this is the Gaussian kernel [SX15 6] of bandwidth b; at a wall
+ * it is that kernel plus its mirror image. All particle quantities, eps_s,
+ * eps_s U_s and eps_f F [SX15 9], are diffused together. Because there is no
+ * flux through the boundary, the sum of V phi is conserved [SX15 A.3-A.6].
  *
  * The schemes in pseudo-time, where K is the mesh Laplacian times -V:
  *   exponential     exp(-T V^-1 K): no steps, no error in tau beyond the
@@ -17,8 +17,8 @@
  *   crank-nicolson  as [SX15]: second order; undershoots if the steps are few
  *   implicit-euler  first order; never undershoots
  */
-#ifndef DIFFUSION_H
-#define DIFFUSION_H
+#ifndef AVERAGING_DIFFUSION_H
+#define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
 #include "mesh/mesh.h"
@@ -35,10 +35,10 @@ double diffusion_kernel(double r, double b);
 double diffusion_time(double b);
 double diffusion_bandwidth(double T);
 
-/* From this many steps on Crank-Nicolson cannot undershoot, whatever the
- * field: no cell gives away more than it has in the explicit half of a step,
- * dtau / 2 K_cc / V_c <= 1. In equal cubes 3 T / dx^2, 2 T / dx^2 in two
- * dimensions. Fewer may do; see the chapter. */
+/* With at least this many steps Crank-Nicolson does not undershoot for any
+ * field, because in the explicit half of a step no cell loses more than it
+ * contains, dtau / 2 K_cc / V_c <= 1. In equal cubes 3 T / dx^2, 2 T / dx^2 in
+ * two dimensions. Fewer may be sufficient; see the chapter. */
 double diffusion_safe_steps(const struct mesh *m, double b);
 
 #endif

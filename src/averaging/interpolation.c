@@ -3,14 +3,14 @@
 
 #include <string.h>
 
-#include "averaging/hosts.h"
-#include "averaging/slope.h"
+#include "averaging/cell_of_particle.h"
+#include "averaging/more/kernel_gradient.h"
 
 static void nearest(struct averaging *a, int m, const double *field,
                     const double *boundary, double *q)
 {
     (void)boundary;
-    hosts_value(averaging_hosts(a), m, field, q);
+    cell_of_particle_value(averaging_cells(a), m, field, q);
 }
 
 /* Value on face f of number k of the m. */
@@ -25,9 +25,10 @@ static double face_value(const struct mesh *mesh, int f, int k, int m,
     return boundary[m * (f - mesh->n_internal) + k];
 }
 
-/* Where a boundary cell has no values on the boundary: the slope that fits the
- * differences to its neighbours best, weighed by the inverse square of their
- * distance. Exact for linear fields; none where there is no neighbour. */
+/* For a cell at the boundary without boundary values: the least-squares
+ * gradient of the differences to its neighbours, weighted by the inverse square
+ * of the distance. It is exact for linear fields, and zero in directions
+ * without a neighbour. */
 static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
                             const double *field, double g[3])
 {
@@ -49,11 +50,12 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
         for (int j = 0; j < 3; j++)
             b[j] += above * d[j];
     }
-    slope_solve(A, b, g);
+    kernel_gradient_solve(A, b, g);
 }
 
 /* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell
- * sum to zero; f_c is there for a constant to have exactly no gradient. */
+ * sum to zero; f_c is subtracted so that the gradient of a constant is exactly
+ * zero. */
 static void gradient(const struct mesh *mesh, int c, int k, int m,
                      const double *field, const double *boundary, double g[3])
 {
@@ -79,7 +81,7 @@ static void gradient(const struct mesh *mesh, int c, int k, int m,
 static void linear(struct averaging *a, int m, const double *field,
                    const double *boundary, double *q)
 {
-    const struct hosts *const h = averaging_hosts(a);
+    const struct cell_of_particle *const h = averaging_cells(a);
 
 #pragma omp parallel for schedule(static) if (h->n > 512)
     for (int c = 0; c < h->mesh->n_cells; c++) {
@@ -88,7 +90,7 @@ static void linear(struct averaging *a, int m, const double *field,
             double g[3];
             gradient(h->mesh, c, k, m, field, boundary, g);
             for (int e = h->start[c]; e < h->start[c + 1]; e++) {
-                const int i = h->member[e];
+                const int i = h->particle[e];
                 const double *const o = &h->offset[3 * i];
                 q[m * i + k] =
                     field[m * c + k] + g[0] * o[0] + g[1] * o[1] + g[2] * o[2];

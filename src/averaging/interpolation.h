@@ -1,4 +1,4 @@
-/* interpolation.h -- what a particle sees of a field.  Chapter 8.
+/* interpolation.h -- interpolation of a field to the particles. Chapter 8.
  *
  * nearest  the value of its host cell. Exact for constants; jumps from cell to
  *          cell.
@@ -11,12 +11,13 @@
  *          none is given, the gradient of a cell at the boundary is fitted to
  *          its neighbours, again exact for linear fields; there is none in a
  *          direction of one cell.
- *          It can leave the range of the neighbours' values: nothing limits it.
- * same     what the averaging gathers: what is summed to the fluid is weighed
- *          as what is seen of it [XS11 3.9].
+ *          It may exceed the range of the neighbouring values: there is no
+ *          limiter.
+ * same     the adjoint of the averaging: the weights are those with which the
+ *          forces are averaged [XS11 3.9].
  */
-#ifndef INTERPOLATION_H
-#define INTERPOLATION_H
+#ifndef AVERAGING_INTERPOLATION_H
+#define AVERAGING_INTERPOLATION_H
 
 #include "averaging/averaging.h"
 

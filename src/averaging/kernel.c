@@ -5,18 +5,19 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/shares.h"
+#include "averaging/more/weights.h"
 #include "base/alloc.h"
 
-/* How far the Gaussian is followed: exp(-9) = 1.2e-4 [SX15 section 4.1]. */
+/* Cut-off of the Gaussian, over b: exp(-9) = 1.2e-4 [SX15 section 4.1]. */
 enum { GAUSSIAN_REACH = 3 }; /* [-] of b */
 
-/* Volumes that differ by less are equal: edges and corners are rounded. */
+/* Volumes that differ by less are treated as equal, because the edges are
+ * rounded [-]. */
 static const double rounding = 1e-9; /* [-] of the largest */
 
 struct kernel {
-    const struct hosts *h; /* borrowed */
-    struct shares *shares;
+    const struct cell_of_particle *h; /* borrowed */
+    struct weights *shares;
     double b; /* [m] */
 };
 
@@ -43,9 +44,9 @@ static int normalise(int n, double sum, double *restrict w)
     return 1;
 }
 
-/* The bell of particle i in the cells around its host, and the sum of it. */
+/* The bell of particle i in the cells around its cell, and the sum of it. */
 static double bell_weights(const struct kernel *k, int i,
-                           const struct around *near, double *restrict w)
+                           const struct neighbourhood *near, double *restrict w)
 {
     const double *const restrict dx = near->dx;
     const double *const restrict dy = near->dy;
@@ -66,7 +67,8 @@ static double bell_weights(const struct kernel *k, int i,
 
 /* The same with the Gaussian. */
 static double gaussian_weights(const struct kernel *k, int i,
-                               const struct around *near, double *restrict w)
+                               const struct neighbourhood *near,
+                               double *restrict w)
 {
     const double *const o = &k->h->offset[3 * i];
     const double per_b2 = 1.0 / (k->b * k->b);
@@ -84,39 +86,39 @@ static double gaussian_weights(const struct kernel *k, int i,
 }
 
 /* (8.7): the kernel times the volume of the cell [m^3], and the sum of it. */
-static double times_volume(const struct kernel *k, const struct around *near,
-                           double *restrict w)
+static double times_volume(const struct kernel *k,
+                           const struct neighbourhood *near, double *restrict w)
 {
-    const double *const V = &k->h->mesh->V[near->host];
+    const double *const V = &k->h->mesh->V[near->cell];
     double sum = 0.0;
 
     for (int e = 0; e < near->n; e++)
-        sum += w[e] *= V[near->step[e]];
+        sum += w[e] *= V[near->index_offset[e]];
     return sum;
 }
 
 /* Where all volumes are equal they cancel, as in the printed [XS11 3.5b]. */
-static int bell_alike(const void *state, int i, const struct around *near,
-                      double *w)
+static int bell_alike(const void *state, int i,
+                      const struct neighbourhood *near, double *w)
 {
     return normalise(near->n, bell_weights(state, i, near, w), w);
 }
 
-static int bell_by_volume(const void *state, int i, const struct around *near,
-                          double *w)
+static int bell_by_volume(const void *state, int i,
+                          const struct neighbourhood *near, double *w)
 {
     bell_weights(state, i, near, w);
     return normalise(near->n, times_volume(state, near, w), w);
 }
 
-static int gaussian_alike(const void *state, int i, const struct around *near,
-                          double *w)
+static int gaussian_alike(const void *state, int i,
+                          const struct neighbourhood *near, double *w)
 {
     return normalise(near->n, gaussian_weights(state, i, near, w), w);
 }
 
 static int gaussian_by_volume(const void *state, int i,
-                              const struct around *near, double *w)
+                              const struct neighbourhood *near, double *w)
 {
     gaussian_weights(state, i, near, w);
     return normalise(near->n, times_volume(state, near, w), w);
@@ -133,27 +135,28 @@ static int has_equal_cells(const struct mesh *m)
     return most - least <= rounding * most;
 }
 
-static void *
-create(const struct hosts *h, const struct averaging_options *o, double reach,
-       int (*weigh)(const void *, int, const struct around *, double *))
+static void *create(const struct cell_of_particle *h,
+                    const struct averaging_options *o, double reach,
+                    int (*weigh)(const void *, int,
+                                 const struct neighbourhood *, double *))
 {
     struct kernel *const k = alloc_zeroed(1, sizeof *k);
 
     k->h = h;
     k->b = o->bandwidth;
-    k->shares = shares_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
-                              (struct shares_rule){weigh, k, 0});
+    k->shares = weights_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
+                               (struct weights_rule){weigh, k, 0});
     return k;
 }
 
-static void *kernel_create(const struct hosts *h,
+static void *kernel_create(const struct cell_of_particle *h,
                            const struct averaging_options *o)
 {
     return create(h, o, 1.0,
                   has_equal_cells(h->mesh) ? bell_alike : bell_by_volume);
 }
 
-static void *gaussian_create(const struct hosts *h,
+static void *gaussian_create(const struct cell_of_particle *h,
                              const struct averaging_options *o)
 {
     return create(h, o, GAUSSIAN_REACH,
@@ -165,7 +168,7 @@ static void kernel_free(void *state)
 {
     struct kernel *const k = state;
 
-    shares_free(k->shares);
+    weights_free(k->shares);
     free(k);
 }
 
@@ -173,7 +176,7 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
                           struct averaging_report *r)
 {
     const struct kernel *const k = state;
-    r->alone = shares_spread(k->shares, m, q, field);
+    r->unsupported = weights_spread(k->shares, m, q, field);
 }
 
 static void kernel_gather(void *state, int m, const double *field, double *q,
@@ -182,7 +185,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
     const struct kernel *const k = state;
 
     (void)r;
-    shares_gather(k->shares, m, field, q);
+    weights_gather(k->shares, m, field, q);
 }
 
 const struct averaging_method kernel_method = {
@@ -190,7 +193,7 @@ const struct averaging_method kernel_method = {
     .cite = "XS11 3.2-3.9",
     .what = "a bell-shaped weight on the cells around",
     .function = "bell_weights",
-    .wide = 1,
+    .needs_bandwidth = 1,
     .reach_b = 1.0,
     .create = kernel_create,
     .free = kernel_free,
@@ -203,7 +206,7 @@ const struct averaging_method kernel_gaussian_method = {
     .cite = "XS11 3.2-3.5, SX15 6",
     .what = "a Gaussian weight on the cells around",
     .function = "gaussian_weights",
-    .wide = 1,
+    .needs_bandwidth = 1,
     .reach_b = GAUSSIAN_REACH,
     .create = gaussian_create,
     .free = kernel_free,

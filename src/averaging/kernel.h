@@ -6,8 +6,8 @@
  *
  * The weights of a particle sum to one over the cells, so nothing is lost at a
  * wall or anywhere else, whatever K is [XS11 3.4]. A particle with no cell
- * centre within b goes to its host cell. [XS11] advises b of 1.5 to 2.5 mean
- * cell sizes.
+ * centre within b is assigned to its own cell. [XS11] advises b of 1.5 to 2.5
+ * mean cell sizes.
  *
  * As printed, the weights have no V_c: the cells of [XS11] are equal, and it
  * cancels. K V_c is the integral of K over the cell by the midpoint rule, and
@@ -16,8 +16,8 @@
  *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
  *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]
  */
-#ifndef KERNEL_H
-#define KERNEL_H
+#ifndef AVERAGING_KERNEL_H
+#define AVERAGING_KERNEL_H
 
 #include "averaging/averaging_method.h"
 

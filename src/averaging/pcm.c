@@ -5,16 +5,17 @@
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/hosts.h"
+#include "averaging/cell_of_particle.h"
 #include "base/alloc.h"
 
 struct pcm {
-    const struct hosts *h; /* borrowed */
-    double cap;            /* [-] on eps_s, 0: none */
-    double *share;         /* [-] of solids that has room; NULL without a cap */
+    const struct cell_of_particle *h; /* borrowed */
+    double cap;                       /* [-] on eps_s, 0: none */
+    double
+        *capped_fraction; /* [-] of solids that has room; NULL without a cap */
 };
 
-static void *pcm_create(const struct hosts *h,
+static void *pcm_create(const struct cell_of_particle *h,
                         const struct averaging_options *o)
 {
     if (!(o->cap >= 0.0 && o->cap <= 1.0)) {
@@ -27,7 +28,7 @@ static void *pcm_create(const struct hosts *h,
 
     p->h = h;
     p->cap = o->cap;
-    if (p->cap > 0.0) p->share = alloc_doubles(h->mesh->n_cells);
+    if (p->cap > 0.0) p->capped_fraction = alloc_doubles(h->mesh->n_cells);
     return p;
 }
 
@@ -35,17 +36,17 @@ static void pcm_free(void *state)
 {
     struct pcm *const p = state;
 
-    free(p->share);
+    free(p->capped_fraction);
     free(p);
 }
 
 /* [m^3] of solids in cell c. */
-static double solids(const struct hosts *h, int c)
+static double solids(const struct cell_of_particle *h, int c)
 {
     double sum = 0.0;
 
     for (int a = h->start[c]; a < h->start[c + 1]; a++)
-        sum += particles_volume(h->ps, h->member[a]);
+        sum += particles_volume(h->ps, h->particle[a]);
     return sum;
 }
 
@@ -53,11 +54,11 @@ static void pcm_bind(void *state, struct averaging_report *r)
 {
     struct pcm *const p = state;
 
-    if (p->share == NULL) return;
+    if (p->capped_fraction == NULL) return;
     for (int c = 0; c < p->h->mesh->n_cells; c++) {
         const double have = solids(p->h, c);
         const double room = p->cap * p->h->mesh->V[c];
-        p->share[c] = have > room ? room / have : 1.0;
+        p->capped_fraction[c] = have > room ? room / have : 1.0;
         if (!(have > room)) continue;
         r->capped++;
         r->lost_volume += have - room;
@@ -70,7 +71,7 @@ static void pcm_spread(void *state, int m, const double *q, double *field,
     const struct pcm *const p = state;
 
     (void)r;
-    hosts_sum(p->h, m, q, field);
+    cell_of_particle_sum(p->h, m, q, field);
 }
 
 static void pcm_gather(void *state, int m, const double *field, double *q,
@@ -79,13 +80,13 @@ static void pcm_gather(void *state, int m, const double *field, double *q,
     const struct pcm *const p = state;
 
     (void)r;
-    hosts_value(p->h, m, field, q);
+    cell_of_particle_value(p->h, m, field, q);
 }
 
 static double pcm_share(const void *state, int i)
 {
     const struct pcm *const p = state;
-    return p->share == NULL ? 1.0 : p->share[p->h->host[i]];
+    return p->capped_fraction == NULL ? 1.0 : p->capped_fraction[p->h->cell[i]];
 }
 
 const struct averaging_method pcm_method = {
@@ -98,5 +99,5 @@ const struct averaging_method pcm_method = {
     .bind = pcm_bind,
     .spread = pcm_spread,
     .gather = pcm_gather,
-    .share = pcm_share,
+    .capped_fraction = pcm_share,
 };

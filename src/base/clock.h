@@ -1,6 +1,6 @@
 /* clock.h -- wall-clock time. */
-#ifndef CLOCK_H
-#define CLOCK_H
+#ifndef BASE_CLOCK_H
+#define BASE_CLOCK_H
 
 /* Seconds since some moment in the past [s]. */
 double clock_now(void);

@@ -1,6 +1,6 @@
 /* vector.h -- the few operations on three numbers that geometry needs. */
-#ifndef VECTOR_H
-#define VECTOR_H
+#ifndef BASE_VECTOR_H
+#define BASE_VECTOR_H
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* version.h -- the version of the program, for --version and summaries. */
-#ifndef VERSION_H
-#define VERSION_H
+#ifndef BASE_VERSION_H
+#define BASE_VERSION_H
 
 #define VERSION_TEXT "0.1.0"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* advance.c -- steps as long as the Courant number allows. */
+/* advance.c -- divides a step where the Courant number limits it. */
 #include "fluid/piso.h"
 
 #include <math.h>
 #include <stddef.h>
 
-/* Half of the fluxes through a cell over its fluid, the largest of all cells:
- * the Courant number over the step [1/s]. */
+/* Largest Courant number of a cell divided by the step: half the sum of the
+ * fluxes through the cell over its fluid volume [1/s]. */
 static double fastest_cell(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -21,8 +21,8 @@ static double fastest_cell(const struct fluid *fl)
     return fastest;
 }
 
-/* The same for the cells at inlets, with what is to come in at time t: before
- * the first step there is nothing else to go by. */
+/* The same for the cells at inlets, with the inflow at time t: before the first
+ * step only the inflow is known. */
 static double fastest_inlet(const struct fluid *fl, double t)
 {
     const struct mesh *const m = fl->mesh;
@@ -61,6 +61,6 @@ int fluid_advance(struct fluid *fl, double dt)
         parts++;
     }
     fl->report.cfl = cfl;
-    fl->report.parts = parts;
+    fl->report.flow_substeps = parts;
     return failed;
 }

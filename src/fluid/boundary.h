@@ -1,12 +1,12 @@
-/* boundary.h -- what happens on a patch of the fluid's boundary.  Chapter 5.
+/* boundary.h -- boundary conditions of the fluid on a patch. Chapter 5.
  *
- * no-slip: u is that of the wall, which may move along itself.  slip: no flux,
- * no tangential stress.  inlet: a superficial velocity normal to the patch,
- * which may vary in time and over the patch.  outlet: a pressure; the velocity
- * leaves unchanged, and what flows back in enters at rest.
+ * no-slip: u is that of the wall, which may move along itself. slip: no flux,
+ * no tangential stress. inlet: a superficial velocity normal to the patch,
+ * which may vary in time and over the patch. outlet: a given pressure; the
+ * velocity has zero normal gradient, and backflow enters with zero velocity.
  */
-#ifndef BOUNDARY_H
-#define BOUNDARY_H
+#ifndef FLUID_BOUNDARY_H
+#define FLUID_BOUNDARY_H
 
 enum boundary_kind {
     BOUNDARY_NO_SLIP,
@@ -18,7 +18,7 @@ enum boundary_kind {
 struct boundary {
     enum boundary_kind kind;
     double pressure;    /* [Pa] of an outlet, without the hydrostatic part */
-    int n_points;       /* [-] of an inlet: corners of its course in time */
+    int n_points;       /* [-] of an inlet: points of its time series */
     const double *time; /* [s] ascending, borrowed */
     const double *velocity; /* [m/s] superficial, inward; linear in between,
                                constant before the first and after the last */
@@ -30,8 +30,8 @@ struct boundary {
 /* The mean superficial velocity of an inlet at time t [m/s]. */
 double boundary_inlet_velocity(const struct boundary *b, double t);
 
-/* What a stretch a .. b of a channel 0 .. 1 gets of a parabola that vanishes
- * at both ends: mean over the stretch, over that of the channel [-]. */
+/* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
+ * interval a .. b, divided by its mean over the channel [-]. */
 double boundary_parabola(double a, double b);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/fluid.h"
 
-/* Along the wall as in the cell, through it not at all. */
+/* The velocity of the cell without its component normal to the wall. */
 static void slide(const double u[3], const double S[3], double SS, double to[3])
 {
     const double through = u[0] * S[0] + u[1] * S[1] + u[2] * S[2];

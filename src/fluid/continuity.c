@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* continuity.c -- the two forms of the mass balance, and what is left of it. */
+/* continuity.c -- the two forms of the mass balance, and its residual. */
 #include "fluid/piso.h"
 
 #include <math.h>
 
-/* Flux of solid volume through a face, linear in between; none through the
+/* Flux of solid volume through a face by linear interpolation; zero at the
  * boundary, which particles do not cross [m^3/s]. */
-FACE_LOOP solid_flux(int f, int o, int n, const struct fluid *fl, double *flux)
+FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
+                       double *flux)
 {
     const double *const S = &fl->mesh->S[3 * f], w = fl->mesh->w[f];
     const double *const a = &fl->eps_us[3 * o], *const b = &fl->eps_us[3 * n];
@@ -21,20 +22,20 @@ static void solid_fluxes(int first, int last, const struct fluid *fl,
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, solid_flux,
-              fl, flux);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  solid_flux, fl, flux);
 }
 
 /* dt d eps/dt by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
     const struct time_weights *const w = &fl->piso->weights;
-    const double change = w->now * fl->eps[c] - w->old * fl->eps_phi[c];
+    const double change = w->now * fl->eps[c] - w->old * fl->eps_n[c];
 
-    return w->older == 0.0 ? change : change + w->older * fl->eps_start[c];
+    return w->older == 0.0 ? change : change + w->older * fl->eps_nm1[c];
 }
 
-FACE_SUM outflow(int f, double out, const double *phi)
+FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
 {
     return out * phi[f];
 }
@@ -54,27 +55,28 @@ static void mixture_rows(int first, int last, const struct fluid *fl,
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
-              source, outflow, flux);
+    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
+                   m->cell_face, m->out, source, outflow, flux);
 }
 
 void continuity_source(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    double *const flux = fl->p_face; /* room until the pressure is known */
+    double *const flux =
+        fl->p_face; /* work space until the pressure is known */
 
     if (!fl->options.coupled) return;
     if (fl->options.continuity == CONTINUITY_VOID_RATE) { /* [XS11 2.3] */
-        STRIPS_RUN(m->n_cells, 8, void_rate_rows, fl);
+        PARALLEL_RANGES(m->n_cells, 8, void_rate_rows, fl);
         return;
     }
-    STRIPS_RUN(m->n_internal, 8, solid_fluxes, fl, flux); /* [XS11 2.7] */
+    PARALLEL_RANGES(m->n_internal, 8, solid_fluxes, fl, flux); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
         flux[f] = 0.0;
-    STRIPS_RUN(m->n_cells, 8, mixture_rows, fl, flux);
+    PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
 }
 
-/* The largest of each over a strip of cells. */
+/* The largest values of a range of cells. */
 struct largest {
     double rest, through, cfl; /* [m^3/s], [m^3/s], [-] */
 };
@@ -84,14 +86,14 @@ static double larger(double a, double b)
     return b > a ? b : a;
 }
 
-FACE_SUM half_size(int f, double out, const double *phi)
+FACE_SUM_KERNEL half_size(int f, double out, const double *phi)
 {
     (void)out;
     return 0.5 * fabs(phi[f]);
 }
 
 static void residual_rows(int first, int last, const struct fluid *fl,
-                          struct largest *strip)
+                          struct largest *partial)
 {
     const struct mesh *const m = fl->mesh;
     const double *restrict source = fl->piso->source, *restrict V = m->V;
@@ -103,28 +105,29 @@ static void residual_rows(int first, int last, const struct fluid *fl,
         rest[c] = source[c];
         through[c] = 0.0;
     }
-    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
-              rest, outflow, fl->phi);
-    CELLS_SUM(fl->piso->runs, first, last, m->cell_start, m->cell_face, m->out,
-              through, half_size, fl->phi);
+    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
+                   m->cell_face, m->out, rest, outflow, fl->phi);
+    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
+                   m->cell_face, m->out, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
         l.rest = larger(l.rest, fabs(rest[c]));
         l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));
         l.cfl =
             larger(l.cfl, through[c] * fl->options.dt / (fl->eps[c] * V[c]));
     }
-    strip[strips_of(m->n_cells, first)] = l;
+    partial[parallel_ranges_of(m->n_cells, first)] = l;
 }
 
 double continuity_residual(struct fluid *fl)
 {
-    struct largest strip[STRIPS] = {{0.0, 0.0, 0.0}}, all = {0.0, 0.0, 0.0};
+    struct largest partial[PARALLEL_RANGES_COUNT] = {{0.0, 0.0, 0.0}},
+                   all = {0.0, 0.0, 0.0};
 
-    STRIPS_RUN(fl->mesh->n_cells, 8, residual_rows, fl, strip);
-    for (int s = 0; s < STRIPS; s++) {
-        all.rest = larger(all.rest, strip[s].rest);
-        all.through = larger(all.through, strip[s].through);
-        all.cfl = larger(all.cfl, strip[s].cfl);
+    PARALLEL_RANGES(fl->mesh->n_cells, 8, residual_rows, fl, partial);
+    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
+        all.rest = larger(all.rest, partial[s].rest);
+        all.through = larger(all.through, partial[s].through);
+        all.cfl = larger(all.cfl, partial[s].cfl);
     }
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
     return all.through > 0.0 ? all.rest / all.through : 0.0;

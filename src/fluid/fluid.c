@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "fluid/piso.h"
-#include "linear/triples.h"
+#include "linear/fast/vec3.h"
 
 static double *filled(int n, double value)
 {
@@ -31,14 +31,14 @@ struct fluid *fluid_create(const struct mesh *mesh,
     fl->grad_p = alloc_doubles(3 * n);
     fl->phi = alloc_doubles(mesh->n_faces);
     fl->eps = filled(n, 1.0);
-    fl->eps_phi = filled(n, 1.0);
-    fl->eps_start = filled(n, 1.0);
+    fl->eps_n = filled(n, 1.0);
+    fl->eps_nm1 = filled(n, 1.0);
     if (options->coupled) {
         fl->F = alloc_doubles(3 * n);
         fl->K = alloc_doubles(n);
         fl->eps_us = alloc_doubles(3 * n);
     }
-    if (options->time != NULL && options->time->steps > 1) {
+    if (options->time != NULL && options->time->time_levels > 1) {
         fl->u_older = alloc_doubles(3 * n);
         fl->phi_older = alloc_doubles(mesh->n_faces);
     }
@@ -57,8 +57,8 @@ void fluid_free(struct fluid *fl)
     free(fl->grad_p);
     free(fl->phi);
     free(fl->eps);
-    free(fl->eps_phi);
-    free(fl->eps_start);
+    free(fl->eps_n);
+    free(fl->eps_nm1);
     free(fl->F);
     free(fl->K);
     free(fl->eps_us);
@@ -67,16 +67,15 @@ void fluid_free(struct fluid *fl)
     free(fl);
 }
 
-void fluid_settle_eps(struct fluid *fl)
+void fluid_reset_eps_history(struct fluid *fl)
 {
     const size_t size = (size_t)fl->mesh->n_cells * sizeof *fl->eps;
-    memcpy(fl->eps_phi, fl->eps, size);
-    memcpy(fl->eps_start, fl->eps, size);
+    memcpy(fl->eps_n, fl->eps, size);
+    memcpy(fl->eps_nm1, fl->eps, size);
 }
 
-/* Momentum is rho eps u of the time level that u carries; of a scheme that
- * looks at two steps also the older level, and with it the gain between the
- * two. */
+/* Momentum is rho eps u at the time level of u; for two-step schemes also that
+ * of the older level, and the difference of the two. */
 double fluid_replace(struct fluid *fl, const double *eps_before)
 {
     double lowest = 1.0;
@@ -85,55 +84,57 @@ double fluid_replace(struct fluid *fl, const double *eps_before)
         const double change = fl->eps[c] - eps_before[c];
         const double mass =
             fl->options.rho * fl->mesh->V[c] * change; /* [kg] */
-        fl->eps_phi[c] += change;
-        fl->eps_start[c] += change;
-        lowest = fmin(lowest, fmin(fl->eps_phi[c], fl->eps_start[c]));
+        fl->eps_n[c] += change;
+        fl->eps_nm1[c] += change;
+        lowest = fmin(lowest, fmin(fl->eps_n[c], fl->eps_nm1[c]));
         fl->replaced -= mass;
         for (int k = 0; k < 3; k++) {
             const double u = fl->u[3 * c + k];
             fl->replaced_momentum[k] -= mass * u;
             if (fl->u_older != NULL)
-                fl->gained[k] += mass * (u - fl->u_older[3 * c + k]);
+                fl->momentum_gained[k] += mass * (u - fl->u_older[3 * c + k]);
         }
     }
     return lowest;
 }
 
-/* The sum over a strip of cells of the momentum they have, and of the force
- * they still owe [N s], [N]. */
-struct carried {
+/* Sums over a range of cells of the momentum and of the residual force that is
+ * added to the next step [N s], [N]. */
+struct unpaid_momentum {
     double has[3], owes[3];
 };
 
-static void add_carried(int first, int last, const struct fluid *fl,
-                        const double *eps, struct carried *strip)
+static void add_unpaid(int first, int last, const struct fluid *fl,
+                       const double *eps, struct unpaid_momentum *partial)
 {
-    struct carried *const s = &strip[strips_of(fl->mesh->n_cells, first)];
-    double mass[TRIPLES], one[TRIPLES];
+    struct unpaid_momentum *const s =
+        &partial[parallel_ranges_of(fl->mesh->n_cells, first)];
+    double mass[VEC3_BLOCK], one[VEC3_BLOCK];
 
-    for (int i = 0; i < TRIPLES; i++)
+    for (int i = 0; i < VEC3_BLOCK; i++)
         one[i] = 1.0;
     for (int n; first < last; first += n) {
-        n = last - first < TRIPLES ? last - first : TRIPLES;
+        n = last - first < VEC3_BLOCK ? last - first : VEC3_BLOCK;
         for (int i = 0; i < n; i++)
             mass[i] = fl->options.rho * eps[first + i] * fl->mesh->V[first + i];
-        triples_sum(n, mass, fl->u + 3L * first, s->has);
-        triples_sum(n, one, fl->piso->owed + 3L * first, s->owes);
+        vec3_sum(n, mass, fl->u + 3L * first, s->has);
+        vec3_sum(n, one, fl->piso->momentum_residual + 3L * first, s->owes);
     }
 }
 
 void fluid_momentum(const struct fluid *fl, double momentum[3])
 {
     const double *const eps =
-        storage_is_new(&fl->options) ? fl->eps_phi : fl->eps_start;
-    const double dt = fl->dt_older; /* owed is a force in the last step */
-    struct carried strip[STRIPS] = {{{0.0}, {0.0}}};
+        ddt_uses_new_time(&fl->options) ? fl->eps_n : fl->eps_nm1;
+    const double dt =
+        fl->dt_older; /* the residual is a force during the last step */
+    struct unpaid_momentum partial[PARALLEL_RANGES_COUNT] = {{{0.0}, {0.0}}};
 
-    STRIPS_RUN(fl->mesh->n_cells, 8, add_carried, fl, eps, strip);
+    PARALLEL_RANGES(fl->mesh->n_cells, 8, add_unpaid, fl, eps, partial);
     for (int k = 0; k < 3; k++) {
-        momentum[k] = fl->ahead[k];
-        for (int s = 0; s < STRIPS; s++)
-            momentum[k] += strip[s].has[k] + dt * strip[s].owes[k];
+        momentum[k] = fl->impulse_ahead[k];
+        for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
+            momentum[k] += partial[s].has[k] + dt * partial[s].owes[k];
     }
 }
 

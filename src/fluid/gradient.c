@@ -1,57 +1,61 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* gradient.c -- the pressure gradient of the cells, by Gauss.
+/* gradient.c -- the pressure gradient of the cells by Gauss' theorem.
  *
  * grad p = (1/V) sum p_f S. Where drag jumps from cell to cell, so does the
- * slope of p: the slope on each side of a face differs from that on the other
- * by the difference of the drag forces there, both taken at the velocity that
- * the flux through the face has in that cell. p_f is where the two meet. With
- * equal forces it is the linear mean. A step of p by inertia adds to it.
+ * gradient of p: the gradients on the two sides of a face differ by the
+ * difference of the drag forces, each computed with the velocity that the flux
+ * through the face has in that cell. p_f is the value at the face that is
+ * consistent with both gradients. With equal forces it is the linear mean. A
+ * pressure jump by inertia is added.
  */
 #include "fluid/piso.h"
 
-#include "linear/triples.h"
+#include "linear/fast/vec3.h"
 
-/* The slope of p along S that balances the drag in cell c at face f, times the
- * area, is drag_push - drag_hold phi: [N/m] and [kg/(m^3 s)]. */
-static inline double drag_push(const struct fluid *fl, int c, int f)
+/* The gradient of p along S that balances the drag in cell c at face f, times
+ * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3
+ * s)]. */
+static inline double drag_explicit_part(const struct fluid *fl, int c, int f)
 {
     const double *const S = &fl->mesh->S[3 * f], *const F = &fl->F[3 * c];
     return (F[0] * S[0] + F[1] * S[1] + F[2] * S[2]) / piso_gamma(fl, c);
 }
 
-static inline double drag_hold(const struct fluid *fl, int c)
+static inline double drag_implicit_part(const struct fluid *fl, int c)
 {
     return fl->K[c] / (fl->eps[c] * piso_gamma(fl, c));
 }
 
-/* What p_f has beside the linear mean: bend - lean phi. */
-FACE_LOOP bend(int f, int o, int n, const struct fluid *fl)
+/* p_f minus the linear mean: offset - (pressure per flux) phi. */
+FACE_KERNEL face_offset(int f, int o, int n, const struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
     const double w = fl->mesh->w[f];
-    const double reach = w * (1.0 - w) / ps->link[f]; /* [1/m] */
+    const double reach = w * (1.0 - w) / ps->face_coefficient[f]; /* [1/m] */
 
-    ps->bend[f] = reach * (drag_push(fl, o, f) - drag_push(fl, n, f)) +
-                  piso_jump_above(fl, f, o) -
-                  (1.0 - w) * piso_jump(fl, f, o, n);
-    ps->lean[f] = reach * (drag_hold(fl, o) - drag_hold(fl, n));
+    ps->face_pressure_offset[f] =
+        reach * (drag_explicit_part(fl, o, f) - drag_explicit_part(fl, n, f)) +
+        piso_jump_above(fl, f, o) - (1.0 - w) * piso_jump(fl, f, o, n);
+    ps->face_pressure_per_flux[f] =
+        reach * (drag_implicit_part(fl, o) - drag_implicit_part(fl, n));
 }
 
-static void bend_faces(int first, int last, const struct fluid *fl)
+static void face_offsets(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, bend, fl);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  face_offset, fl);
 }
 
 void gradient_begin(struct fluid *fl)
 {
     if (fl->options.coupled)
-        STRIPS_RUN(fl->mesh->n_internal, 8, bend_faces, fl);
+        PARALLEL_RANGES(fl->mesh->n_internal, 8, face_offsets, fl);
 }
 
-FACE_LOOP linear_pressure(int f, int o, int n, const double *w, const double *p,
-                          double *p_face)
+FACE_KERNEL linear_pressure(int f, int o, int n, const double *w,
+                            const double *p, double *p_face)
 {
     p_face[f] = w[f] * p[o] + (1.0 - w[f]) * p[n];
 }
@@ -60,22 +64,23 @@ static void linear_pressures(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
-              linear_pressure, m->w, fl->p, fl->p_face);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  linear_pressure, m->w, fl->p, fl->p_face);
 }
 
 static void inner_pressures(int first, int last, struct fluid *fl)
 {
-    const double *restrict bend = fl->piso->bend, *restrict phi = fl->phi;
-    const double *restrict lean = fl->piso->lean;
+    const double *restrict face_offset = fl->piso->face_pressure_offset,
+                           *restrict phi = fl->phi;
+    const double *restrict lean = fl->piso->face_pressure_per_flux;
     double *restrict p_face = fl->p_face;
 
     linear_pressures(first, last, fl);
     if (!fl->options.coupled) return;
     for (int f = first; f < last; f++)
-        p_face[f] += bend[f] - lean[f] * phi[f];
-    for (int f = first; f < last && fl->piso->rest; f++)
-        p_face[f] += jump_rest_at_face(fl, f);
+        p_face[f] += face_offset[f] - lean[f] * phi[f];
+    for (int f = first; f < last && fl->piso->smooth_force; f++)
+        p_face[f] += face_jump_gamma_at_face(fl, f);
 }
 
 static void boundary_pressures(struct fluid *fl)
@@ -91,9 +96,9 @@ static void boundary_pressures(struct fluid *fl)
             if (b->kind == BOUNDARY_OUTLET)
                 fl->p_face[f] = b->pressure;
             else if (fl->options.coupled)
-                fl->p_face[f] +=
-                    (drag_push(fl, o, f) - drag_hold(fl, o) * fl->phi[f]) /
-                    fl->piso->link[f];
+                fl->p_face[f] += (drag_explicit_part(fl, o, f) -
+                                  drag_implicit_part(fl, o) * fl->phi[f]) /
+                                 fl->piso->face_coefficient[f];
         }
     }
 }
@@ -102,14 +107,14 @@ static void boundary_pressures(struct fluid *fl)
 static void add_faces(int first, int last, const struct fluid *fl, double *sum)
 {
     const struct mesh *const m = fl->mesh;
-    const struct runs *const r = fl->piso->runs;
-    struct piece next = {0};
+    const struct contiguous_faces *const r = fl->piso->contiguous;
+    struct contiguous_piece next = {0};
 
     for (int i = 3 * first; i < 3 * last && r != NULL; i++)
         sum[i] = 0.0;
-    while (r != NULL && runs_next_of_cells(r, first, last, &next))
-        triples_add(next.n, next.out, fl->p_face + next.link,
-                    m->S + 3L * next.link, sum + 3L * next.cell);
+    while (r != NULL && contiguous_faces_next_of_cells(r, first, last, &next))
+        vec3_add(next.n, next.out, fl->p_face + next.link,
+                 m->S + 3L * next.link, sum + 3L * next.cell);
     for (int c = first; c < last && r == NULL; c++) {
         double x = 0.0, y = 0.0, z = 0.0;
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
@@ -140,7 +145,7 @@ static void gradient_rows(int first, int last, struct fluid *fl)
 
 void gradient_update(struct fluid *fl)
 {
-    STRIPS_RUN(fl->mesh->n_internal, 4, inner_pressures, fl);
+    PARALLEL_RANGES(fl->mesh->n_internal, 4, inner_pressures, fl);
     boundary_pressures(fl);
-    STRIPS_RUN(fl->mesh->n_cells, 12, gradient_rows, fl);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
 }

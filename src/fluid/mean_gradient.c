@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* mean_gradient.c -- what drives a flow through a periodic box.
+/* mean_gradient.c -- the mean pressure gradient of a flow through a periodic
+ * box.
  *
- * p itself is periodic; beside it the pressure has a mean gradient G, given or
- * such that the flow keeps a superficial velocity on average. The flux through
- * a face is linear in G, -m_f G . S, and so is its mean over the box,
+ * The pressure p itself is periodic; in addition the pressure has a mean
+ * gradient G, either given or chosen so that the mean superficial velocity is
+ * the prescribed one. The flux through a face is linear in G, -m_f G . S, and
+ * so is its mean over the box,
  *
  *   (1/V) sum phi d,
  *
- * so that one G fits: what the mean lacks, over what it loses for a unit of G.
+ * so G is the difference of the prescribed and the present mean over the change
+ * of the mean per unit of G.
  */
 #include "fluid/piso.h"
 
@@ -18,8 +21,8 @@ int mean_gradient_exists(const struct fluid_options *o)
     return 0;
 }
 
-/* The G in direction k with which the driven fluxes and the present p have the
- * mean flow asked for. */
+/* The G in direction k with which the predicted fluxes and the present p give
+ * the prescribed mean flow. */
 static double fitting(const struct fluid *fl, int k)
 {
     const struct mesh *const m = fl->mesh;
@@ -33,7 +36,7 @@ static double fitting(const struct fluid *fl, int k)
         flow += (fl->phi[f] - ps->conductance[f] * dp) * m->d[3 * f + k];
         loss += ps->m_face[f] * m->S[3 * f + k] * m->d[3 * f + k];
     }
-    if (loss == 0.0) return 0.0; /* one cell across: nothing goes round */
+    if (loss == 0.0) return 0.0; /* one cell across: no periodic flow */
     return (flow - V * fl->options.mean_flow[k]) / loss;
 }
 

@@ -5,33 +5,33 @@
  * loses sum rho phi u_f. From this we subtract u_P times the mass that
  * continuity gives the cell, rho (d(eps V)/dt + sum phi):
  *
- *   rho eps_start V (u_P - u_P^old) / dt + sum rho phi (u_f - u_P) = ...
+ *   rho eps_nm1 V (u_P - u_P^old) / dt + sum rho phi (u_f - u_P) = ...
  *
- * A uniform velocity then stays uniform whatever eps and phi do, and the
- * diagonal is minus the sum of the row. Where phi meets continuity nothing was
- * subtracted; where it does not (mixture form), `defect` says how much.
+ * A uniform velocity then stays uniform for any eps and phi, and the diagonal
+ * is minus the sum of the row. Where phi satisfies continuity the subtracted
+ * term is zero; where it does not (mixture form), `defect` is its coefficient.
  */
 #include "fluid/piso.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "linear/triples.h"
+#include "linear/fast/vec3.h"
 
 /* The two coefficients of each face. */
-static void link_coefficients(int first, int last, struct fluid *fl)
+static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
-    const double *restrict carry = fl->piso->carry;
-    const double *restrict link = fl->piso->link;
-    double *restrict share = fl->piso->share;
+    const double *restrict carry = fl->piso->convecting_flux;
+    const double *restrict link = fl->piso->face_coefficient;
+    double *restrict share = fl->piso->owner_weight;
     double *restrict upper = fl->piso->momentum->upper;
     double *restrict lower = fl->piso->momentum->lower;
     const struct convection_faces faces = {last - first, carry + first,
                                            fl->mesh->w + first, o->blend};
 
-    o->convection->shares(&faces, share + first);
-    if (piso_rings(fl)) jump_lean(first, last, fl);
+    o->convection->owner_weights(&faces, share + first);
+    if (piso_nondissipative(fl)) face_jump_bias_upwind(first, last, fl);
     for (int f = first; f < last; f++) {
         const double flow = o->rho * carry[f]; /* [kg/s] */
         const double D = o->mu * link[f];
@@ -40,7 +40,7 @@ static void link_coefficients(int first, int last, struct fluid *fl)
     }
 }
 
-/* By how much the fluid fraction of the mass that u has grows in the step. */
+/* Change in the step of the fluid fraction of the convected mass. */
 static double mass_change(const struct piso *ps, int c)
 {
     const struct time_weights *const w = &ps->weights;
@@ -50,12 +50,12 @@ static double mass_change(const struct piso *ps, int c)
                                  : change;
 }
 
-FACE_SUM outflow(int f, double out, const double *phi)
+FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
 {
     return out * phi[f];
 }
 
-/* Diagonal and right side of the cells, boundaries aside. */
+/* Diagonal and right-hand side of the cells without boundary faces. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -64,15 +64,15 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
 
     ldu_row_sums(first, last, ps->momentum, diag);
     for (int c = first; c < last; c++) {
-        diag[c] = ps->storage[c] - diag[c];
+        diag[c] = ps->ddt[c] - diag[c];
         defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt;
     }
-    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
-              defect, outflow, ps->carry);
-    for (int c = first; c < last && ps->storage_older != NULL; c++)
-        diag[c] += ps->storage_older[c];
+    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
+                   m->out, defect, outflow, ps->convecting_flux);
+    for (int c = first; c < last && ps->ddt_older != NULL; c++)
+        diag[c] += ps->ddt_older[c];
     for (int i = 3 * first; i < 3 * last; i++)
-        ps->b[i] = ps->owed[i];
+        ps->b[i] = ps->momentum_residual[i];
 }
 
 /* [XS11 3.13, 3.14]: the explicit part of the drag to the right, the implicit
@@ -84,19 +84,18 @@ static void add_drag(int first, int last, struct fluid *fl)
 
     for (int c = first; c < last; c++)
         ps->diag[c] += fl->K[c] * V[c];
-    triples_add(last - first, 1.0, V + first, F + 3L * first,
-                ps->b + 3L * first);
+    vec3_add(last - first, 1.0, V + first, F + 3L * first, ps->b + 3L * first);
 }
 
-/* Fluid enters with the velocity that carries phi through the fluid's share
- * of the face. */
+/* The inlet velocity is phi over the area times eps. */
 static void add_inlet_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], phi = fl->piso->carry[f];
+    const double *const S = &m->S[3 * f], phi = fl->piso->convecting_flux[f];
     const int c = m->owner[f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double a = fl->options.mu * fl->piso->link[f] - fl->options.rho * phi;
+    const double a =
+        fl->options.mu * fl->piso->face_coefficient[f] - fl->options.rho * phi;
 
     fl->piso->diag[c] += a;
     for (int k = 0; k < 3; k++)
@@ -107,7 +106,7 @@ static void add_inlet_face(struct fluid *fl, int f)
 static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
-    const double D = fl->options.mu * fl->piso->link[f];
+    const double D = fl->options.mu * fl->piso->face_coefficient[f];
 
     fl->piso->diag[c] += D;
     for (int k = 0; k < 3; k++)
@@ -117,7 +116,7 @@ static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
 {
     const int c = fl->mesh->owner[f];
-    const double phi = fl->piso->carry[f];
+    const double phi = fl->piso->convecting_flux[f];
 
     if (b->kind == BOUNDARY_NO_SLIP)
         add_wall_face(fl, b->wall, f);
@@ -129,15 +128,15 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
     }
 }
 
-/* A slip wall holds back the normal component only, by -D n (n . u): n_k n_k on
- * the diagonal of the components, which is all of it where normal and axes are
- * parallel. */
+/* At a slip wall only the normal component has a viscous force, -D n (n . u):
+ * n_k n_k on the diagonal of the components, which is the whole force where the
+ * normal is parallel to an axis. */
 static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double D = fl->options.mu * fl->piso->link[f];
+    const double D = fl->options.mu * fl->piso->face_coefficient[f];
 
     const int c = m->owner[f];
 
@@ -148,21 +147,21 @@ static void add_slip_face(struct fluid *fl, int f)
 /* Three diagonals a cell, equal until slip walls add theirs. */
 static void spread_diagonal(int first, int last, struct piso *ps)
 {
-    triples_spread(last - first, ps->diag + first, ps->diag3 + 3L * first);
+    vec3_spread(last - first, ps->diag + first, ps->diag3 + 3L * first);
 }
 
-/* What the slip walls have added, and what divides the velocity. H has their
- * part with the velocity from before. Where viscosity crosses the cell within a
- * step that would overshoot from one corrector to the next, and it is held back
- * with the new velocity. */
+/* Sets the diagonal that divides the velocity. H contains the force of the slip
+ * walls with the old velocity. Where viscous diffusion crosses the cell within
+ * a step this would be unstable from one corrector to the next, and the force
+ * is implicit in the new velocity. */
 static void slip_diagonal(int first, int last, struct piso *ps)
 {
     for (int c = first; c < last; c++)
         for (int i = 3 * c; i < 3 * c + 3; i++) {
             const double slip = ps->diag3[i] - ps->diag[c];
-            const int stiff = slip > 0.25 * ps->storage[c];
+            const int stiff = slip > 0.25 * ps->ddt[c];
             ps->slip[i] = slip;
-            ps->held[i] = stiff ? slip : 0.0;
+            ps->slip_implicit[i] = stiff ? slip : 0.0;
         }
 }
 
@@ -176,7 +175,7 @@ static void add_slip_faces(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_slip_face(fl, f);
     }
-    STRIPS_RUN(m->n_cells, 12, slip_diagonal, fl->piso);
+    PARALLEL_RANGES(m->n_cells, 12, slip_diagonal, fl->piso);
 }
 
 static void add_boundaries(struct fluid *fl)
@@ -190,20 +189,20 @@ static void add_boundaries(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_boundary_face(fl, &fl->options.boundaries[i], f);
     }
-    STRIPS_RUN(m->n_cells, 4, spread_diagonal, ps);
+    PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, ps);
     if (ps->slip != NULL) add_slip_faces(fl);
 }
 
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
-    STRIPS_RUN(fl->mesh->n_internal, 4, link_coefficients, fl);
+    PARALLEL_RANGES(fl->mesh->n_internal, 4, face_coefficients, fl);
     ldu_update(fl->piso->momentum);
-    STRIPS_RUN(fl->mesh->n_cells, 12, cell_coefficients, fl);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
-        STRIPS_RUN(fl->mesh->n_cells, 12, add_drag, fl);
-        jump_update(fl);
+        PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
+        face_jump_update(fl);
     }
-    if (fl->piso->slope != NULL) deferred_add(fl);
+    if (fl->piso->velocity_gradient != NULL) deferred_correction_add(fl);
     add_boundaries(fl);
 }

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* pressure.c -- the flux through a face, and the pressure that makes the
- * fluxes meet continuity.
+/* pressure.c -- the flux through a face, and the pressure with which the fluxes
+ * satisfy continuity.
  *
- * On its way from P to N the fluid meets the material of P for d_P and that of
- * N for d_N. With the same superficial flux in both, each side has a pressure
- * gradient of its own, drive - phi / (m |S|), and they add up to p_N - p_P:
+ * Between P and N the fluid flows through cell P for the distance d_P and
+ * through cell N for d_N. The superficial flux is the same in both, so each
+ * side has its own pressure gradient, drive - phi / (m |S|), and they add up to
+ * p_N - p_P:
  *
  *   phi = m_f (drive_f . S + c_f phi_old - (p_N - p_P) S.S / S.d)
  *   1 / m_f = (1 - w) / m_P + w / m_N,   drive_f, c_f averaged alike
  *
- * So drag, which jumps with eps, enters a face as the pressure gradient does,
- * and a packed column has its exact pressure drop. (Where eps jumps, a step of
- * p_N - p_P belongs to the fluid's inertia: jump.c.) The term with phi_old
- * keeps the storage of momentum at the face itself: in a steady flow it cancels
- * from both sides, and the solution does not know the time step.
+ * The drag, which jumps with eps, is thus interpolated to a face as the
+ * pressure gradient is, and a packed column has its exact pressure drop. (Where
+ * eps jumps, the fluid's inertia causes a jump of p_N - p_P: face_jump.c.) The
+ * term with phi_old is the time derivative at the face itself: in a steady flow
+ * it cancels, and the solution does not depend on the time step.
  */
 #include "fluid/piso.h"
 
@@ -32,16 +33,15 @@ static int is_outlet(const struct fluid *fl, int patch)
     return fl->options.boundaries[patch].kind == BOUNDARY_OUTLET;
 }
 
-/* What a cell brings to its faces, once a step: rho eps_start / (gamma dt
- * eps_phi), its storage per superficial flux; 1 / (gamma V), for its forces;
- * and 1 / m_P. */
+/* Coefficients of a cell for its faces, once a step: rho eps_nm1 / (gamma dt
+ * eps_phi), the time derivative per superficial flux; 1 / (gamma V), for its
+ * forces; and 1 / m_P. */
 static void cell_resistances(int first, int last, const struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
     const double *restrict diag = ps->diag;
-    const double *restrict storage = ps->storage, *restrict eps_phi =
-                                                      fl->eps_phi;
+    const double *restrict storage = ps->ddt, *restrict eps_phi = fl->eps_n;
     double *restrict per_flux = ps->per_flux, *restrict per_force =
                                                   ps->per_force;
     double *restrict resistance = ps->resistance;
@@ -53,39 +53,39 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
     }
 }
 
-/* The same for the flux before it, if the scheme looks there. */
+/* The same for the flux one step earlier, in a two-step scheme. */
 static double older_per_flux(const struct fluid *fl, int c)
 {
-    return fl->piso->storage_older[c] * fl->piso->per_force[c] /
-           fl->eps_start[c];
+    return fl->piso->ddt_older[c] * fl->piso->per_force[c] / fl->eps_nm1[c];
 }
 
-/* A scheme of two steps: the flux before the last, with its storage. */
-static void keep_older_fluxes(struct fluid *fl)
+/* Two-step scheme: the contribution of the flux one step before the last. */
+static void store_old_time_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
     for (int f = 0; f < m->n_internal; f++)
-        ps->kept[f] += ps->m_face[f] * fl->phi_older[f] *
-                       ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
-                        m->w[f] * older_per_flux(fl, m->neighbour[f]));
+        ps->explicit_flux[f] +=
+            ps->m_face[f] * fl->phi_older[f] *
+            ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
+             m->w[f] * older_per_flux(fl, m->neighbour[f]));
     for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
-        ps->kept[f] +=
+        ps->explicit_flux[f] +=
             ps->m_face[f] * fl->phi_older[f] * older_per_flux(fl, m->owner[f]);
 }
 
-/* m_f, and what stays the same from corrector to corrector: the conductance and
- * the flux that the storage keeps up. */
-FACE_LOOP inner_mobility(int f, int o, int n, const double *w,
-                         const struct piso *ps)
+/* m_f, and the terms that are the same for all correctors: the conductance and
+ * the part of the flux by the time derivative. */
+FACE_KERNEL inner_mobility(int f, int o, int n, const double *w,
+                           const struct piso *ps)
 {
     const double *const r = ps->resistance, *const per_flux = ps->per_flux;
     const double m = 1.0 / ((1.0 - w[f]) * r[o] + w[f] * r[n]);
 
     ps->m_face[f] = m;
-    ps->conductance[f] = m * ps->link[f];
-    ps->kept[f] =
+    ps->conductance[f] = m * ps->face_coefficient[f];
+    ps->explicit_flux[f] =
         m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) * ps->phi_old[f];
 }
 
@@ -93,13 +93,13 @@ static void inner_mobilities(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
-              inner_mobility, m->w, fl->piso);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  inner_mobility, m->w, fl->piso);
 }
 
-/* The inertia at jumps of eps acts as a step of the pressure and no longer as a
- * slope of it: out of the forces of the cells, whose H has it. */
-FACE_LOOP inner_jump(int f, int o, int n, const struct fluid *fl)
+/* The inertia at jumps of eps acts as a jump of the pressure and not as a
+ * gradient: it is subtracted from H, the forces of the cells. */
+FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
 {
     const struct piso *const ps = fl->piso;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
@@ -107,7 +107,7 @@ FACE_LOOP inner_jump(int f, int o, int n, const struct fluid *fl)
         (1.0 - w) * ps->per_force[o] * dot3(&ps->inertia[3 * o], S) +
         w * ps->per_force[n] * dot3(&ps->inertia[3 * n], S);
 
-    ps->kept[f] +=
+    ps->explicit_flux[f] +=
         ps->conductance[f] * piso_jump(fl, f, o, n) - ps->m_face[f] * slope;
 }
 
@@ -115,21 +115,21 @@ static void inner_jumps(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, inner_jump,
-              fl);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  inner_jump, fl);
 }
 
-static void keep_jumps(const struct fluid *fl)
+static void store_jump_fluxes(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_internal, 8, inner_jumps, fl);
+    PARALLEL_RANGES(m->n_internal, 8, inner_jumps, fl);
     for (int f = m->n_internal; f < m->n_faces;
          f++) { /* m_face: outlets only */
         const int o = m->owner[f];
-        ps->kept[f] -= ps->m_face[f] * ps->per_force[o] *
-                       dot3(&ps->inertia[3 * o], &m->S[3 * f]);
+        ps->explicit_flux[f] -= ps->m_face[f] * ps->per_force[o] *
+                                dot3(&ps->inertia[3 * o], &m->S[3 * f]);
     }
 }
 
@@ -138,24 +138,25 @@ static void face_mobilities(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_cells, 12, cell_resistances, fl);
-    STRIPS_RUN(m->n_internal, 4, inner_mobilities, fl);
+    PARALLEL_RANGES(m->n_cells, 12, cell_resistances, fl);
+    PARALLEL_RANGES(m->n_internal, 4, inner_mobilities, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++) {
             const int o = m->owner[f];
             ps->m_face[f] = is_outlet(fl, i) ? 1.0 / ps->resistance[o] : 0.0;
-            ps->conductance[f] = ps->m_face[f] * ps->link[f];
-            ps->kept[f] = ps->m_face[f] * ps->per_flux[o] * ps->phi_old[f];
+            ps->conductance[f] = ps->m_face[f] * ps->face_coefficient[f];
+            ps->explicit_flux[f] =
+                ps->m_face[f] * ps->per_flux[o] * ps->phi_old[f];
         }
     }
-    if (ps->storage_older != NULL) keep_older_fluxes(fl);
-    if (fl->options.coupled) keep_jumps(fl);
+    if (ps->ddt_older != NULL) store_old_time_fluxes(fl);
+    if (fl->options.coupled) store_jump_fluxes(fl);
 }
 
-/* Without an outlet one cell ties the level of the pressure to zero, as firmly
- * as it is tied to the others. */
-static double tie(const struct fluid *fl, int c)
+/* Without an outlet the pressure is fixed to zero in one cell, with a
+ * coefficient as large as the sum of those to its neighbours. */
+static double pin_pressure(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;
     double sum = 0.0;
@@ -171,15 +172,19 @@ void pressure_assemble(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     face_mobilities(fl);
-    memset(ps->ground, 0, (size_t)m->n_cells * sizeof *ps->ground);
+    memset(ps->boundary_conductance, 0,
+           (size_t)m->n_cells * sizeof *ps->boundary_conductance);
     for (int f = m->n_internal; f < m->n_faces; f++)
-        ps->ground[m->owner[f]] += ps->conductance[f];
-    if (ps->pinned >= 0) ps->ground[ps->pinned] += tie(fl, ps->pinned);
-    multigrid_take(ps->mg, ps->conductance, ps->ground);
+        ps->boundary_conductance[m->owner[f]] += ps->conductance[f];
+    if (ps->pinned_cell >= 0)
+        ps->boundary_conductance[ps->pinned_cell] +=
+            pin_pressure(fl, ps->pinned_cell);
+    multigrid_set_coefficients(ps->mg, ps->conductance,
+                               ps->boundary_conductance);
 }
 
-FACE_LOOP inner_flux(int f, int o, int n, const struct mesh *m,
-                     const struct piso *ps, double *phi)
+FACE_KERNEL inner_flux(int f, int o, int n, const struct mesh *m,
+                       const struct piso *ps, double *phi)
 {
     const double w = m->w[f];
     const double from_o = (1.0 - w) * ps->per_force[o];
@@ -187,7 +192,7 @@ FACE_LOOP inner_flux(int f, int o, int n, const struct mesh *m,
     const double *const a = &ps->H[3 * o], *const b = &ps->H[3 * n];
     const double *const S = &m->S[3 * f];
 
-    phi[f] = ps->kept[f] +
+    phi[f] = ps->explicit_flux[f] +
              ps->m_face[f] * (from_o * dot3(a, S) + from_n * dot3(b, S));
 }
 
@@ -195,36 +200,38 @@ static void inner_fluxes(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour, inner_flux,
-              m, fl->piso, fl->phi);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  inner_flux, m, fl->piso, fl->phi);
 }
 
-static void add_rest_of_jumps(int first, int last, struct fluid *fl)
+static void add_gamma_jumps(int first, int last, struct fluid *fl)
 {
     for (int f = first; f < last; f++)
-        fl->phi[f] += fl->piso->conductance[f] * jump_of_rest(fl, f);
+        fl->phi[f] +=
+            fl->piso->conductance[f] * face_jump_gamma_difference(fl, f);
 }
 
-/* The gradient of p that the momentum of a cell asks for now [Pa/m], given the
- * velocities of its neighbours. */
-static void slope_asked(const struct fluid *fl, int c, double slope[3])
+/* The pressure gradient that balances the momentum equation of a cell [Pa/m]
+ * with the present velocities of its neighbours. */
+static void asked_gradient(const struct fluid *fl, int c, double slope[3])
 {
     const struct piso *const ps = fl->piso;
 
     for (int k = 0; k < 3; k++) {
         const int i = 3 * c + k;
-        slope[k] = (ps->H[i] + ps->past[i] - ps->diag[c] * fl->u[i]) *
-                       ps->per_force[c] -
-                   fl->mean_gradient[k];
+        slope[k] =
+            (ps->H[i] + ps->old_time_source[i] - ps->diag[c] * fl->u[i]) *
+                ps->per_force[c] -
+            fl->mean_gradient[k];
     }
 }
 
-/* The part of grad p . S that an oblique link does not see, linear between the
- * cells. With the gradient of the last correction, where viscosity ties cells
- * closely, correctors would grow from a shear of 1/sqrt(8) on: their factor
- * solves x^2 + 2 r x - r = 0, r the share of the oblique part. With the one
- * that momentum asks for it is -r. */
-static void add_oblique(int first, int last, struct fluid *fl)
+/* The non-orthogonal part of grad p . S, linear between the cells. With the
+ * gradient of the last correction, and cells strongly coupled by viscosity, the
+ * correctors would diverge for a shear above 1/sqrt(8): their factor solves x^2
+ * + 2 r x - r = 0, with r the fraction of the non-orthogonal part. With the
+ * gradient that balances the momentum equation the factor is -r. */
+static void add_non_orthogonal(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
@@ -232,41 +239,43 @@ static void add_oblique(int first, int last, struct fluid *fl)
         const double w = m->w[f];
         double rest[3], a[3], b[3];
         mesh_oblique_part(m, f, rest);
-        slope_asked(fl, m->owner[f], a);
-        slope_asked(fl, m->neighbour[f], b);
+        asked_gradient(fl, m->owner[f], a);
+        asked_gradient(fl, m->neighbour[f], b);
         fl->phi[f] -= fl->piso->m_face[f] *
                       (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
     }
 }
 
-/* phi without the pressure's part. Walls and inlets keep theirs. */
-static void driven_fluxes(struct fluid *fl)
+/* phi without the part of the pressure. The fluxes of walls and inlets are
+ * given. */
+static void predicted_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_internal, 8, inner_fluxes, fl);
-    if (ps->rest != NULL) {
-        jump_rest(fl);
-        STRIPS_RUN(m->n_internal, 8, add_rest_of_jumps, fl);
+    PARALLEL_RANGES(m->n_internal, 8, inner_fluxes, fl);
+    if (ps->smooth_force != NULL) {
+        face_jump_smooth_force(fl);
+        PARALLEL_RANGES(m->n_internal, 8, add_gamma_jumps, fl);
     }
-    if (m->oblique) STRIPS_RUN(m->n_internal, 16, add_oblique, fl);
+    if (m->oblique) PARALLEL_RANGES(m->n_internal, 16, add_non_orthogonal, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
             const int o = m->owner[f];
-            fl->phi[f] = ps->kept[f] + ps->m_face[f] * ps->per_force[o] *
+            fl->phi[f] =
+                ps->explicit_flux[f] + ps->m_face[f] * ps->per_force[o] *
                                            dot3(&ps->H[3 * o], &m->S[3 * f]);
         }
     }
 }
 
-FACE_SUM inflow(int f, double out, const double *phi)
+FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
 {
     return -out * phi[f];
 }
 
-/* What the fluxes leave of continuity, for p to make good. */
+/* The residual of continuity of these fluxes, to be corrected by p. */
 static void rhs_rows(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -274,18 +283,19 @@ static void rhs_rows(int first, int last, const struct fluid *fl)
 
     for (int c = first; c < last; c++)
         ps->divergence[c] = -ps->source[c];
-    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
-              ps->divergence, inflow, fl->phi);
+    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
+                   m->out, ps->divergence, inflow, fl->phi);
 }
 
-FACE_SUM size(int f, double out, const double *phi, const double *phi_old)
+FACE_SUM_KERNEL size(int f, double out, const double *phi,
+                     const double *phi_old)
 {
     (void)out;
     return 0.5 * (fabs(phi[f]) + fabs(phi_old[f]));
 }
 
-/* Returns the sum of squares of what meets in the cells [(m^3/s)^2]; the
- * divergence is not yet needed and serves as room. */
+/* Returns the sum of squares of the sums of |phi| over the faces of each cell
+ * [(m^3/s)^2]; the array of the divergence serves as work space. */
 static double scale_rows(int first, int last, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -293,13 +303,14 @@ static double scale_rows(int first, int last, const struct fluid *fl)
 
     for (int c = first; c < last; c++)
         ps->divergence[c] = fabs(ps->source[c]);
-    CELLS_SUM(ps->runs, first, last, m->cell_start, m->cell_face, m->out,
-              ps->divergence, size, fl->phi, ps->phi_old);
+    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
+                   m->out, ps->divergence, size, fl->phi, ps->phi_old);
     return reduce_range(first, last, ps->divergence, ps->divergence);
 }
 
-/* The right side of the pressure equation. The first time in a step also the
- * 2-norm of the fluxes that meet in the cells, the scale of its residual. */
+/* The right-hand side of the pressure equation. In the first corrector of a
+ * step also the 2-norm of the sums of |phi| of the cells, the scale of its
+ * residual. */
 static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -308,10 +319,10 @@ static void pressure_rhs(struct fluid *fl)
     if (fl->report.correctors == 0) {
         double squares;
 
-        STRIPS_SUM(squares, m->n_cells, 8, scale_rows, fl);
+        PARALLEL_SUM(squares, m->n_cells, 8, scale_rows, fl);
         ps->scale = sqrt(squares);
     }
-    STRIPS_RUN(m->n_cells, 8, rhs_rows, fl);
+    PARALLEL_RANGES(m->n_cells, 8, rhs_rows, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
@@ -320,8 +331,8 @@ static void pressure_rhs(struct fluid *fl)
     }
 }
 
-FACE_LOOP inner_pressure_flux(int f, int o, int n, const double *conductance,
-                              const double *p, double *phi)
+FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
+                                const double *p, double *phi)
 {
     phi[f] -= conductance[f] * (p[n] - p[o]);
 }
@@ -330,8 +341,8 @@ static void subtract_pressure(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    LINKS_RUN(fl->piso->runs, first, last, m->owner, m->neighbour,
-              inner_pressure_flux, fl->piso->conductance, fl->p, fl->phi);
+    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                  inner_pressure_flux, fl->piso->conductance, fl->p, fl->phi);
 }
 
 static void add_pressure_fluxes(struct fluid *fl)
@@ -339,7 +350,7 @@ static void add_pressure_fluxes(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
-    STRIPS_RUN(m->n_internal, 4, subtract_pressure, fl);
+    PARALLEL_RANGES(m->n_internal, 4, subtract_pressure, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         const double outside = fl->options.boundaries[i].pressure;
@@ -352,13 +363,14 @@ struct solve_report pressure_correct(struct fluid *fl)
 {
     struct piso *const ps = fl->piso;
 
-    driven_fluxes(fl);
+    predicted_fluxes(fl);
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
-    const struct solve_report report = cg_reduce(
-        NULL, ps->mg, ps->divergence, fl->p, last ? 0.0 : fl->options.enough,
-        fl->options.tolerance * ps->scale, 500, ps->cg);
+    const struct solve_report report =
+        cg_reduce(NULL, ps->mg, ps->divergence, fl->p,
+                  last ? 0.0 : fl->options.p_relative_tolerance,
+                  fl->options.tolerance * ps->scale, 500, ps->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -10,8 +10,9 @@ static struct time_weights weights_euler(double r)
     return (struct time_weights){1.0, 1.0, 0.0, 0.0};
 }
 
-/* The slope at the end of the parabola through three moments. With r = 0 it is
- * that of the line through the last two: the first step is Euler's. */
+/* The derivative at the end of the parabola through three time levels. With r =
+ * 0 it is that of the line through the last two: the first step is implicit
+ * Euler. */
 static struct time_weights weights_bdf2(double r)
 {
     return (struct time_weights){(1.0 + 2.0 * r) / (1.0 + r), 1.0 + r,

@@ -1,14 +1,14 @@
-/* time_scheme.h -- how the change of momentum in a step is taken.  Chapter 19.
+/* time_scheme.h -- schemes for the time derivative of momentum. Chapter 19.
  *
  *   d(eps u)/dt = (now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)) /
  * dt
  *
- * The three weights add up to zero, now - old + older: what does not change has
- * no derivative. A scheme also says how far what lags by a step, the flux that
- * carries momentum, is continued to the new time: x + ahead (x - x_older).
+ * The weights satisfy now - old + older = 0, so that a constant has no
+ * derivative. A scheme also gives the factor of extrapolation for quantities
+ * that lag by a step, such as the convecting flux: x + ahead (x - x_older).
  */
-#ifndef TIME_SCHEME_H
-#define TIME_SCHEME_H
+#ifndef FLUID_TIME_SCHEME_H
+#define FLUID_TIME_SCHEME_H
 
 struct time_weights {
     double now, old, older; /* [-] */
@@ -20,7 +20,7 @@ struct time_scheme {
     const char *cite;
     const char *what;
     const char *function;
-    int steps; /* [-] of the past that it looks at: 1 or 2 */
+    int time_levels; /* [-] number of old time levels: 1 or 2 */
     /* r: this step over the one before it; 0 where there is none. */
     struct time_weights (*weights)(double r /* [-] */);
 };

@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,8 +11,8 @@
 
 /* The vectors of the method [Saad03, 9.5]: residual r (also s, its half-way
  * value), shadow residual, direction p, v = A ph and t = A sh with ph and sh
- * the preconditioned p and s. Each loop takes along the scalar products of what
- * it has just computed. */
+ * the preconditioned p and s. Each loop also computes the scalar products of
+ * the vectors that it has just written. */
 struct bicgstab_work {
     int n;
     double *r, *shadow, *p, *ph, *v, *sh, *t;
@@ -20,24 +20,25 @@ struct bicgstab_work {
 };
 
 /* One number a component. */
-struct triple {
+struct component_sums {
     double at[3];
 };
 
-/* A residual whose cosine with the shadow is less gives no direction. */
+/* If the cosine of the angle between residual and shadow residual is smaller,
+ * the method restarts [-]. */
 static const double square = 1e-14;
 
 enum {
-    LANES = 24, /* eight rows: loops over so many run at vector speed */
-    BLOCK = 512 /* rows worked on at once: they stay in the nearest cache */
+    LANES = 24, /* eight rows: the compiler vectorises loops of this length */
+    BLOCK = 512 /* rows in a block, small enough for the first-level cache */
 };
 struct lanes {
     double at[LANES];
 };
 
-/* Scalar products of strips. */
+/* Scalar products of ranges. */
 struct products {
-    struct triple a[STRIPS], b[STRIPS];
+    struct component_sums a[PARALLEL_RANGES_COUNT], b[PARALLEL_RANGES_COUNT];
 };
 
 struct bicgstab_work *bicgstab_work_create(int n)
@@ -70,7 +71,7 @@ void bicgstab_work_free(struct bicgstab_work *w)
     free(w);
 }
 
-static struct lanes spread(const struct triple *c)
+static struct lanes spread(const struct component_sums *c)
 {
     struct lanes l;
 
@@ -79,25 +80,25 @@ static struct lanes spread(const struct triple *c)
     return l;
 }
 
-static struct triple total(const struct triple *strip)
+static struct component_sums total(const struct component_sums *partial)
 {
-    struct triple sum = {{0.0}};
+    struct component_sums sum = {{0.0}};
 
-    for (int s = 0; s < STRIPS; s++)
+    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
         for (int k = 0; k < 3; k++)
-            sum.at[k] += strip[s].at[k];
+            sum.at[k] += partial[s].at[k];
     return sum;
 }
 
-/* strip += x.y of rows first .. last - 1 of n */
+/* range += x.y of rows first .. last - 1 of n */
 static void add_products(int first, int last, int n, const double *x,
-                         const double *y, struct triple *strip)
+                         const double *y, struct component_sums *partial)
 {
     double dot[3];
 
     reduce_range_many(first, last, 3, x, y, dot);
     for (int k = 0; k < 3; k++)
-        strip[strips_of(n, first)].at[k] += dot[k];
+        partial[parallel_ranges_of(n, first)].at[k] += dot[k];
 }
 
 static int block_end(int first, int last)
@@ -106,9 +107,10 @@ static int block_end(int first, int last)
 }
 
 /* p = r + beta (p - omega v), ph = p / diag; p is the shadow at first. */
-static void turn_rows(int width, long i, const struct bicgstab_work *w,
-                      const double *old, const double *beta,
-                      const double *omega)
+static void update_direction_rows(int width, long i,
+                                  const struct bicgstab_work *w,
+                                  const double *old, const double *beta,
+                                  const double *omega)
 {
     const double *restrict r = w->r + i, *restrict v = w->v + i;
     const double *restrict inverse = w->inverse + i;
@@ -121,17 +123,18 @@ static void turn_rows(int width, long i, const struct bicgstab_work *w,
     }
 }
 
-static void turn(int first, int last, const struct bicgstab_work *w,
-                 const double *old, const struct triple *beta,
-                 const struct triple *omega)
+static void update_direction(int first, int last, const struct bicgstab_work *w,
+                             const double *old,
+                             const struct component_sums *beta,
+                             const struct component_sums *omega)
 {
     const struct lanes b = spread(beta), o = spread(omega);
     long i = 3L * first;
 
     for (; i + LANES <= 3L * last; i += LANES)
-        turn_rows(LANES, i, w, old, b.at, o.at);
+        update_direction_rows(LANES, i, w, old, b.at, o.at);
     for (; i < 3L * last; i += 3)
-        turn_rows(3, i, w, old, b.at, o.at);
+        update_direction_rows(3, i, w, old, b.at, o.at);
 }
 
 /* s = r - alpha v in the place of r, sh = s / diag. */
@@ -149,7 +152,7 @@ static inline void half_rows(int width, long i, const struct bicgstab_work *w,
 
 /* With it s.s. */
 static void half(int first, int last, const struct bicgstab_work *w,
-                 const struct triple *alpha, struct products *found)
+                 const struct component_sums *alpha, struct products *found)
 {
     const struct lanes a = spread(alpha);
 
@@ -181,8 +184,9 @@ static inline void move_rows(int width, long i, const struct bicgstab_work *w,
 
 /* With it r.r and shadow.r. */
 static void move(int first, int last, const struct bicgstab_work *w,
-                 const struct triple *alpha, const struct triple *omega,
-                 double *x, struct products *found)
+                 const struct component_sums *alpha,
+                 const struct component_sums *omega, double *x,
+                 struct products *found)
 {
     const struct lanes a = spread(alpha), o = spread(omega);
 
@@ -242,16 +246,16 @@ static void second_product(int first, int last, const struct ldu *A,
     }
 }
 
-/* Where an iteration stands. */
+/* The state of the iteration. */
 struct state {
-    struct triple rr, rho;      /* r.r, shadow.r */
-    struct triple alpha, omega; /* the last steps */
-    struct triple shadow_r;     /* after them */
-    const double *old;          /* the direction p before */
-    double start;               /* |r| of the worst component at begin */
+    struct component_sums rr, rho;      /* r.r, shadow.r */
+    struct component_sums alpha, omega; /* the last steps */
+    struct component_sums shadow_r;     /* after them */
+    const double *old;                  /* the direction p before */
+    double start; /* |r| of the worst component at begin */
 };
 
-static double worst(const struct triple *rr)
+static double worst(const struct component_sums *rr)
 {
     double most = 0.0;
 
@@ -265,19 +269,20 @@ static void begin(const struct ldu *A, const double *diag3, const double *b3,
 {
     struct products found = {0};
 
-    STRIPS_RUN(w->n, 12, begin_rows, A, diag3, b3, x3, w, &found);
+    PARALLEL_RANGES(w->n, 12, begin_rows, A, diag3, b3, x3, w, &found);
     s->rr = s->rho = total(found.a);
     s->start = worst(&s->rr);
     s->old = w->shadow;
 }
 
-/* top / bottom for the components still at work; 0 for those that rest,
- * because their residual is below target, and where the method breaks down. */
-static struct triple ratio(const struct triple *top,
-                           const struct triple *bottom, const struct triple *rr,
-                           double target)
+/* top / bottom for the components that have not converged; 0 for those whose
+ * residual is below target, and where the method breaks down. */
+static struct component_sums ratio(const struct component_sums *top,
+                                   const struct component_sums *bottom,
+                                   const struct component_sums *rr,
+                                   double target)
 {
-    struct triple c = {{0.0}};
+    struct component_sums c = {{0.0}};
 
     for (int k = 0; k < 3; k++) {
         const double q = top->at[k] / bottom->at[k];
@@ -293,32 +298,34 @@ static void step(const struct ldu *A, const double *diag3, double *x3,
 {
     struct products v = {0}, half_way = {0}, t = {0}, end = {0};
 
-    STRIPS_RUN(w->n, 12, first_product, A, diag3, w, &v);
+    PARALLEL_RANGES(w->n, 12, first_product, A, diag3, w, &v);
 
-    const struct triple sv = total(v.a);
+    const struct component_sums sv = total(v.a);
 
     s->alpha = ratio(&s->rho, &sv, &s->rr, target);
-    s->omega = (struct triple){{0.0}};
-    STRIPS_RUN(w->n, 3, half, w, &s->alpha, &half_way);
+    s->omega = (struct component_sums){{0.0}};
+    PARALLEL_RANGES(w->n, 3, half, w, &s->alpha, &half_way);
     s->rr = total(half_way.a);
     if (worst(&s->rr) > target) {
-        STRIPS_RUN(w->n, 12, second_product, A, diag3, w, &t);
+        PARALLEL_RANGES(w->n, 12, second_product, A, diag3, w, &t);
 
-        const struct triple ts = total(t.a), tt = total(t.b);
+        const struct component_sums ts = total(t.a), tt = total(t.b);
 
         s->omega = ratio(&ts, &tt, &s->rr, target);
     }
-    STRIPS_RUN(w->n, 3, move, w, &s->alpha, &s->omega, x3, &end);
+    PARALLEL_RANGES(w->n, 3, move, w, &s->alpha, &s->omega, x3, &end);
     s->rr = total(end.a);
     s->shadow_r = total(end.b);
 }
 
-/* The next direction, or 0 if a component at work has none: its step was zero,
- * or its residual has turned square to the shadow. */
-static int redirect(double target, struct bicgstab_work *w, struct state *s)
+/* Sets the next direction. Returns 0 if a component that has not converged has
+ * none: its step was zero, or its residual is orthogonal to the shadow
+ * residual. */
+static int choose_direction(double target, struct bicgstab_work *w,
+                            struct state *s)
 {
-    const struct triple rho = s->shadow_r;
-    struct triple beta = {{0.0}};
+    const struct component_sums rho = s->shadow_r;
+    struct component_sums beta = {{0.0}};
 
     for (int k = 0; k < 3; k++) {
         const double r = sqrt(s->rr.at[k]);
@@ -330,7 +337,7 @@ static int redirect(double target, struct bicgstab_work *w, struct state *s)
         beta.at[k] = b;
     }
     s->rho = rho;
-    STRIPS_RUN(w->n, 3, turn, w, s->old, &beta, &s->omega);
+    PARALLEL_RANGES(w->n, 3, update_direction, w, s->old, &beta, &s->omega);
     s->old = w->p;
     return 1;
 }
@@ -358,8 +365,9 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
         step(A, diag3, x3, target, w, &s);
         report.iterations++;
         if (!(worst(&s.rr) > target)) break;
-        if (redirect(target, w, &s)) continue;
-        if (worst(&s.rr) == before) break; /* afresh it would be the same */
+        if (choose_direction(target, w, &s)) continue;
+        if (worst(&s.rr) == before)
+            break; /* a restart would repeat this step */
         begin(A, diag3, b3, x3, w, &s);
     }
     report.after = worst(&s.rr) / scale;

@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -61,7 +61,7 @@ static double residual(const struct csr *A, const struct multigrid *mg,
     double rr;
 
     multiply(A, mg, x, w->r);
-    STRIPS_SUM(rr, w->n, 1, subtract, b, w->r);
+    PARALLEL_SUM(rr, w->n, 1, subtract, b, w->r);
     return rr;
 }
 
@@ -81,12 +81,13 @@ static double precondition(const struct csr *A, struct multigrid *mg,
     double rz;
 
     if (mg != NULL) return multigrid_apply(mg, r, z);
-    STRIPS_SUM(rz, A->n, 1, jacobi, A->diag, r, z);
+    PARALLEL_SUM(rz, A->n, 1, jacobi, A->diag, r, z);
     return rz;
 }
 
 /* p = z + beta p over a range */
-static void turn(int first, int last, double beta, const double *z, double *p)
+static void update_direction(int first, int last, double beta, const double *z,
+                             double *p)
 {
     for (int i = first; i < last; i++)
         p[i] = z[i] + beta * p[i];
@@ -116,12 +117,13 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
         const double rz = precondition(A, mg, w->r, w->z);
 
-        STRIPS_RUN(w->n, 1, turn, it == 0 ? 0.0 : rz / rz_old, w->z, w->p);
+        PARALLEL_RANGES(w->n, 1, update_direction, it == 0 ? 0.0 : rz / rz_old,
+                        w->z, w->p);
 
         const double pq = multiply(A, mg, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
-        STRIPS_SUM(rr, w->n, 1, advance, rz / pq, w, x);
+        PARALLEL_SUM(rr, w->n, 1, advance, rz / pq, w, x);
         rz_old = rz;
         *iterations = it + 1;
     }

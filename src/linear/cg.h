@@ -1,8 +1,8 @@
 /* cg.h -- conjugate gradients for a symmetric positive definite matrix.
  * Chapter 7.
  */
-#ifndef CG_H
-#define CG_H
+#ifndef LINEAR_CG_H
+#define LINEAR_CG_H
 
 #include "linear/csr.h"
 #include "linear/multigrid.h"
@@ -24,7 +24,8 @@ struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              double absolute /* unit of b */,
                              int max_iterations, struct cg_work *w);
 
-/* The same, but a residual that is the first one times `enough` [-] will do. */
+/* The same, but stops when the residual is the initial one times `enough` [-].
+ */
 struct solve_report cg_reduce(const struct csr *A, struct multigrid *mg,
                               const double *b, double *x, double enough,
                               double absolute, int max_iterations,

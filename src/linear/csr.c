@@ -2,8 +2,8 @@
 #include "linear/csr.h"
 
 #include "base/alloc.h"
-#include "linear/fields.h"
-#include "linear/strips.h"
+#include "linear/fast/field_groups.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -108,19 +108,19 @@ static void rows(int first, int last, const struct csr *A, const double *x,
 
 void csr_multiply(const struct csr *A, const double *x, double *y)
 {
-    STRIPS_RUN(A->n, 4, rows, A, x, y);
+    PARALLEL_RANGES(A->n, 4, rows, A, x, y);
 }
 
 /* Rows for width fields from the k-th of m on. The diagonal is one number a row
  * (step = 0) or one a field (step = 1), or none (NULL). */
-FIELDS_KERNEL rows_of(int width, int k, int first, int last,
-                      const struct csr *A, int m, const double *diag, int step,
-                      const double *x, double *y)
+FIELD_GROUPS_KERNEL rows_of(int width, int k, int first, int last,
+                            const struct csr *A, int m, const double *diag,
+                            int step, const double *x, double *y)
 {
     for (int i = first; i < last; i++) {
         const double *const xi = x + (long)m * i + k;
         const long at = step ? (long)m * i + k : i;
-        double sum[FIELDS_WIDTH] = {0.0};
+        double sum[FIELD_GROUPS_WIDTH] = {0.0};
 
         for (int f = 0; f < width && diag != NULL; f++)
             sum[f] = diag[at + f * step] * xi[f];
@@ -139,22 +139,22 @@ FIELDS_KERNEL rows_of(int width, int k, int first, int last,
 static void rows_many(int first, int last, const struct csr *A, int m,
                       const double *x, double *y)
 {
-    FIELDS_RUN(m, rows_of, first, last, A, m, A->diag, 0, x, y);
+    FOR_FIELD_GROUPS(m, rows_of, first, last, A, m, A->diag, 0, x, y);
 }
 
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y)
 {
-    STRIPS_RUN(A->n, 4 * m, rows_many, A, m, x, y);
+    PARALLEL_RANGES(A->n, 4 * m, rows_many, A, m, x, y);
 }
 
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y)
 {
-    FIELDS_RUN(m, rows_of, first, last, A, m, diag, 1, x, y);
+    FOR_FIELD_GROUPS(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
 
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y)
 {
-    STRIPS_RUN(A->n, 4 * m, csr_rows_each, A, m, diag, x, y);
+    PARALLEL_RANGES(A->n, 4 * m, csr_rows_each, A, m, diag, x, y);
 }

@@ -2,18 +2,19 @@
  *
  * Link l joins two unknowns, owner[l] and neighbour[l], and stands for the two
  * entries (owner, neighbour) and (neighbour, owner). The rows are stored one
- * after the other (compressed sparse rows), so that a product gathers: each
- * row is summed by one thread, in ascending columns, and the bits do not
- * depend on the number of threads. The diagonal is kept apart.
+ * after the other (compressed sparse rows), so that a product gathers: one
+ * thread sums each row, in ascending columns, and the result has the same bits
+ * for any number of threads. The diagonal is stored separately.
  *
  *     (A x)_i = diag_i x_i + sum_e a_e x_(col_e),  start_i <= e < start_(i+1)
  *
- * Every link has entries of its own, even where two links join the same pair
- * (a periodic row of two cells) or a cell to itself (of one): to fill the
- * matrix is to write a[upper[l]] and a[lower[l]], and to add to diag.
+ * Every link has its own two entries, even where two links join the same pair
+ * (a periodic row of two cells) or join a cell to itself (a periodic row of
+ * one). The matrix is filled by writing a[upper[l]] and a[lower[l]], and by
+ * adding to diag.
  */
-#ifndef CSR_H
-#define CSR_H
+#ifndef LINEAR_CSR_H
+#define LINEAR_CSR_H
 
 struct csr {
     int n, n_links;
@@ -37,13 +38,14 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
  * once for all fields. */
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
-/* The same, but each field has its own diagonal, diag[m * i + k], which stands
- * in for A->diag; NULL: the part off the diagonal alone. */
+/* Computes the same product, but each field has its own diagonal, diag[m * i +
+ * k], in place of A->diag. If diag is NULL, only the off-diagonal part is
+ * applied. */
 void csr_multiply_each(const struct csr *A, int m, const double *diag,
                        const double *x, double *y);
 
-/* Rows first .. last - 1 of that, for a caller who goes on with them while they
- * are cached. */
+/* Computes rows first .. last - 1 of the same product, for a caller that uses
+ * them while they are still in the cache. */
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y);
 

@@ -1,19 +1,19 @@
 /* dense.h -- direct solution of a small symmetric system.  Chapter 7.
  *
- * A = L D L^T, L with a unit diagonal. A pivot that vanishes within rounding
- * (a system that is singular, as that of pressure between walls) leaves its
- * unknown at zero instead of dividing by noise.
+ * A = L D L^T, L with a unit diagonal. If a pivot is zero within rounding (in a
+ * singular system, such as that of the pressure between walls), its unknown is
+ * set to zero, because a division would only amplify rounding errors.
  */
-#ifndef DENSE_H
-#define DENSE_H
+#ifndef LINEAR_DENSE_H
+#define LINEAR_DENSE_H
 
 struct dense;
 
 struct dense *dense_create(int n);
 void dense_free(struct dense *D);
 
-/* The matrix itself, n columns of n, of which the lower part counts. To be
- * filled, then factored in place. */
+/* Returns the matrix, n columns of n numbers, of which only the lower part is
+ * used. The caller fills it; dense_factor then factors it in place. */
 double *dense_matrix(struct dense *D);
 void dense_factor(struct dense *D);
 

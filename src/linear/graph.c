@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the area of a cell: what is less is not taken for a wall. */
+/* A gap below this fraction of a cell's area is not treated as a wall [-]. */
 static const double small_gap = 0.02;
 
 static struct graph *allocate(int n, int n_links)
@@ -19,7 +19,7 @@ static struct graph *allocate(int n, int n_links)
     g->owner = alloc_ints(n_links);
     g->neighbour = alloc_ints(n_links);
     g->strength = alloc_doubles(n_links);
-    g->link = alloc_doubles(3 * n_links);
+    g->distance = alloc_doubles(3 * n_links);
     g->V = alloc_doubles(n);
     g->wall = alloc_doubles(3 * n);
     g->strong = alloc_ints(n_links);
@@ -35,7 +35,7 @@ static void find_walls(struct graph *g)
 
     for (int l = 0; l < g->n_links; l++)
         for (int k = 0; k < 3; k++) {
-            const double S = g->strength[l] * g->link[3L * l + k];
+            const double S = g->strength[l] * g->distance[3L * l + k];
             const int i = g->owner[l], j = g->neighbour[l];
 
             g->wall[3L * i + k] -= S;
@@ -62,7 +62,7 @@ struct graph *graph_create(int n, int n_links, const int *owner,
     memcpy(g->owner, owner, links * sizeof *owner);
     memcpy(g->neighbour, neighbour, links * sizeof *neighbour);
     memcpy(g->strength, strength, links * sizeof *strength);
-    memcpy(g->link, link, 3 * links * sizeof *link);
+    memcpy(g->distance, link, 3 * links * sizeof *link);
     memcpy(g->V, V, (size_t)n * sizeof *V);
     find_walls(g);
     return g;
@@ -74,7 +74,7 @@ void graph_free(struct graph *g)
     free(g->owner);
     free(g->neighbour);
     free(g->strength);
-    free(g->link);
+    free(g->distance);
     free(g->V);
     free(g->wall);
     free(g->strong);
@@ -83,7 +83,7 @@ void graph_free(struct graph *g)
 
 double graph_length(const struct graph *g, int l)
 {
-    const double *const d = g->link + 3L * l;
+    const double *const d = g->distance + 3L * l;
 
     return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
@@ -147,11 +147,11 @@ static void between_centroids(const struct graph *g, const int *parent,
     const double sign = parent[i] < parent[j] ? 1.0 : -1.0;
 
     for (int k = 0; k < 3; k++)
-        D[k] = sign *
-               (g->link[3L * l + k] + offset[3L * i + k] - offset[3L * j + k]);
+        D[k] = sign * (g->distance[3L * l + k] + offset[3L * i + k] -
+                       offset[3L * j + k]);
 }
 
-/* The bundle from I to J along D, among those from first on; a new one if
+/* The coarse link from I to J along D, among those from first on; a new one if
  * there is none. */
 static int find_bundle(struct graph *big, int first, int I, int J,
                        const double *D)
@@ -159,7 +159,7 @@ static int find_bundle(struct graph *big, int first, int I, int J,
     int b = first;
 
     for (; b < big->n_links; b++) {
-        const double *const E = big->link + 3L * b;
+        const double *const E = big->distance + 3L * b;
 
         if (big->neighbour[b] == J &&
             D[0] * E[0] + D[1] * E[1] + D[2] * E[2] >= 0.0)
@@ -168,7 +168,7 @@ static int find_bundle(struct graph *big, int first, int I, int J,
     big->n_links++;
     big->owner[b] = I;
     big->neighbour[b] = J;
-    memcpy(big->link + 3L * b, D, 3 * sizeof *D);
+    memcpy(big->distance + 3L * b, D, 3 * sizeof *D);
     return b;
 }
 
@@ -188,7 +188,7 @@ static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
     return order;
 }
 
-/* Bundles the links between aggregates. A bundle is as strong as its links
+/* Bundles the links between aggregates. A coarse link is as strong as its links
  * together, less by the factor by which it is longer. */
 static void bundle_links(const struct graph *g, const int *parent,
                          const double *offset, struct graph *big, int *bundle)
@@ -219,8 +219,8 @@ static void bundle_links(const struct graph *g, const int *parent,
     free(order);
 }
 
-struct graph *graph_joined(const struct graph *g, const int *root,
-                           double *offset, int *parent, int *bundle)
+struct graph *graph_aggregated(const struct graph *g, const int *root,
+                               double *offset, int *parent, int *bundle)
 {
     const int count = number(g->n, root, parent);
     struct graph *const big = allocate(count, g->n_links);

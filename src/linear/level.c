@@ -2,15 +2,15 @@
 #include "linear/level.h"
 
 #include "base/alloc.h"
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static struct members members_of(int n_groups, int n, const int *group)
+static struct level_members members_of(int n_groups, int n, const int *group)
 {
-    struct members m = {alloc_ints(n_groups + 1), NULL, NULL};
+    struct level_members m = {alloc_ints(n_groups + 1), NULL, NULL};
     int *const next = alloc_ints(n_groups + 1);
 
     for (int i = 0; i < n; i++)
@@ -20,18 +20,18 @@ static struct members members_of(int n_groups, int n, const int *group)
     for (int s = 0; s < n_groups; s++)
         next[s] = m.start[s];
     m.list = alloc_ints(m.start[n_groups]);
-    m.share = alloc_doubles(m.start[n_groups]);
+    m.weight = alloc_doubles(m.start[n_groups]);
     for (int i = 0; i < n; i++)
         if (group[i] >= 0) m.list[next[group[i]]++] = i;
     free(next);
     return m;
 }
 
-static void members_release(struct members *m)
+static void members_release(struct level_members *m)
 {
     free(m->start);
     free(m->list);
-    free(m->share);
+    free(m->weight);
 }
 
 static float *alloc_floats(int n)
@@ -66,7 +66,8 @@ void level_release(struct level *v)
     members_release(&v->cells);
 }
 
-/* How much of the coefficient to a wall is left when the way there grows. */
+/* Factor of the coefficient to a wall as the distance to the wall increases on
+ * the coarser level. */
 static double wall_share(const struct graph *fine, int i,
                          const struct graph *coarse, int I)
 {
@@ -75,24 +76,25 @@ static double wall_share(const struct graph *fine, int i,
     return depth > 0.0 ? fmin(1.0, depth / graph_depth(coarse, I)) : 1.0;
 }
 
-void level_tie(struct level *v, const struct graph *fine,
-               const struct graph *coarse, const int *parent, const int *bundle)
+void level_connect(struct level *v, const struct graph *fine,
+                   const struct graph *coarse, const int *parent,
+                   const int *bundle)
 {
-    struct members *const links = &v->links, *const cells = &v->cells;
+    struct level_members *const links = &v->links, *const cells = &v->cells;
 
     *links = members_of(coarse->n_links, fine->n_links, bundle);
     for (int L = 0; L < coarse->n_links; L++)
         for (int s = links->start[L]; s < links->start[L + 1]; s++)
-            links->share[s] = fmin(1.0, graph_length(fine, links->list[s]) /
-                                            graph_length(coarse, L));
+            links->weight[s] = fmin(1.0, graph_length(fine, links->list[s]) /
+                                             graph_length(coarse, L));
     *cells = members_of(coarse->n, fine->n, parent);
     for (int I = 0; I < coarse->n; I++)
         for (int s = cells->start[I]; s < cells->start[I + 1]; s++)
-            cells->share[s] = wall_share(fine, cells->list[s], coarse, I);
+            cells->weight[s] = wall_share(fine, cells->list[s], coarse, I);
 }
 
-void level_take_over(struct level *v, const double *g, const double *sums,
-                     double unit)
+void level_set_fine(struct level *v, const double *g, const double *sums,
+                    double unit)
 {
     memcpy(v->g, g, (size_t)v->n_links * sizeof *g);
     memcpy(v->sums, sums, (size_t)v->n * sizeof *sums);
@@ -100,22 +102,23 @@ void level_take_over(struct level *v, const double *g, const double *sums,
 }
 
 /* coarse[i] = the members of i among the fine, summed. */
-static void gather(int first, int last, const struct members *m,
+static void gather(int first, int last, const struct level_members *m,
                    const double *fine, double *coarse)
 {
     for (int i = first; i < last; i++) {
         double sum = 0.0;
 
         for (int s = m->start[i]; s < m->start[i + 1]; s++)
-            sum += m->share[s] * fine[m->list[s]];
+            sum += m->weight[s] * fine[m->list[s]];
         coarse[i] = sum;
     }
 }
 
-void level_sum_up(struct level *v, const struct level *fine, double unit)
+void level_galerkin_coarsen(struct level *v, const struct level *fine,
+                            double unit)
 {
-    STRIPS_RUN(v->n_links, 8, gather, &v->links, fine->g, v->g);
-    STRIPS_RUN(v->n, 8, gather, &v->cells, fine->sums, v->sums);
+    PARALLEL_RANGES(v->n_links, 8, gather, &v->links, fine->g, v->g);
+    PARALLEL_RANGES(v->n, 8, gather, &v->cells, fine->sums, v->sums);
     symmetric_fill(v->A, v->g, v->sums, unit);
 }
 
@@ -134,7 +137,7 @@ static void restrict_rows(int first, int last, struct level *v, const float *r)
 
 void level_restrict(struct level *v, const struct level *fine)
 {
-    STRIPS_RUN(v->n, 8, restrict_rows, v, fine->r);
+    PARALLEL_RANGES(v->n, 8, restrict_rows, v, fine->r);
 }
 
 static void prolong_rows(int first, int last, struct level *fine,
@@ -146,5 +149,5 @@ static void prolong_rows(int first, int last, struct level *fine,
 
 void level_prolong(const struct level *v, struct level *fine)
 {
-    STRIPS_RUN(fine->n, 1, prolong_rows, fine, v->y);
+    PARALLEL_RANGES(fine->n, 1, prolong_rows, fine, v->y);
 }

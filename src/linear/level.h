@@ -1,48 +1,52 @@
-/* level.h -- one level of multigrid: its matrix, its vectors, and how its
- * unknowns and links are made of those of the finer level.  Chapter 7.
+/* level.h -- one level of multigrid: its matrix, its vectors, and the map from
+ * the unknowns and links of the finer level to its own. Chapter 7.
  */
-#ifndef LEVEL_H
-#define LEVEL_H
+#ifndef LINEAR_LEVEL_H
+#define LINEAR_LEVEL_H
 
 #include "linear/csr.h"
 #include "linear/graph.h"
-#include "linear/symmetric.h"
+#include "linear/fast/symmetric.h"
 
-/* What many things are summed into: the things list[start[i]] .. of i, each
- * times its share. */
-struct members {
+/* A sum over members: entry i is the sum of the members list[start[i]] ..
+ * list[start[i + 1] - 1], each times its weight. */
+struct level_members {
     int *start, *list;
-    double *share; /* [-] */
+    double *weight; /* [-] */
 };
 
 struct level {
     int n, n_links;
     struct symmetric *A;
-    double *g;            /* coefficient of each link: minus the entry */
-    double *sums;         /* row sums of A: what is not between unknowns */
-    float *b, *r;         /* right-hand side, residual */
-    float *x, *y;         /* two stages of the solution, padded */
-    int *parent;          /* [-] aggregate of each unknown; owned */
-    struct members links; /* of the finer level in each link; the share is the
-                             length of the finer over that of the coarser */
-    struct members cells; /* of the finer level in each unknown; the share is
-                             the same for what leads to a wall, 1 inside */
+    double *g;    /* coefficient of each link: minus the entry */
+    double *sums; /* row sums of A: the coefficients to a given value outside */
+    float *b, *r; /* right-hand side, residual */
+    float *x, *y; /* two stages of the solution, padded */
+    int *parent;  /* [-] aggregate of each unknown; owned */
+    struct level_members
+        links; /* finer links summed into each link; the weight is the length of
+                  the finer link over that of the coarser */
+    struct level_members
+        cells; /* finer unknowns summed into each unknown; the weight is the
+                  same ratio of lengths for coefficients to a wall, 1 inside */
 };
 
 /* A level with the unknowns and links of a graph. */
 void level_init(struct level *v, const struct graph *g, int finest);
 void level_release(struct level *v);
 
-/* Ties v, the level of coarse, to the finer level. */
-void level_tie(struct level *v, const struct graph *fine,
-               const struct graph *coarse, const int *parent,
-               const int *bundle);
+/* Sets the map from the finer level to v, the level of the graph `coarse`. */
+void level_connect(struct level *v, const struct graph *fine,
+                   const struct graph *coarse, const int *parent,
+                   const int *bundle);
 
-/* The coefficients and row sums: on the finest level those given, on the others
- * summed from the finer level. unit as in symmetric_fill. */
-void level_take_over(struct level *v, const double *g, const double *sums,
-                     double unit);
-void level_sum_up(struct level *v, const struct level *fine, double unit);
+/* Sets the coefficients and row sums: on the finest level those given, on each
+ * coarser level the Galerkin sums over the finer level. unit as in
+ * symmetric_fill. */
+void level_set_fine(struct level *v, const double *g, const double *sums,
+                    double unit);
+void level_galerkin_coarsen(struct level *v, const struct level *fine,
+                            double unit);
 
 /* The right-hand side of v is the residual of the finer level, summed; the
  * solution of v is added to the solution y of the finer level. */

@@ -4,16 +4,17 @@
 #include "base/alloc.h"
 #include "linear/dense.h"
 #include "linear/level.h"
-#include "linear/pairs.h"
+#include "linear/pairwise_aggregation.h"
 #include "linear/reduce.h"
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <stdlib.h>
 
 enum {
     LEVELS = 40,        /* at most */
     DENSE = 64,         /* unknowns that are solved directly */
-    COARSEST_SWEEPS = 8 /* smoothings if there are more and no way down */
+    COARSEST_SWEEPS = 8 /* sweeps on the coarsest level if it is larger and
+                           cannot be coarsened */
 };
 
 /* Chebyshev smoothing of degree two damps the eigenvalues of D^-1 A between
@@ -36,7 +37,7 @@ static struct graph *add_level(struct multigrid *mg, struct graph *g)
     struct level *const v = &mg->level[mg->n_levels];
     int *const parent = alloc_ints(g->n);
     int *const bundle = alloc_ints(g->n_links);
-    struct graph *coarse = pairs_coarser(g, parent, bundle);
+    struct graph *coarse = pairwise_aggregation_coarsen(g, parent, bundle);
 
     if (coarse->n > 0.8 * g->n) {
         free(parent);
@@ -45,7 +46,7 @@ static struct graph *add_level(struct multigrid *mg, struct graph *g)
     } else {
         v[-1].parent = parent;
         level_init(v, coarse, 0);
-        level_tie(v, g, coarse, parent, bundle);
+        level_connect(v, g, coarse, parent, bundle);
         mg->n_levels++;
     }
     free(bundle);
@@ -110,15 +111,16 @@ static void factor_coarsest(struct multigrid *mg)
     dense_factor(mg->coarsest);
 }
 
-void multigrid_take(struct multigrid *mg, const double *g, const double *sums)
+void multigrid_set_coefficients(struct multigrid *mg, const double *g,
+                                const double *sums)
 {
     struct level *const v = mg->level;
 
     mg->unit = 1.0 / (v->n_links > 0 ? reduce_rms(v->n_links, g)
                                      : reduce_rms(v->n, sums));
-    level_take_over(v, g, sums, mg->unit);
+    level_set_fine(v, g, sums, mg->unit);
     for (int k = 1; k < mg->n_levels; k++)
-        level_sum_up(&v[k], &v[k - 1], mg->unit);
+        level_galerkin_coarsen(&v[k], &v[k - 1], mg->unit);
     if (mg->coarsest != NULL) factor_coarsest(mg);
 }
 
@@ -134,7 +136,7 @@ void multigrid_update(struct multigrid *mg, const struct csr *A)
         for (int e = A->start[i]; e < A->start[i + 1]; e++)
             sums[i] += A->a[e];
     }
-    multigrid_take(mg, g, sums);
+    multigrid_set_coefficients(mg, g, sums);
     free(g);
     free(sums);
 }
@@ -169,12 +171,12 @@ static void smooth_from_zero(struct level *v)
 {
     const struct weights w = smoothing();
 
-    STRIPS_RUN(v->n, 1, jacobi_rows, v, w.first);
+    PARALLEL_RANGES(v->n, 1, jacobi_rows, v, w.first);
     symmetric_relax(v->A, v->b, v->x, 1.0F + w.turn, v->x, 0.0F, w.second,
                     v->y);
 }
 
-/* The same from the y there is. */
+/* The same, starting from the present y. */
 static void smooth(struct level *v)
 {
     const struct weights w = smoothing();
@@ -201,8 +203,9 @@ static void solve_coarsest(struct multigrid *mg)
         v->y[i] = (float)mg->unknown[i];
 }
 
-/* Down to the coarsest level and up again: each level is smoothed, hands on
- * what it is still missing, gets the answer and is smoothed again. */
+/* One V-cycle: each level is smoothed, its residual is restricted to the
+ * coarser level, the correction is prolonged, and the level is smoothed again.
+ */
 static void cycle(struct multigrid *mg)
 {
     struct level *const v = mg->level;
@@ -220,15 +223,16 @@ static void cycle(struct multigrid *mg)
 }
 
 /* b = r / scale over a range */
-static void take(int first, int last, const double *r, double scale, float *b)
+static void copy_in(int first, int last, const double *r, double scale,
+                    float *b)
 {
     for (int i = first; i < last; i++)
         b[i] = (float)(r[i] / scale);
 }
 
 /* z = scale y over a range; returns its part of r.z */
-static double give(int first, int last, const float *y, double scale,
-                   const double *r, double *z)
+static double copy_out(int first, int last, const float *y, double scale,
+                       const double *r, double *z)
 {
     for (int i = first; i < last; i++)
         z[i] = scale * (double)y[i];
@@ -242,10 +246,10 @@ double multigrid_apply(struct multigrid *mg, const double *r, double *z)
     double rz;
 
     if (scale > 0.0) {
-        STRIPS_RUN(v->n, 1, take, r, scale, v->b);
+        PARALLEL_RANGES(v->n, 1, copy_in, r, scale, v->b);
         cycle(mg);
     }
-    STRIPS_SUM(rz, v->n, 1, give, v->y, scale * mg->unit, r, z);
+    PARALLEL_SUM(rz, v->n, 1, copy_out, v->y, scale * mg->unit, r, z);
     return rz;
 }
 

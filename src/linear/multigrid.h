@@ -1,16 +1,17 @@
 /* multigrid.h -- the pressure solver's preconditioner.  Chapter 7.
  *
- * Cells are joined in aggregates, aggregates in larger ones, until a few are
- * left. The aggregates come from the geometry alone and are made once; each
- * time the matrix changes, its coefficients are only summed upward. A coarse
- * coefficient is divided by how much its link is longer than the links it is
- * summed from: piecewise constant corrections are too stiff by that factor.
- * One application is one symmetric cycle, smoothed by Chebyshev polynomials of
- * degree two: products only, so it threads, vectorises, and gives the same
- * bits for any number of threads.
+ * Cells are joined into aggregates, and aggregates into larger ones, until a
+ * few are left. The aggregates depend on the geometry alone and are formed
+ * once; when the matrix changes, only the sums of its coefficients are formed
+ * again, level by level. Each coarse coefficient is divided by the ratio of the
+ * length of its link to those of the links in the sum, because piecewise
+ * constant corrections are too stiff by that factor. One application is one
+ * symmetric cycle, smoothed by Chebyshev polynomials of degree two: the
+ * smoother consists of matrix products only, so it is parallel, vectorised, and
+ * gives the same bits for any number of threads.
  */
-#ifndef MULTIGRID_H
-#define MULTIGRID_H
+#ifndef LINEAR_MULTIGRID_H
+#define LINEAR_MULTIGRID_H
 
 #include "linear/csr.h"
 
@@ -25,13 +26,14 @@ struct multigrid *multigrid_create(int n, int n_links, const int *owner,
                                    const double *V);       /* [m^3] */
 void multigrid_free(struct multigrid *mg);
 
-/* Takes over the coefficients of A: symmetric, positive definite, entries off
- * the diagonal <= 0, rows weakly diagonally dominant. */
+/* Sets the coefficients from those of A: symmetric, positive definite, entries
+ * off the diagonal <= 0, rows weakly diagonally dominant. */
 void multigrid_update(struct multigrid *mg, const struct csr *A);
 
 /* The same from the coefficients g of the links, entries -g off the diagonal,
  * and the sums of the rows; both >= 0. */
-void multigrid_take(struct multigrid *mg, const double *g, const double *sums);
+void multigrid_set_coefficients(struct multigrid *mg, const double *g,
+                                const double *sums);
 
 /* z = M r, one cycle from zero, in single precision inside: a symmetric
  * positive definite M. Returns r.z. */

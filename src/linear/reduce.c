@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/reduce.h"
 
-#include "linear/strips.h"
+#include "linear/fast/parallel_ranges.h"
 
 #include <assert.h>
 #include <math.h>
@@ -28,7 +28,7 @@ double reduce_dot(int n, const double *x, const double *y)
 {
     double sum;
 
-    STRIPS_SUM(sum, n, 1, reduce_range, x, y);
+    PARALLEL_SUM(sum, n, 1, reduce_range, x, y);
     return sum;
 }
 
@@ -76,22 +76,23 @@ void reduce_range_many(int first, int last, int m, const double *x,
     }
 }
 
-static void strip_many(int first, int last, int n, int m, const double *x,
-                       const double *y, double (*strip)[REDUCE_FIELDS])
+static void range_fields(int first, int last, int n, int m, const double *x,
+                         const double *y, double (*partial)[REDUCE_FIELDS])
 {
-    reduce_range_many(first, last, m, x, y, strip[strips_of(n, first)]);
+    reduce_range_many(first, last, m, x, y,
+                      partial[parallel_ranges_of(n, first)]);
 }
 
 void reduce_dot_many(int n, int m, const double *x, const double *y,
                      double *dot)
 {
-    double strip[STRIPS][REDUCE_FIELDS] = {{0.0}};
+    double partial[PARALLEL_RANGES_COUNT][REDUCE_FIELDS] = {{0.0}};
 
     assert(m >= 1 && m <= REDUCE_FIELDS);
-    STRIPS_RUN(n, m, strip_many, n, m, x, y, strip);
+    PARALLEL_RANGES(n, m, range_fields, n, m, x, y, partial);
     for (int k = 0; k < m; k++)
         dot[k] = 0.0;
-    for (int s = 0; s < STRIPS; s++)
+    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
         for (int k = 0; k < m; k++)
-            dot[k] += strip[s][k];
+            dot[k] += partial[s][k];
 }

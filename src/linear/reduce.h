@@ -1,10 +1,10 @@
 /* reduce.h -- scalar products, with the same bits for any number of threads.
  *
- * A range is summed in a fixed number of lanes, so that it vectorises; ranges
- * are added as strips.h says.
+ * A range is summed in a fixed number of lanes, so that the compiler vectorises
+ * it; the sums of the ranges are added in a fixed order (parallel_ranges.h).
  */
-#ifndef REDUCE_H
-#define REDUCE_H
+#ifndef LINEAR_REDUCE_H
+#define LINEAR_REDUCE_H
 
 enum { REDUCE_FIELDS = 16 }; /* at most, side by side */
 

@@ -1,9 +1,9 @@
-/* report.h -- what an iterative solver says about its work.
+/* report.h -- the report of an iterative solver.
  *
  * The caller reads it: a solver never aborts and never hides that it failed.
  */
-#ifndef REPORT_H
-#define REPORT_H
+#ifndef LINEAR_REPORT_H
+#define LINEAR_REPORT_H
 
 struct solve_report {
     int iterations;

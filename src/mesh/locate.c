@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* locate.c -- which cell holds a point where there is no box to tell.
+/* locate.c -- finds the cell of a point in a mesh that is not a box.
  *
  * A walk goes from cell to cell through the face that the point is farthest
- * beyond. Where a face leads round a period, the point is moved by the period:
- * the neighbour sees that face at the other end of the mesh. (To look at it
- * where the owner has it is to be a whole period beyond it.)
+ * beyond. Across a periodic face the point is moved by the period, because for
+ * the neighbour this face is at the other end of the mesh.
  *
  * Faces with four corners or more may be warped. Their planes then leave gaps
  * between cells, no wider than a corner is off its plane; a point in a gap
  * belongs to the cell that it is least beyond. The walk begins in a cell that
- * the place alone decides, so a point has one owner, whenever it is asked for.
+ * depends on the position alone, so the cell of a point is always the same.
  *
- * A walk that ends at the boundary or turns in a circle says nothing: the mesh
- * may be hollow. Then all cells are asked whose bounding boxes could hold the
- * point.
+ * If a walk ends at the boundary or in a cycle, the point may still be inside,
+ * because the mesh may be concave. Then all cells whose bounding boxes may
+ * contain the point are tested.
  */
 #include "mesh/mesh.h"
 
@@ -21,12 +20,13 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
 /* A point on its way, and the best cell so far. */
 struct walk {
     const struct mesh *m;
-    double x[3];      /* [m] as the present cell sees it */
+    double x[3];      /* [m] relative to the present cell */
     int best;         /* [-] cell, or -1 */
     double excess;    /* [m] that the point is beyond the best cell's faces */
     double offset[3]; /* [m] from its centre to the point */
@@ -84,7 +84,8 @@ static void try_cell(struct walk *w, int c, double excess)
 static int go_through(struct walk *w, int a)
 {
     const struct mesh *const m = w->m;
-    const int f = m->cell_face[a], lap = m->lap != NULL ? m->lap[f] : 0;
+    const int f = m->cell_face[a],
+              lap = m->periodic_index != NULL ? m->periodic_index[f] : 0;
 
     for (int k = 0; k < 3 && lap != 0; k++)
         w->x[k] += m->out[a] *
@@ -95,7 +96,8 @@ static int go_through(struct walk *w, int a)
 /* 1 if a cell was found. */
 static int walk_from(struct walk *w, int c)
 {
-    const int longest = 32 + 8 * (int)cbrt(w->m->n_cells);
+    const int longest =
+        32 + 8 * number_clamped(cbrt(w->m->n_cells), 1, 1 << 11);
 
     for (int steps = 0; steps < longest; steps++) {
         double excess;
@@ -117,14 +119,14 @@ static int bin_of(const struct mesh *m, const double x[3])
     for (int k = 0; k < 3; k++) {
         if (!(x[k] >= m->lo[k] - b->slack && x[k] <= m->hi[k] + b->slack))
             return -1;
-        const int j = (int)((x[k] - m->lo[k]) * b->inverse[k]);
-        at[k] = j < 0 ? 0 : j < b->n[k] ? j : b->n[k] - 1;
+        at[k] =
+            number_clamped((x[k] - m->lo[k]) * b->inverse[k], 0, b->n[k] - 1);
     }
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
 
 /* All cells of the bin of the point as it is, and of its images. */
-static int look_around(struct walk *w, const double x[3])
+static int search_bin(struct walk *w, const double x[3])
 {
     const struct mesh *const m = w->m;
     int images = 1;
@@ -157,7 +159,7 @@ static int locate_from(const struct mesh *m, int begin, const double x[3],
     if (!(isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]))) return -1;
     for (int k = 0; k < 3; k++)
         w.x[k] = x[k];
-    if (!(begin >= 0 && walk_from(&w, begin)) && !look_around(&w, x)) return -1;
+    if (!(begin >= 0 && walk_from(&w, begin)) && !search_bin(&w, x)) return -1;
     for (int k = 0; k < 3; k++)
         offset[k] = w.offset[k];
     return w.best;
@@ -170,7 +172,7 @@ static int begin_at(const struct mesh *m, const double x[3])
     return bin < 0 ? -1 : m->bins->begin[bin];
 }
 
-/* By whole periods to where the mesh is, or next to it. */
+/* Moves the point by whole periods into or next to the mesh. */
 static void fold(const struct mesh *m, const double x[3], double y[3])
 {
     double o[3];
@@ -182,9 +184,10 @@ static void fold(const struct mesh *m, const double x[3], double y[3])
         y[k] = m->n_periods > 0 ? o[k] + 0.5 * (m->lo[k] + m->hi[k]) : x[k];
 }
 
-int mesh_locate(const struct mesh *m, const double x[3], double offset[3])
+int mesh_cell_and_offset(const struct mesh *m, const double x[3],
+                         double offset[3])
 {
-    if (m->middle != NULL) {
+    if (m->face_centre != NULL) {
         double y[3];
         fold(m, x, y);
         return locate_from(m, begin_at(m, y), y, offset);
@@ -204,7 +207,7 @@ int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
     const double point[3] = {x, y, z};
     double offset[3];
 
-    if (m->middle == NULL) return mesh_cell_at(m, x, y, z);
+    if (m->face_centre == NULL) return mesh_cell_at(m, x, y, z);
     return locate_from(m, begin, point, offset);
 }
 
@@ -220,12 +223,13 @@ static void size_bins(const struct mesh *m, struct mesh_bins *b)
     const double width = cbrt(volume / m->n_cells);
     for (int k = 0; k < 3; k++) {
         const double L = m->hi[k] - m->lo[k];
-        b->n[k] = (int)fmin(1024.0, fmax(1.0, floor(L / width)));
+        b->n[k] = number_clamped(L / width, 1, 1024);
         b->inverse[k] = b->n[k] / L;
     }
 }
 
-/* The bins that the bounding box of cell c meets, first and last a direction.
+/* The bins that the bounding box of cell c overlaps, first and last in each
+ * direction.
  */
 static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 {
@@ -243,8 +247,8 @@ static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
         const double margin = b->slack + 1e-9 * (hi - lo);
         const double low = floor((lo - margin - m->lo[k]) * b->inverse[k]);
         const double high = floor((hi + margin - m->lo[k]) * b->inverse[k]);
-        first[k] = (int)fmax(0.0, fmin(b->n[k] - 1, low));
-        last[k] = (int)fmax(0.0, fmin(b->n[k] - 1, high));
+        first[k] = number_clamped(low, 0, b->n[k] - 1);
+        last[k] = number_clamped(high, 0, b->n[k] - 1);
     }
 }
 
@@ -280,17 +284,20 @@ static double rounding(const struct mesh *m)
     return fmax(1e-12 * cbrt(least), 4e-15 * farthest);
 }
 
-/* Of face a of a cell's list; round a period the neighbour sees it moved. */
+/* For face a of a cell's list; across a period it is moved for the neighbour.
+ */
 static void set_plane(const struct mesh *m, int a)
 {
     const int f = m->cell_face[a];
     const int lap =
-        m->lap != NULL && f < m->n_internal && m->out[a] < 0.0 ? m->lap[f] : 0;
+        m->periodic_index != NULL && f < m->n_internal && m->out[a] < 0.0
+            ? m->periodic_index[f]
+            : 0;
     const double *const S = &m->S[3 * f], area = vector_length(S);
     double *const p = &m->bins->plane[4 * a];
 
     for (int k = 0; k < 3; k++) {
-        double x = m->middle[3 * f + k];
+        double x = m->face_centre[3 * f + k];
         if (lap != 0)
             x += lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k];
         p[k] = m->out[a] * S[k] / area;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 static void shape_free(struct mesh_shape *s)
 {
@@ -32,7 +33,7 @@ static void bins_free(struct mesh_bins *b)
 
 void mesh_free(struct mesh *m)
 {
-    if (m == NULL || m->holders-- > 0) return;
+    if (m == NULL || m->reference_count-- > 0) return;
     free(m->V);
     free(m->centre);
     free(m->owner);
@@ -44,8 +45,8 @@ void mesh_free(struct mesh *m)
     free(m->cell_start);
     free(m->cell_face);
     free(m->out);
-    free(m->middle);
-    free(m->lap);
+    free(m->face_centre);
+    free(m->periodic_index);
     shape_free(m->shape);
     bins_free(m->bins);
     for (int k = 0; k < 3; k++)
@@ -53,9 +54,9 @@ void mesh_free(struct mesh *m)
     free(m);
 }
 
-struct mesh *mesh_hold(struct mesh *m)
+struct mesh *mesh_retain(struct mesh *m)
 {
-    m->holders++;
+    m->reference_count++;
     return m;
 }
 
@@ -63,7 +64,7 @@ double mesh_period(const struct mesh *m, int k)
 {
     const struct box *const b = &m->box;
 
-    if (m->middle == NULL)
+    if (m->face_centre == NULL)
         return b->periodic[k] ? b->edge[k][b->n[k]] - b->edge[k][0] : 0.0;
     for (int i = 0; i < m->n_periods; i++) {
         const double *const P = m->period[i];
@@ -79,9 +80,8 @@ static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
     const double share = (x - edge[0]) / (edge[n] - edge[0]);
-    int i = (int)(share * n);
+    int i = number_clamped(share * n, 0, n - 1);
 
-    if (i > n - 1) i = n - 1;
     while (i > 0 && x < edge[i])
         i--;
     while (i < n - 1 && x >= edge[i + 1])
@@ -103,7 +103,7 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
     double offset[3];
     int at[3];
 
-    if (m->middle != NULL) return mesh_locate(m, point, offset);
+    if (m->face_centre != NULL) return mesh_cell_and_offset(m, point, offset);
     for (int k = 0; k < 3; k++) {
         const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
         const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];
@@ -129,7 +129,8 @@ void mesh_allocate(struct mesh *m)
     m->S = alloc_doubles(3 * m->n_faces);
     m->d = alloc_doubles(3 * m->n_faces);
     m->w = alloc_doubles(m->n_faces);
-    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
+    if (m->patches == NULL)
+        m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 

@@ -3,33 +3,37 @@
  * A face has an owner and, inside, a neighbour; its area vector S points from
  * the owner to the neighbour, or out of the domain. What leaves one cell
  * through a face enters the other, so a loop over faces conserves what it
- * moves. A periodic face is an ordinary face whose link vector d carries the
- * shift: only d, never the difference of two centres, says how far apart two
- * cells are.
+ * transports. A periodic face is an ordinary face whose link vector d includes
+ * the period: only d, never the difference of two centres, gives the distance
+ * between two cells.
  *
- * Faces 0 .. n_internal-1 have a neighbour; after them come the faces of each
- * patch. Vectors on cells and faces keep their components side by side: the
- * k-th component of cell c is at [3 * c + k].
+ * Faces 0 .. n_internal-1 have a neighbour; the faces of each patch follow. The
+ * components of vectors on cells and faces are interleaved: the k-th component
+ * of cell c is at [3 * c + k].
  */
-#ifndef MESH_H
-#define MESH_H
+#ifndef MESH_MESH_H
+#define MESH_MESH_H
 
-/* A named stretch of boundary faces: first .. first + n - 1. */
+/* No mesh has more faces: then what has four numbers a face, or twelve a cell,
+ * is still numbered by an int. */
+enum { MESH_MOST_FACES = 536870911 };
+
+/* A named range of boundary faces: first .. first + n - 1. */
 struct patch {
     char name[64];
     int first, n;
-    int slides; /* [-] 1: a symmetry, where nobody says otherwise */
+    int is_symmetry; /* [-] 1: a symmetry plane by default */
 };
 
-/* What a box keeps of its regularity, to find cells and to write files. */
+/* The regular structure of a box, used to locate cells and to write files. */
 struct box {
     int n[3];        /* [-] cells per direction */
     int periodic[3]; /* [-] 1 where the two ends are one */
     double *edge[3]; /* [m] n + 1 cell edges per direction, ascending */
 };
 
-/* The corners of a mesh that is no box: what it takes to draw its cells and to
- * put walls on its faces. */
+/* The corners of a mesh that is not a box, needed to draw its cells and to
+ * place walls on its faces. */
 struct mesh_shape {
     int n_points, n_polygons;
     double *point;       /* [m] 3 a point */
@@ -41,18 +45,19 @@ struct mesh_shape {
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 
-/* Which cells a point can be in: a grid of bins, and for each the cells whose
- * bounding boxes meet it. */
+/* The cells that may contain a point: a grid of bins, and for each bin the
+ * cells whose bounding boxes overlap it. */
 struct mesh_bins {
     int n[3];
     double inverse[3];   /* [1/m] of a bin's width */
     int *start, *member; /* [-] the cells of a bin, ascending */
-    int *begin;          /* [-] whose centre is nearest to the bin's; or -1 */
-    double *plane;       /* [-], [m] beside cell_face, 4 each: the normal out of
-                            the cell, and its product with the face's middle as
-                            this cell sees it */
-    double tiny;         /* [m] rounding: as good as inside */
-    double slack;        /* [m] gaps between warped faces are no wider */
+    int *begin; /* [-] the cell whose centre is nearest to that of the bin; or
+                   -1 */
+    double *
+        plane; /* [-], [m] beside cell_face, 4 each: the normal out of the cell,
+                  and its product with the face centre relative to this cell */
+    double tiny;  /* [m] a point closer than this to a face counts as inside */
+    double slack; /* [m] gaps between warped faces are no wider */
 };
 
 struct mesh {
@@ -74,15 +79,16 @@ struct mesh {
     struct box box;  /* of a box; else n is 0 */
     int oblique;     /* 1: some link is not normal to its face */
     double lo[3], hi[3]; /* [m] the smallest box around it */
-    int holders;         /* [-] who will still call mesh_free, but one */
+    int reference_count; /* [-] further callers that will call mesh_free */
     /* Of a mesh that is no box; else NULL and 0. */
-    double *middle; /* [m] of each face, 3; as the owner sees it */
+    double *face_centre; /* [m] of each face, 3; on the owner's side */
     struct mesh_shape *shape;
     struct mesh_bins *bins;
     int n_periods;
     double period[3][3]; /* [m] shifts that lead from one end to the other */
-    int *lap; /* [-] n_internal, NULL without periods: k + 1 if the neighbour
-                 sees the face moved by period k, -(k + 1) if by minus it */
+    int *periodic_index; /* [-] n_internal, NULL without periods: k + 1 if the
+                            face is moved by period k for the neighbour, -(k +
+                            1) if by minus it */
 };
 
 /* A box of cells. grading is the ratio of the last to the first cell width, 1
@@ -97,44 +103,63 @@ struct box_spec {
 
 struct mesh *mesh_create_box(const struct box_spec *spec);
 
-/* The same, pushed out of the square: x grows by shear[0] y + shear[1] z, y by
- * shear[2] z. NULL after a message if it is too crooked to compute on. */
+/* Only the outline of it, without the arrays of cells and faces: their numbers,
+ * the edges, the patches. It takes no time, whatever the number of cells, and
+ * says all that is worth knowing of a box before it is made. */
+struct mesh *mesh_outline_box(const struct box_spec *spec);
+
+/* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
+double mesh_box_faces(const struct box_spec *spec);
+
+/* The same box, sheared: x grows by shear[0] y + shear[1] z, y by shear[2] z.
+ * NULL after a message if its cells are too distorted. */
 struct mesh *mesh_create_sheared(const struct box_spec *spec,
                                  const double shear[3]);
 void mesh_free(struct mesh *m);
 
-/* The same mesh for one more, who calls mesh_free too. */
-struct mesh *mesh_hold(struct mesh *m);
+/* Returns the same mesh to one more user, who also calls mesh_free. */
+struct mesh *mesh_retain(struct mesh *m);
 
-/* The one cell that owns the point, or -1 outside. A point on a face belongs
- * to the cell above it, on the upper end of the box to the last cell; in a
- * periodic direction the point is wrapped first. */
+/* The cell that contains the point, or -1 outside. A point on a face belongs to
+ * the cell on its upper side, a point on the upper end of the box to the last
+ * cell; in a periodic direction the point is first moved into the box. */
 int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 
-/* The same on any mesh, by a walk from face to face that begins in a cell near
- * by: through the face that the point is farthest beyond, until it is beyond
- * none. A walk that leads nowhere, round a hole or out of a hollow, is followed
- * by a look at all cells of the point's bin. -1 outside. */
+/* The same on any mesh, by a walk from cell to cell that begins in a nearby
+ * cell: each step crosses the face that the point is farthest beyond, until the
+ * point is beyond none. If the walk fails (around a hole, or out of a concave
+ * region), all cells of the point's bin are tested. -1 outside. */
 int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
                    double z);
 
-/* mesh_cell_at, and how to get from the centre of the cell to the point, round
- * the period [m]; that is left alone outside. */
-int mesh_locate(const struct mesh *m, const double x[3], double offset[3]);
+/* mesh_cell_at, and the vector from the centre of the cell to the point, across
+ * a period if need be [m]; the vector is not set if the point is outside. */
+int mesh_cell_and_offset(const struct mesh *m, const double x[3],
+                         double offset[3]);
 
-/* How good a mesh is. */
+/* Measures of the quality of a mesh. */
 struct mesh_quality {
-    double openness;        /* [-] mesh_openness */
-    double non_orthogonal;  /* [deg] largest angle between S and d */
-    double skewness;        /* [-] largest distance of a face's middle from
-                               where its link crosses it, over the link */
-    double aspect;          /* [-] largest distance of a cell's centre from the
-                               middle of a face over the smallest */
-    double growth;          /* [-] largest ratio of the volumes of neighbours */
-    double V_least, V_most; /* [m^3] */
-    int crooked, skewed, flat, small; /* [-] the cells where that is so */
+    double openness;       /* [-] mesh_openness */
+    double non_orthogonal; /* [deg] largest angle between S and d */
+    double skewness;       /* [-] largest distance of a face's middle from
+                              where its link crosses it, over the link */
+    double aspect;         /* [-] largest distance of a cell's centre from the
+                              middle of a face over the smallest */
+    double growth;         /* [-] largest ratio of the volumes of neighbours */
+    double V_min, V_max;   /* [m^3] */
+    int n_non_orthogonal, n_skewed, n_flat,
+        n_small; /* [-] numbers of such cells */
 };
 struct mesh_quality mesh_quality(const struct mesh *m);
+
+/* The volumes of the smallest, the largest and the mean cell, also of an
+ * outline [m^3]. */
+void mesh_volumes(const struct mesh *m, double *least, double *most,
+                  double *mean);
+
+/* The largest sum of S.S / S.d over the inner faces of a cell, over its volume,
+ * also of an outline [1/m^2]: how fast a diffusion with D = 1 m^2/s fades. */
+double mesh_diffusion_rate(const struct mesh *m);
 
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
@@ -143,17 +168,18 @@ const struct patch *mesh_patch(const struct mesh *m, const char *name);
  * 0. */
 double mesh_period(const struct mesh *m, int k);
 
-/* For those who make meshes. Makes the arrays for the numbers of cells, faces
- * and patches that m has; and, when all faces are there, finds the faces of the
- * cells and whether a link is oblique. */
+/* For functions that create meshes. mesh_allocate creates the arrays for the
+ * numbers of cells, faces and patches in m; when all faces are set,
+ * mesh_collect_faces finds the faces of each cell and whether a link is
+ * non-orthogonal. */
 void mesh_allocate(struct mesh *m);
 void mesh_collect_faces(struct mesh *m);
-/* Needs all else; no corner is farther off the plane of its face than slack
- * [m]. */
+/* Requires everything else to be set; no corner is farther from the plane of
+ * its face than slack [m]. */
 void mesh_bins_create(struct mesh *m, double slack);
 
-/* S - d S.S / S.d: the part of the area of inner face f that its link does not
- * stand for [m^2]. */
+/* S - d S.S / S.d: the non-orthogonal part of the area vector of inner face f
+ * [m^2]. */
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
 
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */

@@ -1,12 +1,12 @@
-/* outline.h -- surfaces as polygons, to be looked at.
+/* outline.h -- surfaces as polygons for display.
  *
  * Of a plane, what lies in the box; of a cylinder, 64 flat sides as long as the
  * box; triangles as they are.
  */
-#ifndef OUTLINE_H
-#define OUTLINE_H
+#ifndef OUTPUT_OUTLINE_H
+#define OUTPUT_OUTLINE_H
 
-#include "particles/surface.h"
+#include "dem/surfaces/surface.h"
 
 struct outline {
     int n_points, n_polygons, point_room, polygon_room;

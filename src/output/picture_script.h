@@ -3,8 +3,8 @@
  * Goes behind the numbers of a run (picture.c), which it names without
  * defining. Ended by NULL.
  */
-#ifndef PICTURE_SCRIPT_H
-#define PICTURE_SCRIPT_H
+#ifndef OUTPUT_PICTURE_SCRIPT_H
+#define OUTPUT_PICTURE_SCRIPT_H
 
 extern const char *const picture_script[];
 

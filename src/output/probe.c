@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "averaging/slope.h"
+#include "averaging/more/kernel_gradient.h"
 #include "base/vector.h"
 
 static double middle(const struct box *b, int k, int i)
@@ -73,7 +73,7 @@ static struct probe in_mesh(const struct mesh *m, const double x[3])
 {
     struct probe p = {.n = 0};
     double link[PROBE_CELLS - 1][3], A[6] = {0.0}, o[3], y[3];
-    const int c = mesh_locate(m, x, o);
+    const int c = mesh_cell_and_offset(m, x, o);
 
     if (c < 0) return p;
     const int n = links_of(m, c, &p.cell[1], link);
@@ -84,7 +84,7 @@ static struct probe in_mesh(const struct mesh *m, const double x[3])
         for (int j = 0; j < 6; j++)
             A[j] += w * dd[j];
     }
-    slope_solve(A, o, y);
+    kernel_gradient_solve(A, o, y);
     p.n = n + 1;
     p.weighted = 1;
     p.cell[0] = c;
@@ -98,7 +98,7 @@ static struct probe in_mesh(const struct mesh *m, const double x[3])
 
 struct probe probe_at(const struct mesh *m, const double x[3])
 {
-    return m->middle == NULL ? in_box(m, x) : in_mesh(m, x);
+    return m->face_centre == NULL ? in_box(m, x) : in_mesh(m, x);
 }
 
 double probe_amount(const struct probe *p, const double *values, int components,

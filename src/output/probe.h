@@ -1,12 +1,12 @@
-/* probe.h -- a field at one point, as a sensor there would see it.
+/* probe.h -- the value of a field at a point.
  *
  * In a box: linear between the centres of the cells along each direction;
  * beyond the last centre the value of the last cell. In any other mesh: the
  * value of the cell and its slope to the neighbours, by least squares; so
  * linear fields are exact. A weighted field has the value of the cell there.
  */
-#ifndef PROBE_H
-#define PROBE_H
+#ifndef OUTPUT_PROBE_H
+#define OUTPUT_PROBE_H
 
 #include "mesh/mesh.h"
 

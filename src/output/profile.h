@@ -13,8 +13,8 @@
  *     sample at x  = sum_z w u dz / sum_z w dz
  *     mean over t  = sum_t W sample dt / sum_t W dt,   W = sum_z w dz / depth
  */
-#ifndef PROFILE_H
-#define PROFILE_H
+#ifndef OUTPUT_PROFILE_H
+#define OUTPUT_PROFILE_H
 
 #include "mesh/mesh.h"
 

@@ -4,8 +4,8 @@
  * with its time. It is written anew, whole, for each added file, so that it can
  * be opened while the run goes on and never names a file that is not there.
  */
-#ifndef SERIES_H
-#define SERIES_H
+#ifndef OUTPUT_SERIES_H
+#define OUTPUT_SERIES_H
 
 struct series;
 

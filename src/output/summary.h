@@ -1,4 +1,4 @@
-/* summary.h -- what there is to say about a run, as JSON.
+/* summary.h -- the summary of a run as JSON.
  *
  * Entries appear in the order in which they are added, groups in braces:
  *
@@ -12,8 +12,8 @@
  * Numbers read back to the same bits; what is no number (nan, inf) is null,
  * for JSON has no word for it.
  */
-#ifndef SUMMARY_H
-#define SUMMARY_H
+#ifndef OUTPUT_SUMMARY_H
+#define OUTPUT_SUMMARY_H
 
 struct summary;
 

@@ -4,8 +4,8 @@
  * grows by a row at a time; a row reaches the file in one piece or not at all,
  * so the file can be read while the run goes on and is valid after any end.
  */
-#ifndef TABLE_H
-#define TABLE_H
+#ifndef OUTPUT_TABLE_H
+#define OUTPUT_TABLE_H
 
 struct table;
 

@@ -2,7 +2,7 @@
 #include "output/vtk.h"
 
 #include "base/alloc.h"
-#include "output/vtk_cells.h"
+#include "output/poly/vtk_cells.h"
 
 #include <stdlib.h>
 

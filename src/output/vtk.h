@@ -8,8 +8,8 @@
  * Nothing is allocated by a write, but for the file's own stream and once more
  * when an array is larger than any before.
  */
-#ifndef VTK_H
-#define VTK_H
+#ifndef OUTPUT_VTK_H
+#define OUTPUT_VTK_H
 
 #include "mesh/mesh.h"
 #include "output/vtk_array.h"

@@ -1,15 +1,15 @@
-/* vtk_array.h -- one named array of numbers, as VTK is to see it.
+/* vtk_array.h -- one named array of numbers in a VTK file.
  *
- * The numbers stay where the solver keeps them: side by side, one array a
- * component, or whole numbers. They are Float64 in the file, bit for bit what
- * was computed, unless `single` asks for Float32: seven digits at half the
- * size, enough for what is only looked at (velocities), not for positions,
- * whose differences are overlaps of 1e-4 d, nor for what somebody will sum.
+ * The numbers are not copied: they may be interleaved, in one array a
+ * component, or integers. They are Float64 in the file, bit for bit what was
+ * computed, unless `single` asks for Float32: seven digits at half the size,
+ * enough for what is only looked at (velocities), not for positions, whose
+ * differences are overlaps of 1e-4 d, nor for what somebody will sum.
  *
  * Fill it by name: {.name = "velocity", .components = 3, .split = {vx, vy, vz}}
  */
-#ifndef VTK_ARRAY_H
-#define VTK_ARRAY_H
+#ifndef OUTPUT_VTK_ARRAY_H
+#define OUTPUT_VTK_ARRAY_H
 
 #include <stddef.h>
 

@@ -9,11 +9,11 @@
  *     the compressed blocks
  *
  * Once a block of an array shrinks by less than a tenth, as those of particle
- * velocities do, the blocks behind it are stored as they are (zlib's level 0);
+ * velocities do, the following blocks are stored uncompressed (zlib's level 0);
  * until then they are compressed lightly (level 1).
  */
-#ifndef VTK_BLOCKS_H
-#define VTK_BLOCKS_H
+#ifndef OUTPUT_VTK_BLOCKS_H
+#define OUTPUT_VTK_BLOCKS_H
 
 #include "output/vtk_array.h"
 

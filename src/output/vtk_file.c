@@ -96,7 +96,7 @@ void vtk_file_array(struct vtk_file *f, const struct vtk_array *a, int n)
     fprintf(f->out, "%016d\"/>\n", 0);
 }
 
-/* VTK would drop one of two arrays of the same name without a word. */
+/* VTK silently drops one of two arrays of the same name. */
 static int names_differ(int n_arrays, const struct vtk_array *arrays)
 {
     for (int i = 0; i < n_arrays; i++)

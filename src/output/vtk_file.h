@@ -4,8 +4,8 @@
  * the "_" of <AppendedData>. These offsets are not known when the XML is
  * written, so digits are reserved for them and filled in at the end.
  */
-#ifndef VTK_FILE_H
-#define VTK_FILE_H
+#ifndef OUTPUT_VTK_FILE_H
+#define OUTPUT_VTK_FILE_H
 
 #include "output/vtk_blocks.h"
 

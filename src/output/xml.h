@@ -1,6 +1,6 @@
 /* xml.h -- text inside XML: & < > " are written as entities and read back. */
-#ifndef XML_H
-#define XML_H
+#ifndef OUTPUT_XML_H
+#define OUTPUT_XML_H
 
 #include <stdio.h>
 

@@ -20,8 +20,8 @@
 
 #include "base/alloc.h"
 #include "bed.h"
-#include "effects/effects.h"
-#include "exchange/coupling.h"
+#include "coupling/effects.h"
+#include "coupling/coupling.h"
 
 enum { STEPS = 8, WARM = 3, REPEATS = 7, FIELDS = 7, DEM_STEPS = 10 };
 
@@ -92,8 +92,8 @@ static void create_particles(struct simulation *sim, const double hi[3])
                                   .step = sim->dt / DEM_STEPS,
                                   .hi = {hi[0], hi[1], hi[2]}};
 
-    sim->held = alloc_doubles(3 * sim->particles->n);
-    particles_attach(sim->particles, sim->held, 3);
+    sim->held_force = alloc_doubles(3 * sim->particles->n);
+    particles_attach(sim->particles, sim->held_force, 3);
     sim->dem = dem_create(sim->particles, &o);
 }
 

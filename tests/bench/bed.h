@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "particles/particles.h"
+#include "dem/particles.h"
 
 static inline void give_up(const char *path)
 {

@@ -12,7 +12,7 @@
 #include <time.h>
 
 #include "fluid/fluid.h"
-#include "mesh/poly.h"
+#include "mesh/poly/poly.h"
 
 /* Processor time of this thread: the machine may have other work. */
 static double now(void)
@@ -75,8 +75,8 @@ int main(int argc, char **argv)
         .dt = 0.5 * 0.1 / n,
         .convection = convection_scheme_named("linear"),
         .correctors = 2,
-        .enough = 0.05, /* icoFoam's, too */
-        .predictor = 1e-5,
+        .p_relative_tolerance = 0.05, /* icoFoam's, too */
+        .u_tolerance = 1e-5,
         .tolerance = argc > 5 && argv[5][0] != '-' ? atof(argv[5])
                      : dimensions == 3             ? 1e-8
                                                    : 1e-9,

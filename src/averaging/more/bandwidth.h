@@ -1,0 +1,57 @@
+/* bandwidth.h -- a bandwidth of the diffusion that varies in space. Chapter 21.
+ *
+ *     d phi / d tau = div (D grad phi),  D = (b(x) / b)^2 [-]
+ *                                           [SX15 section 2.2.3]
+ *
+ * b is the bandwidth that the options name, b(x) the local one:
+ *
+ *   regions  boxes with a bandwidth of their own; where boxes overlap the last
+ *            one applies; 0 leaves the pcm field unchanged
+ *   cells    b(x)^2 = b^2 - dx^2 / 3, at least 0, with the distance dx of the
+ *            two centres at a face: what has gone to the host and is shown as
+ *            even in it is smeared over a cell already, which counts dx^2 / 6
+ *            of variance beside the b^2 / 2 of the Gaussian. Where cells are
+ *            larger than 1.7 b it leaves the pcm field [SX15 section 2.2.3]
+ *   grains   b(x) = b d(x) / d_mean, with the mean diameters by volume of the
+ *            cell and of all; d_mean where a cell has no particles [SX15
+ * section 4.1]
+ *
+ * D at a face is the harmonic mean of its two cells, so the sum of V phi is
+ * conserved, and a constant field stays constant.
+ */
+#ifndef AVERAGING_MORE_BANDWIDTH_H
+#define AVERAGING_MORE_BANDWIDTH_H
+
+#include "averaging/averaging.h"
+#include "averaging/cell_of_particle.h"
+
+/* The names for options.vary, ended by NULL; the first is the default: not. */
+extern const char *const bandwidth_rules[];
+
+/* D minus the smoothing by a cell of width dx [m], where D = 1 for the
+ * bandwidth b [m]: the rule "cells". [-] */
+double bandwidth_minus_cell(double D, double dx, double b);
+
+/* 1 if D is the same on all lines of cells of a box: uniform, or by the widths
+ * of its cells alone. */
+int bandwidth_is_by_lines(const struct averaging_options *o);
+
+struct bandwidth;
+
+/* NULL if the options name no variation; the cells are borrowed. */
+struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
+                                   const struct averaging_options *o);
+void bandwidth_free(struct bandwidth *w);
+
+/* D on each internal face [-], borrowed. */
+const double *bandwidth_D(const struct bandwidth *w);
+
+/* Computes D again where it depends on the particles. Returns 1 if D has
+ * changed. */
+int bandwidth_bind(struct bandwidth *w);
+
+/* Upper bound of D in all later calls of bandwidth_bind, with the present
+ * particles. */
+double bandwidth_largest(const struct bandwidth *w);
+
+#endif

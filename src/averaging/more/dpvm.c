@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/more/dpvm.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "averaging/averaging.h"
+#include "averaging/poly/facets.h"
+#include "averaging/more/overlap.h"
+#include "averaging/more/weights.h"
+#include "base/alloc.h"
+
+struct dpvm;
+
+/* The body, for boxes and for other cells. */
+struct body {
+    void (*divide)(const struct dpvm *d, const struct neighbourhood *near,
+                   const double o[3], double R, double *w);
+    enum facets_body kind;
+    double corner; /* [-] distance of its farthest point, over R */
+};
+
+struct dpvm {
+    const struct cell_of_particle *h; /* borrowed */
+    struct weights *shares;
+    struct body body;
+    double *half; /* [m] of a box: half extents of the cells, 3; infinite where
+                     a period is one cell wide, because this cell contains the
+                     whole body */
+    struct facets *facets; /* of another mesh */
+};
+
+/* 1 if the body is wholly within its cell, as most are where cells are large. A
+ * sphere and its cube have the same extent in each direction. */
+static int is_within(const double o[3], double R, const double half[3])
+{
+    return fabs(o[0]) + R <= half[0] && fabs(o[1]) + R <= half[1] &&
+           fabs(o[2]) + R <= half[2];
+}
+
+/* The ends of entry e relative to the centre of particle i. */
+static void ends_of(const struct dpvm *d, const struct neighbourhood *near,
+                    int e, const double o[3], double lo[3], double hi[3])
+{
+    const double *const half =
+        &d->half[3 * (near->cell + near->index_offset[e])];
+    const double at[3] = {near->dx[e] - o[0], near->dy[e] - o[1],
+                          near->dz[e] - o[2]};
+
+    for (int k = 0; k < 3; k++) {
+        lo[k] = at[k] - half[k];
+        hi[k] = at[k] + half[k];
+    }
+}
+
+static int reaches(double R, const double lo[3], const double hi[3])
+{
+    return lo[0] < R && hi[0] > -R && lo[1] < R && hi[1] > -R && lo[2] < R &&
+           hi[2] > -R;
+}
+
+/* The volumes that the entries have of the sphere; in very small cells each for
+ * itself. */
+static void divide_sphere(const struct dpvm *d,
+                          const struct neighbourhood *near, const double o[3],
+                          double R, double *w)
+{
+    struct overlap_grid g;
+    double lo[3], hi[3];
+    int few = 1;
+
+    overlap_grid_start(&g, R);
+    for (int e = 0; e < near->n && few; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        if (reaches(R, lo, hi)) few = overlap_grid_add(&g, lo, hi);
+    }
+    if (few) overlap_grid_prepare(&g);
+    for (int e = 0; e < near->n; e++) {
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = !reaches(R, lo, hi) ? 0.0
+               : few               ? overlap_grid_cell(&g, lo, hi)
+                                   : overlap_sphere(R, lo, hi);
+    }
+}
+
+static void divide_cube(const struct dpvm *d, const struct neighbourhood *near,
+                        const double o[3], double R, double *w)
+{
+    for (int e = 0; e < near->n; e++) {
+        double lo[3], hi[3];
+        ends_of(d, near, e, o, lo, hi);
+        w[e] = overlap_cube(R, lo, hi);
+    }
+}
+
+/* In boxes. */
+static int dpvm_weights(const void *state, int i,
+                        const struct neighbourhood *near, double *w)
+{
+    const struct dpvm *const d = state;
+    const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
+    double sum = 0.0;
+
+    if (is_within(o, R, &d->half[3 * near->cell])) return 0;
+    d->body.divide(d, near, o, R, w);
+    for (int e = 0; e < near->n; e++)
+        sum += w[e];
+    for (int e = 0; e < near->n; e++)
+        w[e] /= sum; /* not 0: the centre is in the cell */
+    return 1;
+}
+
+/* For cells of any shape. If the centre lies outside a curved wall (by less
+ * than the facets differ from it), the whole body may be outside; it is then
+ * assigned to its cell. */
+static int dpvm_weights_anywhere(const void *state, int i,
+                                 const struct neighbourhood *near, double *w)
+{
+    const struct dpvm *const d = state;
+    const double R = 0.5 * d->h->ps->d[i], *const o = &d->h->offset[3 * i];
+    double sum = 0.0;
+
+    if (facets_contain(d->facets, d->body.kind, near->cell, o, R)) return 0;
+    for (int e = 0; e < near->n; e++) {
+        const double from[3] = {o[0] - near->dx[e], o[1] - near->dy[e],
+                                o[2] - near->dz[e]};
+        w[e] = facets_overlap(d->facets, d->body.kind,
+                              near->cell + near->index_offset[e], from, R);
+        sum += w[e];
+    }
+    if (!(sum > 0.0)) return 0;
+    for (int e = 0; e < near->n; e++)
+        w[e] /= sum;
+    return 1;
+}
+
+static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
+static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
+
+/* Of the largest body [m]. */
+static double reach(const struct dpvm *d)
+{
+    const struct particles *const ps = d->h->ps;
+    double R = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        R = fmax(R, 0.5 * ps->d[i]);
+    return d->body.corner * R;
+}
+
+static void find_halves(struct dpvm *d)
+{
+    const struct mesh *const m = d->h->mesh;
+
+    d->half = stencil_extents(m);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int k = 0; k < 3; k++)
+            if (m->box.periodic[k] && m->box.n[k] == 1)
+                d->half[3 * c + k] = INFINITY;
+}
+
+static void *create(const struct cell_of_particle *h,
+                    const struct averaging_options *o, struct body body)
+{
+    const int is_box = h->mesh->shape == NULL;
+    struct dpvm *const d = alloc_zeroed(1, sizeof *d);
+    const struct weights_rule rule = {
+        is_box ? dpvm_weights : dpvm_weights_anywhere, d, 1};
+
+    d->h = h;
+    d->body = body;
+    if (is_box)
+        find_halves(d);
+    else
+        d->facets = facets_create(h->mesh);
+    d->shares = weights_create(h, reach(d), STENCIL_TO_CELL, o->fields, rule);
+    return d;
+}
+
+static void *dpvm_create(const struct cell_of_particle *h,
+                         const struct averaging_options *o)
+{
+    return create(h, o, sphere);
+}
+
+static void *cube_create(const struct cell_of_particle *h,
+                         const struct averaging_options *o)
+{
+    return create(h, o, cube);
+}
+
+static void dpvm_free(void *state)
+{
+    struct dpvm *const d = state;
+
+    weights_free(d->shares);
+    facets_free(d->facets);
+    free(d->half);
+    free(d);
+}
+
+/* A particle larger than all previous ones may have been inserted. */
+static void dpvm_bind(void *state, struct averaging_report *r)
+{
+    struct dpvm *const d = state;
+
+    (void)r;
+    weights_extend(d->shares, reach(d));
+    weights_bind(d->shares);
+}
+
+static void dpvm_spread(void *state, int m, const double *q, double *field,
+                        struct averaging_report *r)
+{
+    const struct dpvm *const d = state;
+    r->unsupported = weights_spread(d->shares, m, q, field);
+}
+
+static void dpvm_gather(void *state, int m, const double *field, double *q,
+                        struct averaging_report *r)
+{
+    const struct dpvm *const d = state;
+
+    (void)r;
+    weights_gather(d->shares, m, field, q);
+}
+
+const struct averaging_method dpvm_method = {
+    .name = "dpvm",
+    .cite = "SX15 section 1, LS section 5.4",
+    .what = "a cell takes the parts of particles in it",
+    .function = "dpvm_weights",
+    .reach_d = 0.5,
+    .create = dpvm_create,
+    .free = dpvm_free,
+    .bind = dpvm_bind,
+    .spread = dpvm_spread,
+    .gather = dpvm_gather,
+};
+
+const struct averaging_method dpvm_cube_method = {
+    .name = "cube",
+    .cite = "EW18 section 2.4",
+    .what = "a cell takes the parts of the particles' cubes in it",
+    .function = "dpvm_weights",
+    .reach_d = 0.5 * M_SQRT3,
+    .create = cube_create,
+    .free = dpvm_free,
+    .bind = dpvm_bind,
+    .spread = dpvm_spread,
+    .gather = dpvm_gather,
+};

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/more/kernel_gradient.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "averaging/more/stencil.h"
+#include "base/alloc.h"
+
+static const double kernel_gradient_reach = 3.0; /* [-] of b */
+
+struct kernel_gradient {
+    const struct cell_of_particle *h; /* borrowed */
+    struct stencil *near;
+    double b;    /* [m] */
+    int flat[3]; /* [-] 1: no two cells lie behind each other there */
+};
+
+/* Where A_jk is kept: xx, xy, xz, yy, yz, zz. */
+static int place(int j, int k)
+{
+    static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    return at[j][k];
+}
+
+/* Elimination without pivoting: A is a sum of squares, r r^T. A pivot far below
+ * the largest entry is a direction that no cell lies in. */
+void kernel_gradient_solve(const double A[6], const double b[3], double x[3])
+{
+    const double tiny = 1e-10 * fmax(A[0], fmax(A[3], A[5]));
+    double a[3][4];
+
+    for (int j = 0; j < 3; j++) {
+        for (int k = 0; k < 3; k++)
+            a[j][k] = A[place(j, k)];
+        a[j][3] = b[j];
+    }
+    for (int j = 0; j < 3; j++)
+        for (int i = j + 1; i < 3 && a[j][j] > tiny; i++) {
+            const double factor = a[i][j] / a[j][j];
+            for (int k = j; k < 4; k++)
+                a[i][k] -= factor * a[j][k];
+        }
+    for (int j = 2; j >= 0; j--) {
+        x[j] = a[j][3];
+        for (int k = j + 1; k < 3; k++)
+            x[j] -= a[j][k] * x[k];
+        x[j] = a[j][j] > tiny ? x[j] / a[j][j] : 0.0;
+    }
+}
+
+/* The neighbouring cells of a particle and their kernel weights. */
+struct kernel_weights {
+    int host, n;
+    const int *step;
+    double *r; /* [m] from the particle to the centre, 3 an entry */
+    double *w; /* [m^3] V_c exp(-r^2 / b^2) */
+};
+
+static void collect_weights(const struct kernel_gradient *s, int i,
+                            struct kernel_weights *v)
+{
+    const struct stencil *const near = s->near;
+    const int first = near->start[near->shape[v->host]];
+    const double far = kernel_gradient_reach * s->b;
+
+    v->n = near->start[near->shape[v->host] + 1] - first;
+    v->step = &near->step[first];
+    for (int e = 0; e < v->n; e++) {
+        const double *const o = &s->h->offset[3 * i];
+        double *const r = &v->r[3 * e];
+        r[0] = near->dx[first + e] - o[0];
+        r[1] = near->dy[first + e] - o[1];
+        r[2] = near->dz[first + e] - o[2];
+        const double r2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+        v->w[e] = r2 < far * far ? s->h->mesh->V[v->host + v->step[e]] *
+                                       exp(-r2 / (s->b * s->b))
+                                 : 0.0;
+    }
+}
+
+/* [EW18 B.9], which is the same for all fields of a particle. */
+static void find_matrix(const struct kernel_weights *v, double A[6])
+{
+    for (int j = 0; j < 3; j++)
+        for (int k = j; k < 3; k++) {
+            double sum = 0.0;
+            for (int e = 0; e < v->n; e++)
+                sum += v->w[e] * v->r[3 * e + j] * v->r[3 * e + k];
+            A[place(j, k)] = sum;
+        }
+}
+
+/* [EW18 B.3] for field k of m. */
+static double mean(const struct kernel_weights *v, int m, int k,
+                   const double *field)
+{
+    double sum = 0.0, weight = 0.0;
+
+    for (int e = 0; e < v->n; e++) {
+        sum += v->w[e] * field[m * (v->host + v->step[e]) + k];
+        weight += v->w[e];
+    }
+    return weight > 0.0 ? sum / weight : field[m * v->host + k];
+}
+
+/* The right-hand side [EW18 B.10] and the solution of [EW18 B.8]; in a row of
+ * cells that is the quotient [EW18 B.7]. */
+static void find_one(const struct kernel_weights *v, const double A[6], int m,
+                     int k, const double *field, double X[3])
+{
+    const double here = mean(v, m, k, field);
+    double B[3] = {0.0, 0.0, 0.0};
+
+    for (int e = 0; e < v->n; e++) {
+        const double above = field[m * (v->host + v->step[e]) + k] - here;
+        for (int j = 0; j < 3; j++)
+            B[j] += v->w[e] * above * v->r[3 * e + j];
+    }
+    kernel_gradient_solve(A, B, X);
+}
+
+/* 1 if no link leads along direction k. */
+static int is_flat(const struct mesh *m, int k)
+{
+    for (int f = 0; f < m->n_internal; f++) {
+        const double *const d = &m->d[3 * f];
+        const double d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (d[k] * d[k] > 1e-12 * d2) return 0;
+    }
+    return 1;
+}
+
+struct kernel_gradient *kernel_gradient_create(const struct cell_of_particle *h,
+                                               double b)
+{
+    struct kernel_gradient *const s = alloc_zeroed(1, sizeof *s);
+
+    s->h = h;
+    s->b = b;
+    for (int k = 0; k < 3; k++)
+        s->flat[k] = is_flat(h->mesh, k);
+    s->near =
+        stencil_create(h->mesh, kernel_gradient_reach * b, STENCIL_TO_CENTRE);
+    return s;
+}
+
+void kernel_gradient_free(struct kernel_gradient *s)
+{
+    if (s == NULL) return;
+    stencil_free(s->near);
+    free(s);
+}
+
+/* In a direction with one cell all r are equal and do not define a gradient. */
+static void drop_flat_directions(const struct kernel_gradient *s, double A[6])
+{
+    for (int j = 0; j < 3; j++)
+        for (int k = 0; k < 3; k++)
+            if (s->flat[j]) A[place(j, k)] = 0.0;
+}
+
+/* [EW18 B.6] for all particles, from particle to particle. */
+void kernel_gradient_find(const struct kernel_gradient *s, int m,
+                          const double *field, double *X)
+{
+    const struct cell_of_particle *const h = s->h;
+    struct kernel_weights v = {.r = alloc_doubles(3 * s->near->largest),
+                               .w = alloc_doubles(s->near->largest)};
+
+    for (int i = 0; i < h->n; i++) {
+        double A[6];
+        v.host = h->cell[i];
+        collect_weights(s, i, &v);
+        find_matrix(&v, A);
+        drop_flat_directions(s, A);
+        for (int k = 0; k < m; k++)
+            find_one(&v, A, m, k, field, &X[3 * (m * i + k)]);
+    }
+    free(v.r);
+    free(v.w);
+}

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/poly/facets.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "base/vector.h"
+
+enum { FLAT_MOST = 8 };     /* corners of a facet, see facets_box.c */
+enum { MOST_TURNS = 1000 }; /* a body is no wider than that many periods */
+
+/* A polygon whose corners are off its plane by less than this fraction of its
+ * width counts as flat [-]. */
+static const double flat = 1e-12;
+
+/* Twice the area of polygon p, and the mean of its corners. */
+static void measure(const struct mesh_shape *s, int p, double S[3],
+                    double mean[3])
+{
+    const int first = s->start[p], n = s->start[p + 1] - first;
+
+    S[0] = S[1] = S[2] = mean[0] = mean[1] = mean[2] = 0.0;
+    for (int i = 0; i < n; i++)
+        vector_along(mean, 1.0 / n, &s->point[3 * s->corner[first + i]], mean);
+    for (int i = 0; i < n; i++) {
+        double u[3], v[3], w[3];
+        vector_between(&s->point[3 * s->corner[first + i]], mean, u);
+        vector_between(&s->point[3 * s->corner[first + (i + 1) % n]], mean, v);
+        vector_cross(u, v, w);
+        vector_along(S, 1.0, w, S);
+    }
+}
+
+static int is_flat(const struct mesh_shape *s, int p)
+{
+    double S[3], mean[3], off = 0.0;
+
+    if (s->start[p + 1] - s->start[p] > FLAT_MOST) return 0;
+    measure(s, p, S, mean);
+    const double area2 = vector_length(S);
+    for (int i = s->start[p]; i < s->start[p + 1]; i++) {
+        double d[3];
+        vector_between(&s->point[3 * s->corner[i]], mean, d);
+        off = fmax(off, fabs(vector_dot(d, S)));
+    }
+    return off <= flat * area2 * sqrt(area2);
+}
+
+/* Facet j of the points a, b, c ...; its normal by the first three, or for a
+ * flat polygon by all of them. */
+static void set_normal(struct facets *f, int j, const double S[3])
+{
+    const double size = vector_length(S);
+
+    for (int k = 0; k < 3 && size > 0.0; k++)
+        f->normal[3 * j + k] = S[k] / size;
+}
+
+/* The polygon as it is, or as triangles around its middle, point `middle`. */
+static void add_flat(struct facets *f, int p, int *j, int *at)
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    double S[3], mean[3];
+
+    measure(s, p, S, mean);
+    set_normal(f, *j, S);
+    for (int i = s->start[p]; i < s->start[p + 1]; i++)
+        f->corner[(*at)++] = s->corner[i];
+    f->start[++*j] = *at;
+}
+
+static void add_bent(struct facets *f, int p, int middle, int *j, int *at)
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    const int first = s->start[p], n = s->start[p + 1] - first;
+    double S[3], *const x = &f->point[3 * middle];
+
+    measure(s, p, S, x);
+    for (int i = 0; i < n; i++) {
+        const int a = s->corner[first + i], b = s->corner[first + (i + 1) % n];
+        double u[3], v[3];
+        vector_between(&f->point[3 * a], x, u);
+        vector_between(&f->point[3 * b], x, v);
+        vector_cross(u, v, S);
+        set_normal(f, *j, S);
+        f->corner[(*at)++] = a;
+        f->corner[(*at)++] = b;
+        f->corner[(*at)++] = middle;
+        f->start[++*j] = *at;
+    }
+}
+
+static void divide_polygons(struct facets *f)
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    const int corners = s->start[s->n_polygons];
+    int bent = 0, j = 0, at = 0;
+
+    for (int p = 0; p < s->n_polygons; p++)
+        bent += !is_flat(s, p);
+    f->point = alloc_doubles(3 * (s->n_points + bent));
+    memcpy(f->point, s->point, 3 * (size_t)s->n_points * sizeof *f->point);
+    f->of = alloc_ints(s->n_polygons + 1);
+    f->normal = alloc_doubles(3 * corners); /* a facet a corner at most */
+    f->start = alloc_ints(corners + 1);
+    f->corner = alloc_ints(3 * corners);
+    for (int p = 0, middle = s->n_points; p < s->n_polygons; p++) {
+        if (is_flat(s, p))
+            add_flat(f, p, &j, &at);
+        else
+            add_bent(f, p, middle++, &j, &at);
+        f->of[p + 1] = j;
+    }
+}
+
+/* The ends and the volume of cell c. */
+static void measure_cell(struct facets *f, int c)
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    double *const lo = &f->lo[3 * c], *const hi = &f->hi[3 * c];
+
+    for (int k = 0; k < 3; k++) {
+        lo[k] = INFINITY;
+        hi[k] = -INFINITY;
+    }
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++) {
+        const int p = s->polygon[i];
+        for (int a = f->start[f->of[p]]; a < f->start[f->of[p + 1]]; a++)
+            for (int k = 0; k < 3; k++) {
+                const double x = f->point[3 * f->corner[a] + k];
+                lo[k] = fmin(lo[k], x);
+                hi[k] = fmax(hi[k], x);
+            }
+    }
+    f->V[c] = facets_in_box(f, c, lo, hi);
+}
+
+/* The mean corner of polygon p. */
+static void middle_of(const struct mesh_shape *s, int p, double x[3])
+{
+    double S[3];
+    measure(s, p, S, x);
+}
+
+/* The periods at which cell c has a polygon on either side. */
+static int ring_of(const struct mesh *m, int c)
+{
+    const struct mesh_shape *const s = m->shape;
+    int ring = 0;
+
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
+        for (int j = s->cell_start[c]; j < s->cell_start[c + 1]; j++) {
+            double a[3], b[3], d[3], rest[3];
+            middle_of(s, s->polygon[i], a);
+            middle_of(s, s->polygon[j], b);
+            vector_between(b, a, d);
+            for (int k = 0; k < m->n_periods; k++) {
+                vector_between(d, m->period[k], rest);
+                if (vector_length(rest) < 1e-6 * vector_length(m->period[k]))
+                    ring |= 1 << k;
+            }
+        }
+    return ring;
+}
+
+struct facets *facets_create(const struct mesh *m)
+{
+    struct facets *const f = alloc_zeroed(1, sizeof *f);
+    int any = 0;
+
+    f->mesh = m;
+    f->lo = alloc_doubles(3 * m->n_cells);
+    f->hi = alloc_doubles(3 * m->n_cells);
+    f->V = alloc_doubles(m->n_cells);
+    divide_polygons(f);
+    for (int c = 0; c < m->n_cells; c++)
+        measure_cell(f, c);
+    if (m->n_periods > 0) f->ring = alloc_ints(m->n_cells);
+    for (int c = 0; c < m->n_cells && m->n_periods > 0; c++)
+        any |= f->ring[c] = ring_of(m, c);
+    if (any) return f;
+    free(f->ring);
+    f->ring = NULL;
+    return f;
+}
+
+void facets_free(struct facets *f)
+{
+    if (f == NULL) return;
+    free(f->point);
+    free(f->of);
+    free(f->normal);
+    free(f->start);
+    free(f->corner);
+    free(f->lo);
+    free(f->hi);
+    free(f->V);
+    free(f->ring);
+    free(f);
+}
+
+int facets_contain(const struct facets *f, enum facets_body body, int c,
+                   const double from[3], double R)
+{
+    const struct mesh_shape *const s = f->mesh->shape;
+    double o[3];
+
+    vector_along(&f->mesh->centre[3 * c], 1.0, from, o);
+    for (int i = s->cell_start[c]; i < s->cell_start[c + 1]; i++)
+        for (int j = f->of[s->polygon[i]]; j < f->of[s->polygon[i] + 1]; j++) {
+            const double *const n = &f->normal[3 * j];
+            const double *const x = &f->point[3 * f->corner[f->start[j]]];
+            const double d[3] = {x[0] - o[0], x[1] - o[1], x[2] - o[2]};
+            const double reach = body == FACETS_SPHERE
+                                     ? 1.0
+                                     : fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
+            if (s->turned[i] * vector_dot(d, n) < R * reach) return 0;
+        }
+    return 1;
+}
+
+/* With the centre of the body at o. */
+static double overlap_at(const struct facets *f, enum facets_body body, int c,
+                         const double o[3], double R)
+{
+    if (body == FACETS_SPHERE) return facets_in_sphere(f, c, o, R);
+    const double lo[3] = {o[0] - R, o[1] - R, o[2] - R};
+    const double hi[3] = {o[0] + R, o[1] + R, o[2] + R};
+    return facets_in_box(f, c, lo, hi);
+}
+
+double facets_overlap(const struct facets *f, enum facets_body body, int c,
+                      const double from[3], double R)
+{
+    const struct mesh *const m = f->mesh;
+    int turns[3] = {0, 0, 0};
+    double o[3], sum = 0.0;
+
+    vector_along(&m->centre[3 * c], 1.0, from, o);
+    if (f->ring == NULL) return overlap_at(f, body, c, o, R);
+    for (int k = 0; k < m->n_periods; k++)
+        if (f->ring[c] >> k & 1)
+            turns[k] = 1 + number_clamped(2.0 * R / vector_length(m->period[k]),
+                                          0, MOST_TURNS);
+    for (int i = -turns[0]; i <= turns[0]; i++)
+        for (int j = -turns[1]; j <= turns[1]; j++)
+            for (int l = -turns[2]; l <= turns[2]; l++) {
+                double x[3];
+                vector_along(o, i, m->period[0], x);
+                vector_along(x, j, m->period[1], x);
+                vector_along(x, l, m->period[2], x);
+                sum += overlap_at(f, body, c, x, R);
+            }
+    return sum;
+}

@@ -1,0 +1,23 @@
+/* images_poly.h -- a Gaussian with mirror images on cells of any shape.
+ * Chapter 21.
+ *
+ *     w_ic = sum over c and its images of
+ *         V_c N(x_i - x_c; b^2 / 2 + M_c) over the sum of that      (21.6)
+ *
+ * N is the normal density of that covariance and M_c that of the cell itself,
+ * the mean of r r^T over it (gaussian_moments.h). What a wall shows is in
+ * wall_images.h.
+ *
+ * Where walls are flat an even bed is then even up to them. Where they are not,
+ * the heights of the cells are scaled until it is: a cell has one height, and
+ * each particle still adds up to one, so nothing else changes.
+ */
+#ifndef AVERAGING_POLY_IMAGES_POLY_H
+#define AVERAGING_POLY_IMAGES_POLY_H
+
+#include "averaging/averaging_method.h"
+
+/* The row of images where the mesh is no box. */
+extern const struct averaging_method images_poly_method;
+
+#endif

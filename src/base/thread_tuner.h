@@ -1,0 +1,40 @@
+/* thread_tuner.h -- the number of threads that is fastest. Chapter 18.
+ *
+ * Two threads are faster than one if there is enough work and a free processor
+ * for each. Neither is known in advance: a bed may be small, and other programs
+ * may use the processors. A run therefore begins with one thread; from time to
+ * time it takes some steps with more or fewer threads and keeps that number if
+ * it was faster. Results do not depend on the number of threads.
+ */
+#ifndef BASE_THREAD_TUNER_H
+#define BASE_THREAD_TUNER_H
+
+struct thread_tuner {
+    int max_threads;       /* [-] threads that there are */
+    int threads;           /* [-] in use between trials */
+    int trial_threads;     /* [-] in the present trial; 0: no trial */
+    int trial_was_larger;  /* [-] 1: the last trial was with more */
+    int target;            /* [-] the next one with more tries so many */
+    int measuring;         /* [-] 1: measures the reference time for a trial */
+    int steps_left;        /* [-] steps of this trial or measurement */
+    double step_start;     /* [s] when the step at hand began */
+    double elapsed;        /* [s] in this trial, measurement or rest */
+    double reference_time; /* [s] that a trial's steps take with `now` */
+    double trial_interval; /* [-] of the known time, between two trials */
+};
+
+/* The first steps use one thread. */
+void thread_tuner_init(struct thread_tuner *c, int most);
+
+/* Number of threads for the next step; seconds: wall time of the last step. */
+int thread_tuner_next(struct thread_tuner *c, double seconds);
+
+/* The same with OpenMP's threads: thread_tuner_use_all starts with all of them,
+ * thread_tuner_begin and thread_tuner_end enclose each step, and
+ * thread_tuner_restore restores the number. */
+void thread_tuner_use_all(struct thread_tuner *c);
+void thread_tuner_begin(struct thread_tuner *c);
+void thread_tuner_end(struct thread_tuner *c);
+void thread_tuner_restore(const struct thread_tuner *c);
+
+#endif

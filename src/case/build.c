@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/build.h"
+
+#include <stdlib.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "averaging/more/images.h"
+#include "base/alloc.h"
+#include "coupling/effects.h"
+#include "coupling/coupling.h"
+#include "dem/population/population.h"
+#include "case/build_fluid.h"
+#include "case/build_particles.h"
+#include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/case_surfaces.h"
+#include "case/case_walls.h"
+#include "case/case_file.h"
+
+struct mesh *build_mesh(const struct settings *s)
+{
+    return case_mesh_create(s);
+}
+
+int build_gravity(const struct settings *s, double g[3])
+{
+    g[0] = g[1] = g[2] = 0.0;
+    if (!settings_has(s, "effects.gravity")) return 0;
+    settings_vector(s, "effects.gravity", g);
+    return 1;
+}
+
+/* --- coupling ----------------------------------------------------------- */
+
+static double bandwidth_of(const struct settings *s)
+{
+    if (settings_has(s, "averaging.delta_05"))
+        return images_bandwidth(settings_real(s, "averaging.delta_05"));
+    return settings_has(s, "averaging.bandwidth")
+               ? settings_real(s, "averaging.bandwidth")
+               : 0.0;
+}
+
+struct averaging_options build_averaging_options(const struct settings *s)
+{
+    const struct averaging_options o = {
+        .bandwidth = bandwidth_of(s),
+        .scheme = settings_text(s, "averaging.scheme"),
+        .steps = settings_int(s, "averaging.steps"),
+        .tolerance = settings_real(s, "averaging.tolerance"),
+        .cap = settings_has(s, "averaging.cap")
+                   ? settings_real(s, "averaging.cap")
+                   : 0.0,
+        .vary = settings_text(s, "averaging.bandwidth_variation"),
+        .fields = 4};
+    return o;
+}
+
+static int create_averaging(const struct settings *s, struct simulation *sim)
+{
+    struct averaging_options o = build_averaging_options(s);
+    struct averaging_region region[BUILD_MOST_REGIONS];
+
+    o.n_regions = settings_length(s, "averaging.regions");
+    o.regions = region;
+    for (int i = 0; i < o.n_regions; i++) {
+        static const char *const list = "averaging.regions";
+        settings_item_vector(s, list, i, "low", region[i].low);
+        settings_item_vector(s, list, i, "high", region[i].high);
+        region[i].bandwidth = settings_item_real(s, list, i, "bandwidth");
+    }
+    sim->averaging = averaging_create(
+        averaging_method_named(settings_text(s, "averaging.method")), sim->mesh,
+        sim->particles, &o);
+    return sim->averaging == NULL ? 2 : 0;
+}
+
+static void create_coupling(const struct settings *s, struct simulation *sim)
+{
+    const char *const treatment = settings_text(s, "exchange.treatment");
+    const char *const relaxation =
+        settings_text(s, "exchange.slip_integration");
+    const struct coupling_options o = {
+        .law = drag_law_named(settings_text(s, "exchange.drag")),
+        .treatment = strcmp(treatment, "explicit") == 0
+                         ? TREATMENT_EXPLICIT
+                         : TREATMENT_SEMI_IMPLICIT,
+        .slip_integration = strcmp(relaxation, "exponential") == 0
+                                ? SLIP_INTEGRATION_EXPONENTIAL
+                                : SLIP_INTEGRATION_FROZEN,
+        .interpolation =
+            interpolation_named(settings_text(s, "averaging.interpolation")),
+        .substeps = settings_int(s, "exchange.substeps"),
+        .two_way = build_two_way(s)};
+    sim->coupling = coupling_create(sim, &o);
+}
+
+/* --- effects ------------------------------------------------------------ */
+
+static void create_effects(const struct settings *s, struct simulation *sim)
+{
+    double numbers[16];
+
+    for (int i = 0; effects_all[i] != NULL; i++) {
+        const struct effect *const e = effects_all[i];
+        if (!settings_has(s, e->keys[0].path)) continue;
+        case_file_parameters(s, e->keys, numbers, 16);
+        sim->effects[sim->n_effects].effect = e;
+        sim->effects[sim->n_effects].memory = e->create(sim, numbers);
+        sim->n_effects++;
+    }
+}
+
+static void count_and_create_effects(const struct settings *s,
+                                     struct simulation *sim)
+{
+    int n = 0;
+
+    for (int i = 0; effects_all[i] != NULL; i++)
+        n += settings_has(s, effects_all[i]->keys[0].path);
+    if (n == 0) return;
+    sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
+    create_effects(s, sim);
+}
+
+struct simulation *build_simulation(const struct settings *s, int *code)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+
+    *code = 0;
+    sim->mesh = build_mesh(s);
+    sim->dt = case_steps_length(s);
+    sim->dem_steps = case_steps_within(s);
+    if (settings_has(s, "particles")) *code = build_particles(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "exchange")) {
+        *code = create_averaging(s, sim);
+        if (*code == 0) create_coupling(s, sim);
+    }
+    if (*code == 0) {
+        count_and_create_effects(s, sim);
+        return sim;
+    }
+    build_free(sim);
+    return NULL;
+}
+
+void build_free(struct simulation *sim)
+{
+    if (sim == NULL) return;
+    for (int i = 0; i < sim->n_effects; i++)
+        if (sim->effects[i].effect->free != NULL)
+            sim->effects[i].effect->free(sim->effects[i].memory);
+    free(sim->effects);
+    coupling_free(sim->coupling);
+    averaging_free(sim->averaging);
+    dem_free(sim->dem);
+    case_surfaces_free(sim->surfaces, sim->n_surfaces);
+    free(sim->prescribed);
+    population_free(sim->population);
+    case_walls_free(sim->walls);
+    free(sim->materials);
+    free(sim->attractions);
+    particles_free(sim->particles);
+    fluid_free(sim->fluid);
+    free(sim->boundaries);
+    free(sim->inlet_series);
+    free(sim->held_force);
+    mesh_free(sim->mesh);
+    free(sim);
+}

@@ -1,0 +1,20 @@
+/* build.h -- from a checked case to a simulation at time 0. */
+#ifndef CASE_BUILD_H
+#define CASE_BUILD_H
+
+#include "coupling/simulation.h"
+#include "case/settings.h"
+
+/* The simulation that the case describes, its bed settled. NULL after a
+ * message; *code is then 2, 3 (the bed did not settle) or 4. */
+struct simulation *build_simulation(const struct settings *s, int *code);
+void build_free(struct simulation *sim);
+
+enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
+
+/* What the case says about parts, for `check` too. */
+struct mesh *build_mesh(const struct settings *s);
+struct averaging_options build_averaging_options(const struct settings *s);
+int build_gravity(const struct settings *s, double g[3]);
+
+#endif

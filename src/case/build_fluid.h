@@ -1,0 +1,14 @@
+/* build_fluid.h -- the fluid of a simulation and its boundaries. */
+#ifndef CASE_BUILD_FLUID_H
+#define CASE_BUILD_FLUID_H
+
+#include "coupling/simulation.h"
+#include "case/settings.h"
+
+/* 1 if the fluid feels the particles. */
+int build_two_way(const struct settings *s);
+
+/* Fills sim->fluid, boundaries and courses; needs mesh and dt. */
+void build_fluid(const struct settings *s, struct simulation *sim);
+
+#endif

@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/build_particles.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "dem/population/overlaps.h"
+#include "dem/surfaces/surface_start.h"
+#include "case/build.h"
+#include "case/case_sizes.h"
+#include "case/case_steps.h"
+#include "case/case_surfaces.h"
+#include "case/case_cohesion.h"
+#include "case/case_population.h"
+#include "case/case_materials.h"
+#include "case/case_overlap.h"
+#include "case/case_walls.h"
+#include "case/case_mesh.h"
+
+static double real_or_zero(const struct settings *s, const char *path)
+{
+    return settings_has(s, path) ? settings_real(s, path) : 0.0;
+}
+
+struct dem_options build_dem_options(const struct settings *s, double step)
+{
+    struct dem_options o = {
+        .law = contact_law_named(settings_text(s, "particles.contact")),
+        .material = case_materials_one(s, 0),
+        .integrator =
+            integrators_named(settings_text(s, "particles.integrator")),
+        .link_cells =
+            strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
+        .step = step,
+        .skin = real_or_zero(s, "particles.skin")};
+
+    case_walls_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
+    return o;
+}
+
+struct bed_options build_bed_options(const struct settings *s,
+                                     struct sizes **sizes)
+{
+    *sizes = settings_has(s, "particles.bed.sizes")
+                 ? case_sizes_create(s, settings_text(s, "particles.bed.sizes"))
+                 : NULL;
+    struct bed_options b = {
+        .count = settings_int(s, "particles.bed.count"),
+        .diameter = *sizes != NULL ? sizes_moment(*sizes, 1)
+                                   : settings_real(s, "particles.bed.diameter"),
+        .sizes = *sizes,
+        .density = settings_real(s, "particles.grains.density"),
+        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
+        .jitter = settings_real(s, "particles.bed.jitter"),
+        .settle = settings_real(s, "particles.bed.settle")};
+
+    build_gravity(s, b.gravity);
+    return b;
+}
+
+static int bed_lost(const struct bed_report *r)
+{
+    fprintf(stderr,
+            "winnow: %d particles left the box while the bed settled, the "
+            "first with id %d; is the box too small for its bed, or the "
+            "material too soft to carry it?\n",
+            r->dem.lost, r->dem.lost_id);
+    return 3;
+}
+
+/* The bed from its file, or made anew and kept there. */
+static int create_bed(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o)
+{
+    struct sizes *sizes;
+    struct bed_options b = build_bed_options(s, &sizes);
+    const int kept = settings_has(s, "particles.bed.file");
+    char path[SETTINGS_PATH];
+    struct bed_report r;
+
+    if (kept)
+        settings_beside(s, settings_text(s, "particles.bed.file"), path,
+                        sizeof path);
+    b.region = case_walls_placement_region(sim->walls);
+    sim->particles = particles_create(b.count + case_population_count(s));
+    sim->dem = dem_create(sim->particles, o);
+    const int found = sim->dem == NULL
+                          ? BED_REFUSED
+                          : bed_create(kept ? path : NULL, sim->particles,
+                                       sim->dem, &b, o, &r);
+    sizes_free(sizes);
+    if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
+    if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
+    if (r.steps > 0 && sim->walls != NULL)
+        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
+                r.time, r.kinetic,
+                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+    else if (r.steps > 0)
+        fprintf(stderr,
+                "settled in %.3g s: height %.4g m, solid fraction %.3f, "
+                "kinetic energy %.1g m g d%s\n",
+                r.time, r.height, r.packing, r.kinetic,
+                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+    return 0;
+}
+
+/* Of the i-th group of a list: number 0 where it names none. */
+static int material_of(const struct settings *s, const char *list, int i)
+{
+    return settings_item_has(s, list, i, "material")
+               ? case_materials_number(
+                     s, settings_item_text(s, list, i, "material"))
+               : 0;
+}
+
+/* Spheres that are placed in each other: apart, or a message. */
+static int part_spheres(const struct settings *s, struct particles *ps,
+                        const struct dem_options *o)
+{
+    const char *const what = settings_text(s, "particles.overlaps");
+    const struct box_domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct overlap deep = overlaps_deepest(ps, &box);
+
+    if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
+    if (strcmp(what, "refuse") == 0)
+        return settings_wrong(
+            s, "particles.place",
+            "spheres %d and %d overlap by %.3g of their mean diameter; set "
+            "particles.overlaps to \"relax\" to move them apart, or to "
+            "\"allow\"",
+            deep.i, deep.j, deep.depth);
+    if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
+    return settings_wrong(s, "particles.place",
+                          "the spheres overlap, and there is no room to move "
+                          "them apart");
+}
+
+/* The spheres, where the case puts them; without a dem. */
+static int put_spheres(const struct settings *s, struct simulation *sim,
+                       const struct dem_options *o)
+{
+    static const char *const list = "particles.place";
+    const int n = settings_length(s, list);
+
+    sim->particles = particles_create(n + case_population_count(s));
+    if (sim->materials != NULL) particles_add_material(sim->particles);
+    for (int k = 0; k < n; k++) {
+        const int material = material_of(s, list, k);
+        double x[3], v[3], w[3];
+        settings_item_vector(s, list, k, "position", x);
+        settings_item_vector(s, list, k, "velocity", v);
+        settings_item_vector(s, list, k, "spin", w);
+        const int i = particles_add(sim->particles, x,
+                                    settings_item_real(s, list, k, "diameter"),
+                                    case_materials_density(s, material));
+        if (material > 0) sim->particles->material[i] = material;
+        sim->particles->vx[i] = v[0];
+        sim->particles->vy[i] = v[1];
+        sim->particles->vz[i] = v[2];
+        sim->particles->wx[i] = w[0];
+        sim->particles->wy[i] = w[1];
+        sim->particles->wz[i] = w[2];
+    }
+    if (part_spheres(s, sim->particles, o) != 0) return 2;
+    if (strcmp(settings_text(s, "particles.overlaps"), "allow") != 0 &&
+        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0)
+        return 2;
+    return 0;
+}
+
+static int place_spheres(const struct settings *s, struct simulation *sim,
+                         const struct dem_options *o)
+{
+    if (put_spheres(s, sim, o) != 0) return 2;
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
+/* The lattice that the bed is dropped from. */
+static int lay_bed(const struct settings *s, struct simulation *sim,
+                   const struct dem_options *o)
+{
+    struct sizes *sizes;
+    struct bed_options b = build_bed_options(s, &sizes);
+
+    b.region = case_walls_placement_region(sim->walls);
+    sim->particles = particles_create(b.count + case_population_count(s));
+    const int wrong =
+        bed_fill(sim->particles, &b, o) != 0 ||
+        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0;
+    sizes_free(sizes);
+    if (wrong) return 2;
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
+/* A prescribed particle must be there. */
+static int driven_missing(const struct settings *s, const struct particles *ps)
+{
+    static const char list[] = "particles.prescribed";
+
+    for (int k = 0; k < settings_length(s, list); k++) {
+        const int id = settings_item_int(s, list, k, "id");
+        if (ps->n == 0)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
+        if (id >= ps->n)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: they are 0 to %d",
+                                  id, ps->n - 1);
+    }
+    return 0;
+}
+
+/* All that the particles meet. */
+static int furnish(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o)
+{
+    int code = 0;
+
+    *o = build_dem_options(s, sim->dt / sim->dem_steps);
+    o->materials = sim->materials = case_materials_create(s);
+    o->attractions = sim->attractions =
+        case_cohesion_create(s, &o->n_attractions);
+    o->prescribed = sim->prescribed = case_surfaces_driven(s, &o->n_prescribed);
+    o->surfaces = sim->surfaces =
+        case_surfaces_create(s, &sim->n_surfaces, &code);
+    o->n_surfaces = sim->n_surfaces;
+    if (code != 0) return code;
+    sim->walls = case_walls_create(
+        s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
+    return 0;
+}
+
+int build_particles_check(const struct settings *s)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+    struct dem_options o;
+
+    sim->dt = case_steps_length(s);
+    sim->dem_steps = case_steps_within(s);
+    int code = furnish(s, sim, &o);
+    if (code == 0)
+        code = settings_has(s, "particles.bed") ? lay_bed(s, sim, &o)
+                                                : place_spheres(s, sim, &o);
+    if (code == 0) code = driven_missing(s, sim->particles);
+    build_free(sim);
+    return code;
+}
+
+int build_particles(const struct settings *s, struct simulation *sim)
+{
+    struct dem_options o;
+    int code = furnish(s, sim, &o);
+
+    if (code != 0) return code;
+    if (settings_has(s, "particles.bed"))
+        code = create_bed(s, sim, &o);
+    else
+        code = place_spheres(s, sim, &o);
+    if (code != 0) return code;
+    if (driven_missing(s, sim->particles) != 0) return 2;
+    dem_clock(sim->dem, 0);
+    case_overlap_limit(s, sim);
+    double lo[3], hi[3];
+    case_mesh_ends(s, lo, hi);
+    const struct box_domain box = bodies_domain(lo, hi, o.periodic);
+    sim->population = case_population_create(s, &box, &code);
+    if (code != 0) return code;
+    for (int i = 0; sim->population != NULL && i < sim->population->n_sources;
+         i++)
+        sim->population->sources[i].options.region =
+            case_walls_placement_region(sim->walls);
+    sim->held_force = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, sim->held_force, 3);
+    return 0;
+}

@@ -1,0 +1,23 @@
+/* build_particles.h -- the particles of a case, at rest or placed. */
+#ifndef CASE_BUILD_PARTICLES_H
+#define CASE_BUILD_PARTICLES_H
+
+#include "coupling/simulation.h"
+#include "dem/bed.h"
+#include "case/settings.h"
+
+/* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Returns
+ * the exit code, after a message if not 0. */
+int build_particles(const struct settings *s, struct simulation *sim);
+
+/* 0 if they can be where the case puts them, a bed on its lattice; nothing
+ * moves, and nothing is kept. */
+int build_particles_check(const struct settings *s);
+
+/* The same in numbers, for `check`. The sizes of the bed are to be released;
+ * NULL where all are equal. */
+struct dem_options build_dem_options(const struct settings *s, double step);
+struct bed_options build_bed_options(const struct settings *s,
+                                     struct sizes **sizes);
+
+#endif

@@ -1,0 +1,24 @@
+/* case_file.h -- reads and checks a case. */
+#ifndef CASE_CASE_FILE_H
+#define CASE_CASE_FILE_H
+
+#include "base/key.h"
+#include "case/settings.h"
+
+enum { CASE_FILE_TABLES = 32 }; /* room for the core and every effect */
+
+/* All tables of keys: the core and those of the effects, ended by NULL. */
+void case_file_tables(const struct key *tables[CASE_FILE_TABLES]);
+
+/* Reads a case with its overrides and checks it, key by key and then as a
+ * whole. NULL after one message; *code is then the exit code, 2 or 4. */
+struct settings *case_file_read(const char *file, int n_overrides,
+                                const char *const *overrides, int *code);
+
+/* The numbers that the case gives for a table of keys, in their order: one for
+ * a number, three for a vector, none for a group. Returns how many; at most
+ * `most` are written. */
+int case_file_parameters(const struct settings *s, const struct key *keys,
+                         double *numbers, int most);
+
+#endif

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_materials.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "case/nearest.h"
+
+static const char first[] = "grains", list[] = "particles.materials",
+                  pairs[] = "particles.pairs",
+                  wall[] = "particles.walls.material";
+
+/* A number of the i-th group of a list, or what stands for its absence. */
+static double item_or(const struct settings *s, const char *of, int i,
+                      const char *key, double absent)
+{
+    return settings_item_has(s, of, i, key) ? settings_item_real(s, of, i, key)
+                                            : absent;
+}
+
+/* The same for a material: number 0 is a group of its own. */
+static double value(const struct settings *s, int number, const char *key)
+{
+    char path[64];
+
+    if (number > 0) return item_or(s, list, number - 1, key, 0.0);
+    snprintf(path, sizeof path, "particles.%s.%s", first, key);
+    return settings_has(s, path) ? settings_real(s, path) : 0.0;
+}
+
+int case_materials_number(const struct settings *s, const char *name)
+{
+    if (strcmp(name, first) == 0) return 0;
+    for (int k = 0; k < settings_length(s, list); k++)
+        if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)
+            return k + 1;
+    return -1;
+}
+
+struct material case_materials_one(const struct settings *s, int number)
+{
+    return (struct material){.young = value(s, number, "young"),
+                             .poisson = value(s, number, "poisson"),
+                             .stiffness = value(s, number, "stiffness"),
+                             .tangential = value(s, number, "tangential_ratio"),
+                             .restitution = value(s, number, "restitution"),
+                             .friction = value(s, number, "friction"),
+                             .rolling = value(s, number, "rolling_friction"),
+                             .charge = value(s, number, "charge")};
+}
+
+double case_materials_density(const struct settings *s, int number)
+{
+    return value(s, number, "density");
+}
+
+static int number_in_pair(const struct settings *s, int k, const char *key)
+{
+    return case_materials_number(s, settings_item_text(s, pairs, k, key));
+}
+
+static struct materials_measured measured(const struct settings *s, int k)
+{
+    return (struct materials_measured){
+        .a = number_in_pair(s, k, "between"),
+        .b = number_in_pair(s, k, "and"),
+        .stiffness = item_or(s, pairs, k, "stiffness", -1.0),
+        .tangential = item_or(s, pairs, k, "tangential_ratio", -1.0),
+        .restitution = item_or(s, pairs, k, "restitution", -1.0),
+        .friction = item_or(s, pairs, k, "friction", -1.0),
+        .rolling = item_or(s, pairs, k, "rolling_friction", -1.0)};
+}
+
+/* One block: the struct, the materials, the pairs. */
+struct materials *case_materials_create(const struct settings *s)
+{
+    const int n = settings_length(s, list), m = settings_length(s, pairs);
+    struct materials *all;
+    struct material *further;
+    struct materials_measured *taken;
+
+    if (n == 0) return NULL;
+    all = alloc_zeroed(1, sizeof *all + (size_t)n * sizeof *further +
+                              (size_t)m * sizeof *taken);
+    further = (struct material *)(all + 1);
+    taken = (struct materials_measured *)(further + n);
+    for (int k = 0; k < n; k++)
+        further[k] = case_materials_one(s, k + 1);
+    for (int k = 0; k < m; k++)
+        taken[k] = measured(s, k);
+    *all = (struct materials){n + 1, further, m, taken, 0};
+    if (settings_has(s, wall))
+        all->wall = case_materials_number(s, settings_text(s, wall));
+    return all;
+}
+
+int case_materials_have_rolling(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0;
+    const struct material zero = case_materials_one(s, 0);
+    struct materials *const all = case_materials_create(s);
+    const int rolls = materials_have_rolling(&zero, all);
+    free(all);
+    return rolls;
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+int case_materials_check_name(const struct settings *s, const char *path,
+                              const char *name)
+{
+    struct nearest n;
+
+    if (case_materials_number(s, name) >= 0) return 0;
+    nearest_init(&n, name);
+    nearest_offer(&n, first);
+    for (int k = 0; k < settings_length(s, list); k++)
+        nearest_offer(&n, settings_item_text(s, list, k, "name"));
+    if (nearest_best(&n) == NULL)
+        return settings_wrong(s, path,
+                              "no material %s: there are %s and the names in "
+                              "%s",
+                              name, first, list);
+    return settings_wrong(s, path, "no material %s; did you mean %s?", name,
+                          nearest_best(&n));
+}
+
+/* Names are used once, and the law has its constants. */
+static int check_one(const struct settings *s, int k)
+{
+    static const char *const asked[][2] = {
+        {"hertz", "young"}, {"hertz", "poisson"}, {"linear", "stiffness"}};
+    const char *const name = settings_item_text(s, list, k, "name");
+    const char *const law = settings_text(s, "particles.contact");
+
+    if (case_materials_number(s, name) != k + 1)
+        return settings_wrong(s, list, "the name %s is given twice", name);
+    for (int i = 0; i < 3; i++)
+        if (strcmp(asked[i][0], law) == 0 &&
+            !settings_item_has(s, list, k, asked[i][1]))
+            return settings_wrong(s, list, "%s asks for the %s of %s", law,
+                                  asked[i][1], name);
+    return 0;
+}
+
+static int check_pair(const struct settings *s, int k)
+{
+    static const char *const ends[] = {"between", "and"};
+
+    for (int i = 0; i < 2; i++) {
+        const char *const name = settings_item_text(s, pairs, k, ends[i]);
+        if (case_materials_check_name(s, pairs, name) != 0) return 2;
+    }
+    for (int i = 0; i < k; i++) {
+        const struct materials_measured a = measured(s, i), b = measured(s, k);
+        if ((a.a == b.a && a.b == b.b) || (a.a == b.b && a.b == b.a))
+            return settings_wrong(s, pairs, "%s and %s are given twice",
+                                  settings_item_text(s, pairs, k, "between"),
+                                  settings_item_text(s, pairs, k, "and"));
+    }
+    return 0;
+}
+
+/* A sphere has the density of its material. */
+static int check_place(const struct settings *s, int i)
+{
+    static const char place[] = "particles.place";
+    const char *name;
+
+    if (!settings_item_has(s, place, i, "material")) return 0;
+    name = settings_item_text(s, place, i, "material");
+    if (case_materials_check_name(s, place, name) != 0) return 2;
+    if (case_materials_density(s, case_materials_number(s, name)) > 0.0)
+        return 0;
+    return settings_wrong(s, place,
+                          "sphere %d is of %s, whose density [kg/m^3] is not "
+                          "given",
+                          i, name);
+}
+
+int case_materials_check(const struct settings *s)
+{
+    int code = 0;
+
+    for (int k = 0; k < settings_length(s, list) && code == 0; k++)
+        code = check_one(s, k);
+    for (int k = 0; k < settings_length(s, pairs) && code == 0; k++)
+        code = check_pair(s, k);
+    for (int i = 0; i < settings_length(s, "particles.place") && code == 0; i++)
+        code = check_place(s, i);
+    if (code == 0 && settings_has(s, wall))
+        code = case_materials_check_name(s, wall, settings_text(s, wall));
+    return code;
+}

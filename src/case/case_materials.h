@@ -1,0 +1,32 @@
+/* case_materials.h -- the materials of a case, by name and by number.
+ *
+ * Number 0 is called "grains"; the others come in the order of the list
+ * particles.materials. Whatever is made of something (a sphere, a wall) names
+ * it, and finds its number here.
+ */
+#ifndef CASE_CASE_MATERIALS_H
+#define CASE_CASE_MATERIALS_H
+
+#include "dem/materials.h"
+#include "case/settings.h"
+
+/* The number of a name; -1 if there is no such material. */
+int case_materials_number(const struct settings *s, const char *name);
+
+/* The material of a number, and its density [kg/m^3], 0 if not given. */
+struct material case_materials_one(const struct settings *s, int number);
+double case_materials_density(const struct settings *s, int number);
+
+/* 1 if any two of them, or one with itself, resist rolling. */
+int case_materials_have_rolling(const struct settings *s);
+
+/* All but number 0, to be released with free(); NULL if there is no other. */
+struct materials *case_materials_create(const struct settings *s);
+
+/* For validate_case: 0, or 2 after one message. A name that the case gives at
+ * `path` must be one of the materials'. */
+int case_materials_check(const struct settings *s);
+int case_materials_check_name(const struct settings *s, const char *path,
+                              const char *name);
+
+#endif

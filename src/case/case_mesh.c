@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_mesh.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "mesh/poly/poly.h"
+#include "case/case_memory.h"
+
+/* --- making it ------------------------------------------------------------ */
+
+static struct box_spec box_of(const struct settings *s)
+{
+    struct box_spec spec;
+
+    settings_vector(s, "mesh.size", spec.size);
+    settings_counts(s, "mesh.cells", spec.cells);
+    settings_vector(s, "mesh.grading", spec.grading);
+    settings_flags(s, "mesh.periodic", spec.periodic);
+    return spec;
+}
+
+/* Files say all of their mesh, a box asks for two keys. */
+static int check_keys(const struct settings *s)
+{
+    static const char *const of_box[] = {"mesh.size", "mesh.cells",
+                                         "mesh.grading", "mesh.periodic",
+                                         "mesh.shear"};
+    const int files = settings_has(s, "mesh.polymesh");
+
+    for (int i = 0; i < 5 && files; i++)
+        if (settings_has(s, of_box[i]))
+            return settings_wrong(s, of_box[i],
+                                  "the mesh comes from files, which say it "
+                                  "all; leave this key or mesh.polymesh out");
+    for (int i = 0; i < 2 && !files; i++)
+        if (!settings_has(s, of_box[i]))
+            return settings_wrong(s, "mesh",
+                                  "%s is missing: a box asks for mesh.size, "
+                                  "three numbers [m], and mesh.cells; or give "
+                                  "mesh.polymesh",
+                                  of_box[i]);
+    return 0;
+}
+
+static struct mesh *sheared(const struct settings *s)
+{
+    const struct box_spec spec = box_of(s);
+    double shear[3];
+
+    settings_vector(s, "mesh.shear", shear);
+    return mesh_create_sheared(&spec, shear);
+}
+
+static struct mesh *create(const struct settings *s,
+                           struct mesh *(*make)(const struct box_spec *))
+{
+    struct mesh *own;
+    const struct mesh *const kept = settings_mesh(s);
+
+    if (kept == NULL) {
+        const struct box_spec spec = box_of(s);
+        return make(&spec);
+    }
+    memcpy(&own, &kept, sizeof own); /* one more holds it; none changes it */
+    return mesh_retain(own);
+}
+
+struct mesh *case_mesh_create(const struct settings *s)
+{
+    return create(s, mesh_create_box);
+}
+
+struct mesh *case_mesh_outline(const struct settings *s)
+{
+    return create(s, mesh_outline_box);
+}
+
+double case_mesh_cells(const struct settings *s)
+{
+    const struct mesh *const kept = settings_mesh(s);
+
+    if (kept != NULL) return kept->n_cells;
+    if (!settings_has(s, "mesh.cells")) return 0.0;
+    const struct box_spec spec = box_of(s);
+    return (double)spec.cells[0] * spec.cells[1] * spec.cells[2];
+}
+
+/* A box of more faces than can be numbered. */
+static int check_numbers(const struct settings *s)
+{
+    const struct box_spec spec = box_of(s);
+    const double faces = mesh_box_faces(&spec);
+
+    if (faces <= MESH_MOST_FACES) return 0;
+    return settings_wrong(s, "mesh.cells",
+                          "%.4g cells with %.3g faces; no more than %d faces "
+                          "can be numbered",
+                          case_mesh_cells(s), faces, MESH_MOST_FACES);
+}
+
+/* The widest slab of a direction over the narrowest; without bound where the
+ * narrowest has no width left. */
+static double unevenness(const struct box *b, int k)
+{
+    const double *const e = b->edge[k];
+    double narrow = HUGE_VAL, wide = 0.0;
+
+    for (int i = 0; i < b->n[k]; i++) {
+        narrow = fmin(narrow, e[i + 1] - e[i]);
+        wide = fmax(wide, e[i + 1] - e[i]);
+    }
+    return narrow > 0.0 ? wide / narrow : HUGE_VAL;
+}
+
+/* Beyond these no solver comes to an end, and squares of areas leave the range
+ * of a double. */
+static int check_shape(const struct settings *s, const struct mesh *m)
+{
+    const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
+    const char *const key =
+        settings_has(s, "mesh.polymesh") ? "mesh.polymesh" : "mesh.size";
+    double least, most, mean;
+
+    for (int k = 0; k < 3 && m->face_centre == NULL; k++)
+        if (!(unevenness(&m->box, k) <= most_uneven))
+            return settings_wrong(s, "mesh.grading",
+                                  "the widest cell is %.3g times the "
+                                  "narrowest in %c; at most %g",
+                                  unevenness(&m->box, k), 'x' + k, most_uneven);
+    mesh_volumes(m, &least, &most, &mean);
+    if (least >= tiny && most <= huge) return 0;
+    return settings_wrong(s, key,
+                          "the cells have %g to %g m^3; expected between %g "
+                          "and %g m^3",
+                          least, most, tiny, huge);
+}
+
+static int read_mesh(struct settings *s)
+{
+    struct mesh *m;
+    int code = check_keys(s);
+
+    if (code == 0 && !settings_has(s, "mesh.polymesh")) code = check_numbers(s);
+    if (code == 0) code = case_memory_check(s, 0.0);
+    if (code != 0) return code;
+    if (settings_has(s, "mesh.polymesh")) {
+        char dir[POLY_FOLDER];
+        settings_beside(s, settings_text(s, "mesh.polymesh"), dir, sizeof dir);
+        m = poly_read(dir);
+    } else if (settings_has(s, "mesh.shear"))
+        m = sheared(s);
+    else
+        return 0;
+    settings_keep_mesh(s, m);
+    return m == NULL ? 2 : 0;
+}
+
+int case_mesh_read(struct settings *s)
+{
+    if (read_mesh(s) != 0) return 2;
+    struct mesh *const m = case_mesh_outline(s);
+    const int code = check_shape(s, m);
+
+    mesh_free(m);
+    return code;
+}
+
+/* --- where it is ---------------------------------------------------------- */
+
+void case_mesh_ends(const struct settings *s, double lo[3], double hi[3])
+{
+    const struct mesh *const m = settings_mesh(s);
+
+    if (m == NULL) settings_vector(s, "mesh.size", hi);
+    for (int k = 0; k < 3; k++) {
+        lo[k] = m == NULL ? 0.0 : m->lo[k];
+        if (m == NULL) continue;
+        const double period = mesh_period(m, k);
+        hi[k] = period > 0.0 ? lo[k] + period : m->hi[k];
+    }
+}
+
+void case_mesh_periodic(const struct settings *s, int periodic[3])
+{
+    const struct mesh *const m = settings_mesh(s);
+
+    if (m == NULL) settings_flags(s, "mesh.periodic", periodic);
+    for (int k = 0; k < 3 && m != NULL; k++)
+        periodic[k] = mesh_period(m, k) > 0.0;
+}
+
+/* Of a box the product of its sides. */
+double case_mesh_volume(const struct settings *s)
+{
+    const struct mesh *const m = settings_mesh(s);
+    double size[3], sum = 0.0;
+
+    for (int c = 0; m != NULL && c < m->n_cells; c++)
+        sum += m->V[c];
+    if (m != NULL) return sum;
+    settings_vector(s, "mesh.size", size);
+    return size[0] * size[1] * size[2];
+}
+
+int case_mesh_holds(const struct settings *s, const double x[3])
+{
+    const struct mesh *const m = settings_mesh(s);
+    double lo[3], hi[3], offset[3];
+
+    if (m != NULL) return mesh_cell_and_offset(m, x, offset) >= 0;
+    case_mesh_ends(s, lo, hi);
+    for (int k = 0; k < 3; k++)
+        if (!(x[k] >= lo[k] && x[k] <= hi[k])) return 0;
+    return 1;
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+/* The area of a patch [m^2]. */
+static double area_of(const struct mesh *m, const struct patch *p)
+{
+    double area = 0.0;
+
+    for (int f = p->first; f < p->first + p->n; f++)
+        area += vector_length(&m->S[3 * f]);
+    return area;
+}
+
+/* A moving wall moves along itself: every face of it. */
+static int check_wall(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, const char *path)
+{
+    double u[3];
+
+    settings_vector(s, path, u);
+    for (int f = p->first; f < p->first + p->n; f++) {
+        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
+        const double out = vector_dot(u, S) / vector_length(S);
+        if (fabs(out) <= 1e-6 * vector_length(u)) continue;
+        return settings_wrong(s, path,
+                              "the wall would move through itself, at %g m/s "
+                              "at [%g, %g, %g] m; expected 0",
+                              out, x[0], x[1], x[2]);
+    }
+    return 0;
+}
+
+static int check_patch(const struct settings *s, const struct mesh *m,
+                       const struct patch *p)
+{
+    const char *const side = settings_side(s, p->name);
+    char path[128];
+
+    if (side == NULL && (p->is_symmetry || settings_mesh(s) == NULL)) return 0;
+    if (side == NULL)
+        return settings_wrong(s, "fluid",
+                              "nothing is said about the patch %s, %d faces "
+                              "with %.3g m^2: give fluid.%s",
+                              p->name, p->n, area_of(m, p), p->name);
+    snprintf(path, sizeof path, "%s.profile", side);
+    if (settings_has(s, path) &&
+        strcmp(settings_text(s, path), "parabola") == 0)
+        return settings_wrong(s, path,
+                              "only the inlet of a plain box can have a "
+                              "parabola; expected uniform");
+    snprintf(path, sizeof path, "%s.wall", side);
+    return settings_has(s, path) ? check_wall(s, m, p, path) : 0;
+}
+
+int case_mesh_check_fluid(const struct settings *s)
+{
+    const struct mesh *const m = settings_mesh(s);
+    int code = 0;
+
+    for (int i = 0; m != NULL && i < m->n_patches && code == 0; i++)
+        code = check_patch(s, m, &m->patches[i]);
+    return code;
+}

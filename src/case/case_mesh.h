@@ -1,0 +1,42 @@
+/* case_mesh.h -- the space that a case describes.
+ *
+ * A box, a sheared box, or a mesh from files. The last two are made once, when
+ * the case is read, and kept with it: what the case says of patches is held
+ * against them.
+ */
+#ifndef CASE_CASE_MESH_H
+#define CASE_CASE_MESH_H
+
+#include "mesh/mesh.h"
+#include "case/settings.h"
+
+/* Checks the keys of the mesh, and makes the mesh if it is no plain box. 0, or
+ * 2 after a message. */
+int case_mesh_read(struct settings *s);
+
+/* The mesh, for one who calls mesh_free. */
+struct mesh *case_mesh_create(const struct settings *s);
+
+/* The same, but of a box only the outline, which costs nothing. */
+struct mesh *case_mesh_outline(const struct settings *s);
+
+/* The cells that the case asks for, before there is a mesh; 0 for one from
+ * files. They may be more than an int holds. */
+double case_mesh_cells(const struct settings *s);
+
+/* Where particles can be at all: the smallest box around the mesh, or what a
+ * period makes one of it; and in which directions it is periodic. */
+void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);
+void case_mesh_periodic(const struct settings *s, int periodic[3]);
+
+/* [m^3] of all cells. */
+double case_mesh_volume(const struct settings *s);
+
+/* 1 if the point is inside [m]. */
+int case_mesh_holds(const struct settings *s, const double x[3]);
+
+/* The patches and what the fluid is told about them, where the mesh is no
+ * plain box. */
+int case_mesh_check_fluid(const struct settings *s);
+
+#endif

@@ -1,0 +1,353 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_population.h"
+
+#include <gsl/gsl_math.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "dem/population/overlaps.h"
+#include "case/build_particles.h"
+#include "case/case_cohesion.h"
+#include "case/case_materials.h"
+#include "case/case_mesh.h"
+#include "case/case_sizes.h"
+
+static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
+
+/* More than this share of a region filled at random would take for ever. */
+static const double densest = 0.3;
+
+static int has(const struct settings *s, int i, const char *key)
+{
+    return settings_item_has(s, sources, i, key);
+}
+
+/* A region that is not given is the whole box. */
+static void region(const struct settings *s, const char *list, int i,
+                   double lo[3], double hi[3])
+{
+    case_mesh_ends(s, lo, hi);
+    if (settings_item_has(s, list, i, "from"))
+        settings_item_vector(s, list, i, "from", lo);
+    if (settings_item_has(s, list, i, "to"))
+        settings_item_vector(s, list, i, "to", hi);
+}
+
+static int material_of(const struct settings *s, int i)
+{
+    return has(s, i, "material")
+               ? case_materials_number(
+                     s, settings_item_text(s, sources, i, "material"))
+               : 0;
+}
+
+/* Without a file; sizes and list come after. */
+static struct insertion_options options(const struct settings *s, int i)
+{
+    struct insertion_options o = {
+        .diameter = has(s, i, "diameter")
+                        ? settings_item_real(s, sources, i, "diameter")
+                        : 0.0,
+        .material = material_of(s, i),
+        .count =
+            has(s, i, "count") ? settings_item_int(s, sources, i, "count") : 0,
+        .rate =
+            has(s, i, "rate") ? settings_item_real(s, sources, i, "rate") : 0.0,
+        .start = settings_item_real(s, sources, i, "start"),
+        .seed = (unsigned long)settings_item_int(s, sources, i, "seed")};
+
+    region(s, sources, i, o.lo, o.hi);
+    settings_item_vector(s, sources, i, "velocity", o.velocity);
+    o.density = case_materials_density(s, o.material);
+    return o;
+}
+
+static struct sizes *sizes_of(const struct settings *s, int i)
+{
+    return has(s, i, "sizes")
+               ? case_sizes_create(s,
+                                   settings_item_text(s, sources, i, "sizes"))
+               : NULL;
+}
+
+/* One source whole; non-zero after a message if its file is wrong. */
+static int create_source(const struct settings *s, int i, struct insertion *in)
+{
+    *in = (struct insertion){.options = options(s, i),
+                             .own_sizes = sizes_of(s, i)};
+    in->options.sizes = in->own_sizes;
+    char path[SETTINGS_PATH];
+
+    if (!has(s, i, "file")) return 0;
+    settings_beside(s, settings_item_text(s, sources, i, "file"), path,
+                    sizeof path);
+    in->own_list = insertion_read(path, &in->options.count);
+    in->options.list = in->own_list;
+    return in->own_list == NULL;
+}
+
+static void free_source(struct insertion *in)
+{
+    sizes_free(in->own_sizes);
+    free(in->own_list);
+}
+
+/* --- checks ------------------------------------------------------------------
+ */
+
+static int check_names(const struct settings *s, int i)
+{
+    if (has(s, i, "sizes") &&
+        case_sizes_check_name(s, sources,
+                              settings_item_text(s, sources, i, "sizes")) != 0)
+        return 2;
+    if (has(s, i, "material"))
+        return case_materials_check_name(
+            s, sources, settings_item_text(s, sources, i, "material"));
+    return 0;
+}
+
+static int check_given(const struct settings *s, int i)
+{
+    const int file = has(s, i, "file");
+    const int sized = has(s, i, "diameter") + has(s, i, "sizes");
+
+    if (file && (sized > 0 || has(s, i, "count")))
+        return settings_wrong(s, sources,
+                              "source %d: a file says how many there are and "
+                              "how large; leave out count, diameter and sizes",
+                              i);
+    if (!file && !has(s, i, "count"))
+        return settings_wrong(s, sources, "source %d asks for count or file",
+                              i);
+    if (!file && sized != 1)
+        return settings_wrong(s, sources,
+                              "source %d: give either diameter or sizes%s", i,
+                              sized > 1 ? ", not both" : "");
+    return 0;
+}
+
+/* The diameters that will come: smallest, largest, and volume of all [m^3]. */
+struct source_sizes {
+    double min, max, volume;
+};
+
+static struct source_sizes sizes_of_source(const struct insertion_options *o)
+{
+    struct source_sizes c = {0.0, 0.0, 0.0};
+
+    for (long k = 0; k < o->count; k++) {
+        const double d = insertion_diameter(o, k);
+        c.min = k == 0 ? d : fmin(c.min, d);
+        c.max = fmax(c.max, d);
+        c.volume += M_PI / 6.0 * d * d * d;
+    }
+    return c;
+}
+
+/* Who are to come at once from a list must not be in each other: the second
+ * would wait until the first has gone, at rest for ever. */
+static int check_apart(const struct settings *s, int i,
+                       const struct insertion_options *o,
+                       const struct box_domain *box)
+{
+    int who[2];
+
+    if (o->rate > 0.0 || !insertion_clash(o, box, OVERLAPS_MAX, who)) return 0;
+    return settings_wrong(
+        s, sources,
+        "source %d: spheres %d and %d of its file are in each other, but all "
+        "come at once; move them apart, or give the source a rate",
+        i, who[0], who[1]);
+}
+
+/* Who is in a list is inside of the box, and of nobody else. */
+static int check_list(const struct settings *s, int i,
+                      const struct insertion_options *o)
+{
+    double lo[3], hi[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    for (long q = 0; q < o->count; q++)
+        for (int k = 0; k < 3; k++) {
+            const double margin = periodic[k] ? 0.0 : 0.5 * o->list[q].d;
+            if (o->list[q].x[k] < lo[k] + margin ||
+                o->list[q].x[k] > hi[k] - margin)
+                return settings_wrong(
+                    s, sources, "source %d: sphere %ld is not inside the box",
+                    i, q);
+        }
+    const struct box_domain box = bodies_domain(lo, hi, periodic);
+    return check_apart(s, i, o, &box);
+}
+
+static int check_region(const struct settings *s, int i,
+                        const struct insertion_options *o)
+{
+    const struct source_sizes c = sizes_of_source(o);
+    double lo[3], hi[3], volume = 1.0;
+
+    if (o->list != NULL) return check_list(s, i, o);
+    case_mesh_ends(s, lo, hi);
+    for (int k = 0; k < 3; k++) {
+        volume *= o->hi[k] - o->lo[k];
+        if (o->lo[k] < lo[k] || o->hi[k] > hi[k] || o->hi[k] - o->lo[k] < c.max)
+            return settings_wrong(
+                s, sources,
+                "source %d: its region, %g to %g m in direction %c, must be "
+                "inside the box, %g to %g m, and have room for spheres of %g "
+                "m",
+                i, o->lo[k], o->hi[k], 'x' + k, lo[k], hi[k], c.max);
+    }
+    if (o->rate > 0.0 || c.volume <= densest * volume) return 0;
+    return settings_wrong(
+        s, sources,
+        "source %d: %ld spheres would fill %.0f %% of its region; at random no "
+        "more than %.0f %% find room: give it a rate, or a larger region",
+        i, o->count, 100.0 * c.volume / volume, 100.0 * densest);
+}
+
+static int check_source(const struct settings *s, int i)
+{
+    struct insertion in;
+    int code = check_names(s, i);
+
+    if (code == 0) code = check_given(s, i);
+    if (code != 0) return code;
+    code = create_source(s, i, &in) != 0 ? 2 : check_region(s, i, &in.options);
+    free_source(&in);
+    return code;
+}
+
+static int check_sink(const struct settings *s, int i)
+{
+    const int side = settings_item_has(s, sinks, i, "side") &&
+                     strcmp(settings_item_text(s, sinks, i, "side"), "none");
+    const int box = settings_item_has(s, sinks, i, "from") +
+                    settings_item_has(s, sinks, i, "to");
+
+    if (box > 0 ? !side : side) return 0;
+    return settings_wrong(s, sinks, "sink %d: give either side, or from and to",
+                          i);
+}
+
+/* As dem_create asks of those that are there from the start. */
+static int check_period(const struct settings *s)
+{
+    struct dem_options o = build_dem_options(s, 1.0);
+    const double most = case_population_largest(s);
+    struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
+
+    o.attractions = pulls;
+    const int wrong = most > 0.0 && dem_period_wrong(&o, most, most);
+    free(pulls);
+    return wrong ? 2 : 0;
+}
+
+int case_population_check(const struct settings *s)
+{
+    int code = 0;
+
+    for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
+        code = check_source(s, i);
+    for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
+        code = check_sink(s, i);
+    return code != 0 ? code : check_period(s);
+}
+
+/* --- what there will be
+ * -------------------------------------------------------
+ */
+
+int case_population_count(const struct settings *s)
+{
+    long sum = 0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (create_source(s, i, &in) == 0) sum += in.options.count;
+        free_source(&in);
+    }
+    return number_clamped((double)sum, 0, INT_MAX);
+}
+
+double case_population_smallest(const struct settings *s, int material)
+{
+    double least = 0.0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (material_of(s, i) == material && create_source(s, i, &in) == 0) {
+            const double d = sizes_of_source(&in.options).min;
+            least = least > 0.0 ? fmin(least, d) : d;
+            free_source(&in);
+        }
+    }
+    return least;
+}
+
+double case_population_largest(const struct settings *s)
+{
+    double most = 0.0;
+
+    for (int i = 0; i < settings_length(s, sources); i++) {
+        struct insertion in;
+        if (create_source(s, i, &in) == 0)
+            most = fmax(most, sizes_of_source(&in.options).max);
+        free_source(&in);
+    }
+    return most;
+}
+
+static struct population_sink sink_of(const struct settings *s, int i)
+{
+    static const char *const side[6] = {"left", "right", "bottom",
+                                        "top",  "back",  "front"};
+    struct population_sink k = {.side = -1};
+
+    region(s, sinks, i, k.lo, k.hi);
+    for (int a = 0; a < 6; a++)
+        if (settings_item_has(s, sinks, i, "side") &&
+            strcmp(settings_item_text(s, sinks, i, "side"), side[a]) == 0)
+            k.side = a;
+    return k;
+}
+
+struct population *case_population_create(const struct settings *s,
+                                          const struct box_domain *box,
+                                          int *code)
+{
+    const int n = settings_length(s, sources), m = settings_length(s, sinks);
+
+    *code = 0;
+    if (n + m == 0) return NULL;
+    struct population *const l = population_create(box, n, m);
+    for (int i = 0; i < n && *code == 0; i++)
+        *code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
+    for (int i = 0; i < m; i++)
+        l->sinks[i] = sink_of(s, i);
+    if (*code == 0) return l;
+    population_free(l);
+    return NULL;
+}
+
+void case_population_report(const struct simulation *sim)
+{
+    const struct population *const l = sim->population;
+
+    for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
+        const struct insertion *const in = &l->sources[i];
+        const long due = insertion_count_due(in, sim->t - sim->dt);
+        if (in->n_inserted < due)
+            fprintf(stderr,
+                    "winnow: source %d of particles.insert: %ld of the %ld "
+                    "spheres that were due by t = %g s have found no room; "
+                    "they need a larger region, or others to leave it\n",
+                    i, due - in->n_inserted, due, sim->t);
+    }
+}

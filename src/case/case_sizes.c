@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_sizes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "case/nearest.h"
+
+static const char list[] = "particles.sizes";
+
+static double given(const struct settings *s, int i, const char *key)
+{
+    return settings_item_has(s, list, i, key)
+               ? settings_item_real(s, list, i, key)
+               : 0.0;
+}
+
+/* The points are to be released with free(). */
+static struct sizes_options options(const struct settings *s, int i)
+{
+    struct sizes_options o = {
+        .law = sizes_law_named(settings_item_text(s, list, i, "distribution")),
+        .mean = given(s, i, "mean"),
+        .deviation = given(s, i, "deviation"),
+        .median = given(s, i, "median"),
+        .ratio = given(s, i, "ratio"),
+        .min = given(s, i, "min"),
+        .max = given(s, i, "max"),
+        .by_mass = strcmp(settings_item_text(s, list, i, "by"), "mass") == 0};
+
+    if (!settings_item_has(s, list, i, "points")) return o;
+    o.n = settings_item_points(s, list, i, "points");
+    double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);
+    for (int k = 0; k < o.n; k++)
+        settings_item_point(s, list, i, "points", k, &point[k][0],
+                            &point[k][1]);
+    o.point = (const double(*)[2])point;
+    return o;
+}
+
+static int index_of(const struct settings *s, const char *name)
+{
+    const int n = settings_length(s, list);
+    int i = 0;
+
+    while (i < n && strcmp(settings_item_text(s, list, i, "name"), name) != 0)
+        i++;
+    return i < n ? i : -1;
+}
+
+int case_sizes_check(const struct settings *s)
+{
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const char *const name = settings_item_text(s, list, i, "name");
+        const struct sizes_options o = options(s, i);
+        const char *const wrong = sizes_wrong(&o);
+
+        free((void *)o.point);
+        if (wrong != NULL)
+            return settings_wrong(s, list, "%s, which is %s: %s", name,
+                                  o.law->name, wrong);
+        if (index_of(s, name) != i)
+            return settings_wrong(s, list, "two are called %s", name);
+    }
+    return 0;
+}
+
+int case_sizes_check_name(const struct settings *s, const char *key,
+                          const char *name)
+{
+    struct nearest n;
+
+    if (index_of(s, name) >= 0) return 0;
+    nearest_init(&n, name);
+    for (int i = 0; i < settings_length(s, list); i++)
+        nearest_offer(&n, settings_item_text(s, list, i, "name"));
+    const char *const best = nearest_best(&n);
+    return settings_wrong(s, key, "no distribution in %s is called %s%s%s",
+                          list, name, best != NULL ? "; did you mean " : "",
+                          best != NULL ? best : "");
+}
+
+struct sizes *case_sizes_create(const struct settings *s, const char *name)
+{
+    const struct sizes_options o = options(s, index_of(s, name));
+    struct sizes *const made = sizes_create(&o);
+
+    free((void *)o.point);
+    return made;
+}

@@ -1,0 +1,43 @@
+/* history.h -- the numbers of one moment, a row of history.csv.
+ *
+ * Physics first, then how well it was solved: nothing that the numerics did to
+ * the solution is missing. A column that the case has no use for is not there.
+ */
+#ifndef CASE_HISTORY_H
+#define CASE_HISTORY_H
+
+#include "coupling/simulation.h"
+
+/* How one column is got from the simulation. */
+struct history_column {
+    const char *name; /* with its unit: "pressure_drop [Pa]" */
+    double (*value)(const struct simulation *sim);
+    int needs; /* HISTORY_... */
+};
+
+enum {
+    HISTORY_FLUID = 1,
+    HISTORY_PARTICLES = 2,
+    HISTORY_COUPLING = 4,
+    HISTORY_MEAN_GRADIENT = 8, /* a flow prescribed through periodic ends */
+    HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
+    HISTORY_BUDGET = 32,       /* of the energy of the particles */
+    HISTORY_POPULATION = 64    /* particles that come and go */
+};
+
+/* All columns, ended by one without a name. */
+extern const struct history_column history_columns[];
+
+/* 1 if the simulation has what the column needs. */
+int history_applies(const struct history_column *c,
+                    const struct simulation *sim);
+
+/* Mean pressure where the fluid enters less that where it leaves [Pa]; between
+ * bottom and top where there is no inlet. */
+double history_pressure_drop(const struct simulation *sim);
+
+/* Weight of the particles over the cross-section of the box normal to gravity
+ * [Pa]; 0 without gravity. */
+double history_bed_weight(const struct simulation *sim);
+
+#endif

@@ -1,0 +1,13 @@
+/* keys.h -- every key of a case file, in one table.
+ *
+ * Effects bring further rows in their descriptors. How a table is searched and
+ * how a row is worded stands in schema.h.
+ */
+#ifndef CASE_KEYS_H
+#define CASE_KEYS_H
+
+#include "base/key.h"
+
+extern const struct key keys_core[];
+
+#endif

@@ -1,0 +1,23 @@
+/* probes.h -- the sensors that a case puts into the box. */
+#ifndef CASE_PROBES_H
+#define CASE_PROBES_H
+
+#include "output/folder.h"
+#include "case/settings.h"
+#include "case/snapshot.h"
+
+struct probes;
+
+/* One column of DIR/probes.csv for each group of output.probes, whose points
+ * validate.c has found to be inside; no file if there is none. NULL after a
+ * message. The snapshot is what they look at. */
+struct probes *probes_create(const struct settings *s,
+                             const struct simulation *sim,
+                             const struct snapshot *look,
+                             struct folder *folder);
+void probes_free(struct probes *p);
+
+/* A row for the snapshot as it is now; non-zero after a message. */
+int probes_add(struct probes *p);
+
+#endif

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/recorder.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/version.h"
+#include "coupling/coupling.h"
+#include "output/folder.h"
+#include "output/picture.h"
+#include "output/summary.h"
+#include "output/table.h"
+#include "dem/population/population.h"
+#include "case/case_steps.h"
+#include "case/history.h"
+#include "case/profiles.h"
+#include "case/field_output.h"
+#include "case/probes.h"
+#include "case/surface_table.h"
+
+enum { MOST_COLUMNS = 64 };
+
+struct recorder {
+    const struct settings *settings;
+    const struct simulation *sim;
+    struct folder *folder; /* borrowed */
+    double began;          /* [s] wall clock */
+    double ended;          /* [s] the same; 0 while the run goes on */
+    int n_columns;
+    const struct history_column *column[MOST_COLUMNS];
+    struct table *history;
+    struct snapshot *snapshot;
+    struct field_output *pictures;
+    struct surface_table *surfaces; /* NULL without any */
+    struct profiles *lines;
+    struct probes *probes;
+    long row_every, picture_every; /* [-] steps of the loop */
+    /* For the summary: the worst of the whole run, and means over its second
+     * half. */
+    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
+    double eps_lowest;
+    long capped_steps;
+    double drop_sum, weight_sum;
+    long drop_rows;
+};
+
+void recorder_free(struct recorder *r)
+{
+    if (r == NULL) return;
+    table_free(r->history);
+    surface_table_free(r->surfaces);
+    field_output_free(r->pictures);
+    profiles_free(r->lines);
+    probes_free(r->probes);
+    snapshot_free(r->snapshot);
+    free(r);
+}
+
+/* --- what is kept for the summary --------------------------------------- */
+
+static void update_extremes(struct recorder *r)
+{
+    const struct simulation *const sim = r->sim;
+
+    if (sim->particles != NULL)
+        r->worst_overlap = fmax(r->worst_overlap, sim->dem_report.max_overlap);
+    if (sim->fluid != NULL && sim->steps > 0) {
+        const struct fluid_report *const f = &sim->fluid->report;
+        r->worst_mass = fmax(r->worst_mass, f->mass_residual);
+        r->worst_momentum = fmax(r->worst_momentum, f->momentum_residual);
+        r->worst_cfl = fmax(r->worst_cfl, f->cfl);
+    }
+    if (sim->coupling != NULL) {
+        const struct coupling_report *const c = &sim->coupling->report;
+        r->worst_exchange = fmax(r->worst_exchange, c->exchange_residual);
+        r->eps_lowest = fmin(r->eps_lowest, c->eps_lowest);
+        r->capped_steps += averaging_report(sim->averaging)->capped > 0;
+    }
+}
+
+static void sample_pressure_drop(struct recorder *r)
+{
+    const double end = settings_real(r->settings, "output.end");
+
+    if (r->sim->fluid == NULL || r->sim->t < 0.5 * end) return;
+    r->drop_sum += history_pressure_drop(r->sim);
+    r->drop_rows++;
+    if (r->sim->particles != NULL) r->weight_sum += history_bed_weight(r->sim);
+}
+
+/* --- the moments --------------------------------------------------------- */
+
+static int add_row(struct recorder *r)
+{
+    double row[MOST_COLUMNS];
+
+    for (int i = 0; i < r->n_columns; i++)
+        row[i] = r->column[i]->value(r->sim);
+    return table_add(r->history, row);
+}
+
+int recorder_sample(struct recorder *r)
+{
+    const long step = r->sim->steps;
+
+    update_extremes(r);
+    if (step % r->row_every == 0) {
+        snapshot_take(r->snapshot, r->sim);
+        profiles_add(r->lines, (double)r->row_every * r->sim->dt);
+        sample_pressure_drop(r);
+        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
+            surface_table_add(r->surfaces) != 0)
+            return 1;
+    }
+    if (step % r->picture_every != 0) return 0;
+    snapshot_take(r->snapshot, r->sim);
+    return field_output_add(r->pictures, r->snapshot);
+}
+
+int recorder_last_state(struct recorder *r)
+{
+    if (r->snapshot->t <= field_output_last(r->pictures)) return 0;
+    return field_output_add(r->pictures, r->snapshot);
+}
+
+/* --- the summary ---------------------------------------------------------- */
+
+static void write_seconds(struct summary *f, const struct recorder *r)
+{
+    const struct seconds *const s = &r->sim->seconds;
+
+    summary_begin(f, "seconds");
+    summary_number(f, "cfd", s->cfd);
+    summary_number(f, "dem", s->dem);
+    summary_number(f, "averaging", s->averaging);
+    summary_number(f, "exchange", s->exchange);
+    summary_number(f, "output", s->output);
+    summary_number(f, "total",
+                   (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
+    summary_end(f);
+}
+
+static double rate(double amount, double seconds)
+{
+    return seconds > 0.0 ? amount / seconds : 0.0;
+}
+
+static void write_speed(struct summary *f, const struct recorder *r)
+{
+    const struct simulation *const sim = r->sim;
+
+    if (sim->particles != NULL)
+        summary_number(
+            f, "particle_steps_per_second",
+            rate((double)sim->steps * sim->dem_steps * sim->particles->n,
+                 sim->seconds.dem));
+    if (sim->fluid != NULL)
+        summary_number(
+            f, "cell_steps_per_second",
+            rate((double)sim->steps * sim->mesh->n_cells, sim->seconds.cfd));
+}
+
+static void write_residuals(struct summary *f, const struct recorder *r)
+{
+    summary_begin(f, "worst");
+    if (r->sim->fluid != NULL) {
+        summary_number(f, "mass_residual", r->worst_mass);
+        summary_number(f, "momentum_residual", r->worst_momentum);
+        summary_number(f, "cfl", r->worst_cfl);
+    }
+    if (r->sim->coupling != NULL) {
+        summary_number(f, "exchange_residual", r->worst_exchange);
+        summary_number(f, "eps_f_lowest", r->eps_lowest);
+        summary_count(f, "steps_with_capped_cells", r->capped_steps);
+    }
+    if (r->sim->particles != NULL)
+        summary_number(f, "overlap", r->worst_overlap);
+    summary_end(f);
+}
+
+static void write_means(struct summary *f, const struct recorder *r)
+{
+    if (r->drop_rows == 0) return;
+    summary_begin(f, "second_half");
+    summary_number(f, "mean_pressure_drop", r->drop_sum / (double)r->drop_rows);
+    if (r->sim->particles != NULL)
+        summary_number(f, "bed_weight", r->weight_sum / (double)r->drop_rows);
+    summary_end(f);
+}
+
+static void write_life(struct summary *f, const struct recorder *r)
+{
+    if (r->sim->population == NULL) return;
+    summary_count(f, "particles_in", r->sim->population->totals.inserted);
+    summary_count(f, "particles_out", r->sim->population->totals.removed);
+    summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
+}
+
+/* What is yet to come has no exit code: it is null. */
+enum { STILL_RUNNING = -1 };
+
+static int write_summary(const struct recorder *r, const char *reason, int code)
+{
+    const struct simulation *const sim = r->sim;
+    char *const path = file_join(folder_name(r->folder), "summary.json");
+    struct summary *const f = summary_create(path);
+    free(path);
+    summary_text(f, "program", "winnow " VERSION_TEXT);
+    summary_text(f, "case", settings_file(r->settings));
+    summary_text(f, "exit_reason", reason);
+    summary_number(f, "exit_code", code < 0 ? (double)NAN : code);
+    if (settings_has(r->settings, "particles.bed"))
+        summary_count(f, "seed",
+                      settings_int(r->settings, "particles.bed.seed"));
+    summary_count(f, "threads", omp_get_max_threads());
+    summary_count(f, "cells", sim->mesh->n_cells);
+    summary_count(f, "particles",
+                  sim->particles != NULL ? sim->particles->n : 0);
+    write_life(f, r);
+    summary_number(f, "step", sim->dt);
+    summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
+    summary_count(f, "steps", sim->steps);
+    summary_number(f, "simulated_seconds", sim->t);
+    write_seconds(f, r);
+    write_speed(f, r);
+    write_residuals(f, r);
+    write_means(f, r);
+    return summary_commit(f);
+}
+
+/* --- the beginning -------------------------------------------------------- */
+
+static struct table *create_history(struct recorder *r)
+{
+    const char *names[MOST_COLUMNS];
+
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        if (history_applies(c, r->sim)) {
+            names[r->n_columns] = c->name;
+            r->column[r->n_columns++] = c;
+        }
+    return folder_table(r->folder, "history.csv", r->n_columns, names);
+}
+
+/* What is there of a run that is killed; non-zero after a message. */
+static int begin(struct recorder *r)
+{
+    if (folder_begin(r->folder) != 0) return 1;
+    char *const path = folder_file(r->folder, "summary.json");
+    free(path);
+    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+}
+
+/* The parts that write from the start; non-zero after a message. */
+static int create_parts(struct recorder *r)
+{
+    const struct simulation *const sim = r->sim;
+    struct folder *const folder = r->folder;
+
+    r->history = create_history(r);
+    if (r->history == NULL) return 1;
+    r->pictures = field_output_create(sim, folder);
+    if (r->pictures == NULL) return 1;
+    if (sim->n_surfaces > 0) {
+        r->surfaces = surface_table_create(sim, folder);
+        if (r->surfaces == NULL) return 1;
+    }
+    r->probes = probes_create(r->settings, sim, r->snapshot, folder);
+    return r->probes == NULL;
+}
+
+struct recorder *recorder_create(const struct settings *s,
+                                 const struct simulation *sim,
+                                 struct folder *folder)
+{
+    struct recorder *const r = alloc_zeroed(1, sizeof *r);
+
+    r->settings = s;
+    r->sim = sim;
+    r->folder = folder;
+    r->began = clock_now();
+    r->eps_lowest = 1.0;
+    r->picture_every = case_steps_between(s, "output.every");
+    r->row_every = case_steps_between_rows(s);
+    r->snapshot = snapshot_create(sim);
+    r->lines = profiles_create(s, sim, r->snapshot);
+    if (r->lines != NULL && begin(r) == 0) {
+        if (create_parts(r) == 0) return r;
+        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+    }
+    recorder_free(r);
+    return NULL;
+}
+
+/* --- the end -------------------------------------------------------------- */
+
+/* The last state as a picture; drawn only where there is a gnuplot. */
+static int draw_picture(const struct recorder *r)
+{
+    const struct snapshot *const s = r->snapshot;
+    const struct picture p = {.title = settings_text(r->settings, "title"),
+                              .time = s->t,
+                              .mesh = r->sim->mesh,
+                              .eps = s->eps,
+                              .n = s->n,
+                              .x = {s->x[0], s->x[1], s->x[2]},
+                              .v = {s->v[0], s->v[1], s->v[2]},
+                              .d = s->d,
+                              .pressure = r->sim->fluid != NULL &&
+                                          r->sim->particles != NULL};
+
+    const char *const dir = folder_name(r->folder);
+
+    if (picture_write(r->folder, &p) != 0) return 1;
+    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    return 0;
+}
+
+/* The summary comes last: what it calls done is there. Where writing has failed
+ * before, nothing but the summary is tried. */
+int recorder_finish(struct recorder *r, const char *reason, int exit_code)
+{
+    r->ended = clock_now();
+    if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
+        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+        return 1;
+    }
+    return write_summary(r, reason, exit_code) != 0;
+}
+
+void recorder_print(const struct recorder *r)
+{
+    const struct simulation *const sim = r->sim;
+    const char *const dir = folder_name(r->folder);
+
+    if (r->drop_rows > 0 && sim->particles != NULL)
+        printf("pressure drop %.1f Pa (mean of the second half), weight of the "
+               "bed %.1f Pa%s\n",
+               r->drop_sum / (double)r->drop_rows,
+               r->weight_sum / (double)r->drop_rows,
+               sim->mesh->shape != NULL ? " over the mean section" : "");
+    if (sim->fluid != NULL)
+        printf("open %s/fluid.pvd%s in ParaView\n", dir,
+               sim->particles != NULL ? " and particles.pvd" : "");
+    else
+        printf("open %s/particles.pvd in ParaView\n", dir);
+}

@@ -1,0 +1,43 @@
+/* recorder.h -- the recorder: all output of a run.
+ *
+ * DIR/history.csv and DIR/probes.csv a row at a time, DIR/fluid.pvd and
+ * DIR/particles.pvd with their files a picture at a time, DIR/profiles/ at the
+ * end, DIR/summary.json at the beginning and at the end.
+ */
+#ifndef CASE_RECORDER_H
+#define CASE_RECORDER_H
+
+#include "coupling/simulation.h"
+#include "output/folder.h"
+#include "case/settings.h"
+
+struct recorder;
+
+/* Begins anew in the folder: first a summary that says "running", then what is
+ * written from the start. NULL after a message: the folder cannot be written.
+ * Simulation and folder are borrowed. */
+struct recorder *recorder_create(const struct settings *s,
+                                 const struct simulation *sim,
+                                 struct folder *folder);
+void recorder_free(struct recorder *r);
+
+/* Samples the simulation at its present time: adds to the profiles, and writes
+ * the rows and field files that are due. Non-zero after a message if writing
+ * failed. */
+int recorder_sample(struct recorder *r);
+
+/* The last good state, in a picture of its own if it has none yet. */
+int recorder_last_state(struct recorder *r);
+
+/* How the summary of a run that could not write says so. */
+#define RECORDER_NOT_WRITTEN "output could not be written"
+enum { RECORDER_NOT_WRITTEN_CODE = 4 };
+
+/* Profiles, picture and summary; reason: "done", "interrupted", what broke
+ * down. Non-zero after a message. */
+int recorder_finish(struct recorder *r, const char *reason, int exit_code);
+
+/* Prints a summary on stdout. */
+void recorder_print(const struct recorder *r);
+
+#endif

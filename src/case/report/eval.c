@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/report/eval.h"
+
+#include "case/report/equations.h"
+#include "case/nearest.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void eval_list(void)
+{
+    for (const struct equation *e = equations_all; e->key != NULL; e++) {
+        printf("%-10s %s\n", e->key, e->what);
+        printf("%-10s %s -> %s [%s], by %s\n", "", e->inputs, e->out, e->unit,
+               e->function);
+    }
+}
+
+static int unknown_key(const char *key)
+{
+    struct nearest n;
+
+    nearest_init(&n, key);
+    for (const struct equation *e = equations_all; e->key != NULL; e++)
+        nearest_offer(&n, e->key);
+    if (nearest_best(&n) != NULL)
+        fprintf(stderr, "winnow: no equation %s; did you mean %s?\n", key,
+                nearest_best(&n));
+    else
+        fprintf(stderr, "winnow: no equation %s; winnow eval lists all\n", key);
+    return 2;
+}
+
+/* Says what is wrong with an input, and what the equation takes. */
+static int refuse(const struct equation *e, const char *input, const char *why)
+{
+    fprintf(stderr, "winnow: eval %s: %s %s; it takes %s\n", e->key, input, why,
+            e->inputs);
+    return 2;
+}
+
+/* Fills x from the inputs; each must be there once. */
+static int read_inputs(const struct equation *e, int n,
+                       const char *const *inputs, double *x)
+{
+    int given[EQUATIONS_INPUTS] = {0};
+    char name[EQUATIONS_TEXT];
+
+    for (int i = 0; i < n; i++) {
+        const size_t length = strcspn(inputs[i], "=");
+        const int k = equations_input(e, inputs[i], length);
+        const char *const text = inputs[i] + length;
+        char *end;
+
+        if (k < 0 || *text != '=')
+            return refuse(e, inputs[i], "is not one of its inputs");
+        if (given[k]++) return refuse(e, inputs[i], "is given twice");
+        x[k] = strtod(text + 1, &end);
+        if (end == text + 1 || *end != '\0' || !isfinite(x[k]))
+            return refuse(e, inputs[i], "is not a number");
+    }
+    for (int k = 0; k < equations_inputs(e); k++)
+        if (!given[k]) {
+            equations_name(e, k, name);
+            return refuse(e, name, "is missing");
+        }
+    return 0;
+}
+
+int eval_print(const char *key, int n, const char *const *inputs)
+{
+    const struct equation *const e = equations_named(key);
+    double x[EQUATIONS_INPUTS], value;
+
+    if (e == NULL) return unknown_key(key);
+    if (read_inputs(e, n, inputs, x) != 0) return 2;
+    value = e->value(x);
+    if (!isfinite(value)) {
+        fprintf(stderr, "winnow: eval %s: %s has no value for these inputs\n",
+                key, e->out);
+        return 2;
+    }
+    printf("%s = %.12g [%s]\n", e->out, value, e->unit);
+    return 0;
+}

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/report/explain.h"
+
+#include "case/case_materials.h"
+#include "case/models.h"
+#include "case/schema.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* What a case computes as soon as it names a group. */
+struct part {
+    const char *group, *what, *source, *function;
+};
+
+/* Stands for the key in the groups of several materials. */
+static const char rolling[] = "particles.grains.rolling_friction";
+
+static const struct part parts[] = {
+    {"mesh", "the coupled step", "XS11 Algorithm 3.1", "coupling_step"},
+    {"fluid", "momentum of the fluid, averaged locally", "XS11 2.8",
+     "momentum_assemble"},
+    {"fluid", "pressure that meets continuity (PISO)", "XS11 2.7",
+     "pressure_correct"},
+    {"particles", "motion of each particle", "LS 4.1-4.3", "dem_run"},
+    {"particles.surfaces", "contacts with walls besides the box", "LS 4.1-4.3",
+     "surfaces_add_loads"},
+    {"particles.prescribed", "particles that move as prescribed", "LS Fig. 4.3",
+     "prescribed_particles_set_velocities"},
+    {"averaging", "solids fraction and velocity of the cells", "SX15 4-9",
+     "transfer_average"},
+    {"exchange", "drag on each particle", "XS11 2.6, 2.10",
+     "transfer_begin_substep"},
+    {"exchange", "sub-steps and the mean velocity over them", "XS11 3.18-3.20",
+     "move_with_drag"},
+    {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
+     "materials_pair"},
+    {rolling, "rolling friction", "Ai11", "sweep_roll"},
+    {NULL, NULL, NULL, NULL}};
+
+static int is_named(const struct settings *s, const struct part *p)
+{
+    return p->group == rolling ? case_materials_have_rolling(s)
+                               : settings_has(s, p->group);
+}
+
+static void print_line(const char *source, const char *function,
+                       const char *kind, const char *what)
+{
+    printf("  %-26s %-32s %s%s%s\n", source, function, kind,
+           kind[0] != '\0' ? ": " : "", what);
+}
+
+/* 1 if a side of the box is the patch, or a group with it as key. */
+static int is_some_side(const struct settings *s, const char *patch)
+{
+    const char *side;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char key[128];
+
+        if (!settings_has(s, side)) continue;
+        if (settings_text(s, side) != NULL) {
+            if (strcmp(settings_text(s, side), patch) == 0) return 1;
+            continue;
+        }
+        snprintf(key, sizeof key, "%s.%s", side, patch);
+        if (strcmp(patch, "no-slip") != 0 && strcmp(patch, "slip") != 0 &&
+            settings_has(s, key))
+            return 1;
+    }
+    return 0;
+}
+
+/* 1 if the group that a kind's key is in is at work. */
+static int is_at_work(const struct settings *s, const struct kind *kind)
+{
+    char group[64];
+
+    snprintf(group, sizeof group, "%s", kind->key);
+    if (strrchr(group, '.') != NULL) *strrchr(group, '.') = '\0';
+    if (strcmp(kind->name, "scheme") == 0 && settings_has(s, group))
+        return strcmp(settings_text(s, "averaging.method"), "diffusion") == 0;
+    if (strcmp(kind->name, "interpolation") == 0)
+        return settings_has(s, "exchange");
+    return settings_has(s, group);
+}
+
+/* 1 if one of the groups of a list chose that model. */
+static int is_in_list(const struct settings *s, const char *path,
+                      const char *model)
+{
+    const char *const dot = strrchr(path, '.');
+    char list[64];
+
+    snprintf(list, sizeof list, "%.*s", (int)(dot - path), path);
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (strcmp(settings_item_text(s, list, i, dot + 1), model) == 0)
+            return 1;
+    return 0;
+}
+
+static int is_on(const struct settings *s, const struct kind *kind,
+                 const struct model *m)
+{
+    char path[128];
+
+    if (!is_at_work(s, kind)) return 0;
+    if (strcmp(kind->name, "patch") == 0) return is_some_side(s, m->name);
+    if (strcmp(kind->name, "sizes") == 0 || strcmp(kind->name, "surface") == 0)
+        return is_in_list(s, kind->key, m->name);
+    if (strcmp(kind->name, "effect") != 0)
+        return strcmp(settings_text(s, kind->key), m->name) == 0;
+    snprintf(path, sizeof path, "effects.%s", m->name);
+    return settings_has(s, path);
+}
+
+static void print_on(const struct settings *s)
+{
+    struct model m;
+
+    puts("On");
+    for (const struct part *p = parts; p->group != NULL; p++)
+        if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; k->model(i, &m); i++)
+            if (is_on(s, k, &m)) {
+                char name[128];
+                snprintf(name, sizeof name, "%s %s", k->name, m.name);
+                print_line(m.source, m.function, name, m.what);
+            }
+}
+
+static void print_off(const struct settings *s)
+{
+    struct model m;
+
+    puts("Off: nothing is allocated and nothing called");
+    for (const struct part *p = parts; p->group != NULL; p++)
+        if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
+        int n = 0;
+
+        for (int i = 0; k->model(i, &m); i++)
+            if (!is_on(s, k, &m)) {
+                if (n++ == 0) printf("  %s:", k->name);
+                printf(" %s", m.name);
+            }
+        if (n > 0) putchar('\n');
+    }
+}
+
+int explain_case(const struct settings *s)
+{
+    printf("%s\n", settings_text(s, "title"));
+    print_on(s);
+    print_off(s);
+    return 0;
+}

@@ -1,0 +1,12 @@
+/* list.h -- `winnow list`: what there is to choose from. */
+#ifndef CASE_REPORT_LIST_H
+#define CASE_REPORT_LIST_H
+
+/* Prints the kinds of models on stdout. */
+void list_kinds(void);
+
+/* Prints every model of a kind with its keys, or for "keys" the whole table of
+ * keys. 0, or 2 after a message if there is no such kind. */
+int list_models(const char *kind);
+
+#endif

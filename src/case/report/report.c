@@ -1,0 +1,388 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/report/report.h"
+
+#include "averaging/averaging.h"
+#include "base/vector.h"
+#include "mesh/mesh.h"
+#include "dem/contact.h"
+#include "case/build.h"
+#include "case/build_particles.h"
+#include "case/case_cohesion.h"
+#include "case/report/case_drag.h"
+#include "case/case_population.h"
+#include "case/report/case_limits.h"
+#include "case/case_materials.h"
+#include "case/case_memory.h"
+#include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/case_surfaces.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Solid fractions that the time scales are given for: a packed bed, where the
+ * fluid is quickest between the grains, and a lone particle. */
+static const double packed = 0.6;
+
+/* What one core was seen to do in the Mueller bed, busy with other work beside
+ * it: 9.0e6 particle steps a second with Hertz's law, 7.7e6 with the linear
+ * one, and 5.1e5 cell steps with all that the coupling needs. */
+static const double particle_steps_per_second = 8e6;
+static const double cell_steps_per_second = 5e5;
+static const double report_threshold = 10e6; /* [byte] */
+
+/* The case in numbers. 0 where it has no such thing. */
+struct case_scales {
+    int cells, particles;
+    double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
+    double dx;         /* [m] smallest cell width along the flow */
+    double d, d_most;  /* [m] smallest and largest diameter */
+    double volume;     /* [m^3] of the particles of a bed */
+    double density;    /* [kg/m^3] of the particles */
+    double dt, dem_dt; /* [s] of the loop, of the particles */
+    int dem_steps;     /* [-] in one step of the loop */
+    double inlet;      /* [m/s] largest superficial velocity of an inlet */
+    double impact;     /* [m/s] speed of collisions that is assumed */
+    double end;        /* [s] */
+};
+
+static void line(const char *name, double value, const char *unit,
+                 const char *remark)
+{
+    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+/* Who comes later counts as if he were there. */
+static void add_inserted(const struct settings *s, struct case_scales *k)
+{
+    k->particles += case_population_count(s);
+    k->d_most = fmax(k->d_most, case_population_largest(s));
+    for (int m = 0; m < case_limits_count(s); m++) {
+        const double d = case_population_smallest(s, m);
+        if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
+    }
+}
+
+static void particle_scales(const struct settings *s, struct case_scales *k)
+{
+    const char *const list = "particles.place";
+
+    k->density = settings_real(s, "particles.grains.density");
+    if (settings_has(s, "particles.bed")) {
+        struct sizes *sizes;
+        const struct bed_options b = build_bed_options(s, &sizes);
+        const struct bed_range range = bed_range(&b);
+        k->particles = b.count;
+        k->d = range.min;
+        k->d_most = range.max;
+        k->volume = range.volume;
+        sizes_free(sizes);
+        return;
+    }
+    k->particles = settings_length(s, list);
+    for (int i = 0; i < k->particles; i++) {
+        const double d = settings_item_real(s, list, i, "diameter");
+
+        k->d = i == 0 ? d : fmin(k->d, d);
+        k->d_most = fmax(k->d_most, d);
+    }
+}
+
+static double largest_inlet(const struct settings *s, const struct mesh *m)
+{
+    double largest = 0.0;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const char *const side = settings_side(s, m->patches[i].name);
+        char path[128];
+
+        if (side == NULL) continue;
+        snprintf(path, sizeof path, "%s.inlet", side);
+        for (int j = 0; settings_has(s, path) && j < settings_points(s, path);
+             j++) {
+            double t, u;
+            settings_point(s, path, j, &t, &u);
+            largest = fmax(largest, u);
+        }
+    }
+    return largest;
+}
+
+static struct case_scales scales_of(const struct settings *s)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    struct case_scales k = {.cells = m->n_cells, .dx = INFINITY};
+    double g[3];
+
+    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
+    for (int i = 0; i < m->box.n[1]; i++)
+        k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
+    for (int f = 0; f < m->n_internal && m->face_centre != NULL; f++)
+        k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
+    k.end = settings_real(s, "output.end");
+    k.dt = case_steps_length(s);
+    k.dem_steps = case_steps_within(s);
+    if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
+    if (settings_has(s, "particles")) {
+        particle_scales(s, &k);
+        add_inserted(s, &k);
+        k.dem_dt = k.dt / k.dem_steps;
+    }
+    build_gravity(s, g);
+    k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
+    k.impact = fmax(k.impact, case_limits_thrown(s));
+    if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
+    mesh_free(m);
+    return k;
+}
+
+/* A line with the place of the cell in question. */
+static void line_at(const char *name, double value, const char *unit,
+                    const struct mesh *m, int c, const char *advice)
+{
+    const double *const x = &m->centre[3 * c];
+    char remark[256];
+
+    snprintf(remark, sizeof remark, "at [%.3g, %.3g, %.3g] m%s%s", x[0], x[1],
+             x[2], advice[0] != '\0' ? ": " : "", advice);
+    line(name, value, unit, remark);
+}
+
+/* What links that are not normal to their faces cost: the part along the face
+ * is added from the step before, so it wants repeats. */
+static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
+{
+    const double angle = q->non_orthogonal;
+
+    line_at("largest non-orthogonality", angle, "deg", m, q->n_non_orthogonal,
+            angle > 70.0   ? "TOO CROOKED: expect divergence, mend the mesh"
+            : angle > 45.0 ? "high: give fluid.outer_correctors 1 or 2"
+                           : "good");
+    line_at("largest skewness", q->skewness, "-", m, q->n_skewed,
+            q->skewness > 0.5   ? "HIGH: faces are not met by their links"
+            : q->skewness > 0.1 ? "second order is lost near by"
+                                : "good");
+    line_at("largest aspect ratio", q->aspect, "-", m, q->n_flat,
+            q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");
+    line("openness", q->openness, "-", "of the worst cell: closed");
+    line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
+}
+
+/* What a mesh is worth: a box has no oblique links and no skewness. */
+static void print_quality(const struct settings *s)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    const int crooked = m->face_centre != NULL;
+    const struct mesh_quality q =
+        crooked ? mesh_quality(m) : (struct mesh_quality){.growth = 1.0};
+    double least, most, mean;
+
+    mesh_volumes(m, &least, &most, &mean);
+    if (crooked) print_bad_cells(m, &q);
+    if (most > least * (1.0 + 1e-9))
+        line("largest over smallest cell", most / least, "-",
+             "volumes; what the schemes assume is near 1 between neighbours");
+    if (q.growth > 1.0 + 1e-9)
+        line("largest between neighbours", q.growth, "-",
+             q.growth > 2.1 ? "HIGH: second order is lost there" : "good");
+    mesh_free(m);
+}
+
+static void print_resolution(const struct case_scales *k)
+{
+    puts("Resolution");
+    line("cells", k->cells, "-", "");
+    line("S_c", k->S_c, "m", "cube root of the mean cell volume");
+    if (k->particles == 0) return;
+    line("particles", k->particles, "-", "");
+    line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
+    line("N_p / N_c", (double)k->particles / k->cells, "-", "");
+}
+
+static void print_one(const struct case_scales *k, const struct case_limits *m)
+{
+    if (m->rayleigh > 0.0) {
+        line("T_R", m->rayleigh, "s",
+             "Rayleigh's wave around the smallest particle");
+        line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
+    }
+    line("contact time", m->contact, "s",
+         m->contact < HUGE_VAL ? "of two of the smallest particles"
+                               : "critical damping: they never part");
+    line("suggested step", m->suggested, "s", "");
+    line("safe step", m->longest, "s", "");
+}
+
+static void print_contacts(const struct settings *s,
+                           const struct case_scales *k)
+{
+    const double safe = case_limits_tightest(s, k->impact).longest;
+
+    puts("Contacts");
+    line("impact speed", k->impact, "m/s", "assumed for what follows");
+    for (int m = 0; m < case_limits_count(s); m++) {
+        const struct case_limits one = case_limits_of(s, m, k->impact);
+        if (one.d <= 0.0) continue;
+        if (case_limits_count(s) > 1)
+            line(case_limits_name(s, m), one.d, "m", "smallest of it");
+        print_one(k, &one);
+    }
+    line("particle step", k->dem_dt, "s",
+         k->dem_dt <= safe ? "safe" : "NOT SAFE: collisions are not resolved");
+    line("particle steps in one step", k->dem_steps, "-", "");
+}
+
+/* What the averaging keeps for each cell can be more than all else. */
+static int report_memory(const struct settings *s, const struct case_scales *k)
+{
+    if (!settings_has(s, "averaging")) return 0;
+    struct mesh *const m = case_mesh_outline(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const double bytes = averaging_bytes(
+        averaging_method_named(settings_text(s, "averaging.method")), m,
+        k->d_most, &o);
+
+    mesh_free(m);
+    return case_memory_check(s, bytes);
+}
+
+int report_step(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0;
+    const struct case_scales k = scales_of(s);
+    if (report_memory(s, &k) != 0) return 2;
+    if (settings_bool(s, "particles.unsafe_step")) return 0;
+    const struct case_limits m = case_limits_tightest(s, k.impact);
+    if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
+    return settings_wrong(
+        s, "particles.step",
+        "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "
+        "s: at most %.3g s, better %.3g s; to run all the same set "
+        "particles.unsafe_step = true",
+        k.dem_dt, case_limits_name(s, m.material), m.d, m.contact, m.longest,
+        m.suggested);
+}
+
+/* The fluid between the grains of a packed bed moves at U / eps_f. */
+static void print_flow(const struct case_scales *k)
+{
+    const double u = k->inlet / (1.0 - packed);
+
+    puts("Flow");
+    line("step", k->dt, "s", "");
+    if (k->inlet <= 0.0) return;
+    line("inlet", k->inlet, "m/s", "superficial, largest");
+    line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
+    line("step at CFL = 1", k->dx / u, "s",
+         k->dt <= k->dx / u ? "the step is below: accurate in time"
+                            : "the step is above: stable, not accurate");
+}
+
+/* Weights at the centres of cells want a bandwidth that reaches from one large
+ * cell to the next; else the small ones beside it get what is its due. So many
+ * widths make an even bed even to about two per cent. */
+static void print_bandwidth(const struct mesh *m, double b, double S_c,
+                            const char *method)
+{
+    const double widths = strcmp(method, "kernel") == 0     ? 1.5
+                          : strcmp(method, "gaussian") == 0 ? 0.75
+                                                            : 0.0;
+    double V, least, mean;
+
+    mesh_volumes(m, &least, &V, &mean);
+    line("bandwidth / S_c", b / S_c, "-", "");
+    if (cbrt(V) > 1.01 * S_c)
+        line("bandwidth / width of the largest cell", b / cbrt(V), "-",
+             b < widths * cbrt(V) ? "LOW: small cells beside it are too full"
+                                  : "");
+}
+
+/* Crank-Nicolson needs so many steps not to undershoot. */
+static void print_averaging(const struct settings *s,
+                            const struct case_scales *k)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const struct averaging_method *const method =
+        averaging_method_named(settings_text(s, "averaging.method"));
+    const int steps = averaging_check(method, m, &o);
+    const double bytes = averaging_bytes(method, m, k->d_most, &o);
+
+    puts("Averaging");
+    if (o.bandwidth > 0.0)
+        print_bandwidth(m, o.bandwidth, k->S_c, method->name);
+    if (steps > 0)
+        line("averaging.steps", steps, "-",
+             "needed: with fewer the fields undershoot");
+    if (bytes > report_threshold)
+        line("memory for the cells near each", 1e-6 * bytes, "MB",
+             "about, besides that below");
+    mesh_free(m);
+}
+
+static void print_weight(const struct settings *s, const struct case_scales *k)
+{
+    const double rho_s = settings_real(s, "particles.grains.density");
+    double lo[3], size[3], g[3];
+
+    case_mesh_ends(s, lo, size);
+    if (settings_mesh(s) != NULL) return; /* it has no one section */
+    if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
+    line("weight of the bed over its area",
+         k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
+         "what the pressure drop comes to when it is carried");
+}
+
+static void print_cost(const struct settings *s, const struct case_scales *k)
+{
+    const double steps = k->end / k->dt;
+    const int flow = settings_has(s, "fluid");
+    const double work =
+        steps * k->dem_steps * k->particles / particle_steps_per_second +
+        steps * k->cells * flow / cell_steps_per_second;
+
+    puts("Cost");
+    line("steps", steps, "-", "");
+    line("particle steps", steps * k->dem_steps * k->particles, "-", "");
+    line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
+    line("time", work, "s", "about, after settling, on one core");
+}
+
+/* In a step a wall should move a small part of a particle, as particles do. */
+static void print_walls(const struct wall_scales *w,
+                        const struct case_scales *k)
+{
+    puts("Walls besides the box");
+    line("surfaces", w->surfaces, "-", "");
+    line("triangles", w->triangles, "-", "");
+    line("highest speed", w->speed, "m/s", "of any point of them in the box");
+    if (k->particles > 0 && w->speed > 0.0)
+        line("way of it in a particle step / d", w->speed * k->dem_dt / k->d,
+             "-", "of the smallest particle");
+}
+
+int report_case(const struct settings *s)
+{
+    const struct case_scales k = scales_of(s);
+    struct wall_scales walls;
+
+    if (report_memory(s, &k) != 0) return 2;
+    if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
+    if (case_surfaces_measure(s, &walls) != 0) return 2;
+
+    printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
+    print_resolution(&k);
+    print_quality(s);
+    if (k.particles > 0) print_contacts(s, &k);
+    if (k.particles > 0)
+        case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
+    if (walls.surfaces > 0) print_walls(&walls, &k);
+    if (settings_has(s, "fluid")) print_flow(&k);
+    if (settings_has(s, "averaging")) print_averaging(s, &k);
+    if (settings_has(s, "exchange") && k.particles > 0)
+        case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
+    if (k.particles > 0) print_weight(s, &k);
+    print_cost(s, &k);
+    return 0;
+}

@@ -1,0 +1,18 @@
+/* run.h -- a case from its settings to its last output file. */
+#ifndef CASE_RUN_H
+#define CASE_RUN_H
+
+#include "case/settings.h"
+
+struct run_options {
+    const char *dir; /* where the output goes, borrowed */
+    int quiet;       /* [-] 1: no progress on stderr */
+};
+
+/* Builds and runs the simulation that the case describes, in as many threads as
+ * pay, of those that OpenMP is set to. Returns the exit code of the program: 0
+ * done, 2 the input is wrong after all, 3 the computation broke down, 4 reading
+ * or writing failed, 130 interrupted; after a message if not 0. */
+int run_case(const struct settings *s, const struct run_options *o);
+
+#endif

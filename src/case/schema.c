@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/schema.h"
+
+#include "case/nearest.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const schema_patches[] = {
+    "left",  "right", "bottom",     "top",        "back",
+    "front", "sides", "bottom_top", "front_back", NULL};
+
+static const char placeholder[] = "<patch>";
+
+const struct key *schema_at(const struct key *const *tables, int i)
+{
+    for (; *tables != NULL; tables++)
+        for (const struct key *k = *tables; k->path != NULL; k++)
+            if (i-- == 0) return k;
+    return NULL;
+}
+
+static int is_patch(const char *name, size_t length)
+{
+    for (int i = 0; schema_patches[i] != NULL; i++)
+        if (strlen(schema_patches[i]) == length &&
+            strncmp(schema_patches[i], name, length) == 0)
+            return 1;
+    return 0;
+}
+
+/* 1 if the path is the row's, with any side of the box for <patch>. */
+static int matches(const char *row, const char *path)
+{
+    const char *const at = strstr(row, placeholder);
+    size_t before, length;
+
+    if (at == NULL) return strcmp(row, path) == 0;
+    before = (size_t)(at - row);
+    if (strncmp(row, path, before) != 0) return 0;
+    length = strcspn(path + before, ".");
+    return is_patch(path + before, length) &&
+           strcmp(at + strlen(placeholder), path + before + length) == 0;
+}
+
+const struct key *schema_find(const struct key *const *tables, const char *path)
+{
+    const struct key *k;
+
+    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++)
+        if (matches(k->path, path)) return k;
+    return NULL;
+}
+
+const char *schema_member(const struct key *key, const char *group)
+{
+    const char *const dot = strrchr(key->path, '.');
+    char parent[SCHEMA_TEXT];
+
+    if (dot == NULL) return group[0] == '\0' ? key->path : NULL;
+    snprintf(parent, sizeof parent, "%.*s", (int)(dot - key->path), key->path);
+    return matches(parent, group) ? dot + 1 : NULL;
+}
+
+/* Copies the next word or condition of a row and returns what follows it, or
+ * NULL when there is none left. */
+static const char *next_allowed(const char *rest, char one[SCHEMA_TEXT])
+{
+    size_t length;
+
+    rest += strspn(rest, " |,");
+    length = strcspn(rest, "|,");
+    while (length > 0 && rest[length - 1] == ' ')
+        length--;
+    snprintf(one, SCHEMA_TEXT, "%.*s", (int)length, rest);
+    return length == 0 ? NULL : rest + length;
+}
+
+static int is_condition(const char *allowed)
+{
+    return allowed[0] == '<' || allowed[0] == '>';
+}
+
+static int holds(const char *condition, double value)
+{
+    const int with_equal = condition[1] == '=';
+    const double bound = strtod(condition + 1 + with_equal, NULL);
+
+    if (with_equal && value == bound) return 1;
+    return condition[0] == '>' ? value > bound : value < bound;
+}
+
+int schema_allow_number(const struct key *key, double value)
+{
+    const char *rest = key->allowed;
+    char one[SCHEMA_TEXT];
+
+    while ((rest = next_allowed(rest, one)) != NULL)
+        if (is_condition(one) && !holds(one, value)) return 0;
+    return 1;
+}
+
+int schema_allow_word(const struct key *key, const char *word)
+{
+    const char *rest = key->allowed;
+    char one[SCHEMA_TEXT];
+
+    while ((rest = next_allowed(rest, one)) != NULL)
+        if (!is_condition(one) && strcmp(one, word) == 0) return 1;
+    return 0;
+}
+
+int schema_nearest_word(const struct key *key, const char *word,
+                        char nearest[SCHEMA_TEXT])
+{
+    const char *rest = key->allowed;
+    char one[SCHEMA_TEXT];
+    struct nearest n;
+
+    nearest_init(&n, word);
+    while ((rest = next_allowed(rest, one)) != NULL)
+        if (!is_condition(one)) nearest_offer(&n, one);
+    if (nearest_best(&n) == NULL) return 0;
+    snprintf(nearest, SCHEMA_TEXT, "%s", nearest_best(&n));
+    return 1;
+}
+
+static void append(char text[SCHEMA_TEXT], const char *more)
+{
+    strncat(text, more, SCHEMA_TEXT - 1 - strlen(text));
+}
+
+/* The words or the conditions of a row, one after the other. */
+static void gather(const struct key *key, int conditions, const char *between,
+                   char text[SCHEMA_TEXT])
+{
+    const char *rest = key->allowed;
+    char one[SCHEMA_TEXT];
+
+    text[0] = '\0';
+    while ((rest = next_allowed(rest, one)) != NULL)
+        if (is_condition(one) == conditions) {
+            if (text[0] != '\0') append(text, between);
+            append(text, one);
+        }
+}
+
+void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
+{
+    static const char *const kinds[] = {
+        [KEY_GROUP] = "a group { ... }",
+        [KEY_LIST] = "a list of groups ( { ... }, ... )",
+        [KEY_REAL] = "a number",
+        [KEY_INT] = "a whole number",
+        [KEY_BOOL] = "true or false",
+        [KEY_NAME] = "",
+        [KEY_TEXT] = "a text in quotes",
+        [KEY_FILE] = "the name of a file in quotes",
+        [KEY_VECTOR] = "three numbers [x, y, z], each",
+        [KEY_COUNTS] = "three whole numbers [x, y, z], each",
+        [KEY_FLAGS] = "three of true or false [x, y, z]",
+        [KEY_SERIES] = "a number or ((time, number), ...), each number",
+        [KEY_CURVE] = "((x, number), ...) with x rising, each number",
+        [KEY_PATCH] =
+            "{ inlet = ...; } or { outlet = ...; } or { wall = ...; }"};
+    char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
+
+    gather(key, 1, ", ", conditions);
+    gather(key, 0, " or ", words);
+    snprintf(text, SCHEMA_TEXT, "%s", kinds[key->type]);
+    if (conditions[0] != '\0') append(text, " ");
+    append(text, conditions);
+    if (key->unit[0] != '\0') append(text, " [");
+    append(text, key->unit);
+    if (key->unit[0] != '\0') append(text, "]");
+    if (text[0] != '\0' && words[0] != '\0') append(text, " or ");
+    append(text, words);
+}
+
+/* Replaces the last name of a path. */
+static void beside(const char *path, const char *name, char text[SCHEMA_TEXT])
+{
+    const char *const dot = strrchr(path, '.');
+    const int length = dot == NULL ? 0 : (int)(dot + 1 - path);
+
+    snprintf(text, SCHEMA_TEXT, "%.*s%s", length, path, name);
+}
+
+static void offer_row(struct nearest *n, const char *name)
+{
+    if (strcmp(name, placeholder) != 0)
+        nearest_offer(n, name);
+    else
+        for (int i = 0; schema_patches[i] != NULL; i++)
+            nearest_offer(n, schema_patches[i]);
+}
+
+/* A row as a case would write its path, with one of the sides in the place of
+ * <patch>. */
+static void as_written(const struct key *key, char text[SCHEMA_TEXT])
+{
+    const char *const at = strstr(key->path, placeholder);
+    const int before = at == NULL ? 0 : (int)(at - key->path);
+
+    if (at == NULL)
+        snprintf(text, SCHEMA_TEXT, "%s", key->path);
+    else
+        snprintf(text, SCHEMA_TEXT, "%.*s%s%s", before, key->path, "bottom",
+                 at + strlen(placeholder));
+}
+
+/* The first row of that name, in whatever group. */
+static const struct key *row_named(const struct key *const *tables,
+                                   const char *name)
+{
+    const struct key *k;
+
+    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+        const char *const last = strrchr(k->path, '.');
+        if (strcmp(last == NULL ? k->path : last + 1, name) == 0) return k;
+    }
+    return NULL;
+}
+
+const struct key *schema_nearest(const struct key *const *tables,
+                                 const char *path, char nearest[SCHEMA_TEXT])
+{
+    const char *const dot = strrchr(path, '.');
+    const char *const name = dot == NULL ? path : dot + 1;
+    char group[SCHEMA_TEXT] = "";
+    const struct key *k;
+    struct nearest n;
+
+    if (dot != NULL)
+        snprintf(group, sizeof group, "%.*s", (int)(dot - path), path);
+    nearest_init(&n, name);
+    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++)
+        if (schema_member(k, group) != NULL)
+            offer_row(&n, schema_member(k, group));
+    if (nearest_best(&n) != NULL) {
+        beside(path, nearest_best(&n), nearest);
+        return schema_find(tables, nearest);
+    }
+    k = row_named(tables, name);
+    if (k != NULL) as_written(k, nearest);
+    return k;
+}

@@ -1,0 +1,48 @@
+/* schema.h -- finding, wording and applying the rows of the key tables.
+ *
+ * A list of tables, ended by NULL, is searched as if it were one table. The
+ * condition of a row is its text: "> 0, <= 1" are comparisons that all hold,
+ * "a | b" are words of which one stands, "auto | >= 1" is either.
+ */
+#ifndef CASE_SCHEMA_H
+#define CASE_SCHEMA_H
+
+#include "base/key.h"
+
+#include <stddef.h>
+
+enum { SCHEMA_TEXT = 256 }; /* room for a path or a phrase */
+
+/* What <patch> stands for in a path: the sides of the box and the pairs of
+ * opposite sides. Ended by NULL. */
+extern const char *const schema_patches[];
+
+/* The row of a path, or NULL. */
+const struct key *schema_find(const struct key *const *tables,
+                              const char *path);
+
+/* The i-th row over all tables, or NULL after the last. */
+const struct key *schema_at(const struct key *const *tables, int i);
+
+/* The name of a row within its group if the row is a direct member of the
+ * group, else NULL. The group "" is the whole case. */
+const char *schema_member(const struct key *key, const char *group);
+
+/* 1 if the name, or one of a row's words, is allowed. */
+int schema_allow_number(const struct key *key, double value);
+int schema_allow_word(const struct key *key, const char *word);
+
+/* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
+void schema_expected(const struct key *key, char text[SCHEMA_TEXT]);
+
+/* The row nearest to an unknown path, among the keys of its group and then
+ * everywhere, and its path as a case would write it: with a side of the box in
+ * the place of <patch>. NULL if none is near. */
+const struct key *schema_nearest(const struct key *const *tables,
+                                 const char *path, char nearest[SCHEMA_TEXT]);
+
+/* The word of the row nearest to an unknown one; 0 if none is near. */
+int schema_nearest_word(const struct key *key, const char *word,
+                        char nearest[SCHEMA_TEXT]);
+
+#endif

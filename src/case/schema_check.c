@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/schema_check.h"
+
+#include "case/override.h"
+#include "case/schema.h"
+#include "case/source.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static double number(const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_FLOAT
+               ? config_setting_get_float(s)
+               : (double)config_setting_get_int64(s);
+}
+
+static int is_real(const struct key *key, const config_setting_t *s)
+{
+    return config_setting_is_number(s) && isfinite(number(s)) &&
+           schema_allow_number(key, number(s));
+}
+
+static int is_count(const struct key *key, const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_INT &&
+           schema_allow_number(key, number(s));
+}
+
+static int is_flag(const struct key *key, const config_setting_t *s)
+{
+    (void)key;
+    return config_setting_type(s) == CONFIG_TYPE_BOOL;
+}
+
+static int is_word(const struct key *key, const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_STRING &&
+           schema_allow_word(key, config_setting_get_string(s));
+}
+
+static int is_triple(const struct key *key, const config_setting_t *s,
+                     int (*is)(const struct key *, const config_setting_t *))
+{
+    if ((!config_setting_is_array(s) && !config_setting_is_list(s)) ||
+        config_setting_length(s) != 3)
+        return 0;
+    for (unsigned i = 0; i < 3; i++)
+        if (!is(key, config_setting_get_elem(s, i))) return 0;
+    return 1;
+}
+
+/* ((t, value), ...) with t rising; the condition is on the values. */
+static int is_series(const struct key *key, const config_setting_t *s)
+{
+    double last = -INFINITY;
+
+    if (!config_setting_is_list(s) || config_setting_length(s) == 0)
+        return is_real(key, s);
+    for (int i = 0; i < config_setting_length(s); i++) {
+        const config_setting_t *const point =
+            config_setting_get_elem(s, (unsigned)i);
+        const config_setting_t *time;
+
+        if (config_setting_is_scalar(point) ||
+            config_setting_length(point) != 2)
+            return 0;
+        time = config_setting_get_elem(point, 0);
+        if (!config_setting_is_number(time) || !isfinite(number(time)) ||
+            number(time) <= last ||
+            !is_real(key, config_setting_get_elem(point, 1)))
+            return 0;
+        last = number(time);
+    }
+    return 1;
+}
+
+/* A word, or a group with one key; an inlet may have its profile as well. */
+static int is_patch(const struct key *key, const config_setting_t *s)
+{
+    const int n = config_setting_is_group(s) ? config_setting_length(s) : 0;
+
+    if (!config_setting_is_group(s)) return is_word(key, s);
+    if (config_setting_get_member(s, "profile") == NULL) return n == 1;
+    return n == 2 && config_setting_get_member(s, "inlet") != NULL;
+}
+
+static int fits(const struct key *key, const config_setting_t *s)
+{
+    switch (key->type) {
+    case KEY_GROUP:
+        return config_setting_is_group(s);
+    case KEY_LIST:
+        return config_setting_is_list(s);
+    case KEY_REAL:
+        return is_real(key, s) || is_word(key, s);
+    case KEY_INT:
+        return is_count(key, s) || is_word(key, s);
+    case KEY_BOOL:
+        return is_flag(key, s);
+    case KEY_NAME:
+        return is_word(key, s);
+    case KEY_TEXT:
+        return config_setting_type(s) == CONFIG_TYPE_STRING;
+    case KEY_FILE:
+        return config_setting_type(s) == CONFIG_TYPE_STRING &&
+               config_setting_get_string(s)[0] != '\0';
+    case KEY_VECTOR:
+        return is_triple(key, s, is_real);
+    case KEY_COUNTS:
+        return is_triple(key, s, is_count);
+    case KEY_FLAGS:
+        return is_triple(key, s, is_flag);
+    case KEY_SERIES:
+        return is_series(key, s);
+    case KEY_CURVE:
+        return config_setting_is_list(s) && is_series(key, s);
+    case KEY_PATCH:
+        return is_patch(key, s);
+    }
+    return 0;
+}
+
+/* 1 for a whole number, or one of three, that is written as a real one. */
+static int is_count_as_real(const struct key *key, const config_setting_t *s)
+{
+    if (key->type == KEY_COUNTS)
+        for (int i = 0; i < config_setting_length(s); i++)
+            if (config_setting_type(config_setting_get_elem(s, (unsigned)i)) ==
+                CONFIG_TYPE_FLOAT)
+                return 1;
+    return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
+}
+
+static int misfit(const struct key *key, const char *path,
+                  const config_setting_t *s)
+{
+    char expected[SCHEMA_TEXT], found[SOURCE_TEXT], nearest[SCHEMA_TEXT];
+    const int is_text = config_setting_type(s) == CONFIG_TYPE_STRING;
+
+    schema_expected(key, expected);
+    source_value(s, found);
+    if (is_count_as_real(key, s))
+        return source_wrong(s,
+                            "%s: expected %s, at most %d and without point or "
+                            "exponent, found %s",
+                            path, expected, INT_MAX, found);
+    if (is_text &&
+        schema_nearest_word(key, config_setting_get_string(s), nearest))
+        return source_wrong(s, "%s: expected %s, found %s; did you mean %s?",
+                            path, expected, found, nearest);
+    return source_wrong(s, "%s: expected %s, found %s", path, expected, found);
+}
+
+static int unknown(const struct key *const *tables, const char *path,
+                   const config_setting_t *s)
+{
+    char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
+    const struct key *const key = schema_nearest(tables, path, nearest);
+
+    if (key == NULL)
+        return source_wrong(s, "%s: no such key; see winnow list keys", path);
+    schema_expected(key, expected);
+    return source_wrong(s, "%s: no such key; did you mean %s, %s?", path,
+                        nearest, expected);
+}
+
+/* The first required key of the group that is not there. */
+static int missing(const struct key *const *tables, const char *path,
+                   const config_setting_t *group)
+{
+    char expected[SCHEMA_TEXT];
+    const struct key *k;
+
+    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+        const char *const name = schema_member(k, path);
+
+        if (name == NULL || k->fallback != NULL ||
+            config_setting_get_member(group, name) != NULL)
+            continue;
+        schema_expected(k, expected);
+        return source_wrong(group, "%s is missing: expected %s, %s", k->path,
+                            expected, k->what);
+    }
+    return 0;
+}
+
+/* The first of the groups a row needs that the case does not have. */
+static int unmet(const struct key *key, const config_setting_t *s)
+{
+    const char *rest = key->needs;
+    char group[SCHEMA_TEXT];
+    int used;
+
+    for (; sscanf(rest, "%255s%n", group, &used) == 1; rest += used)
+        if (config_lookup(s->config, group) == NULL)
+            return source_wrong(s, "%s needs %s, which the case does not have",
+                                key->path, group);
+    return 0;
+}
+
+static int check_group(const struct key *const *tables, const char *path,
+                       const config_setting_t *group);
+
+static int check_setting(const struct key *const *tables, const char *path,
+                         const config_setting_t *s)
+{
+    const struct key *const key = schema_find(tables, path);
+    int code = 0;
+
+    if (key == NULL) return unknown(tables, path, s);
+    if (!fits(key, s)) return misfit(key, path, s);
+    if ((code = unmet(key, s)) != 0) return code;
+    if (config_setting_is_group(s)) return check_group(tables, path, s);
+    if (key->type == KEY_LIST)
+        for (int i = 0; i < config_setting_length(s) && code == 0; i++) {
+            const config_setting_t *const one =
+                config_setting_get_elem(s, (unsigned)i);
+            code = config_setting_is_group(one) ? check_group(tables, path, one)
+                                                : misfit(key, path, one);
+        }
+    return code;
+}
+
+static int check_group(const struct key *const *tables, const char *path,
+                       const config_setting_t *group)
+{
+    char child[SCHEMA_TEXT];
+    int code = 0;
+
+    for (int i = 0; i < config_setting_length(group) && code == 0; i++) {
+        const config_setting_t *const s =
+            config_setting_get_elem(group, (unsigned)i);
+        snprintf(child, sizeof child, "%s%s%s", path,
+                 path[0] != '\0' ? "." : "", config_setting_name(s));
+        code = check_setting(tables, child, s);
+    }
+    return code != 0 ? code : missing(tables, path, group);
+}
+
+int schema_check_check(config_t *tree, const struct key *const *tables)
+{
+    return check_group(tables, "", config_root_setting(tree));
+}
+
+static void fill_group(const struct key *const *tables, const char *path,
+                       config_setting_t *group)
+{
+    const struct key *k;
+
+    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+        const char *const name = schema_member(k, path);
+
+        if (name != NULL && k->fallback != NULL && k->fallback[0] != '\0' &&
+            config_setting_get_member(group, name) == NULL)
+            override_default(group, name, k->fallback);
+    }
+}
+
+/* Fills the groups of a list, the members of a group, and the group. */
+static void fill(const struct key *const *tables, const char *path,
+                 config_setting_t *s)
+{
+    char child[SCHEMA_TEXT];
+
+    for (int i = 0; i < config_setting_length(s); i++) {
+        config_setting_t *const one = config_setting_get_elem(s, (unsigned)i);
+        const char *const name = config_setting_name(one);
+
+        snprintf(child, sizeof child, "%s%s%s", path,
+                 path[0] != '\0' && name != NULL ? "." : "",
+                 name != NULL ? name : "");
+        if (config_setting_is_group(one) || config_setting_is_list(one))
+            fill(tables, child, one);
+    }
+    if (config_setting_is_group(s)) fill_group(tables, path, s);
+}
+
+void schema_check_fill(config_t *tree, const struct key *const *tables)
+{
+    fill(tables, "", config_root_setting(tree));
+}

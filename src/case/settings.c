@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/settings.h"
+
+#include "base/alloc.h"
+#include "mesh/poly/poly.h"
+#include "case/override.h"
+#include "case/patch_schema.h"
+#include "case/schema.h"
+#include "case/source.h"
+#include "case/schema_check.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct settings {
+    config_t tree;
+    const struct key **tables; /* a copy of the list, the tables borrowed */
+    struct key *patches;       /* the one of them that is ours, or NULL */
+    char *file;
+    struct mesh *mesh; /* NULL for a box */
+};
+
+void settings_beside(const struct settings *s, const char *file, char *path,
+                     size_t room)
+{
+    const char *const at = s->file, *const end = strrchr(at, '/');
+    const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
+
+    snprintf(path, room, "%.*s%s", folder, at, file);
+}
+
+/* 1 after a message if a case could not name one of the patches. */
+static int unnameable(const struct settings *s, const config_setting_t *at,
+                      int n, const struct poly_patch *patch)
+{
+    for (int i = 0; i < n; i++) {
+        const char *const why = patch_schema_wrong(s->tables, patch[i].name);
+        if (why == NULL) continue;
+        source_wrong(at,
+                     "mesh.polymesh: the patch %s cannot be named in a case: "
+                     "%s; rename it in the file boundary",
+                     patch[i].name, why);
+        return 1;
+    }
+    return 0;
+}
+
+/* Where the mesh comes from files, its patches take the place of the sides. */
+static int take_patches(struct settings *s)
+{
+    const config_setting_t *const at = config_lookup(&s->tree, "mesh.polymesh");
+    struct poly_patch *patch;
+    char dir[POLY_FOLDER];
+
+    if (at == NULL || config_setting_type(at) != CONFIG_TYPE_STRING) return 0;
+    settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
+    if (!poly_is(dir))
+        return source_wrong(at,
+                            "mesh.polymesh: there is no mesh in the folder %s: "
+                            "no file boundary in it, in polyMesh or in "
+                            "constant/polyMesh",
+                            dir);
+    const int n = poly_patches(dir, &patch);
+    if (n < 0) return 2;
+    if (unnameable(s, at, n, patch)) {
+        free(patch);
+        return 2;
+    }
+    for (int i = 0; s->tables[i] != NULL && s->patches == NULL; i++) {
+        s->patches = patch_schema_create(s->tables[i], n, patch);
+        if (s->patches != NULL) s->tables[i] = s->patches;
+    }
+    free(patch);
+    return 0;
+}
+
+struct settings *settings_create(const char *file, int n_overrides,
+                                 const char *const *overrides,
+                                 const struct key *const *tables, int *code)
+{
+    struct settings *const s = alloc_zeroed(1, sizeof *s);
+    size_t n = 0;
+
+    while (tables[n] != NULL)
+        n++;
+    s->tables = alloc_zeroed(n + 1, sizeof *s->tables);
+    memcpy(s->tables, tables, n * sizeof *s->tables);
+    s->file = strdup(file);
+    *code = source_read(&s->tree, file);
+    for (int i = 0; i < n_overrides && *code == 0; i++)
+        *code = override_apply(&s->tree, overrides[i]);
+    if (*code == 0) *code = take_patches(s);
+    if (*code == 0) *code = schema_check_check(&s->tree, s->tables);
+    if (*code == 0) {
+        schema_check_fill(&s->tree, s->tables);
+        return s;
+    }
+    settings_free(s);
+    return NULL;
+}
+
+void settings_free(struct settings *s)
+{
+    if (s == NULL) return;
+    config_destroy(&s->tree);
+    free(s->tables);
+    free(s->patches);
+    free(s->file);
+    mesh_free(s->mesh);
+    free(s);
+}
+
+const char *settings_file(const struct settings *s)
+{
+    return s->file;
+}
+
+/* A name may be one of the row's words, any text, or the name of a file. */
+static int type_fits(const struct key *key, enum key_type type)
+{
+    return key != NULL &&
+           (key->type == type || (type == KEY_NAME && (key->type == KEY_TEXT ||
+                                                       key->type == KEY_FILE)));
+}
+
+/* The setting of a path whose row must have the type. The tables say that it
+ * is there; if it is not, the caller did not ask settings_has first. */
+static const config_setting_t *find(const struct settings *s, const char *path,
+                                    enum key_type type)
+{
+    const struct key *const key = schema_find(s->tables, path);
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(key != NULL && key->type == type);
+    assert(found != NULL);
+    (void)key;
+    (void)type;
+    return found;
+}
+
+/* The same for a key of the i-th group of a list. */
+static const config_setting_t *find_in(const struct settings *s,
+                                       const char *list, int i,
+                                       const char *name, enum key_type type)
+{
+    const config_setting_t *const groups = find(s, list, KEY_LIST);
+    const config_setting_t *found;
+    const struct key *key;
+    char path[SCHEMA_TEXT];
+
+    snprintf(path, sizeof path, "%s.%s", list, name);
+    key = schema_find(s->tables, path);
+    assert(type_fits(key, type));
+    assert(i >= 0 && i < config_setting_length(groups));
+    found = config_setting_get_member(
+        config_setting_get_elem(groups, (unsigned)i), name);
+    assert(found != NULL);
+    (void)key;
+    (void)type;
+    return found;
+}
+
+static double real(const config_setting_t *s)
+{
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_FLOAT:
+        return config_setting_get_float(s);
+    case CONFIG_TYPE_STRING:
+        return 0.0; /* a word in the place of a number */
+    default:
+        return (double)config_setting_get_int64(s);
+    }
+}
+
+/* A word in its place is 0. */
+static int whole(const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_INT ? config_setting_get_int(s)
+                                                     : 0;
+}
+
+static void vector(const config_setting_t *s, double v[3])
+{
+    for (unsigned i = 0; i < 3; i++)
+        v[i] = real(config_setting_get_elem(s, i));
+}
+
+int settings_has(const struct settings *s, const char *path)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(schema_find(s->tables, path) != NULL);
+    return found != NULL && !source_is_default(found);
+}
+
+double settings_real(const struct settings *s, const char *path)
+{
+    return real(find(s, path, KEY_REAL));
+}
+
+int settings_int(const struct settings *s, const char *path)
+{
+    return whole(find(s, path, KEY_INT));
+}
+
+int settings_bool(const struct settings *s, const char *path)
+{
+    return config_setting_get_bool(find(s, path, KEY_BOOL));
+}
+
+const char *settings_text(const struct settings *s, const char *path)
+{
+    const struct key *const key = schema_find(s->tables, path);
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+
+    assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
+    assert(found != NULL || key->type == KEY_TEXT);
+    return found != NULL ? config_setting_get_string(found) : "";
+}
+
+void settings_vector(const struct settings *s, const char *path, double v[3])
+{
+    vector(find(s, path, KEY_VECTOR), v);
+}
+
+void settings_counts(const struct settings *s, const char *path, int v[3])
+{
+    const config_setting_t *const found = find(s, path, KEY_COUNTS);
+
+    for (int i = 0; i < 3; i++)
+        v[i] = config_setting_get_int_elem(found, i);
+}
+
+void settings_flags(const struct settings *s, const char *path, int v[3])
+{
+    const config_setting_t *const found = find(s, path, KEY_FLAGS);
+
+    for (int i = 0; i < 3; i++)
+        v[i] = config_setting_get_bool_elem(found, i);
+}
+
+/* A constant is a series of one point, at time 0. */
+static int series_length(const config_setting_t *found)
+{
+    return config_setting_is_list(found) ? config_setting_length(found) : 1;
+}
+
+static void series_point(const config_setting_t *found, int i, double *time,
+                         double *value)
+{
+    const config_setting_t *point;
+
+    assert(i >= 0 && i < series_length(found));
+    if (!config_setting_is_list(found)) {
+        *time = 0.0;
+        *value = real(found);
+        return;
+    }
+    point = config_setting_get_elem(found, (unsigned)i);
+    *time = real(config_setting_get_elem(point, 0));
+    *value = real(config_setting_get_elem(point, 1));
+}
+
+int settings_points(const struct settings *s, const char *path)
+{
+    return series_length(find(s, path, KEY_SERIES));
+}
+
+void settings_point(const struct settings *s, const char *path, int i,
+                    double *time, double *value)
+{
+    series_point(find(s, path, KEY_SERIES), i, time, value);
+}
+
+int settings_length(const struct settings *s, const char *list)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, list);
+
+    assert(schema_find(s->tables, list) != NULL);
+    return found != NULL ? config_setting_length(found) : 0;
+}
+
+int settings_item_has(const struct settings *s, const char *list, int i,
+                      const char *key)
+{
+    const config_setting_t *const groups = find(s, list, KEY_LIST);
+    const config_setting_t *const found = config_setting_get_member(
+        config_setting_get_elem(groups, (unsigned)i), key);
+
+    return found != NULL && !source_is_default(found);
+}
+
+double settings_item_real(const struct settings *s, const char *list, int i,
+                          const char *key)
+{
+    return real(find_in(s, list, i, key, KEY_REAL));
+}
+
+int settings_item_int(const struct settings *s, const char *list, int i,
+                      const char *key)
+{
+    return whole(find_in(s, list, i, key, KEY_INT));
+}
+
+const char *settings_item_text(const struct settings *s, const char *list,
+                               int i, const char *key)
+{
+    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
+}
+
+int settings_item_points(const struct settings *s, const char *list, int i,
+                         const char *key)
+{
+    return series_length(find_in(s, list, i, key, KEY_CURVE));
+}
+
+void settings_item_point(const struct settings *s, const char *list, int i,
+                         const char *key, int k, double *x, double *value)
+{
+    series_point(find_in(s, list, i, key, KEY_CURVE), k, x, value);
+}
+
+void settings_item_vector(const struct settings *s, const char *list, int i,
+                          const char *key, double v[3])
+{
+    vector(find_in(s, list, i, key, KEY_VECTOR), v);
+}
+
+/* The path of the i-th patch of the mesh from files, or NULL. */
+static const char *patch_path(const struct settings *s, int i)
+{
+    for (const struct key *k = s->patches; k->path != NULL; k++)
+        if (k->type == KEY_PATCH && i-- == 0) return k->path;
+    return NULL;
+}
+
+const char *settings_any_side(const struct settings *s, int i)
+{
+    static const char *const sides[] = {
+        "fluid.left",       "fluid.right", "fluid.bottom", "fluid.top",
+        "fluid.back",       "fluid.front", "fluid.sides",  "fluid.bottom_top",
+        "fluid.front_back", NULL};
+
+    if (s->patches != NULL) return patch_path(s, i);
+    return i < 9 ? sides[i] : NULL;
+}
+
+const char *settings_side(const struct settings *s, const char *patch)
+{
+    static const char *const sides[][3] = {
+        {"left", "fluid.left", "fluid.sides"},
+        {"right", "fluid.right", "fluid.sides"},
+        {"bottom", "fluid.bottom", "fluid.bottom_top"},
+        {"top", "fluid.top", "fluid.bottom_top"},
+        {"back", "fluid.back", "fluid.front_back"},
+        {"front", "fluid.front", "fluid.front_back"}};
+    const char *path;
+
+    for (int i = 0; s->patches != NULL && (path = patch_path(s, i)); i++)
+        if (strcmp(strchr(path, '.') + 1, patch) == 0)
+            return settings_has(s, path) ? path : NULL;
+    if (s->patches != NULL) return NULL;
+    for (int i = 0; i < 6; i++)
+        for (int k = 1; k < 3 && strcmp(sides[i][0], patch) == 0; k++)
+            if (settings_has(s, sides[i][k])) return sides[i][k];
+    return NULL;
+}
+
+void settings_keep_mesh(struct settings *s, struct mesh *m)
+{
+    s->mesh = m;
+}
+
+const struct mesh *settings_mesh(const struct settings *s)
+{
+    return s->mesh;
+}
+
+int settings_wrong(const struct settings *s, const char *path,
+                   const char *format, ...)
+{
+    const config_setting_t *const found = config_lookup(&s->tree, path);
+    char message[SOURCE_TEXT];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(message, sizeof message, format, values);
+    va_end(values);
+    return source_wrong(found != NULL ? found : config_root_setting(&s->tree),
+                        "%s: %s", path, message);
+}

@@ -1,0 +1,96 @@
+/* settings.h -- a case, read and checked.
+ *
+ * A case is a libconfig file (which may @include others), changed by
+ * overrides "path.to.key=value". settings_create checks all of it against the
+ * tables of keys and fills in the defaults, so that reading a value later
+ * cannot fail: asking for a key that no table has, with the wrong type, or in
+ * a group that the case does not name is a bug and asserted.
+ *
+ * A path is the row's ("fluid.density"), with the side in place of <patch>
+ * ("fluid.bottom.inlet"). The item functions read the groups of a list
+ * ("output.profiles", 0, "height").
+ */
+#ifndef CASE_SETTINGS_H
+#define CASE_SETTINGS_H
+
+#include "base/key.h"
+#include "mesh/mesh.h"
+
+#include <stddef.h>
+
+struct settings;
+
+/* Reads and checks. tables: a list of tables, ended by NULL
+ * (the tables are borrowed, and so are the overrides). NULL
+ * after one message on stderr; *code is then 2 if the input is wrong, 4 if it
+ * could not be read, and else 0. */
+struct settings *settings_create(const char *file, int n_overrides,
+                                 const char *const *overrides,
+                                 const struct key *const *tables, int *code);
+void settings_free(struct settings *s);
+
+/* The case file as it was given. */
+const char *settings_file(const struct settings *s);
+
+/* 1 if the case itself names the key or group, 0 if it is left out or has its
+ * default. */
+int settings_has(const struct settings *s, const char *path);
+
+double settings_real(const struct settings *s, const char *path);
+int settings_int(const struct settings *s, const char *path); /* word: 0 */
+int settings_bool(const struct settings *s, const char *path);
+const char *settings_text(const struct settings *s, const char *path);
+void settings_vector(const struct settings *s, const char *path, double v[3]);
+void settings_counts(const struct settings *s, const char *path, int v[3]);
+void settings_flags(const struct settings *s, const char *path, int v[3]);
+
+/* A value that may vary in time: its number of points (1 for a constant, at
+ * time 0) and one of them. */
+int settings_points(const struct settings *s, const char *path);
+void settings_point(const struct settings *s, const char *path, int i,
+                    double *time, double *value);
+
+/* The groups of a list. 0 for a list that is left out. */
+int settings_length(const struct settings *s, const char *list);
+int settings_item_has(const struct settings *s, const char *list, int i,
+                      const char *key);
+double settings_item_real(const struct settings *s, const char *list, int i,
+                          const char *key);
+int settings_item_int(const struct settings *s, const char *list, int i,
+                      const char *key);
+const char *settings_item_text(const struct settings *s, const char *list,
+                               int i, const char *key);
+/* A curve: its number of points, and one of them. */
+int settings_item_points(const struct settings *s, const char *list, int i,
+                         const char *key);
+void settings_item_point(const struct settings *s, const char *list, int i,
+                         const char *key, int k, double *x, double *value);
+void settings_item_vector(const struct settings *s, const char *list, int i,
+                          const char *key, double v[3]);
+
+/* The key under which the case describes a side of the box or a patch of its
+ * mesh: "fluid.left" or "fluid.sides" for "left"; NULL if it does not. */
+const char *settings_side(const struct settings *s, const char *patch);
+
+/* The i-th of all keys of sides or patches that there could be; NULL after the
+ * last. */
+const char *settings_any_side(const struct settings *s, int i);
+
+/* Every file or folder that a case names lies beside the case, unless it begins
+ * with /. */
+enum { SETTINGS_PATH = 4096 };
+void settings_beside(const struct settings *s, const char *file, char *path,
+                     size_t room);
+
+/* The mesh of a case that is no plain box, kept here and freed with it; NULL
+ * for a box. */
+void settings_keep_mesh(struct settings *s, struct mesh *m);
+const struct mesh *settings_mesh(const struct settings *s);
+
+/* Says on stderr what is wrong with a key, with the place where the case sets
+ * it. Returns 2. For what only the builder of the simulation can see. */
+int settings_wrong(const struct settings *s, const char *path,
+                   const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

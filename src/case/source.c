@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/source.h"
+
+#include "case/digits.h"
+#include "case/include.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char source_default[] = "default";
+
+/* The path of a file as libconfig names it: the case by its path, an included
+ * file perhaps only by its name. The file itself if there is none. */
+static void locate(const config_t *tree, const char *name, const char *file,
+                   char path[SOURCE_TEXT])
+{
+    const char *const folder = config_get_include_dir(tree);
+    const size_t n = folder != NULL ? strlen(folder) : 0;
+
+    if (name == NULL || name[0] == '\0')
+        snprintf(path, SOURCE_TEXT, "%s", file);
+    else if (folder == NULL || strncmp(name, folder, n) == 0)
+        snprintf(path, SOURCE_TEXT, "%s", name);
+    else
+        snprintf(path, SOURCE_TEXT, "%s/%s", folder, name);
+}
+
+/* Quotes a line of a file, without the room before it. */
+static void quote(const char *file, int number)
+{
+    FILE *const in = fopen(file, "r");
+    char line[SOURCE_TEXT] = "";
+
+    if (in == NULL) return;
+    for (int i = 0; i < number; i++)
+        if (fgets(line, sizeof line, in) == NULL) line[0] = '\0';
+    fclose(in);
+    line[strcspn(line, "\r\n")] = '\0';
+    if (line[0] != '\0')
+        fprintf(stderr, "    %s\n", line + strspn(line, " \t"));
+}
+
+/* What to do about a complaint of libconfig that is dark by itself. */
+static const char *advice(const char *complaint)
+{
+    if (strstr(complaint, "mismatched element") != NULL)
+        return "; write all numbers alike, as in [0.0, -9.81, 0.0]";
+    if (strstr(complaint, "syntax error") != NULL)
+        return "; is a ; or a brace missing here or just before?";
+    return "";
+}
+
+static int wrong_syntax(const config_t *tree, const char *file)
+{
+    const char *const complaint = config_error_text(tree);
+    char in[SOURCE_TEXT];
+
+    locate(tree, config_error_file(tree), file, in);
+    fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
+            complaint, advice(complaint));
+    quote(in, config_error_line(tree));
+    return strstr(complaint, "cannot open include") != NULL ? 4 : 2;
+}
+
+/* libconfig looks for included files in one folder: that of the case. */
+static void include_beside(config_t *tree, const char *file)
+{
+    const char *const slash = strrchr(file, '/');
+    char folder[SOURCE_TEXT];
+
+    if (slash == NULL) return;
+    snprintf(folder, sizeof folder, "%.*s",
+             slash == file ? 1 : (int)(slash - file), file);
+    config_set_include_dir(tree, folder);
+}
+
+/* libconfig reads a whole number that does not fit an int as another one, so
+ * every file that gave a setting is looked through for such numbers. */
+static int check_digits(const config_t *tree, const config_setting_t *s,
+                        char last[SOURCE_TEXT])
+{
+    char file[SOURCE_TEXT];
+    int code = 0;
+
+    locate(tree, config_setting_source_file(s), "", file);
+    if (file[0] != '\0' && strcmp(file, last) != 0) {
+        strcpy(last, file);
+        code = digits_check_file(file);
+    }
+    if (config_setting_is_aggregate(s))
+        for (int i = 0; i < config_setting_length(s) && code == 0; i++)
+            code = check_digits(tree, config_setting_get_elem(s, (unsigned)i),
+                                last);
+    return code;
+}
+
+int source_read(config_t *tree, const char *file)
+{
+    char last[SOURCE_TEXT] = "";
+
+    config_init(tree);
+    include_beside(tree, file);
+    const int code = include_check(file, config_get_include_dir(tree));
+    if (code != 0) return code;
+    if (!config_read_file(tree, file)) return wrong_syntax(tree, file);
+    return check_digits(tree, config_root_setting(tree), last);
+}
+
+int source_is_default(const config_setting_t *setting)
+{
+    return config_setting_get_hook(setting) == source_default;
+}
+
+/* Where a setting stands: its override, or its file and line. */
+static void place(const config_setting_t *at, char text[SOURCE_TEXT])
+{
+    const config_t *const tree = at->config;
+    const size_t room = SOURCE_TEXT - 16;
+    const char *name = NULL;
+
+    for (const config_setting_t *s = at; s != NULL;
+         s = config_setting_parent(s)) {
+        if (config_setting_get_hook(s) != NULL && !source_is_default(s)) {
+            snprintf(text, SOURCE_TEXT, "option -s %s",
+                     (const char *)config_setting_get_hook(s));
+            return;
+        }
+        if (name == NULL) name = config_setting_source_file(s);
+    }
+    locate(tree, name, "the case", text);
+    if (!config_setting_is_root(at) && strlen(text) < room)
+        sprintf(text + strlen(text), ":%u",
+                (unsigned)config_setting_source_line(at));
+}
+
+int source_wrong(const config_setting_t *at, const char *format, ...)
+{
+    char where[SOURCE_TEXT];
+    va_list values;
+
+    place(at, where);
+    fprintf(stderr, "winnow: %s: ", where);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return 2;
+}
+
+/* Appends to a text that must not grow beyond SOURCE_TEXT. */
+static void append(char text[SOURCE_TEXT], const char *format, ...)
+{
+    const size_t used = strlen(text);
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(text + used, SOURCE_TEXT - used, format, values);
+    va_end(values);
+}
+
+static void append_scalar(char text[SOURCE_TEXT], const config_setting_t *s)
+{
+    switch (config_setting_type(s)) {
+    case CONFIG_TYPE_FLOAT:
+        append(text, "%g", config_setting_get_float(s));
+        break;
+    case CONFIG_TYPE_STRING:
+        append(text, "the text \"%.200s\"", config_setting_get_string(s));
+        break;
+    case CONFIG_TYPE_BOOL:
+        append(text, config_setting_get_bool(s) ? "true" : "false");
+        break;
+    case CONFIG_TYPE_GROUP:
+        append(text, "a group");
+        break;
+    case CONFIG_TYPE_ARRAY:
+    case CONFIG_TYPE_LIST:
+        append(text, "a list");
+        break;
+    default:
+        append(text, "%lld", config_setting_get_int64(s));
+    }
+}
+
+void source_value(const config_setting_t *s, char text[SOURCE_TEXT])
+{
+    text[0] = '\0';
+    if (config_setting_is_group(s) || config_setting_is_scalar(s)) {
+        append_scalar(text, s);
+        return;
+    }
+    for (int i = 0; i < config_setting_length(s) && i < 4; i++) {
+        append(text, i == 0 ? "[" : ", ");
+        append_scalar(text, config_setting_get_elem(s, (unsigned)i));
+    }
+    append(text, config_setting_length(s) > 4 ? ", ...]" : "]");
+}

@@ -1,0 +1,33 @@
+/* source.h -- the case file as a tree with the source of each value.
+ *
+ * libconfig reads the file and keeps file and line of every setting. A value
+ * that came otherwise carries that in its hook: the text of an override, or
+ * the mark of a default. So every message can name the place where the writer
+ * of the case has to look.
+ */
+#ifndef CASE_SOURCE_H
+#define CASE_SOURCE_H
+
+#include <libconfig.h>
+
+enum { SOURCE_TEXT = 512 }; /* room for a place or a value */
+
+/* The hook of a default. */
+extern const char source_default[];
+
+/* Reads the file and what it includes, looked for beside it. 0; or after one
+ * message 2 for wrong syntax, 4 for a file that cannot be read. tree is
+ * initialised in any case. */
+int source_read(config_t *tree, const char *file);
+
+/* 1 if the value is a default. */
+int source_is_default(const config_setting_t *setting);
+
+/* Prints "winnow: PLACE: message" on stderr. Returns 2. */
+int source_wrong(const config_setting_t *at, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The value in words, for "found ...". */
+void source_value(const config_setting_t *setting, char text[SOURCE_TEXT]);
+
+#endif

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/surface_table.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "output/table.h"
+
+enum { EACH = 7, NAME = 128 }; /* columns a surface; length of one's name */
+
+struct surface_table {
+    const struct simulation *sim;
+    struct table *table;
+    struct dem_surface *before; /* as they were in the row before */
+    double t;                   /* [s] of that row; negative: there is none */
+    double *row;
+};
+
+static struct table *create_table(const struct simulation *sim,
+                                  struct folder *folder)
+{
+    static const char *const what[EACH] = {
+        "force_x [N]",    "force_y [N]",    "force_z [N]", "torque_x [N m]",
+        "torque_y [N m]", "torque_z [N m]", "work [J]"};
+    const int n = 1 + EACH * sim->n_surfaces;
+    char(*const text)[NAME] = alloc_zeroed((size_t)n, sizeof *text);
+    const char **const name = alloc_zeroed((size_t)n, sizeof *name);
+
+    for (int c = 0; c < n; c++) {
+        name[c] = text[c];
+        if (c == 0)
+            snprintf(text[c], NAME, "time [s]");
+        else
+            snprintf(text[c], NAME, "%s_%s", sim->surfaces[(c - 1) / EACH].name,
+                     what[(c - 1) % EACH]);
+    }
+    struct table *const made = folder_table(folder, "surfaces.csv", n, name);
+    free(text);
+    free(name);
+    return made;
+}
+
+struct surface_table *surface_table_create(const struct simulation *sim,
+                                           struct folder *folder)
+{
+    struct surface_table *const t = alloc_zeroed(1, sizeof *t);
+
+    t->sim = sim;
+    t->t = -1.0;
+    t->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *t->before);
+    t->row = alloc_doubles(1 + EACH * sim->n_surfaces);
+    t->table = create_table(sim, folder);
+    if (t->table != NULL) return t;
+    surface_table_free(t);
+    return NULL;
+}
+
+void surface_table_free(struct surface_table *t)
+{
+    if (t == NULL) return;
+    table_free(t->table);
+    free(t->before);
+    free(t->row);
+    free(t);
+}
+
+int surface_table_add(struct surface_table *t)
+{
+    if (t == NULL) return 0;
+    const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
+    const double per = passed > 0.0 ? 1.0 / passed : 0.0;
+
+    t->row[0] = t->t = t->sim->t;
+    for (int s = 0; s < t->sim->n_surfaces; s++) {
+        const struct dem_surface now = dem_surface(t->sim->dem, s);
+        const struct dem_surface *const old = &t->before[s];
+        double *const row = &t->row[1 + EACH * s];
+        for (int k = 0; k < 3; k++) {
+            row[k] = per * (now.impulse[k] - old->impulse[k]);
+            row[3 + k] = per * (now.angular[k] - old->angular[k]);
+        }
+        row[6] = now.work;
+        t->before[s] = now;
+    }
+    return table_add(t->table, t->row);
+}

@@ -1,0 +1,377 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/validate.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "dem/integrators.h"
+#include "case/build.h"
+#include "case/build_fluid.h"
+#include "case/build_particles.h"
+#include "case/case_averaging.h"
+#include "case/case_population.h"
+#include "case/case_sizes.h"
+#include "case/case_steps.h"
+#include "case/case_surfaces.h"
+#include "case/case_walls.h"
+#include "case/case_cohesion.h"
+#include "case/case_materials.h"
+#include "case/case_mesh.h"
+#include "case/profiles.h"
+
+/* The two sides of each direction, and the key that names both at once. */
+static const char *const sides[3][3] = {{"left", "right", "sides"},
+                                        {"bottom", "top", "bottom_top"},
+                                        {"back", "front", "front_back"}};
+
+static const char *const axes[3] = {"x", "y", "z"};
+
+static int has_side(const struct settings *s, const char *patch)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "fluid.%s", patch);
+    return settings_has(s, path);
+}
+
+/* A periodic direction has no sides; any other has each of its two once. */
+static int check_direction(const struct settings *s, int k)
+{
+    const int both = has_side(s, sides[k][2]);
+    int periodic[3];
+
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < 2; i++) {
+        const int given = has_side(s, sides[k][i]) + both;
+
+        if (periodic[k] && given > 0)
+            return settings_wrong(s, "mesh.periodic",
+                                  "%s is periodic, so the fluid has no %s "
+                                  "there; leave one of them out",
+                                  axes[k], both ? sides[k][2] : sides[k][i]);
+        if (!periodic[k] && given == 0)
+            return settings_wrong(s, "fluid",
+                                  "nothing is said about the side %s: give "
+                                  "fluid.%s or fluid.%s, or make %s periodic",
+                                  sides[k][i], sides[k][i], sides[k][2],
+                                  axes[k]);
+        if (given == 2)
+            return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
+                                  sides[k][i], sides[k][i], sides[k][2]);
+    }
+    return 0;
+}
+
+/* How many of the sides or patches are a group with that key. */
+static int count_sides(const struct settings *s, const char *key)
+{
+    const char *side;
+    int n = 0;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "%s.%s", side, key);
+        n += settings_has(s, path);
+    }
+    return n;
+}
+
+/* A wall may move along itself only: it holds the fluid back, or there would
+ * be a flow through it. */
+static int check_walls(const struct settings *s)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            char path[64];
+            double u[3];
+            snprintf(path, sizeof path, "fluid.%s.wall", sides[k][i]);
+            if (!settings_has(s, path)) continue;
+            settings_vector(s, path, u);
+            if (u[k] != 0.0)
+                return settings_wrong(s, path,
+                                      "the wall would move through itself: "
+                                      "its %s is %g m/s, expected 0",
+                                      axes[k], u[k]);
+        }
+    return 0;
+}
+
+/* What drives a flow from the end of a direction to its beginning. */
+static int check_drive(const struct settings *s)
+{
+    static const char *const paths[] = {"fluid.mean_gradient",
+                                        "fluid.mean_flow"};
+    int periodic[3];
+
+    case_mesh_periodic(s, periodic);
+    for (int i = 0; i < 2; i++) {
+        double v[3];
+        if (!settings_has(s, paths[i])) continue;
+        settings_vector(s, paths[i], v);
+        for (int k = 0; k < 3; k++)
+            if (v[k] != 0.0 && !periodic[k])
+                return settings_wrong(s, paths[i],
+                                      "%s is not periodic, so nothing can be "
+                                      "driven round it; expected 0 there",
+                                      axes[k]);
+    }
+    if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
+        return settings_wrong(s, paths[1],
+                              "the mean gradient follows from it; leave "
+                              "fluid.mean_gradient out");
+    return 0;
+}
+
+/* The fluid pays the drag with the velocity at the end of a step. */
+static int check_parts(const struct settings *s)
+{
+    if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
+        return settings_wrong(s, "fluid.cfl",
+                              "with exchange all of fluid.step is one step; "
+                              "give a shorter fluid.step instead");
+    return 0;
+}
+
+static int check_fluid(const struct settings *s)
+{
+    const int files = settings_has(s, "mesh.polymesh");
+    int code = case_mesh_check_fluid(s);
+
+    for (int k = 0; k < 3 && code == 0 && !files; k++)
+        code = check_direction(s, k);
+    if (code == 0 && count_sides(s, "inlet") > 0 &&
+        count_sides(s, "outlet") == 0)
+        return settings_wrong(s, "fluid",
+                              "there is an inlet and no outlet: what flows in "
+                              "cannot leave");
+    if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
+    if (code == 0) code = check_drive(s);
+    return code != 0 ? code : check_parts(s);
+}
+
+static int check_contact(const struct settings *s)
+{
+    static const char *const asked[][2] = {
+        {"hertz", "young"}, {"hertz", "poisson"}, {"linear", "stiffness"}};
+    const char *const law = settings_text(s, "particles.contact");
+
+    for (int i = 0; i < 3; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "particles.grains.%s", asked[i][1]);
+        if (strcmp(asked[i][0], law) == 0 && !settings_has(s, path))
+            return settings_wrong(s, "particles.contact", "%s asks for %s", law,
+                                  path);
+    }
+    return 0;
+}
+
+/* One diameter for all, or the name of a distribution. */
+static int check_bed_sizes(const struct settings *s)
+{
+    const int one = settings_has(s, "particles.bed.diameter");
+
+    if (one == settings_has(s, "particles.bed.sizes"))
+        return settings_wrong(s, "particles.bed",
+                              "give either diameter or "
+                              "sizes%s",
+                              one ? ", not both" : "");
+    if (one) return 0;
+    return case_sizes_check_name(s, "particles.bed.sizes",
+                                 settings_text(s, "particles.bed.sizes"));
+}
+
+/* Spheres in a box reach about 0.64 of its volume at the densest when poured;
+ * beyond 0.6 none is free to settle. */
+static int check_bed_fits(const struct settings *s)
+{
+    struct sizes *sizes;
+    const struct bed_options b = build_bed_options(s, &sizes);
+    const struct bed_range range = bed_range(&b);
+    const char *const key =
+        sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
+    double lo[3], size[3];
+
+    sizes_free(sizes);
+    case_mesh_ends(s, lo, size);
+    for (int k = 0; k < 3; k++)
+        size[k] -= lo[k];
+    for (int k = 0; k < 3; k++)
+        if (range.max > size[k] && b.count > 0)
+            return settings_wrong(s, key,
+                                  "%g m is more than the box has room for, "
+                                  "%g m",
+                                  range.max, size[k]);
+    const double share = range.volume / case_mesh_volume(s);
+    if (share > 0.6)
+        return settings_wrong(s, "particles.bed.count",
+                              "%d spheres of %g m would fill %.0f %% of the "
+                              "box; at most 60 %% can settle",
+                              b.count, b.diameter, 100.0 * share);
+    return 0;
+}
+
+static int check_bed(const struct settings *s)
+{
+    const int code = check_bed_sizes(s);
+    return code != 0 ? code : check_bed_fits(s);
+}
+
+static int check_place(const struct settings *s)
+{
+    double lo[3], hi[3], x[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
+        const double d =
+            settings_item_real(s, "particles.place", i, "diameter");
+        settings_item_vector(s, "particles.place", i, "position", x);
+        for (int k = 0; k < 3; k++) {
+            const double margin = periodic[k] ? 0.0 : 0.5 * d;
+            if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
+                return settings_wrong(s, "particles.place",
+                                      "sphere %d at [%g, %g, %g] m with "
+                                      "diameter %g m is not inside the box",
+                                      i, x[0], x[1], x[2], d);
+        }
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "particles.place",
+                                  "sphere %d at [%g, %g, %g] m is not inside "
+                                  "the mesh",
+                                  i, x[0], x[1], x[2]);
+    }
+    return 0;
+}
+
+/* The drag is solved exactly within kick and drift; Heun has neither. */
+static int check_integrator(const struct settings *s)
+{
+    const char *const name = settings_text(s, "particles.integrator");
+
+    if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
+        return 0;
+    return settings_wrong(s, "particles.integrator",
+                          "%s goes without a fluid; with exchange there are "
+                          "velocity-verlet and symplectic-euler",
+                          name);
+}
+
+static int check_particles(const struct settings *s)
+{
+    const int bed = settings_has(s, "particles.bed");
+    const int place = settings_has(s, "particles.place");
+    int code = check_contact(s);
+
+    if (code == 0) code = case_sizes_check(s);
+    if (code == 0) code = check_integrator(s);
+    if (code == 0) code = case_materials_check(s);
+    if (code == 0) code = case_cohesion_check(s);
+    if (code == 0) code = case_surfaces_check(s);
+    if (code == 0) code = case_walls_check(s);
+    if (code != 0) return code;
+    if (code == 0) code = case_population_check(s);
+    if (code != 0) return code;
+    if (bed == place && (bed || !settings_has(s, "particles.insert")))
+        return settings_wrong(s, "particles", "give either bed or place%s",
+                              bed ? ", not both" : ", or insert");
+    return bed ? check_bed(s) : check_place(s);
+}
+
+/* Two profiles in one file would leave the last of them. */
+static int check_profile_names(const struct settings *s)
+{
+    static const char list[] = "output.profiles";
+    char own[PROFILES_NAME], other[PROFILES_NAME];
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        profiles_name(s, i, own);
+        for (int j = 0; j < i; j++) {
+            profiles_name(s, j, other);
+            if (strcmp(own, other) == 0)
+                return settings_wrong(s, list,
+                                      "profiles %d and %d are of the same "
+                                      "field at the same height from the same "
+                                      "time: both would be %s.csv; leave one "
+                                      "of them out",
+                                      j, i, own);
+        }
+    }
+    return 0;
+}
+
+/* There are fields where there is a fluid, and those of the solids where it
+ * feels the particles. */
+static int check_field(const struct settings *s, const char *list, int i)
+{
+    const char *const field = settings_item_text(s, list, i, "field");
+    const int of_solids =
+        strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
+
+    if (!settings_has(s, "fluid"))
+        return settings_wrong(s, list,
+                              "the case has no field %s: fields are those of "
+                              "a fluid",
+                              field);
+    if (of_solids && !build_two_way(s))
+        return settings_wrong(s, list,
+                              "the case has no field %s: it asks for exchange "
+                              "with coupling = \"two-way\"",
+                              field);
+    return 0;
+}
+
+static int check_fields(const struct settings *s)
+{
+    static const char *const lists[] = {"output.profiles", "output.probes"};
+
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < settings_length(s, lists[k]); i++)
+            if (check_field(s, lists[k], i) != 0) return 2;
+    if (!settings_has(s, "effects.time_average") || build_two_way(s)) return 0;
+    return settings_wrong(s, "effects.time_average",
+                          "one-way there are no averaged fields; it asks for "
+                          "exchange.coupling = \"two-way\"");
+}
+
+static int check_output(const struct settings *s)
+{
+    double lo[3], hi[3];
+
+    if (check_fields(s) != 0) return 2;
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
+        const double y = settings_item_real(s, "output.profiles", i, "height");
+        if (y > hi[1] || y < lo[1])
+            return settings_wrong(
+                s, "output.profiles", "height %g m is %s the box, %g m", y,
+                y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
+    }
+    if (check_profile_names(s) != 0) return 2;
+    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
+        double x[3];
+        settings_item_vector(s, "output.probes", i, "position", x);
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "output.probes",
+                                  "the point [%g, %g, %g] m is outside the %s",
+                                  x[0], x[1], x[2],
+                                  settings_mesh(s) == NULL ? "box" : "mesh");
+    }
+    return 0;
+}
+
+int validate_case(const struct settings *s)
+{
+    int code = 0;
+
+    if (!settings_has(s, "fluid") && !settings_has(s, "particles"))
+        return settings_wrong(s, "mesh",
+                              "there is neither fluid nor particles: nothing "
+                              "to compute");
+    code = case_steps_check(s);
+    if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
+    if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
+    if (code == 0 && settings_has(s, "averaging"))
+        code = case_averaging_check(s);
+    return code != 0 ? code : check_output(s);
+}

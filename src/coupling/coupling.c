@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/coupling.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/number.h"
+#include "coupling/replacement.h"
+#include "coupling/stability.h"
+#include "coupling/transfer.h"
+#include "dem/population/population.h"
+
+struct coupling *coupling_create(struct simulation *sim,
+                                 const struct coupling_options *options)
+{
+    struct particles *const ps = sim->particles;
+    const int n = ps->capacity, cells = sim->mesh->n_cells;
+    struct coupling *const cp = alloc_zeroed(1, sizeof *cp);
+
+    cp->options = *options;
+    cp->report.eps_lowest = cp->report.seen_lowest = 1.0; /* one-way: stays */
+    cp->u_f = alloc_doubles(3 * n);
+    cp->eps = alloc_doubles(n);
+    cp->k = alloc_doubles(n);
+    cp->u_mean = alloc_doubles(3 * n);
+    cp->unpaid_impulse = alloc_doubles(3 * n);
+    cp->smooth = alloc_doubles(3 * n);
+    cp->amount = alloc_doubles(4 * n);
+    cp->field = alloc_doubles(4 * cells);
+    if (options->interpolation == interpolation_named("linear"))
+        cp->u_b =
+            alloc_doubles(3 * (sim->mesh->n_faces - sim->mesh->n_internal));
+    particles_attach(ps, cp->u_f, 3);
+    particles_attach(ps, cp->eps, 1);
+    particles_attach(ps, cp->k, 1);
+    particles_attach(ps, cp->u_mean, 3);
+    particles_attach(ps, cp->unpaid_impulse, 3);
+    if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
+        particles_add_implicit_drag(ps);
+    if (sim->population != NULL) cp->replacement = replacement_create(cells);
+    return cp;
+}
+
+void coupling_free(struct coupling *cp)
+{
+    if (cp == NULL) return;
+    free(cp->u_f);
+    free(cp->eps);
+    free(cp->k);
+    free(cp->u_mean);
+    free(cp->unpaid_impulse);
+    free(cp->smooth);
+    free(cp->amount);
+    free(cp->field);
+    free(cp->u_b);
+    replacement_free(cp->replacement);
+    free(cp);
+}
+
+int coupling_start(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (cp == NULL) return 0;
+    for (int i = 0; i < ps->n; i++) {
+        cp->u_mean[3 * i] = ps->vx[i];
+        cp->u_mean[3 * i + 1] = ps->vy[i];
+        cp->u_mean[3 * i + 2] = ps->vz[i];
+    }
+    if (transfer_average(sim) != 0) return 1;
+    fluid_reset_eps_history(sim->fluid);
+    transfer_fluid(sim); /* u_f, for the slip in the first k */
+    transfer_drag_terms(sim);
+    return 0;
+}
+
+/* Sets the forces of effects that are constant during this step. */
+static void set_held_forces(struct simulation *sim)
+{
+    memset(sim->held_force, 0,
+           3 * (size_t)sim->particles->n * sizeof *sim->held_force);
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->before_particles != NULL)
+            e->effect->before_particles(e->memory, sim);
+    }
+}
+
+static void after_particles(struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->after_particles != NULL)
+            e->effect->after_particles(e->memory, sim);
+    }
+}
+
+static void apply_held_forces(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        ps->ex[i] = sim->held_force[3 * i];
+        ps->ey[i] = sim->held_force[3 * i + 1];
+        ps->ez[i] = sim->held_force[3 * i + 2];
+    }
+}
+
+/* Number of drag updates in this step: at most the number of particle steps. */
+static int count_substeps(const struct simulation *sim)
+{
+    const struct coupling *const cp = sim->coupling;
+    double n = cp->options.substeps;
+
+    if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
+    return number_clamped(n, 1, sim->dem_steps);
+}
+
+/* k of n equal parts of so many steps, rounded down. */
+static int part_of(int steps, int k, int n)
+{
+    return (int)((long)steps * k / n);
+}
+
+/* Of a step in parts the report counts all rebuilds and the deepest overlap. */
+static void add_before(struct dem_report *r, const struct dem_report *before)
+{
+    r->steps += before->steps;
+    r->rebuilds += before->rebuilds;
+    r->max_overlap = fmax(r->max_overlap, before->max_overlap);
+}
+
+/* Steps 3 and 4: moves the particles through the sub-steps, each with the drag
+ * at its start. */
+static int move_with_drag(struct simulation *sim, double *clock)
+{
+    struct coupling_report *const report = &sim->coupling->report;
+    const int n = report->substeps = count_substeps(sim);
+    struct dem_report before = {0};
+    int failed = 0;
+
+    transfer_begin_substeps(sim);
+    for (int k = 0; k < n && !failed; k++) {
+        const int steps =
+            part_of(sim->dem_steps, k + 1, n) - part_of(sim->dem_steps, k, n);
+        apply_held_forces(sim);
+        transfer_begin_substep(sim, steps);
+        clock_add(&sim->seconds.exchange, clock);
+        failed = dem_run(sim->dem, steps, &sim->dem_report);
+        clock_add(&sim->seconds.dem, clock);
+        add_before(&sim->dem_report, &before);
+        before = sim->dem_report;
+        transfer_end_substep(sim, steps);
+    }
+    return failed;
+}
+
+static int move_freely(struct simulation *sim, double *clock)
+{
+    apply_held_forces(sim);
+    clock_add(&sim->seconds.exchange, clock);
+    const int failed = dem_run(sim->dem, sim->dem_steps, &sim->dem_report);
+    clock_add(&sim->seconds.dem, clock);
+    return failed;
+}
+
+static void finish_step(struct simulation *sim)
+{
+    sim->steps++;
+    sim->t = (double)sim->steps * sim->dt;
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->after_step != NULL)
+            e->effect->after_step(e->memory, sim);
+    }
+}
+
+/* Removes and inserts particles before the step. With coupling, the averaged
+ * fields and the drag terms are then those of the new particles. */
+static int insert_and_remove(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+    const int removed = population_mark(sim->population, ps, sim->dt);
+
+    if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
+    if (removed > 0) population_remove(sim->population, sim->dem);
+    const int first = population_insert(sim->population, ps, sim->dem, sim->t);
+    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
+    return replacement_apply(sim, first);
+}
+
+/* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
+int coupling_step(struct simulation *sim)
+{
+    double clock = clock_now();
+    int failed = 0;
+
+    if (sim->population != NULL) failed = insert_and_remove(sim);
+
+    /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
+    if (sim->fluid != NULL && !failed)
+        failed = fluid_advance(sim->fluid, sim->dt);
+    clock_add(&sim->seconds.cfd, &clock);
+
+    if (sim->particles != NULL && !failed) {
+        /* 2. Interpolate the new fluid velocity; subtract what the fluid
+         * received. */
+        if (sim->coupling != NULL) transfer_fluid(sim);
+        set_held_forces(sim);
+        clock_add(&sim->seconds.exchange, &clock);
+
+        /* 3, 4. Drag and collisions, sub-step by sub-step. */
+        failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
+                                       : move_freely(sim, &clock);
+        if (!failed) after_particles(sim);
+
+        /* 5. New eps_s and u_s; from them Omega and A for the next step. */
+        if (sim->coupling != NULL && !failed) {
+            failed = transfer_average(sim);
+            clock_add(&sim->seconds.averaging, &clock);
+            if (!failed) transfer_drag_terms(sim);
+        }
+    }
+    if (!failed) finish_step(sim);
+    clock_add(&sim->seconds.exchange, &clock);
+    return failed;
+}
+
+void coupling_add_impulse(struct simulation *sim, int i,
+                          const double impulse[3])
+{
+    struct coupling *const cp = sim->coupling;
+
+    for (int k = 0; k < 3 && cp->options.two_way; k++)
+        cp->unpaid_impulse[3 * i + k] += impulse[k];
+}
+
+void coupling_unpaid_impulse(const struct simulation *sim, double owed[3])
+{
+    owed[0] = owed[1] = owed[2] = 0.0;
+    if (sim->coupling == NULL) return;
+    for (int i = 0; i < 3 * sim->particles->n; i++)
+        owed[i % 3] += sim->coupling->unpaid_impulse[i];
+    for (int k = 0; k < 3 && sim->coupling->replacement != NULL; k++)
+        owed[k] += sim->coupling->replacement->unpaid_sum[k];
+}
+
+void coupling_total_momentum(const struct simulation *sim, double total[3])
+{
+    const struct particles *const ps = sim->particles;
+    double owed[3];
+
+    total[0] = total[1] = total[2] = 0.0;
+    if (sim->fluid != NULL) fluid_momentum(sim->fluid, total);
+    for (int i = 0; ps != NULL && i < ps->n; i++) {
+        total[0] += ps->m[i] * ps->vx[i];
+        total[1] += ps->m[i] * ps->vy[i];
+        total[2] += ps->m[i] * ps->vz[i];
+    }
+    coupling_unpaid_impulse(sim, owed);
+    for (int k = 0; k < 3; k++)
+        total[k] -= owed[k];
+}

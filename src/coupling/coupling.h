@@ -1,0 +1,100 @@
+/* coupling.h -- momentum between fluid and particles.  Chapter 10.
+ *
+ * The force of the fluid on particle i is k_i (u_f - u_p), k_i = eps_f B_i =
+ * V_p beta / eps_s [XS11 2.9, 2.10]. The impulse on the particles is taken from
+ * the fluid. In a step the fluid is solved first, with an estimate of the
+ * impulse; the impulse on the particles is known afterwards. Each particle
+ * stores the difference, `unpaid_impulse`, which is applied to the fluid in the
+ * next step. Therefore at any time
+ *
+ *   momentum of the fluid + momentum of the particles - sum of unpaid_impulse
+ *
+ * changes only by what comes from outside.
+ *
+ * explicit:       estimate 0. The reaction acts on the fluid one step late.
+ * semi-implicit:  estimate k_i (u_f^new - mean u_p) dt, with the fluid's new
+ *                 velocity: K and F of fluid.h [XS11 3.13-3.15].
+ */
+#ifndef COUPLING_COUPLING_H
+#define COUPLING_COUPLING_H
+
+#include "averaging/interpolation.h"
+#include "coupling/drag.h"
+#include "coupling/simulation.h"
+
+enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
+
+/* Integration of the slip of a particle during a sub-step, in which k and u_f
+ * are constant.
+ * frozen:       k (u_f - u_p) of the start, to the end [XS11 3.18].
+ * exponential:  k (u_f - u_p) with u_p as it changes, contacts and all
+ *               (implicit_drag.h): no sub-step is too long. */
+enum slip_integration { SLIP_INTEGRATION_FROZEN, SLIP_INTEGRATION_EXPONENTIAL };
+
+struct coupling_options {
+    const struct drag_law *law;
+    enum treatment treatment;
+    enum slip_integration slip_integration;
+    const struct interpolation *interpolation;
+    int substeps; /* [-] drag updates a step; 0: as many as the shortest
+                     relaxation time asks for [XS11 section 3.3] */
+    int two_way;  /* 0: no force of the particles on the fluid */
+};
+
+struct coupling_report {
+    int substeps;             /* [-] of the last step */
+    double shortest_time;     /* [s] smallest m_i / k_i */
+    double exchange_residual; /* [-] |impulse on the fluid + impulse charged to
+                                 the particles| over their sum */
+    double eps_lowest;        /* [-] smallest fluid fraction of a cell */
+    double seen_lowest; /* [-] and smallest value interpolated to a particle,
+                           which linear interpolation may make smaller */
+};
+
+struct replacement;
+
+struct coupling {
+    struct coupling_options options;
+    struct coupling_report report;
+    /* One row a particle; all follow the particles when these are sorted. */
+    double *u_f;    /* [m/s] fluid velocity, 3 */
+    double *eps;    /* [-] fluid fraction */
+    double *k;      /* [kg/s] the coefficient that the fluid was charged with */
+    double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
+    double *unpaid_impulse; /* [N s] impulse on the particle whose reaction has
+                               not acted on the fluid yet, 3 */
+    /* Work space. */
+    double *u_b;    /* [m/s] fluid velocity on the boundary faces, 3 a face;
+                       NULL unless the interpolation is linear */
+    double *smooth; /* [m/s] adjoint of averaging applied to u, 3 a particle */
+    double *amount; /* up to 4 a particle */
+    double *field;  /* up to 4 a cell */
+    struct replacement *replacement; /* NULL without insertion and removal */
+};
+
+struct coupling *coupling_create(struct simulation *sim,
+                                 const struct coupling_options *options);
+void coupling_free(struct coupling *cp);
+
+/* Averages the initial particles for the first step. Non-zero if one is outside
+ * the mesh. */
+int coupling_start(struct simulation *sim);
+
+/* One step of [XS11 Algorithm 3.1], for any case: a case without fluid has no
+ * steps 1, 2 and 5, one without particles only step 1. Non-zero if the
+ * computation broke down; the reports say how. */
+int coupling_step(struct simulation *sim);
+
+/* Adds an impulse [N s] of the fluid on particle i, whose reaction acts on the
+ * fluid in its next step. For effects, while the particles are advanced. */
+void coupling_add_impulse(struct simulation *sim, int i,
+                          const double impulse[3]);
+
+/* Sum of unpaid_impulse over the particles [N s]. */
+void coupling_unpaid_impulse(const struct simulation *sim, double owed[3]);
+
+/* Momentum of fluid and particles minus the unpaid impulse [N s]: constant in a
+ * closed periodic box without gravity, up to fluid->relabelled. */
+void coupling_total_momentum(const struct simulation *sim, double total[3]);
+
+#endif

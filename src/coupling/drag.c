@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/drag.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+double drag_reynolds(double rho_f, double mu, double d, double u_r)
+{
+    return rho_f * d * u_r / mu; /* [XS11 2.12] */
+}
+
+/* 1 where viscosity no longer matters: the correction to what is left without
+ * it is less than 1 / Re. Also where Re is no number, 0 / 0 of a fluid without
+ * viscosity that is at rest. */
+static int is_inviscid(double Re)
+{
+    return !(Re < 1e9);
+}
+
+double drag_terminal_ratio(double Re, double eps_f)
+{
+    const double A1 = pow(eps_f, 4.14); /* [XS11 2.14] */
+    const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
+    const double a = 0.06 * Re;
+
+    if (is_inviscid(Re)) return A2; /* the limit of [XS11 2.13] */
+    return 0.5 * (A1 - a +
+                  sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1)); /* 2.13 */
+}
+
+/* [XS11 2.11] with C_d u_r = (0.63 sqrt(u_r) + 4.8 sqrt(V_r u_r / Re))^2, where
+ * u_r / Re = mu / (rho_f d) has no 0/0 in it. */
+static double syamlal_obrien(double eps_f, double rho_f, double mu, double d,
+                             double u_r)
+{
+    const double Re = drag_reynolds(rho_f, mu, d, u_r);
+    const double V_r = drag_terminal_ratio(Re, eps_f);
+    const double root = 0.63 * sqrt(u_r) + 4.8 * sqrt(V_r * mu / (rho_f * d));
+    const double Cd_u = root * root;
+
+    return 0.75 * Cd_u / (V_r * V_r) * rho_f / d * eps_f;
+}
+
+/* C_d Re / 24, the correction to Stokes' law [LS 5.13, 5.26]. Schiller and
+ * Naumann to Re = 1000, Newton's constant 0.44 beyond. */
+static double stokes_correction(double Re)
+{
+    return Re < 1000.0 ? 1.0 + 0.15 * pow(Re, 0.687) : 0.44 * Re / 24.0;
+}
+
+double drag_wen_yu_cd(double alpha, double Re)
+{
+    return 24.0 / (alpha * Re) * stokes_correction(alpha * Re); /* [LS 5.26] */
+}
+
+/* [LS 5.25-5.27] with beta as [XS11 2.9] means it, that is rho times what LS
+ * prints. C_d u_r = 24 mu / (alpha rho d) times the correction. */
+static double gidaspow(double eps_f, double rho_f, double mu, double d,
+                       double u_r)
+{
+    const double Re = drag_reynolds(rho_f, mu, d, u_r);
+
+    if (eps_f <= 0.8) /* Ergun */
+        return 150.0 * (1.0 - eps_f) * mu / (eps_f * d * d) +
+               1.75 * rho_f * u_r / d;
+    const double Cd_u = is_inviscid(Re) ? 0.44 * u_r
+                                        : 24.0 * mu / (eps_f * rho_f * d) *
+                                              stokes_correction(eps_f * Re);
+    return 0.75 * Cd_u * eps_f * rho_f / d * pow(eps_f, -2.65); /* Wen, Yu */
+}
+
+/* One sphere alone [LS 5.2]: eps_f does not matter. 3 pi mu d phi over V. */
+static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
+                               double u_r)
+{
+    const double Re = drag_reynolds(rho_f, mu, d, u_r);
+
+    (void)eps_f;
+    if (is_inviscid(Re)) return 0.75 * 0.44 * rho_f * u_r / d;
+    return 18.0 * mu / (d * d) * stokes_correction(Re);
+}
+
+const struct drag_law drag_laws[] = {
+    {"syamlal-obrien", "XS11 2.11-2.14",
+     "settling data of suspensions; the law of XS11 and SX15", syamlal_obrien},
+    {"gidaspow", "LS 5.25-5.27",
+     "Ergun's packed bed below eps_f = 0.8, Wen and Yu above", gidaspow},
+    {"schiller-naumann", "LS 5.2, 5.13",
+     "one sphere in an unbounded stream, neighbours ignored", schiller_naumann},
+    {NULL, NULL, NULL, NULL}};
+
+const struct drag_law *drag_law_named(const char *name)
+{
+    for (const struct drag_law *law = drag_laws; law->name != NULL; law++)
+        if (strcmp(law->name, name) == 0) return law;
+    return NULL;
+}
+
+double drag_beta(const struct drag_law *law, double eps_s, double rho_f,
+                 double mu, double d, double u_r)
+{
+    return eps_s * law->resistance(1.0 - eps_s, rho_f, mu, d, u_r);
+}
+
+double drag_coefficient(const struct drag_law *law, double eps_s, double rho_f,
+                        double mu, double d, double u_r)
+{
+    const double V_p = M_PI / 6.0 * d * d * d, eps_f = 1.0 - eps_s;
+    return V_p * law->resistance(eps_f, rho_f, mu, d, u_r) / eps_f;
+}
+
+double drag_relaxation_time(const struct drag_law *law, double rho_s,
+                            double eps_s, double rho_f, double mu, double d,
+                            double u_r)
+{
+    return rho_s / law->resistance(1.0 - eps_s, rho_f, mu, d, u_r);
+}
+
+double drag_force(double rho_f, double C_D, double d, double u_r)
+{
+    return 0.5 * rho_f * M_PI / 4.0 * d * d * C_D * u_r * fabs(u_r);
+}
+
+double drag_stokes_time(double rho_p, double d, double mu)
+{
+    return rho_p * d * d / (18.0 * mu);
+}
+
+double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re)
+{
+    return drag_stokes_time(rho_p, d, mu) / (1.0 + 0.15 * pow(Re, 0.687));
+}

@@ -1,0 +1,62 @@
+/* drag.h -- the steady force of the fluid on one particle.  Chapter 9.
+ *
+ * The documents write the force as (V_p beta / eps_s) (u_f - u_p), with beta a
+ * correlation proportional to eps_s [XS11 2.9-2.11]. We work with
+ *
+ *   beta / eps_s = resistance(eps_f, rho_f, mu, d, u_r)      [kg/(m^3 s)],
+ *
+ * the force per volume of solid and per slip speed: it is finite for a lone
+ * particle (eps_s = 0) and for a particle at rest in the fluid (u_r = 0).
+ * u_r = |u_f - u_p| is the slip to the interstitial velocity.
+ */
+#ifndef COUPLING_DRAG_H
+#define COUPLING_DRAG_H
+
+/* One correlation. resistance: eps_f [-], rho_f [kg/m^3], mu [Pa s], d [m],
+ * u_r [m/s] -> beta / eps_s [kg/(m^3 s)]. */
+struct drag_law {
+    const char *name; /* as a case spells it */
+    const char *cite;
+    const char *what;
+    double (*resistance)(double eps_f, double rho_f, double mu, double d,
+                         double u_r);
+};
+
+/* All laws, ended by a row without a name; drag_law_named: NULL if unknown. */
+extern const struct drag_law drag_laws[];
+const struct drag_law *drag_law_named(const char *name);
+
+/* beta [kg/(m^3 s)] of a mixture of one size [XS11 2.11, LS 5.27]. */
+double drag_beta(const struct drag_law *law, double eps_s, double rho_f,
+                 double mu, double d, double u_r);
+
+/* B [kg/s]: the drag on a particle is eps_f B (u_f - u_p) [XS11 2.10]. */
+double drag_coefficient(const struct drag_law *law, double eps_s, double rho_f,
+                        double mu, double d, double u_r);
+
+/* The time in which drag would stop a particle [s] [XS11 3.16, 3.17]. */
+double drag_relaxation_time(const struct drag_law *law, double rho_s,
+                            double eps_s, double rho_f, double mu, double d,
+                            double u_r);
+
+/* Re = rho_f d u_r / mu [-] [XS11 2.12]. */
+double drag_reynolds(double rho_f, double mu, double d, double u_r);
+
+/* Terminal velocity of a suspension over that of one sphere [-] [XS11 2.13,
+ * 2.14], after Syamlal and O'Brien. */
+double drag_terminal_ratio(double Re, double eps_f);
+
+/* Drag coefficient of a sphere in a suspension [-] [LS 5.26], after Wen and
+ * Yu; alpha is the fluid fraction. Above alpha Re = 1000 it is 0.44. */
+double drag_wen_yu_cd(double alpha, double Re);
+
+/* Force on one sphere with drag coefficient C_D [N] [LS 5.2]. */
+double drag_force(double rho_f, double C_D, double d, double u_r);
+
+/* Relaxation time of one sphere after Stokes [s] [LS 5.12]. */
+double drag_stokes_time(double rho_p, double d, double mu);
+
+/* The same with the correction of Schiller and Naumann [s] [LS 5.13]. */
+double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re);
+
+#endif

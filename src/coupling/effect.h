@@ -1,0 +1,37 @@
+/* effect.h -- optional effects of a case. Chapter 10.
+ *
+ * An effect is one file with one descriptor. An effect that a case does not
+ * name allocates nothing, and the time loop, which goes through the list of
+ * created effects, does not call it. Parameters arrive as plain numbers in the
+ * order of the descriptor's keys (a vector gives three, a group none), already
+ * checked.
+ */
+#ifndef COUPLING_EFFECT_H
+#define COUPLING_EFFECT_H
+
+#include "base/key.h"
+
+struct simulation;
+struct effect;
+
+/* One effect at work: what it is, and what it remembers. */
+struct effect_state {
+    const struct effect *effect;
+    void *memory; /* released by effect->free; may be NULL */
+};
+
+struct effect {
+    const char *name;       /* as a case spells it in `effects` */
+    const char *what;       /* one line */
+    const char *equations;  /* keys, such as "SX15 11-14" */
+    const char *function;   /* the one that computes it, for `explain` */
+    const struct key *keys; /* ended by a row without a path */
+    void *(*create)(struct simulation *sim, const double *parameters);
+    /* Any of these may be NULL. */
+    void (*before_particles)(void *memory, struct simulation *sim);
+    void (*after_particles)(void *memory, struct simulation *sim);
+    void (*after_step)(void *memory, struct simulation *sim);
+    void (*free)(void *memory);
+};
+
+#endif

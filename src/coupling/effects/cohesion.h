@@ -1,0 +1,26 @@
+/* cohesion.h -- the attractions of particles/ as effects.  Chapter 17.
+ *
+ * They act within the steps of the particles, and while a bed settles: so the
+ * particles are created with them, and the loop over the effects has nothing
+ * left to do.
+ */
+#ifndef COUPLING_EFFECTS_COHESION_H
+#define COUPLING_EFFECTS_COHESION_H
+
+#include "coupling/effect.h"
+#include "dem/cohesion/attraction.h"
+
+extern const struct effect cohesion_electrostatic;
+extern const struct effect cohesion_van_der_waals;
+extern const struct effect cohesion_capillary;
+
+/* All of them, ended by NULL. */
+extern const struct effect *const cohesion_all[];
+
+/* One at work with these parameters; charges (by material, borrowed) are for
+ * the electrostatic one. */
+struct attraction cohesion_attraction(const struct effect *e,
+                                      const double *parameters,
+                                      const double *charge);
+
+#endif

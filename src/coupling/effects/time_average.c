@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/effects/time_average.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "coupling/effects.h"
+#include "coupling/simulation.h"
+#include "coupling/transfer.h"
+
+double time_average_weight(double dt, double b_t)
+{
+    return 1.0 / (1.0 + dt / b_t);
+}
+
+/* An implicit step [SX15 13] of the mean in which a value of age t weighs
+ * exp(-t / b_t) / b_t [SX15 11]. */
+void time_average_update(double alpha, int n, const double *now, double *mean)
+{
+    for (int i = 0; i < n; i++)
+        mean[i] = (1.0 - alpha) * now[i] + alpha * mean[i];
+}
+
+static void *time_average_create(struct simulation *sim,
+                                 const double *parameters)
+{
+    struct time_average *const self = alloc_zeroed(1, sizeof *self);
+    const int n = sim->mesh->n_cells;
+
+    self->alpha = time_average_weight(sim->dt, parameters[0]);
+    self->eps = alloc_doubles(n);
+    self->eps_us = alloc_doubles(3 * n);
+    return self;
+}
+
+static void time_average_free(void *memory)
+{
+    struct time_average *const self = memory;
+    free(self->eps);
+    free(self->eps_us);
+    free(self);
+}
+
+/* The mean starts from the first field, not from zero. */
+static void time_average_after_step(void *memory, struct simulation *sim)
+{
+    struct time_average *const self = memory;
+    const struct fluid *const fl = sim->fluid;
+    const int n = sim->mesh->n_cells;
+    const double alpha = sim->steps == 1 ? 0.0 : self->alpha;
+
+    transfer_solids_velocity(sim);
+    time_average_update(alpha, n, fl->eps, self->eps);
+    time_average_update(alpha, 3 * n, fl->eps_us, self->eps_us);
+}
+
+static const struct key keys[] = {
+    {"effects.time_average", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "fading time means of eps_f and eps_s u_s, written with the fluid",
+     "SX15 11-14", "fluid particles averaging exchange"},
+    {"effects.time_average.time", KEY_REAL, "s", "> 0", NULL,
+     "bandwidth b_t: how long the past counts", "SX15 11", ""},
+    {0}};
+
+const struct effect time_average_effect = {
+    .name = "time_average",
+    .what = "fading time means of the averaged fields",
+    .equations = "SX15 11-14",
+    .function = "time_average_update",
+    .keys = keys,
+    .create = time_average_create,
+    .after_step = time_average_after_step,
+    .free = time_average_free};

@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* virtual_mass.c -- the added mass of fluid that accelerates with a particle,
+ *
+ *   f_i = C rho_f V_p (Du/Dt - dv/dt),   Du/Dt = du/dt + u . grad u  [LS 5.3]
+ *
+ * C = 1/2 for a sphere. The second part is an added mass, which resists in
+ * every particle step (implicit_drag.h), the first a held force. The reaction
+ * to the impulse of the step, C rho_f V_p (Du/Dt dt - change of v), acts on the
+ * fluid in its next step.
+ *
+ * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
+ * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
+ * In the first step there is no past: Du/Dt is 0.
+ */
+#include "coupling/effects.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+
+struct virtual_mass {
+    double C;      /* [-] */
+    double *past;  /* [m/s] u of the step before, 3 a cell */
+    double *Du;    /* [m/s^2] Du/Dt, 3 a cell */
+    double *at;    /* [m/s^2] interpolated to the particles, 3 each */
+    double *start; /* [m/s] their velocity at the start of the step, 3 each */
+};
+
+static void *virtual_mass_create(struct simulation *sim,
+                                 const double *parameters)
+{
+    struct virtual_mass *const self = alloc_zeroed(1, sizeof *self);
+    const int cells = sim->mesh->n_cells, n = sim->particles->capacity;
+
+    self->C = parameters[0];
+    self->past = alloc_doubles(3 * cells);
+    self->Du = alloc_doubles(3 * cells);
+    self->at = alloc_doubles(3 * n);
+    self->start = alloc_doubles(3 * n);
+    particles_add_implicit_drag(sim->particles);
+    particles_attach(sim->particles, self->at, 3);
+    particles_attach(sim->particles, self->start, 3);
+    return self;
+}
+
+static void virtual_mass_free(void *memory)
+{
+    struct virtual_mass *const self = memory;
+    free(self->past);
+    free(self->Du);
+    free(self->at);
+    free(self->start);
+    free(self);
+}
+
+/* u . grad u of all cells, added to Du. */
+static void add_convection(const struct fluid *fl, double *Du)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int f = 0; f < m->n_internal; f++) {
+        const int o = m->owner[f], n = m->neighbour[f];
+        const double w = m->w[f], phi = fl->phi[f];
+        for (int k = 0; k < 3; k++) {
+            const double jump = fl->u[3 * n + k] - fl->u[3 * o + k];
+            /* u_f = w u_o + (1 - w) u_n */
+            Du[3 * o + k] += phi * (1.0 - w) * jump / (fl->eps[o] * m->V[o]);
+            Du[3 * n + k] += phi * w * jump / (fl->eps[n] * m->V[n]);
+        }
+    }
+}
+
+/* Du/Dt [m/s^2] from u now and in the step before. */
+static void material_derivative(struct virtual_mass *self,
+                                const struct simulation *sim)
+{
+    const struct fluid *const fl = sim->fluid;
+    const int n = 3 * sim->mesh->n_cells;
+    const double per_dt = sim->steps > 0 ? 1.0 / sim->dt : 0.0;
+
+    for (int i = 0; i < n; i++)
+        self->Du[i] = per_dt * (fl->u[i] - self->past[i]);
+    if (sim->steps > 0) add_convection(fl, self->Du);
+    memcpy(self->past, fl->u, (size_t)n * sizeof *self->past);
+}
+
+/* [LS 5.3]: its first part as a force, its second as a mass. */
+static void virtual_mass_before_particles(void *memory, struct simulation *sim)
+{
+    struct virtual_mass *const self = memory;
+    struct particles *const ps = sim->particles;
+    const double rho = sim->fluid->options.rho;
+
+    material_derivative(self, sim);
+    averaging_gather(sim->averaging, 3, self->Du, self->at);
+    for (int i = 0; i < ps->n; i++)
+        ps->added_mass[i] = self->C * rho * particles_volume(ps, i);
+    averaging_apply_cap(sim->averaging, 1, ps->added_mass);
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        for (int k = 0; k < 3; k++) {
+            self->start[3 * i + k] = v[k];
+            sim->held_force[3 * i + k] +=
+                ps->added_mass[i] * self->at[3 * i + k];
+        }
+    }
+}
+
+/* The impulse of the step, no part of which has acted on the fluid yet. */
+static void virtual_mass_after_particles(void *memory, struct simulation *sim)
+{
+    const struct virtual_mass *const self = memory;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        double impulse[3];
+        for (int k = 0; k < 3; k++)
+            impulse[k] = ps->added_mass[i] * (self->at[3 * i + k] * sim->dt -
+                                              v[k] + self->start[3 * i + k]);
+        coupling_add_impulse(sim, i, impulse);
+    }
+}
+
+static const struct key keys[] = {
+    {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force of the fluid that a particle accelerates with itself", "LS 5.3",
+     "fluid particles averaging exchange"},
+    {"effects.virtual_mass.coefficient", KEY_REAL, "-", ">= 0", "0.5",
+     "C; 1/2 for a sphere", "LS 5.3", ""},
+    {0}};
+
+const struct effect virtual_mass_effect = {
+    .name = "virtual_mass",
+    .what = "the fluid that a particle accelerates with itself",
+    .equations = "LS 5.3",
+    .function = "virtual_mass_before_particles",
+    .keys = keys,
+    .create = virtual_mass_create,
+    .before_particles = virtual_mass_before_particles,
+    .after_particles = virtual_mass_after_particles,
+    .free = virtual_mass_free};

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* viscous_stress.c -- the viscous part of the force of an undisturbed flow,
+ *
+ *   f_i = V_p div tau,   div tau = mu lap u       [LS 5.1, XS11 2.6, second
+ * term]
+ *
+ * what the stress around a particle would do to the fluid in its place. The
+ * fluid's equation contains all of div tau, so the reaction of the force on a
+ * particle acts on the fluid in its next step. This is stable for any step: the
+ * part of the fluid is implicit, and that of the particles is smaller.
+ *
+ * lap u of a cell from its faces as in momentum.c, (1/V) sum (S/d) (u_N - u);
+ * at a boundary u_N is the velocity there, which on a slip wall and an outlet
+ * has the tangential part of u.
+ */
+#include "coupling/effects.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+
+struct viscous_stress {
+    double *force; /* [N/m^3] div tau, 3 a cell */
+    double *u_b;   /* [m/s] at the boundary, 3 a face */
+    double *at;    /* [N/m^3] interpolated to the particles, 3 each */
+};
+
+static void *viscous_stress_create(struct simulation *sim,
+                                   const double *parameters)
+{
+    const struct mesh *const m = sim->mesh;
+    struct viscous_stress *const self = alloc_zeroed(1, sizeof *self);
+
+    (void)parameters;
+    self->force = alloc_doubles(3 * m->n_cells);
+    self->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    self->at = alloc_doubles(3 * sim->particles->capacity);
+    return self;
+}
+
+static void viscous_stress_free(void *memory)
+{
+    struct viscous_stress *const self = memory;
+    free(self->force);
+    free(self->u_b);
+    free(self->at);
+    free(self);
+}
+
+/* Area over length of a link [m]. */
+static double link(const struct mesh *m, int f)
+{
+    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+
+    return (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
+           (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+}
+
+/* div tau [N/m^3] of all cells. */
+static void divergence(struct viscous_stress *self, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    double *const force = self->force;
+
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        force[i] = 0.0;
+    fluid_boundary_velocity(fl, self->u_b);
+    for (int f = 0; f < m->n_faces; f++) {
+        const int o = m->owner[f], inner = f < m->n_internal;
+        const int n = inner ? m->neighbour[f] : o;
+        const double *const u_N =
+            inner ? &fl->u[3 * n] : &self->u_b[3 * (f - m->n_internal)];
+        const double D = fl->options.mu * link(m, f);
+        for (int k = 0; k < 3; k++) {
+            const double pull = D * (u_N[k] - fl->u[3 * o + k]); /* [N] */
+            force[3 * o + k] += pull / m->V[o];
+            if (inner) force[3 * n + k] -= pull / m->V[n];
+        }
+    }
+}
+
+static void viscous_stress_before_particles(void *memory,
+                                            struct simulation *sim)
+{
+    struct viscous_stress *const self = memory;
+    const struct particles *const ps = sim->particles;
+
+    divergence(self, sim->fluid);
+    averaging_gather(sim->averaging, 3, self->force, self->at);
+    averaging_apply_cap(sim->averaging, 3, self->at);
+    for (int i = 0; i < ps->n; i++) {
+        const double V = particles_volume(ps, i);
+        double impulse[3];
+        for (int k = 0; k < 3; k++) {
+            const double f = V * self->at[3 * i + k]; /* [LS 5.1, XS11 2.6] */
+            sim->held_force[3 * i + k] += f;
+            impulse[k] = f * sim->dt;
+        }
+        coupling_add_impulse(sim, i, impulse);
+    }
+}
+
+static const struct key keys[] = {
+    {"effects.viscous_stress", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force of the viscous stress of the undisturbed flow on the particles",
+     "LS 5.1, XS11 2.6", "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect viscous_stress_effect = {
+    .name = "viscous_stress",
+    .what = "force of the viscous stress of the undisturbed flow",
+    .equations = "LS 5.1, XS11 2.6",
+    .function = "viscous_stress_before_particles",
+    .keys = keys,
+    .create = viscous_stress_create,
+    .before_particles = viscous_stress_before_particles,
+    .free = viscous_stress_free};

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* gravity.c -- the weight of the particles, m g [XS11 2.1].
+ *
+ * The weight of the fluid balances the hydrostatic part of the pressure, which
+ * fluid.h leaves out; where that part does not act on the particles (no
+ * pressure_gradient), transfer.c adds the difference to the fluid.
+ */
+#include "coupling/effects.h"
+
+#include <stddef.h>
+
+#include "coupling/simulation.h"
+
+static void *gravity_create(struct simulation *sim, const double *parameters)
+{
+    for (int k = 0; k < 3; k++)
+        sim->gravity[k] = parameters[k];
+    return NULL;
+}
+
+static void gravity_before_particles(void *memory, struct simulation *sim)
+{
+    (void)memory;
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++)
+            sim->held_force[3 * i + k] +=
+                sim->particles->m[i] * sim->gravity[k];
+}
+
+static const struct key keys[] = {
+    {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
+     "acceleration by gravity: the weight of the particles", "XS11 2.1",
+     "particles"},
+    {0}};
+
+const struct effect gravity_effect = {.name = "gravity",
+                                      .what = "weight of the particles",
+                                      .equations = "XS11 2.1",
+                                      .function = "gravity_before_particles",
+                                      .keys = keys,
+                                      .create = gravity_create,
+                                      .before_particles =
+                                          gravity_before_particles};

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* pressure_gradient.c -- the pressure on the surface of a particle,
+ *
+ *   f_i = -V_p (grad p + rho_f g)       [LS 5.1, XS11 2.6, first term]
+ *
+ * p is without its hydrostatic part, whose force is the buoyancy. The gradient
+ * at a particle is interpolated by the adjoint of the averaging, so that the
+ * sum of all f_i is, to rounding, the force eps_s grad p that is missing in the
+ * fluid's equation (gamma = eps in fluid.h), and the exchange of momentum is
+ * exact and immediate: model A. In model B the whole grad p acts on the fluid,
+ * and the reaction of f_i acts on it like the drag, in the next step [SX15 2b,
+ * EW18 11].
+ */
+#include "coupling/effects.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+
+struct pressure_gradient {
+    double *gradient; /* [Pa/m] at the particles, 3 each */
+};
+
+static void *pressure_gradient_create(struct simulation *sim,
+                                      const double *parameters)
+{
+    struct pressure_gradient *const self = alloc_zeroed(1, sizeof *self);
+    (void)parameters;
+    self->gradient = alloc_doubles(3 * sim->particles->capacity);
+    return self;
+}
+
+static void pressure_gradient_free(void *memory)
+{
+    struct pressure_gradient *const self = memory;
+    free(self->gradient);
+    free(self);
+}
+
+/* Model B: the fluid returns the force. It carries the weight of what eps_s
+ * counts, so buoyancy is returned for that much and not for what a cap has left
+ * out. */
+static void charge(struct simulation *sim, int i, double V, double impulse[3])
+{
+    const double out = 1.0 - averaging_capped_fraction(sim->averaging, i);
+    const double rho = sim->fluid->options.rho;
+
+    for (int k = 0; k < 3; k++)
+        impulse[k] += out * V * rho * sim->gravity[k] * sim->dt;
+    coupling_add_impulse(sim, i, impulse);
+}
+
+/* The part of [LS 5.1, XS11 2.6] that the pressure has. The solved p acts only
+ * on the part of a particle that is in eps_s: see averaging_apply_cap. */
+static void pressure_gradient_before_particles(void *memory,
+                                               struct simulation *sim)
+{
+    const struct pressure_gradient *const self = memory;
+    const struct particles *const ps = sim->particles;
+    const double rho = sim->fluid->options.rho;
+    const int shared = sim->fluid->options.pressure_shared;
+
+    averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
+    averaging_apply_cap(sim->averaging, 3, self->gradient);
+    for (int i = 0; i < ps->n; i++) {
+        const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+        double impulse[3];
+        for (int k = 0; k < 3; k++) {
+            const double f =
+                -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
+            sim->held_force[3 * i + k] += f;
+            impulse[k] = f * sim->dt;
+        }
+        if (!shared) charge(sim, i, V, impulse);
+    }
+}
+
+static const struct key keys[] = {
+    {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force of the pressure gradient, with buoyancy, on the particles",
+     "LS 5.1, XS11 2.6", "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect pressure_gradient_effect = {
+    .name = "pressure_gradient",
+    .what = "force of the pressure gradient and buoyancy",
+    .equations = "LS 5.1, XS11 2.6, XS11 2.8",
+    .function = "pressure_gradient_before_particles",
+    .keys = keys,
+    .create = pressure_gradient_create,
+    .before_particles = pressure_gradient_before_particles,
+    .free = pressure_gradient_free};

@@ -1,0 +1,56 @@
+/* simulation.h -- all parts of one simulation. Chapter 10.
+ *
+ * A pointer is NULL if the case does not have that part: no fluid, no
+ * particles, no coupling between them. An effect that is not named is not in
+ * the list.
+ */
+#ifndef COUPLING_SIMULATION_H
+#define COUPLING_SIMULATION_H
+
+#include "averaging/averaging.h"
+#include "coupling/effect.h"
+#include "fluid/fluid.h"
+#include "mesh/mesh.h"
+#include "dem/dem.h"
+#include "dem/particles.h"
+
+struct coupling;
+struct population;
+
+/* Wall-clock seconds spent so far, by part. */
+struct seconds {
+    double cfd, dem, averaging, exchange, output;
+};
+
+struct simulation {
+    struct mesh *mesh;
+    struct fluid *fluid;
+    struct particles *particles;
+    struct dem *dem;
+    struct surface *surfaces; /* walls besides the box; NULL: none */
+    int n_surfaces;
+    struct prescribed_particle
+        *prescribed;               /* particles that move as prescribed; NULL */
+    struct population *population; /* NULL: no insertion or removal */
+    struct case_walls *walls;      /* room in a mesh that is no box; or NULL */
+    struct materials *materials;   /* NULL: all are of one */
+    struct attraction *attractions; /* NULL: none */
+    struct averaging *averaging;
+    struct coupling *coupling;
+    double dt;          /* [s] of the loop: the fluid's step where there is
+                           one */
+    int dem_steps;      /* [-] particle steps in one step of the loop */
+    double t;           /* [s] */
+    long steps;         /* [-] done */
+    double gravity[3];  /* [m/s^2] 0 unless the case names it */
+    double *held_force; /* [N] constant forces of effects on the particles in
+                           this step, 3 a particle */
+    struct dem_report dem_report; /* of the last step */
+    struct boundary *boundaries;  /* one a patch, of the fluid */
+    double *inlet_series; /* [s], [m/s] times and velocities of the inlets */
+    int n_effects;
+    struct effect_state *effects;
+    struct seconds seconds;
+};
+
+#endif

@@ -1,0 +1,37 @@
+/* stability.h -- what limits a coupled step beside the particles.  Chapter 20.
+ *
+ * The drag on a bed that moves as a whole is 1/eps_f^2 times that on one
+ * particle in it, because the fluid is frozen while the particles move; and the
+ * reaction of the pressure force on the particles acts on the fluid one step
+ * later:
+ *
+ *   dt < 2 eps_f^2 tau_p                                             (20.6)
+ *   lambda = (1 + C) / (rho_s / rho_f + C) * eps_s / eps_f < 1       (20.9)
+ */
+#ifndef COUPLING_STABILITY_H
+#define COUPLING_STABILITY_H
+
+/* The longest step [s] of the fluid above a packed bed of which eps_f [-] is
+ * fluid, and whose particles relax within tau_p [s]. */
+double stability_longest_step(double eps_f, double tau_p);
+
+/* The longest step over tau_p [-] of a suspension with frozen drag, one update
+ * a step, and semi-implicit treatment: 2 for M = 0, 1/2 for the heaviest. */
+double stability_frozen_limit(double M);
+
+/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
+ * time [XS11 section 3.3]; from that half on at least two. */
+double stability_substeps(double x);
+
+/* Mass of the particles over that of the fluid beside them, M [-]. */
+double stability_loading(double rho_s, double eps_s, double rho_f);
+
+/* How much of a pressure swing is left, turned round, one step later [-]; C is
+ * the coefficient of virtual mass, 0 without it. From 1 on it grows. */
+double stability_amplification(double C, double rho_s, double eps_s,
+                               double rho_f);
+
+/* The solid fraction [-] at which that is 1. */
+double stability_max_solid_fraction(double C, double rho_s, double rho_f);
+
+#endif

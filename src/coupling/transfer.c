@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/transfer.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "coupling/coupling.h"
+#include "coupling/replacement.h"
+
+enum {
+    MANY = 1000
+}; /* number of particles above which a second thread is faster */
+
+static double volume(const struct particles *ps, int i)
+{
+    return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+}
+
+static double slip_speed(const struct simulation *sim, int i)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const u = &sim->coupling->u_f[3 * i];
+    const double x = u[0] - ps->vx[i], y = u[1] - ps->vy[i],
+                 z = u[2] - ps->vz[i];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. */
+static double drag_rate(const struct simulation *sim, int i)
+{
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+    return volume(ps, i) * sim->coupling->options.law->resistance(
+                               sim->coupling->eps[i], o->rho, o->mu, ps->d[i],
+                               slip_speed(sim, i));
+}
+
+/* From m fields a cell, of which the first is eps_s and the next, if there are
+ * any, are eps_s u_s. */
+static void take_solids(struct simulation *sim, int m)
+{
+    struct fluid *const fl = sim->fluid;
+    struct coupling_report *const report = &sim->coupling->report;
+    const double *const field = sim->coupling->field;
+
+    report->eps_lowest = 1.0;
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->eps[c] = 1.0 - field[m * c];
+        report->eps_lowest = fmin(report->eps_lowest, fl->eps[c]);
+        for (int k = 0; k < m - 1; k++)
+            fl->eps_us[3 * c + k] = field[m * c + 1 + k];
+    }
+}
+
+/* Continuity of the mixture contains eps_s u_s; the void-rate form does not,
+ * and its steps average these fields less [SX15 section 3.4]. */
+static int needs_velocity(const struct simulation *sim)
+{
+    return sim->fluid->options.continuity == CONTINUITY_MIXTURE;
+}
+
+void transfer_solids_velocity(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (cp == NULL || !cp->options.two_way || needs_velocity(sim)) return;
+    for (int i = 0; i < ps->n; i++) {
+        const double V = volume(ps, i);
+        cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */
+        cp->smooth[3 * i + 1] = V * ps->vy[i];
+        cp->smooth[3 * i + 2] = V * ps->vz[i];
+    }
+    averaging_apply_cap(sim->averaging, 3, cp->smooth);
+    averaging_spread(sim->averaging, 3, cp->smooth, sim->fluid->eps_us);
+}
+
+int transfer_average(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+
+    if (averaging_bind(sim->averaging) != 0) return 1;
+    if (!cp->options.two_way) { /* one-way coupling: undisturbed fluid */
+        for (int i = 0; i < ps->n; i++)
+            cp->eps[i] = 1.0;
+        return 0;
+    }
+    const int m = needs_velocity(sim) ? 4 : 1;
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double V = volume(ps, i);
+        cp->amount[m * i] = V;
+        if (m == 1) continue;
+        cp->amount[4 * i + 1] = V * ps->vx[i];
+        cp->amount[4 * i + 2] = V * ps->vy[i];
+        cp->amount[4 * i + 3] = V * ps->vz[i];
+    }
+    averaging_apply_cap(sim->averaging, m, cp->amount);
+    averaging_spread(sim->averaging, m, cp->amount, cp->field);
+    take_solids(sim, m);
+    cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
+                                     cp->eps);
+    cp->report.seen_lowest = 1.0;
+    for (int i = 0; i < ps->n; i++)
+        cp->report.seen_lowest = fmin(cp->report.seen_lowest, cp->eps[i]);
+    return cp->report.eps_lowest <= 0.0 || cp->report.seen_lowest <= 0.0;
+}
+
+/* The terms of each particle in the next step of the fluid: a coefficient of
+ * the velocity and a force. */
+static void estimate_drag_impulse(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+    const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
+    double shortest = INFINITY;
+
+#pragma omp parallel for schedule(static)                                      \
+    reduction(min                                                              \
+              : shortest) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double k = drag_rate(sim, i);
+        shortest = fmin(shortest, ps->m[i] / k); /* tau_p [XS11 3.16] */
+        cp->k[i] = implicit ? k : 0.0;
+        cp->amount[4 * i] = cp->k[i];
+        for (int a = 0; a < 3; a++)
+            cp->amount[4 * i + 1 + a] = cp->k[i] * cp->u_mean[3 * i + a] -
+                                        cp->unpaid_impulse[3 * i + a] / sim->dt;
+    }
+    cp->report.shortest_time = shortest;
+}
+
+/* [XS11 3.15]: K = eps rho Omega, F = eps rho A, including the unpaid impulse.
+ */
+static void take_drag_terms(struct simulation *sim)
+{
+    struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    const double *const g = sim->gravity;
+    const double rho = fl->options.pressure_shared ? 0.0 : fl->options.rho;
+
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->K[c] = field[4 * c];
+        for (int k = 0; k < 3; k++) /* the whole weight that the hydrostatic
+                                       pressure balances, eps rho g */
+            fl->F[3 * c + k] =
+                field[4 * c + 1 + k] - (1.0 - fl->eps[c]) * rho * g[k];
+    }
+}
+
+void transfer_drag_terms(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    estimate_drag_impulse(sim);
+    if (!cp->options.two_way) return;
+    averaging_spread(sim->averaging, 4, cp->amount, cp->field);
+    replacement_add_force(cp->replacement, sim->mesh->n_cells, sim->dt,
+                          cp->field);
+    take_drag_terms(sim);
+}
+
+/* Compares the impulse that the fluid lost to K and F with the sum over the
+ * particles. They are equal to rounding if gathering is the adjoint of
+ * spreading. */
+static void check_payment(struct simulation *sim, const double charged[3],
+                          double scale)
+{
+    const struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    double off = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        double paid = 0.0;
+        for (int c = 0; c < sim->mesh->n_cells; c++)
+            paid += sim->mesh->V[c] * sim->dt *
+                    (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
+        off = fmax(off, fabs(paid - charged[k]));
+    }
+    sim->coupling->report.exchange_residual = scale > 0.0 ? off / scale : 0.0;
+}
+
+/* The fluid has received the unpaid impulse of removed particles. */
+static void add_removed(const struct replacement *r, double charged[3],
+                        double *scale)
+{
+    for (int k = 0; k < 3 && r != NULL; k++) {
+        charged[k] += r->unpaid_sum[k];
+        *scale += fabs(r->unpaid_sum[k]);
+    }
+}
+
+/* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
+ * particle, with u^new interpolated by the adjoint of the averaging. */
+static void subtract_payment(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+    double charged[3] = {0.0, 0.0, 0.0}, scale = 0.0;
+
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++) {
+            const int j = 3 * i + k;
+            const double estimate =
+                sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
+            charged[k] += estimate + cp->unpaid_impulse[j];
+            scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
+            cp->unpaid_impulse[j] = -estimate;
+        }
+    add_removed(cp->replacement, charged, &scale);
+    check_payment(sim, charged, scale);
+    replacement_reset(cp->replacement, sim->mesh->n_cells);
+}
+
+/* 1: the interpolation is already the adjoint of the averaging. */
+static int uses_same_weights(const struct coupling *cp)
+{
+    return cp->options.interpolation == interpolation_named("same");
+}
+
+/* Only the interpolation "linear" uses boundary velocities. */
+void transfer_velocity(struct simulation *sim, double *u_f)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->u_b != NULL) fluid_boundary_velocity(sim->fluid, cp->u_b);
+    cp->options.interpolation->apply(sim->averaging, 3, sim->fluid->u, cp->u_b,
+                                     u_f);
+}
+
+void transfer_fluid(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->options.two_way) {
+        averaging_gather(sim->averaging, 3, sim->fluid->u, cp->smooth);
+        if (sim->fluid->t > 0.0) subtract_payment(sim);
+    }
+    if (cp->options.two_way && uses_same_weights(cp))
+        memcpy(cp->u_f, cp->smooth,
+               3 * (size_t)sim->particles->n * sizeof *cp->u_f);
+    else
+        transfer_velocity(sim, cp->u_f);
+}
+
+void transfer_begin_substeps(struct simulation *sim)
+{
+    memset(sim->coupling->u_mean, 0,
+           3 * (size_t)sim->particles->n * sizeof(double));
+}
+
+/* Adds the mean drag f and the mean velocity v of particle i in a sub-step to
+ * the sums [XS11 3.20]. */
+static void add_received(struct simulation *sim, int i, const double f[3],
+                         const double v[3], double share)
+{
+    struct coupling *const cp = sim->coupling;
+    const double time = cp->options.two_way ? share * sim->dt : 0.0;
+
+    for (int a = 0; a < 3; a++) {
+        cp->unpaid_impulse[3 * i + a] += f[a] * time;
+        cp->u_mean[3 * i + a] += v[a] * share;
+    }
+}
+
+/* k (u_f - v) [XS11 4.1]: known at once, and constant in the sub-step. */
+static void apply_frozen(struct simulation *sim, int i, double share)
+{
+    struct particles *const ps = sim->particles;
+    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    const double f[3] = {k * (u[0] - v[0]), k * (u[1] - v[1]),
+                         k * (u[2] - v[2])};
+
+    add_received(sim, i, f, v, share);
+    ps->ex[i] += f[0];
+    ps->ey[i] += f[1];
+    ps->ez[i] += f[2];
+}
+
+/* k u_f is constant; -k v is integrated with the motion. */
+static void apply_exponential(struct simulation *sim, int i)
+{
+    struct particles *const ps = sim->particles;
+    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+
+    ps->drag_coefficient[i] = k;
+    ps->ex[i] += k * u[0];
+    ps->ey[i] += k * u[1];
+    ps->ez[i] += k * u[2];
+    for (int a = 0; a < 3; a++)
+        ps->drag_impulse[3 * i + a] = 0.0;
+}
+
+void transfer_begin_substep(struct simulation *sim, int steps)
+{
+    const int n = sim->particles->n;
+    const int frozen =
+        sim->coupling->options.slip_integration == SLIP_INTEGRATION_FROZEN;
+    const double share = (double)steps / sim->dem_steps;
+
+#pragma omp parallel for schedule(static) if (n >= MANY)
+    for (int i = 0; i < n; i++)
+        if (frozen)
+            apply_frozen(sim, i, share);
+        else
+            apply_exponential(sim, i);
+}
+
+/* Mean drag f = k (u - v) over the sub-step, and the corresponding mean v. */
+void transfer_end_substep(struct simulation *sim, int steps)
+{
+    const struct particles *const ps = sim->particles;
+    const double share = (double)steps / sim->dem_steps, T = share * sim->dt;
+
+    if (sim->coupling->options.slip_integration == SLIP_INTEGRATION_FROZEN)
+        return;
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double k = ps->drag_coefficient[i];
+        const double *const u = &sim->coupling->u_f[3 * i];
+        double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]}, f[3];
+        for (int a = 0; a < 3; a++) {
+            const double held_back = ps->drag_impulse[3 * i + a] / T;
+            f[a] = k * u[a] + held_back;
+            if (k > 0.0) v[a] = -held_back / k;
+        }
+        add_received(sim, i, f, v, share);
+    }
+}

@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/bed.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_rng.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "base/thread_tuner.h"
+#include "dem/population/bed_file.h"
+#include "dem/limits.h"
+#include "dem/surfaces/surface_start.h"
+
+static const double closest = 1.02;   /* [-] lattice spacing over d */
+static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
+static const double settling_speed = 1.0; /* [m/s] that the step is made for */
+static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
+enum { STEPS_A_LOOK = 50 };
+
+struct lattice {
+    int up;          /* direction that gravity points along */
+    int down;        /* 1: gravity points to lo */
+    int n[3];        /* sites a direction; as many layers as needed */
+    double space[3]; /* [m] between sites */
+};
+
+static double length(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* The direction that g mostly points along; without gravity the longest. */
+static int upward(const struct bed_options *bed, const struct dem_options *dem)
+{
+    int up = 0;
+
+    for (int k = 1; k < 3; k++) {
+        const double own = fabs(bed->gravity[k]), best = fabs(bed->gravity[up]);
+        const double L = dem->hi[k] - dem->lo[k];
+        const double most = dem->hi[up] - dem->lo[up];
+        if (own > best || (own == best && L > most)) up = k;
+    }
+    return up;
+}
+
+static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
+                         const struct dem_options *dem)
+{
+    const double room = dem->hi[l->up] - dem->lo[l->up];
+    const double height = l->n[l->up] * l->space[l->up];
+
+    for (int k = 0; k < 3; k++)
+        if (l->n[k] == 0 && bed->count > 0) {
+            fprintf(stderr,
+                    "winnow: the bed does not fit: spheres of %g m in a box "
+                    "%g m wide\n",
+                    bed->diameter, dem->hi[k] - dem->lo[k]);
+            return 1;
+        }
+    if (height <= room) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: %d spheres of %g m on a lattice "
+            "need %g m of height, the box has %g m\n",
+            bed->count, bed->diameter, height, room);
+    return 1;
+}
+
+static struct lattice lattice_of(const struct bed_options *bed,
+                                 const struct dem_options *dem)
+{
+    const double least = closest * bed->diameter;
+    struct lattice l = {.up = upward(bed, dem)};
+    long layer = 1;
+
+    l.down = bed->gravity[l.up] <= 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double L = dem->hi[k] - dem->lo[k];
+        l.n[k] = L >= least ? number_clamped(L / least, 1, INT_MAX)
+                            : L >= bed->diameter;
+        l.space[k] = k == l.up ? least : L / fmax(1.0, l.n[k]);
+        if (k != l.up) layer *= l.n[k];
+    }
+    if (layer > 0) l.n[l.up] = (int)((bed->count + layer - 1) / layer);
+    return l;
+}
+
+/* The diameters, drawn with numbers of their own, so that jitter and sizes do
+ * not depend on each other. */
+static double *draw_sizes(const struct bed_options *bed)
+{
+    double *const d = alloc_doubles(bed->count);
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
+
+    gsl_rng_set(random, bed->seed);
+    for (int i = 0; i < bed->count; i++)
+        d[i] = bed->sizes == NULL
+                   ? bed->diameter
+                   : sizes_quantile(bed->sizes, gsl_rng_uniform(random));
+    gsl_rng_free(random);
+    return d;
+}
+
+struct bed_range bed_range(const struct bed_options *bed)
+{
+    double *const d = draw_sizes(bed);
+    struct bed_range r = {bed->diameter, bed->diameter, 0.0};
+
+    for (int i = 0; i < bed->count; i++) {
+        r.min = i == 0 ? d[i] : fmin(r.min, d[i]);
+        r.max = i == 0 ? d[i] : fmax(r.max, d[i]);
+        r.volume += M_PI / 6.0 * gsl_pow_3(d[i]);
+    }
+    free(d);
+    return r;
+}
+
+/* Sphere after sphere to the sites of the lattice. */
+static void fill_lattice(struct particles *ps, const struct lattice *l,
+                         const double *d, const struct bed_options *bed,
+                         const struct dem_options *dem)
+{
+    const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(random, bed->seed);
+    for (int i = 0; i < bed->count; i++) {
+        int site[3];
+        double x[3];
+
+        site[a] = i % l->n[a];
+        site[c] = i / l->n[a] % l->n[c];
+        site[l->up] = i / l->n[a] / l->n[c];
+        for (int k = 0; k < 3; k++) {
+            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double shift = room * (gsl_rng_uniform(random) - 0.5);
+            const double at = (site[k] + 0.5) * l->space[k] + shift;
+            x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
+        }
+        particles_add(ps, x, d[i], bed->density);
+    }
+    gsl_rng_free(random);
+}
+
+/* The same if some sites have no space: tries site after site until all spheres
+ * are placed. Non-zero after a message if there are too few sites. */
+static int fill_room(struct particles *ps, const struct lattice *l,
+                     const double *d, const struct bed_options *bed,
+                     const struct dem_options *dem)
+{
+    const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
+    const double height = dem->hi[l->up] - dem->lo[l->up];
+    const long layer = (long)l->n[a] * l->n[c];
+    const double sites = (double)layer * floor(height / l->space[l->up]);
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+    int i = 0;
+
+    gsl_rng_set(random, bed->seed);
+    for (long q = 0; (double)q < sites && i < bed->count; q++) {
+        long site[3];
+        double x[3];
+        site[a] = q % l->n[a];
+        site[c] = q / l->n[a] % l->n[c];
+        site[l->up] = q / layer;
+        for (int k = 0; k < 3; k++) {
+            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double shift = room * (gsl_rng_uniform(random) - 0.5);
+            const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
+            x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
+        }
+        if (!bed->region.has_room(bed->region.state, x, 0.5 * d[i])) continue;
+        particles_add(ps, x, d[i], bed->density);
+        i++;
+    }
+    gsl_rng_free(random);
+    if (i == bed->count) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: the mesh has room for %d of its %d "
+            "spheres on a lattice\n",
+            i, bed->count);
+    return 1;
+}
+
+int bed_fill(struct particles *ps, const struct bed_options *bed,
+             const struct dem_options *dem)
+{
+    struct bed_options widest = *bed;
+
+    widest.diameter = bed_range(bed).max;
+    const struct lattice l = lattice_of(&widest, dem);
+    const int anywhere = bed->region.has_room == NULL;
+    if (anywhere && lattice_wrong(&l, &widest, dem)) return 1;
+    double *const d = draw_sizes(bed);
+    int wrong = 0;
+    if (anywhere)
+        fill_lattice(ps, &l, d, bed, dem);
+    else
+        wrong = fill_room(ps, &l, d, bed, dem);
+    free(d);
+    return wrong;
+}
+
+/* While a bed of several sizes settles, small spheres have the inertia of the
+ * mean one, because otherwise the step would have to resolve their short
+ * impacts; the state of rest depends on the weights alone. Returns their own
+ * masses, sorted with the particles from now on; NULL with one size. */
+static double *set_added_mass(struct particles *ps,
+                              const struct bed_options *bed)
+{
+    const double mean = bed->density * M_PI / 6.0 * gsl_pow_3(bed->diameter);
+
+    if (bed->sizes == NULL) return NULL;
+    double *const own = alloc_doubles(ps->capacity);
+    memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
+    particles_attach(ps, own, 1);
+    for (int i = 0; i < ps->n; i++)
+        ps->m[i] = fmax(own[i], mean);
+    return own;
+}
+
+static void clear_added_mass(struct particles *ps, double *own)
+{
+    if (own == NULL) return;
+    memcpy(ps->m, own, (size_t)ps->n * sizeof *own);
+    particles_detach(ps, own);
+    free(own);
+}
+
+static void set_weight(struct particles *ps, const double *m, const double g[3])
+{
+    for (int i = 0; i < ps->n; i++) {
+        ps->ex[i] = m[i] * g[0];
+        ps->ey[i] = m[i] * g[1];
+        ps->ez[i] = m[i] * g[2];
+    }
+}
+
+static void slow_down(struct particles *ps, double factor)
+{
+    double *const all[] = {ps->vx, ps->vy, ps->vz, ps->wx, ps->wy, ps->wz};
+
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < ps->n; i++)
+            all[k][i] *= factor;
+}
+
+/* Runs until the bed is at rest, at the earliest after `least` [s]; multiplies
+ * all velocities by `kept` at each check. */
+static int run_to_rest(struct dem *run, double dt, double least, double kept,
+                       const struct bed_options *bed, struct particles *ps,
+                       struct bed_report *r)
+{
+    const double end = r->time + least;
+    struct thread_tuner crew;
+    double mass = 0.0;
+    int lost;
+
+    for (int i = 0; i < ps->n; i++)
+        mass += ps->m[i];
+    const double weight = mass * length(bed->gravity);
+
+    thread_tuner_use_all(&crew);
+    do {
+        thread_tuner_begin(&crew);
+        lost = dem_run(run, STEPS_A_LOOK, &r->dem);
+        thread_tuner_end(&crew);
+        r->steps += r->dem.steps;
+        r->time += (double)r->dem.steps * dt;
+        r->kinetic =
+            (r->dem.translation + r->dem.rotation) / (weight * bed->diameter);
+        r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= end;
+        if (kept < 1.0) slow_down(ps, kept);
+    } while (!lost && !r->settled && r->time < bed->settle);
+    thread_tuner_restore(&crew);
+    return lost;
+}
+
+/* Settles first with settling_e and a viscous drag, without which rolling
+ * spheres would not stop; for at least the time in which a sphere falls by its
+ * diameter, because all are at rest at the start. Then settles with the real
+ * material. */
+static int settle(struct particles *ps, const struct bed_options *bed,
+                  const struct dem_options *o, struct bed_report *r,
+                  struct bed_springs *springs)
+{
+    const double fall = sqrt(bed->diameter / length(bed->gravity));
+    struct dem_options settling = *o;
+
+    settling.material.restitution = fmin(settling_e, o->material.restitution);
+    settling.step = limits_step(o->law, &o->material, bed->diameter,
+                                bed->density, settling_speed);
+    const double look = STEPS_A_LOOK * settling.step;
+    const double kept = exp(-look / (settling_drag * fall));
+    struct dem *const run = dem_create(ps, &settling);
+    if (run == NULL) return -1;
+    double *const own = set_added_mass(ps, bed);
+    set_weight(ps, ps->m, bed->gravity);
+    int lost = run_to_rest(run, settling.step, 1.5 * fall, kept, bed, ps, r);
+    if (!lost && r->settled) {
+        dem_change_material(run, &o->material);
+        if (own != NULL) set_weight(ps, own, bed->gravity);
+        lost = run_to_rest(run, settling.step, 0.0, 1.0, bed, ps, r);
+    }
+    springs->list = dem_springs(run, &springs->n);
+    dem_free(run);
+    clear_added_mass(ps, own);
+    set_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});
+    return lost;
+}
+
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_springs *springs)
+{
+    int lost = 0;
+
+    *springs = (struct bed_springs){0, NULL};
+    *r = (struct bed_report){.settled = 1};
+    if (ps->n > 0 && bed->settle > 0.0 && length(bed->gravity) > 0.0)
+        lost = settle(ps, bed, dem, r, springs);
+    bed_measure(ps, bed, dem, r);
+    return lost;
+}
+
+void bed_measure(const struct particles *ps, const struct bed_options *bed,
+                 const struct dem_options *dem, struct bed_report *r)
+{
+    const struct lattice l = lattice_of(bed, dem);
+    const double *const x = l.up == 0 ? ps->x : l.up == 1 ? ps->y : ps->z;
+    const int a = (l.up + 1) % 3, c = (l.up + 2) % 3;
+    const double base = (dem->hi[a] - dem->lo[a]) * (dem->hi[c] - dem->lo[c]);
+    double volume = 0.0, sum = 0.0;
+
+    r->top = 0.0;
+    for (int i = 0; i < ps->n; i++) {
+        const double h = l.down ? x[i] - dem->lo[l.up] : dem->hi[l.up] - x[i];
+        sum += h;
+        volume += particles_volume(ps, i);
+        r->top = fmax(r->top, h + 0.5 * ps->d[i]);
+    }
+    r->height = ps->n > 0 ? 2.0 * sum / ps->n : 0.0;
+    r->packing = ps->n > 0 ? volume / (base * r->height) : 0.0;
+}
+
+int bed_create(const char *path, struct particles *ps, struct dem *run,
+               const struct bed_options *bed, const struct dem_options *dem,
+               struct bed_report *r)
+{
+    struct bed_springs springs = {0, NULL};
+    int code = BED_ABSENT;
+
+    *r = (struct bed_report){.settled = 1};
+    if (path != NULL) code = bed_file_load(path, ps, &springs, bed, dem);
+    if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
+    if (code == BED_ABSENT) {
+        if (bed_fill(ps, bed, dem) != 0 ||
+            surface_start_wrong(ps, dem->surfaces, dem->n_surfaces))
+            return BED_REFUSED;
+        const int wrong = bed_settle(ps, bed, dem, r, &springs);
+        code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_CREATED;
+        if (path != NULL && code == BED_CREATED &&
+            bed_file_save(path, ps, &springs, bed, dem) != 0)
+            code = BED_UNSAVED;
+    }
+    if (code == BED_CREATED) dem_restore_springs(run, springs.list, springs.n);
+    free(springs.list);
+    return code;
+}

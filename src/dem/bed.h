@@ -1,0 +1,86 @@
+/* bed.h -- the particles before time 0: a settled bed.  Chapter 2.
+ *
+ * Spheres on a cubic lattice, from the bottom up, each shifted at random within
+ * its site; then they settle under gravity, first with a very dissipative
+ * material and a drag, so that the bed comes to rest soon, then with the real
+ * material. The same options give the same bed, bit for bit. With several sizes
+ * the lattice is that of the largest, and sizes are assigned to sites at
+ * random.
+ */
+#ifndef DEM_BED_H
+#define DEM_BED_H
+
+#include "dem/dem.h"
+#include "dem/population/placement_region.h"
+#include "dem/population/sizes.h"
+
+struct bed_options {
+    int count;                 /* [-] */
+    double diameter;           /* [m] of all, or the mean of sizes */
+    const struct sizes *sizes; /* borrowed; NULL: all have that diameter */
+    double density;            /* [kg/m^3] */
+    unsigned long seed;        /* [-] of the jitter */
+    double jitter; /* [-] random shift over the free space of a site, 0 ... 1 */
+    double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
+                          are those of the dem_options */
+    double settle;     /* [s] longest time; 0 leaves the lattice */
+    struct placement_region region; /* sites without space stay empty */
+};
+
+struct bed_report {
+    int settled;    /* [-] 1: kinetic is below BED_SETTLED_ENERGY */
+    double kinetic; /* [-] kinetic energy a particle over m g d */
+    double time;    /* [s] that settling took */
+    long steps;     /* [-] */
+    double height;  /* [m] twice the mean height of the centres */
+    double top;     /* [m] highest point of any particle over the bottom */
+    double packing; /* [-] volume of the particles over base times height */
+    struct dem_report dem; /* of the last run */
+};
+
+/* A bed is settled when a particle has, on average, less kinetic energy than
+ * it gains by falling this part of its diameter [-]. */
+#define BED_SETTLED_ENERGY 1e-5
+
+/* The springs of a settled bed (dem.h). */
+struct bed_springs {
+    int n;
+    struct dem_spring *list; /* released with free() */
+};
+
+/* Creates the bed: reads it from the file, if path is not NULL and the file
+ * exists; else fills the lattice, settles it, and writes the file. ps has
+ * capacity for it; `run` was created for ps with `dem` and starts with the
+ * tangential displacements of the bed. A bed that was read and one that was
+ * settled continue identically, bit for bit. Non-zero after a message,
+ * BED_UNSAVED if the file cannot be written; BED_LOST without one if a particle
+ * is lost (see r->dem). */
+enum { BED_CREATED, BED_ABSENT, BED_REFUSED, BED_LOST, BED_UNSAVED };
+int bed_create(const char *path, struct particles *ps, struct dem *run,
+               const struct bed_options *bed, const struct dem_options *dem,
+               struct bed_report *r);
+
+/* Of the diameters that its seed draws: the smallest and the largest [m], and
+ * the volume of all spheres [m^3]. */
+struct bed_range {
+    double min, max, volume;
+};
+struct bed_range bed_range(const struct bed_options *bed);
+
+/* Its parts. Adds the lattice to ps; non-zero after a message if the box is
+ * too small. */
+int bed_fill(struct particles *ps, const struct bed_options *bed,
+             const struct dem_options *dem);
+
+/* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
+ * negative after a message if there is no room to run in. A
+ * bed that is not settled in time is not an error here: see r->settled. */
+int bed_settle(struct particles *ps, const struct bed_options *bed,
+               const struct dem_options *dem, struct bed_report *r,
+               struct bed_springs *springs);
+
+/* Height and packing of what is in ps. */
+void bed_measure(const struct particles *ps, const struct bed_options *bed,
+                 const struct dem_options *dem, struct bed_report *r);
+
+#endif

@@ -1,0 +1,29 @@
+/* capillary.h -- the force of a capillary bridge. Chapter 17.
+ *
+ *   F = -2 pi R* gamma cos theta                                [LS 4.15]
+ *
+ * gamma is the surface tension, theta the angle of contact. The bridge of
+ * little liquid pulls as hard however far apart the two are, and is gone where
+ * the gap is longer than the range, in LS at once when they part.
+ *
+ * LS takes the mean of the radii for R*, which is right for equal spheres. For
+ * unequal ones Derjaguin's geometry gives the harmonic mean 2 R_i R_j/(R_i +
+ * R_j); the mean would make the bridge between a grain and a boulder as strong
+ * as the boulder is large. For a wall it has no value, so there we always take
+ * the harmonic one, 2 R: F = -4 pi R gamma cos theta.
+ */
+#ifndef DEM_COHESION_CAPILLARY_H
+#define DEM_COHESION_CAPILLARY_H
+
+#include "dem/cohesion/attraction.h"
+
+extern const struct attraction_law capillary;
+
+/* [m] R*: the mean of the radii [LS 4.15], and Derjaguin's. */
+double capillary_mean(double R_i, double R_j);
+double capillary_harmonic_mean(double R_i, double R_j);
+
+/* [N] negative: it pulls; tension = gamma cos theta [N/m]. */
+double capillary_force(double tension, double R_star);
+
+#endif

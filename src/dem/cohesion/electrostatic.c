@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/cohesion/electrostatic.h"
+
+#include <gsl/gsl_math.h>
+
+#include "dem/cohesion/attraction_sweep.h"
+
+static const double eps_0 = 8.8541878128e-12; /* [F/m] of the vacuum */
+
+double electrostatic_force(double q_i, double q_j, double eps_r, double l)
+{
+    return q_i * q_j / (4.0 * M_PI * eps_0 * eps_r * l * l); /* [LS 4.13] */
+}
+
+static double pair(const struct attraction *a, int of_i, int of_j, double R_i,
+                   double R_j, double gap)
+{
+    return electrostatic_force(a->charge[of_i], a->charge[of_j], a->strength,
+                               R_i + R_j + gap);
+}
+
+static void sweep(struct chunk *s, const struct bodies *b,
+                  const struct attraction *a)
+{
+    attraction_loop(s, b, a, pair, NULL);
+}
+
+const struct attraction_law electrostatic = {"electrostatic", sweep};

@@ -1,0 +1,93 @@
+/* contact.h -- the force between two touching spheres.  Chapter 2.
+ *
+ * n points from particle j to particle i, delta = R_i + R_j - |x_i - x_j| is
+ * the overlap. On particle i act
+ *
+ *   F_n = (elastic(delta) - eta_n v_n) n                       [LS 4.4, 4.7]
+ *   F_t = -k_t xi - eta_t v_t,   |F_t| <= mu |F_n|             [LS 4.8]
+ *
+ * and on particle j their negatives. v is the relative velocity of the two
+ * surfaces at the contact, xi the spring that v_t has drawn since they first
+ * touched. A law defines elastic, eta_n, k_t and eta_t; everything else is the
+ * same for all laws (contact_sweep.h). A wall is a sphere of infinite mass and
+ * radius, of the same material.
+ */
+#ifndef DEM_CONTACT_H
+#define DEM_CONTACT_H
+
+struct bodies;
+struct chunk;
+
+/* The material of grains and walls. */
+struct material {
+    double young;       /* [Pa] E; law "hertz" */
+    double poisson;     /* [-] nu; law "hertz" */
+    double stiffness;   /* [N/m] k; law "linear" */
+    double tangential;  /* [-] k_t / k of law "linear"; 0: 2/7 */
+    double restitution; /* [-] e; 0: critical damping [LS 4.11, 4.12] */
+    double friction;    /* [-] mu */
+    double rolling;     /* [-] mu_r: resists M <= mu_r R* F_n; 0: none */
+    double charge;      /* [C] of a sphere (electrostatic.h) */
+};
+
+/* The properties of a pair of materials (materials.h). */
+struct material_pair {
+    const struct material *of[2]; /* each one's elastic constants */
+    double stiffness;             /* [N/m] k; law "linear" */
+    double tangential;            /* [-] k_t / k of law "linear"; 0: 2/7 */
+    double restitution;           /* [-] e */
+    double friction;              /* [-] mu */
+    double rolling;               /* [-] mu_r */
+};
+
+/* The constants of a law in the loop, computed once. */
+struct contact_constants {
+    double normal;     /* linear: k [N/m]; hertz: E* [Pa] */
+    double tangential; /* linear: k_t [N/m]; hertz: G* [Pa] */
+    double damping_n;  /* [-] damping ratio, normal */
+    double damping_t;  /* [-] eta_t / eta_n */
+    double friction;   /* [-] mu */
+    double rolling;    /* [-] mu_r */
+};
+
+/* Adds the forces of contacts first ... last - 1 of a chunk of particles to its
+ * loads; the springs move on by dt [s]. There is no function call for each
+ * contact. With several materials k is a table: row a, column b for materials a
+ * and b. */
+typedef void contact_sweep(struct chunk *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt,
+                           int first, int last);
+
+/* Options of a contact loop; each law has a compiled loop for every
+ * combination, so that unused options cost nothing. */
+enum {
+    CONTACT_PERIODIC = 1,       /* directions that are */
+    CONTACT_MULTI_MATERIAL = 2, /* materials */
+    CONTACT_ROLLING =
+        4, /* friction; only with the table of CONTACT_MULTI_MATERIAL */
+    CONTACT_BUDGET = 8, /* of energy; only with that table, too */
+    CONTACT_LOOPS = 16
+};
+
+struct contact_law {
+    const char *name; /* as a case spells it */
+    const char *cite; /* keys in chapters/references.md */
+    const char *what; /* one line */
+    struct contact_constants (*constants)(const struct material_pair *p);
+    /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
+    double (*duration)(const struct material *m, double R_star, double m_star,
+                       double v);
+    double stored; /* [-] elastic energy over elastic(delta) delta */
+    contact_sweep *sweep[CONTACT_LOOPS];
+};
+
+/* All laws, ended by NULL; contact_law_named: NULL for an unknown name. */
+extern const struct contact_law *const contact_laws[];
+const struct contact_law *contact_law_named(const char *name);
+
+/* Damping ratio zeta with which a linear oscillator has the fraction e of its
+ * speed after half a period: -ln e / sqrt(pi^2 + ln^2 e) [LS 4.4]; 1 at e = 0.
+ */
+double contact_damping_ratio(double e);
+
+#endif

@@ -1,0 +1,66 @@
+/* contact_hertz.h -- elastic spheres after Hertz and Mindlin.  Chapter 2.
+ *
+ *   F_n = (4/3) E* sqrt(R*) delta^(3/2)                        [LS 4.7, 4.9]
+ *   k_t = 8 G* sqrt(R*) sqrt(delta)                            [LS 4.10]
+ *   eta = 2 sqrt(5/6) zeta sqrt(S m*)       [LS 4.12, with e instead of 0]
+ *
+ * with S_n = 2 E* sqrt(R* delta) for the normal dashpot and S_t = k_t for the
+ * tangential one; zeta belongs to e (contact_damping_ratio). The factor
+ * sqrt(5/6) is what makes the rebound keep e of its speed for a force that
+ * grows as delta^(3/2); as with the linear law the contact ends at delta = 0.
+ */
+#ifndef DEM_CONTACT_HERTZ_H
+#define DEM_CONTACT_HERTZ_H
+
+#include <math.h>
+
+#include "dem/contact.h"
+
+extern const struct contact_law contact_hertz;
+
+/* E* [Pa]: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j [LS 4.9]. */
+double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j);
+
+/* G* [Pa]: 1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j, G = E/(2 (1 + nu)).
+ * [LS 4.10] prints 1 - nu^2 for 2 - nu here; this is Mindlin's. */
+double contact_hertz_shear(double E_i, double nu_i, double E_j, double nu_j);
+
+/* R* = R_i R_j / (R_i + R_j) [m]. */
+double contact_hertz_radius(double R_i, double R_j);
+
+/* [N/m^1.5] k_n = (4/3) E* sqrt(R*) [LS 4.9]. */
+double contact_hertz_stiffness(double E_star, double R_star);
+
+/* [s] of an elastic head-on impact at v [m/s]: 2.9432 delta_max / v. */
+double contact_hertz_time(double E_star, double R_star, double m_star,
+                          double v);
+
+/* [N] k_n delta^(3/2) [LS 4.7]. */
+static inline double contact_hertz_force(double E_star, double R_star,
+                                         double delta)
+{
+    return 4.0 / 3.0 * E_star * sqrt(R_star * delta) * delta;
+}
+
+/* [N/m] k_t = 8 G* sqrt(R*) sqrt(delta) [LS 4.10]. */
+static inline double contact_hertz_tangential(double G_star, double R_star,
+                                              double delta)
+{
+    return 8.0 * G_star * sqrt(R_star * delta);
+}
+
+/* [N/m] S_n = dF_n/d delta = 2 E* sqrt(R* delta). */
+static inline double contact_hertz_slope(double E_star, double R_star,
+                                         double delta)
+{
+    return 2.0 * E_star * sqrt(R_star * delta);
+}
+
+/* [kg/s] 2 sqrt(5/6) zeta sqrt(S m*). */
+static inline double contact_hertz_damping(double zeta, double S, double m_star)
+{
+    const double root = 0.91287092917527685576; /* sqrt(5/6) */
+    return 2.0 * root * zeta * sqrt(S * m_star);
+}
+
+#endif

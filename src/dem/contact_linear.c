@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/contact_linear.h"
+
+#include <gsl/gsl_math.h>
+
+#include "dem/fast/contact_sweep.h"
+
+static const double sticking_mass = 2.0 / 7.0; /* [-] of m*, for a sphere */
+
+double contact_linear_damping(double k, double e, double m_i, double m_j)
+{
+    return contact_linear_dashpot(contact_damping_ratio(e), k,
+                                  contact_linear_mass(m_i, m_j));
+}
+
+double contact_linear_time(double k, double e, double m_star)
+{
+    const double eta = contact_linear_damping(k, e, 2 * m_star, 2 * m_star);
+    const double decay = eta / (2.0 * m_star);
+    const double w2 = k / m_star - decay * decay;
+
+    return w2 > 0.0 ? M_PI / sqrt(w2) : HUGE_VAL; /* [LS 4.4] */
+}
+
+static struct contact_constants constants(const struct material_pair *p)
+{
+    const double ratio = p->tangential > 0.0 ? p->tangential : sticking_mass;
+    return (struct contact_constants){
+        .normal = p->stiffness,
+        .tangential = ratio * p->stiffness,
+        .damping_n = contact_damping_ratio(p->restitution),
+        .damping_t = sqrt(sticking_mass * ratio),
+        .friction = p->friction,
+        .rolling = p->rolling,
+    };
+}
+
+static double duration(const struct material *m, double R_star, double m_star,
+                       double v)
+{
+    (void)R_star, (void)v; /* a linear spring takes its time at any speed */
+    return contact_linear_time(m->stiffness, m->restitution, m_star);
+}
+
+SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
+                                           double delta, double inverse_R,
+                                           double inverse_m)
+{
+    const double eta =
+        contact_linear_dashpot(k->damping_n, k->normal, 1.0 / inverse_m);
+
+    (void)inverse_R;
+    return (struct sweep_response){
+        .elastic = contact_linear_force(k->normal, delta),
+        .eta_n = eta,
+        .k_t = k->tangential,
+        .eta_t = k->damping_t * eta,
+    };
+}
+
+SWEEP_LOOPS(respond)
+
+const struct contact_law contact_linear = {
+    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
+    duration, 0.5,           SWEEP_LOOPS_TABLE};

@@ -1,0 +1,49 @@
+/* contact_linear.h -- spring and dashpot.  Chapter 2.
+ *
+ *   m* delta'' + eta delta' + k delta = 0                           [LS 4.4]
+ *   eta = -2 ln e sqrt(m* k) / sqrt(pi^2 + ln^2 e)
+ *
+ * Two spheres part when delta is back at 0, after half a period, with e of
+ * their speed. Shortly before, the dashpot holds them back by more than the
+ * spring pushes: the force is attractive then, and we leave it, because only
+ * so is e what was asked for.
+ *
+ * Tangentially the mass that a sticking contact moves is (2/7) m*, since a
+ * sphere answers by rolling too. We take k_t = (2/7) k, which gives the spring
+ * xi the same period as the overlap, and eta_t for the same share of critical
+ * damping: a sticking contact then gives back e of its surface speed.
+ */
+#ifndef DEM_CONTACT_LINEAR_H
+#define DEM_CONTACT_LINEAR_H
+
+#include <math.h>
+
+#include "dem/contact.h"
+
+extern const struct contact_law contact_linear;
+
+/* m* = m_i m_j / (m_i + m_j) [kg]. */
+static inline double contact_linear_mass(double m_i, double m_j)
+{
+    return m_i * m_j / (m_i + m_j);
+}
+
+/* [N] elastic part of the normal force [LS 4.4]. */
+static inline double contact_linear_force(double k, double delta)
+{
+    return k * delta;
+}
+
+/* [kg/s] dashpot of a spring k on a mass m at the share zeta of critical. */
+static inline double contact_linear_dashpot(double zeta, double k, double m)
+{
+    return 2.0 * zeta * sqrt(k * m);
+}
+
+/* [kg/s] eta of [LS 4.4]. */
+double contact_linear_damping(double k, double e, double m_i, double m_j);
+
+/* [s] t_c = pi / sqrt(k / m* - (eta / 2 m*)^2) [LS 4.4]. */
+double contact_linear_time(double k, double e, double m_star);
+
+#endif

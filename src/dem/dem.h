@@ -1,0 +1,118 @@
+/* dem.h -- the motion of the particles.  Chapter 2.
+ *
+ *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
+ *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
+ *
+ * with the contact forces F_c and torques T_c of contact.h, to which the
+ * attractions of attraction.h are added, and an outside force F (gravity, the
+ * fluid) that is constant during a run. The integrator is velocity Verlet; the
+ * force is evaluated with the velocity half a step earlier, which needs one
+ * evaluation a step and is of second order for forces without damping.
+ *
+ * The result has the same bits for any number of threads. During a run only
+ * lists that have become too short are allocated again.
+ */
+#ifndef DEM_DEM_H
+#define DEM_DEM_H
+
+#include "dem/dem_options.h"
+#include "dem/particles.h"
+#include "dem/surfaces/surface.h"
+
+struct dem_report {
+    long steps;         /* [-] of this run, that were done */
+    long rebuilds;      /* [-] of the neighbour list, in this run */
+    int contacts;       /* [-] touching at the end, walls included */
+    double max_overlap; /* [-] largest of the run, over the mean diameter
+                           of the two */
+    double max_speed;   /* [m/s] at the end */
+    double translation; /* [J] kinetic energy at the end, (1/2) m v^2 */
+    double rotation;    /* [J] and (1/2) I omega^2 */
+    int lost;    /* [-] particles that left the box by more than their radius or
+                    whose position is not finite */
+    int lost_id; /* [-] the first of them; -1: none */
+    double lost_at[3]; /* [m] where it was found */
+    int lost_through;  /* [-] the surface that it passed through; -1: none */
+};
+
+struct dem;
+struct energy;
+
+/* Whether a periodic direction is too short for spheres of up to `widest` [m]
+ * that have this mean diameter; then after a message. */
+int dem_period_wrong(const struct dem_options *o, double widest, double mean);
+
+/* ps is borrowed. NULL after a message if the options do not fit. */
+struct dem *dem_create(struct particles *ps, const struct dem_options *o);
+void dem_free(struct dem *dem);
+
+/* Moves the particles by this number of steps. Non-zero if one is lost (the run
+ * ends when this is found) or if an overlap was deeper than dem_limit_overlap
+ * allows. The order of the particles may have changed. */
+int dem_run(struct dem *dem, int steps, struct dem_report *r);
+
+/* The deepest overlap of all runs so far, if it is deeper than expected. */
+struct dem_overlap {
+    double depth;  /* [-] over the mean diameter of the two */
+    int id, other; /* [-] the two ids; -1: no overlap was deeper than expected.
+                      other: -1 - w for wall w = 2 k or 2 k + 1 of direction k,
+                      -7 - f for surface f */
+    double at[3];  /* [m] centre of the first */
+    double expected; /* [-] as it was given */
+    double most;     /* [-] likewise */
+};
+
+/* Records overlaps deeper than `expected`; those deeper than `most` make a run
+ * fail. Both are over the mean diameter of the two [-]. */
+void dem_limit_overlap(struct dem *dem, double expected, double most);
+struct dem_overlap dem_deepest(const struct dem *dem);
+
+/* Computes the budget of energy.h from now on. dem_energy: the budget after the
+ * last run; NULL if there is none. */
+void dem_start_energy_budget(struct dem *dem);
+const struct energy *dem_energy(const struct dem *dem);
+
+/* The caller calls this after moving or adding particles. Tangential
+ * displacements stay with their pairs as long as the indices are unchanged. */
+void dem_changed(struct dem *dem);
+
+/* Starts the prescribed motions at this number of steps; before that, surfaces
+ * and prescribed particles rest at their positions of time 0. */
+void dem_clock(struct dem *dem, long steps);
+
+/* Impulse and work of the particles on surface k since the run began. */
+struct dem_surface {
+    double impulse[3]; /* [N s] force over time */
+    double angular[3]; /* [N m s] torque about the centre of its motion */
+    double work;       /* [J] that it did on the particles */
+    struct pose pose;  /* where it is */
+};
+struct dem_surface dem_surface(const struct dem *dem, int k);
+
+/* Removes the particles i with gone[i] between two runs. The others keep their
+ * tangential displacements. */
+void dem_remove(struct dem *dem, const int *gone);
+
+/* The tangential displacements of all touching pairs: together with the
+ * particles they are the whole state. `other` is an id too, or -1 - w for wall
+ * w; w = 2 k is the lower and 2 k + 1 the upper wall of direction k, 6 any
+ * surface. */
+struct dem_spring {
+    int id, other;
+    double xi[3];         /* [m] of id against other */
+    double roll_angle[3]; /* [rad] theta likewise; 0 without rolling friction */
+    double n[3]; /* [-] of the contact with a surface, to know it again */
+};
+
+/* A new list of them, released with free(). */
+struct dem_spring *dem_springs(struct dem *dem, int *n);
+
+/* Starts the next run with these tangential displacements and no others;
+ * entries of particles that do not exist are ignored. */
+void dem_restore_springs(struct dem *dem, const struct dem_spring *list, int n);
+
+/* Changes restitution or friction of material 0; the tangential displacements
+ * are unchanged. */
+void dem_change_material(struct dem *dem, const struct material *m);
+
+#endif

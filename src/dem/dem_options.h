@@ -1,0 +1,35 @@
+/* dem_options.h -- options of the motion of the particles. Chapter 2.
+ *
+ * An option that a case does not set is 0 here and has no effect.
+ */
+#ifndef DEM_DEM_OPTIONS_H
+#define DEM_DEM_OPTIONS_H
+
+#include "dem/cohesion/attraction.h"
+#include "dem/surfaces/prescribed_particles.h"
+#include "dem/integrators.h"
+#include "dem/materials.h"
+#include "dem/surfaces/surface.h"
+
+struct dem_options {
+    const struct contact_law *law;
+    struct material material;          /* number 0 */
+    const struct materials *materials; /* with others; NULL: there is no other.
+                                          Borrowed for as long as the dem is */
+    const struct integrator *integrator; /* NULL: velocity Verlet */
+    double step;                         /* [s] */
+    int link_cells;      /* [-] 1: no list, but all pairs sought in each step */
+    double skin;         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3]; /* [m] walls of the box */
+    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
+                            least 2 (d + skin + range) long there */
+    const struct surface *surfaces; /* walls besides the box; borrowed */
+    int n_surfaces;
+    const struct attraction *attractions; /* borrowed likewise */
+    int n_attractions;                    /* [-] 0: only touching counts */
+    const struct prescribed_particle
+        *prescribed; /* particles that move as prescribed; borrowed */
+    int n_prescribed;
+};
+
+#endif

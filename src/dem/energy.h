@@ -1,0 +1,42 @@
+/* energy.h -- the energy budget of the particles. Chapter 15.
+ *
+ *   kinetic + normal + tangential
+ *       + damped_n + damped_t + slid + released + rolled
+ *     = work + attracted + walls + brought
+ *
+ * up to the error of the integrator. It is computed only if a case needs it.
+ */
+#ifndef DEM_ENERGY_H
+#define DEM_ENERGY_H
+
+#include "dem/fast/neighbours.h"
+
+struct energy {
+    /* Now there. */
+    double kinetic; /* [J] of translation and rotation, and of the added mass */
+    double normal, tangential; /* [J] in the springs of the contacts */
+    /* Gone since the first run. */
+    double damped_n, damped_t; /* [J] in the dashpots */
+    double slid;               /* [J] by friction where it slides */
+    double released;           /* [J] by tangential springs that turn, part, or
+                                  soften as the overlap shrinks; less what they
+                                  gain as it grows */
+    double rolled;             /* [J] against rolling friction */
+    /* Come since then. */
+    double work;      /* [J] of the outside forces: gravity, the fluid */
+    double attracted; /* [J] work of the attractions, returned on separation
+                         where the force is conservative */
+    double walls;     /* [J] of surfaces that move, and of what moves the
+                         particles that move as prescribed */
+    double added; /* [J] by particles that were inserted, removed or given other
+                     velocities between two runs */
+};
+
+/* The left side less the right one [J]. */
+double energy_residual(const struct energy *e);
+
+/* Sums all terms but `brought` over the chunks; elastic: the stored energy of a
+ * contact over force times overlap. */
+struct energy energy_collect(const struct neighbours *nb, double elastic);
+
+#endif

@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/chunk.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "dem/fast/chunk_gap.h"
+
+/* A chunk has at least CHUNK_LEAST particles, so that the loads on the
+ * following chunks are a small part of its work; the number of chunks is a
+ * power of two, which divides evenly among the threads of most machines. The
+ * contact loop processes CHUNK_LANES contacts at a time (contact_sweep.h): this
+ * number of slots is kept free after the last contact, and a block ends at a
+ * multiple of it. */
+enum {
+    CHUNK_LEAST = 1000,
+    CHUNK_MOST = 64,
+    CHUNK_BLOCK = 512,
+    CHUNK_LANES = 64
+};
+
+int chunk_count(int n)
+{
+    int count = 1;
+
+    while (count < CHUNK_MOST && 2 * count * CHUNK_LEAST <= n)
+        count *= 2;
+    return count;
+}
+
+void chunk_release(struct chunk *s)
+{
+    struct neighbour_list *const lists[] = {&s->pairs, &s->walls};
+
+    for (int l = 0; l < 2; l++) {
+        free(lists[l]->start);
+        free(lists[l]->partner);
+        free(lists[l]->xi);
+        free(lists[l]->roll_angle);
+    }
+    for (int k = 0; k < 3; k++) {
+        free(s->contacts.xi[k]);
+        free(s->contacts.roll_angle[k]);
+    }
+    free(s->contacts.owner);
+    free(s->contacts.partner);
+    free(s->contacts.list_index);
+    free(s->load);
+    free(s->blocks);
+    free(s->history);
+}
+
+/* A larger array with the `used` first items of the old one, which is freed. */
+static void *grown(void *old, int used, int capacity, size_t size)
+{
+    void *const larger = alloc_zeroed((size_t)capacity, size);
+
+    if (used > 0) memcpy(larger, old, (size_t)used * size);
+    free(old);
+    return larger;
+}
+
+/* Half as much again as needed, so that no array grows any more after a few
+ * rebuilds. */
+static int roomy(int needed)
+{
+    return needed + needed / 2 + 64;
+}
+
+void chunk_set_range(struct chunk *s, int number, int count, int n)
+{
+    const int had = s->end - s->begin;
+
+    s->begin = (int)((long)n * number / count);
+    s->end = (int)((long)n * (number + 1) / count);
+    s->n_blocks = (s->end - s->begin + CHUNK_BLOCK - 1) / CHUNK_BLOCK;
+    if (s->pairs.start != NULL && s->end - s->begin <= had) return;
+    free(s->blocks);
+    s->blocks = alloc_zeroed((size_t)s->n_blocks, sizeof *s->blocks);
+    for (int l = 0; l < 2; l++) {
+        struct neighbour_list *const v = l == 0 ? &s->pairs : &s->walls;
+        free(v->start);
+        v->start = alloc_ints(s->end - s->begin + 1);
+    }
+}
+
+void chunk_clear_lists(struct chunk *s)
+{
+    s->pairs.n = s->walls.n = 0;
+    s->window = s->end - s->begin;
+}
+
+void chunk_begin_owner(struct chunk *s, int i)
+{
+    s->pairs.start[i - s->begin] = s->pairs.n;
+    s->walls.start[i - s->begin] = s->walls.n;
+}
+
+static void list_add(struct neighbour_list *v, int n, const int *partner,
+                     int rolls)
+{
+    if (n == 0) return;
+    if (v->n + n > v->capacity) {
+        v->capacity = roomy(v->n + n);
+        v->partner = grown(v->partner, v->n, v->capacity, sizeof *v->partner);
+        v->xi = grown(v->xi, v->n, v->capacity, sizeof *v->xi);
+        if (rolls)
+            v->roll_angle =
+                grown(v->roll_angle, v->n, v->capacity, sizeof *v->roll_angle);
+    }
+    memset(v->xi[v->n], 0, (size_t)n * sizeof *v->xi);
+    if (rolls)
+        memset(v->roll_angle[v->n], 0, (size_t)n * sizeof *v->roll_angle);
+    memcpy(&v->partner[v->n], partner, (size_t)n * sizeof *partner);
+    v->n += n;
+}
+
+void chunk_add_pairs(struct chunk *s, int n, const int *partner)
+{
+    list_add(&s->pairs, n, partner, s->has_rolling);
+}
+
+void chunk_add_wall(struct chunk *s, int wall)
+{
+    list_add(&s->walls, 1, &wall, s->has_rolling);
+}
+
+/* The load of particle j among those of the chunk; an index before the chunk's
+ * first stands for one after the last of all n (periodic, slowest direction).
+ */
+static int load_of(const struct chunk *s, int j, int n)
+{
+    return j < s->begin ? j - s->begin + n : j - s->begin;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* The loads extend to the farthest partner after the first particle of the
+ * chunk. */
+void chunk_finish_lists(struct chunk *s, int n)
+{
+    struct chunk_contacts *const c = &s->contacts;
+    const int most = s->pairs.n + s->walls.n + CHUNK_LANES;
+
+    chunk_begin_owner(s, s->end);
+    for (int q = 0; q < s->pairs.n; q++)
+        s->window = larger(s->window, load_of(s, s->pairs.partner[q], n) + 1);
+    if (s->load == NULL || s->window > s->load_capacity) {
+        free(s->load);
+        s->load_capacity = roomy(s->window);
+        s->load = alloc_zeroed((size_t)s->load_capacity, sizeof *s->load);
+    }
+    c->n_pairs = c->n_walls = 0;
+    if (most <= c->capacity) return;
+    c->capacity = roomy(most);
+    c->owner = grown(c->owner, 0, c->capacity, sizeof *c->owner);
+    c->partner = grown(c->partner, 0, c->capacity, sizeof *c->partner);
+    c->list_index = grown(c->list_index, 0, c->capacity, sizeof *c->list_index);
+    for (int k = 0; k < 3; k++) {
+        c->xi[k] = grown(c->xi[k], 0, c->capacity, sizeof(double));
+        if (s->has_rolling)
+            c->roll_angle[k] =
+                grown(c->roll_angle[k], 0, c->capacity, sizeof(double));
+    }
+}
+
+static void return_history(struct chunk *s)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+
+    for (int q = 0; q < c->n_pairs + c->n_walls; q++) {
+        struct neighbour_list *const v = q < c->n_pairs ? &s->pairs : &s->walls;
+        for (int k = 0; k < 3; k++)
+            v->xi[c->list_index[q]][k] = c->xi[k][q];
+        for (int k = 0; s->has_rolling && k < 3; k++)
+            v->roll_angle[c->list_index[q]][k] = c->roll_angle[k][q];
+    }
+}
+
+/* Copies the history of entry q of the neighbour list to a slot of the
+ * contacts. */
+static inline void copy_history(struct chunk_contacts *c,
+                                struct neighbour_list *v, int slot, int q,
+                                int rolls)
+{
+    for (int k = 0; k < 3; k++) {
+        c->xi[k][slot] = v->xi[q][k];
+        v->xi[q][k] = 0.0;
+    }
+    for (int k = 0; rolls && k < 3; k++) {
+        c->roll_angle[k][slot] = v->roll_angle[q][k];
+        v->roll_angle[q][k] = 0.0;
+    }
+}
+
+/* Writes every pair, and advances the index only for near ones, which avoids a
+ * branch. Pairs that are not chosen have separated, and their history is
+ * deleted. */
+static inline void choose_contacts_of(struct chunk *s, const struct bodies *b,
+                                      struct neighbour_list *v,
+                                      double (*gap)(const struct bodies *, int,
+                                                    int),
+                                      double margin, int *n, int rolls)
+{
+    struct chunk_contacts *const c = &s->contacts;
+    int slot = *n;
+
+    for (int i = s->begin; i < s->end; i++)
+        for (int q = v->start[i - s->begin]; q < v->start[i - s->begin + 1];
+             q++) {
+            const int j = v->partner[q], near = gap(b, i, j) < margin;
+            c->owner[slot] = i;
+            c->partner[slot] = j;
+            c->list_index[slot] = q;
+            copy_history(c, v, slot, q, rolls);
+            slot += near;
+        }
+    *n = slot;
+}
+
+/* Of the contacts first ... last - 1, where those of the owners before `end`
+ * end, and so many more that no lane of the contact loop is empty. */
+static int full_lanes(const struct chunk_contacts *c, int first, int from,
+                      int last, int end)
+{
+    while (from < last && c->owner[from] < end)
+        from++;
+    const int lanes = (from - first + CHUNK_LANES - 1) / CHUNK_LANES;
+    const int full = first + lanes * CHUNK_LANES;
+    return full < last ? full : last;
+}
+
+static void split_into_blocks(struct chunk *s, int n)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+    struct chunk_block at = {s->begin, 0, c->n_pairs, 0};
+
+    for (int k = 0; k < s->n_blocks; k++) {
+        int q = at.pairs;
+        at.end = k + 1 < s->n_blocks ? at.end + CHUNK_BLOCK : s->end;
+        at.pairs = full_lanes(c, 0, q, c->n_pairs, at.end);
+        at.walls = full_lanes(c, c->n_pairs, at.walls, c->n_pairs + c->n_walls,
+                              at.end);
+        at.n_loads = larger(at.n_loads, at.end - s->begin);
+        if (at.walls > c->n_pairs)
+            at.n_loads =
+                larger(at.n_loads, c->owner[at.walls - 1] - s->begin + 1);
+        for (; q < at.pairs;
+             q++) { /* across a period a partner has a lower index */
+            const int last = larger(load_of(s, c->partner[q], n),
+                                    load_of(s, c->owner[q], n));
+            at.n_loads = larger(at.n_loads, last + 1);
+        }
+        if (k + 1 == s->n_blocks) at.n_loads = s->window;
+        s->blocks[k] = at;
+    }
+}
+
+void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
+                           double margin)
+{
+    int n = 0;
+
+    return_history(s);
+    if (s->has_rolling)
+        choose_contacts_of(s, b, &s->pairs, chunk_pair_gap, margin, &n, 1);
+    else
+        choose_contacts_of(s, b, &s->pairs, chunk_pair_gap, margin, &n, 0);
+    s->contacts.n_pairs = n;
+    choose_contacts_of(s, b, &s->walls, chunk_wall_gap, margin, &n,
+                       s->has_rolling);
+    s->contacts.n_walls = n - s->contacts.n_pairs;
+    split_into_blocks(s, b->n);
+}
+
+void chunk_reserve_history(struct chunk *s, int n)
+{
+    if (n > s->history_capacity) {
+        s->history_capacity = roomy(n);
+        s->history = grown(s->history, s->n_history, s->history_capacity,
+                           sizeof *s->history);
+    }
+    s->n_history = n;
+}
+
+static int is_zero(double *const component[3], int q)
+{
+    return component[0][q] == 0.0 && component[1][q] == 0.0 &&
+           component[2][q] == 0.0;
+}
+
+/* The tangential displacement of a touching pair is never exactly 0; a pair
+ * with 0 has no history. */
+void chunk_save_history(struct chunk *s)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+    const int n = c->n_pairs + c->n_walls;
+
+    s->n_history = 0;
+    chunk_reserve_history(s, n);
+    s->n_history = 0;
+    for (int q = 0; q < n; q++) {
+        if (is_zero(c->xi, q) && (!s->has_rolling || is_zero(c->roll_angle, q)))
+            continue;
+        struct contact_history *const k = &s->history[s->n_history++];
+        *k = (struct contact_history){
+            .owner = c->owner[q],
+            .partner = q < c->n_pairs ? c->partner[q] : -1 - c->partner[q],
+            .xi = {c->xi[0][q], c->xi[1][q], c->xi[2][q]},
+        };
+        for (int a = 0; s->has_rolling && a < 3; a++)
+            k->roll_angle[a] = c->roll_angle[a][q];
+    }
+}
+
+void chunk_restore_history(struct chunk *s, const struct contact_history *k)
+{
+    struct neighbour_list *const v = k->partner < 0 ? &s->walls : &s->pairs;
+    const int partner = k->partner < 0 ? -1 - k->partner : k->partner;
+    const int a = k->owner - s->begin;
+    int q = v->start[a];
+
+    while (q < v->start[a + 1] && v->partner[q] != partner)
+        q++;
+    if (q == v->start[a + 1]) return; /* they have parted since */
+    memcpy(v->xi[q], k->xi, sizeof k->xi);
+    if (s->has_rolling)
+        memcpy(v->roll_angle[q], k->roll_angle, sizeof k->roll_angle);
+}
+
+int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n)
+{
+    const int size = s->end - s->begin;
+
+    if (size == 0) return 0;
+    const int reached = t->window - (s->begin - t->begin + n) % n;
+    return reached < 0 ? 0 : reached < size ? reached : size;
+}
+
+void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
+                     int end)
+{
+    struct chunk *const own = &chunks[s];
+
+    for (int back = 1; back < count; back++) {
+        const struct chunk *const t = &chunks[(s - back + count) % count];
+        const int offset = (own->begin - t->begin + n) % n;
+        const int last = own->begin + chunk_shared_loads(own, t, n);
+        for (int i = begin; i < (end < last ? end : last); i++)
+            for (int k = 0; k < 8; k++)
+                own->load[i - own->begin][k] +=
+                    t->load[i - own->begin + offset][k];
+    }
+}
+
+static int touching(const struct chunk *s, const struct bodies *b)
+{
+    const struct chunk_contacts *const c = &s->contacts;
+    int n = 0;
+
+    for (int q = 0; q < c->n_pairs + c->n_walls; q++)
+        n += (q < c->n_pairs ? chunk_pair_gap : chunk_wall_gap)(
+                 b, c->owner[q], c->partner[q]) < 0.0;
+    return n;
+}
+
+void chunk_measure(struct chunk *s, const struct bodies *b)
+{
+    struct chunk_measures *const m = &s->measures;
+
+    *m = (struct chunk_measures){touching(s, b), 0.0, 0.0, 0.0};
+    for (int i = s->begin; i < s->end; i++) {
+        const double *const v = b->velocity[i];
+        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        const double s2 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
+
+        m->translation += 0.5 * v2 / v[7];
+        m->rotation += 0.2 * s2 / v[7]; /* I = (2/5) m R^2 */
+        m->speed2 = v2 > m->speed2 ? v2 : m->speed2;
+    }
+}

@@ -1,0 +1,177 @@
+/* chunk.h -- the particles in chunks, and their neighbour lists. Chapter 3.
+ *
+ * The particles, sorted in space, are divided into chunks, whose number depends
+ * on the number of particles alone and never on the number of threads. Each
+ * chunk is computed by one thread, which sums the loads on its particles; the
+ * loads on particles of the following chunks are added there in a fixed order.
+ * The result therefore has the same bits for any number of threads.
+ *
+ * A chunk has two lists. Its neighbour list contains every pair closer than the
+ * skin, gap <= s [LS 5.15], and is valid until a particle has moved by s/2. Its
+ * contacts are the pairs closer than a small margin: each step computes these
+ * only, until the particles may have moved by that margin. A pair belongs to
+ * the chunk of its first particle.
+ */
+#ifndef DEM_FAST_CHUNK_H
+#define DEM_FAST_CHUNK_H
+
+#include "dem/fast/bodies.h"
+
+/* Partners of the particles begin, begin + 1, ... of a chunk: those of the a-th
+ * are partner[start[a]] ... partner[start[a + 1] - 1]. */
+struct neighbour_list {
+    int *start, *partner;
+    double (*xi)[3]; /* [m] xi of the pair while it is not among the contacts */
+    double (*roll_angle)[3]; /* [rad] theta likewise; NULL without rolling */
+    int n, capacity;
+};
+
+/* Pairs first, then walls. The partner of a wall contact is the wall, 2 k for
+ * the lower and 2 k + 1 for the upper one of direction k. */
+struct chunk_contacts {
+    int n_pairs, n_walls, capacity;
+    int *owner, *partner;
+    int *list_index;       /* [-] its index in the neighbour list */
+    double *xi[3];         /* [m] xi, x y z */
+    double *roll_angle[3]; /* [rad] theta (sweep_rolling.h); NULL without it */
+};
+
+/* The history of a touching pair while the lists are rebuilt; for a wall
+ * partner = -1 - wall. */
+struct contact_history {
+    int owner, partner;
+    double xi[3];         /* [m] */
+    double roll_angle[3]; /* [rad] */
+};
+
+/* A chunk is processed in blocks of CHUNK_BLOCK particles: first the contacts
+ * that they own, then their motion, while the data are still in the cache. Each
+ * number counts from the beginning of the chunk to the end of the block. */
+struct chunk_block {
+    int end; /* its last particle + 1 */
+    int pairs,
+        walls;   /* [-] contacts computed up to this block: at least its own */
+    int n_loads; /* [-] loads that these contacts write */
+};
+
+/* Quantities of a chunk for the report. */
+struct chunk_measures {
+    int contacts;                 /* [-] that touch */
+    double translation, rotation; /* [J] kinetic energy */
+    double speed2;                /* [m^2/s^2] largest v^2 */
+};
+
+/* The energy budget of a chunk (energy.h); zero unless it is asked for. */
+struct chunk_energy {
+    /* of the last sweep */
+    double normal;     /* [J] sum of elastic(delta) delta */
+    double tangential; /* [J] sum of (1/2) k_t xi^2 */
+    double found;      /* [J] the same before the step, with the present k_t */
+    double stored;     /* [J] and as stored by the previous sweep */
+    int skip_release;  /* [-] 1: this sweep counts nothing as released */
+    /* since the first */
+    double damped_n, damped_t; /* [J] by the dashpots */
+    double slid;               /* [J] by friction where it slides */
+    double released;           /* [J] by tangential springs */
+    double rolled;             /* [J] against rolling friction */
+    double work;               /* [J] of the outside forces */
+    double attracted;          /* [J] work of the attractions */
+    double driven;             /* [J] by particles that move as prescribed */
+};
+
+/* The deepest overlap so far, if it exceeds the expected one. */
+struct chunk_deep {
+    double overlap; /* [-] over the mean diameter; only deeper ones are noted */
+    int id, other; /* [-] the two ids; -1: none yet. -1 - w: wall w = 2 k or 2 k
+                      + 1 of direction k; -7 - f: surface f */
+    double at[3];  /* [m] centre of the first */
+};
+
+struct chunk {
+    int begin, end;    /* its particles */
+    int window;        /* its loads reach begin ... begin + window - 1, modulo
+                          the number of particles */
+    double (*load)[8]; /* [N] F, 0, sum n x F_t (r/(R_i + R_j)), 0 */
+    int load_capacity;
+    struct neighbour_list pairs, walls;
+    struct chunk_contacts contacts;
+    struct chunk_block *blocks;
+    int n_blocks;
+    struct contact_history *history;
+    int n_history, history_capacity;
+    int has_rolling;    /* [-] 1: there is rolling friction */
+    double max_overlap; /* [-] largest overlap over the mean diameter */
+    struct chunk_deep deep;
+    double max_speed[4];     /* [m/s] largest |v_x|, |v_y|, |v_z| */
+    double max_speed_now[4]; /* [m/s] the same in the step at hand */
+    struct bodies_survey survey;
+    struct chunk_measures measures;
+    struct chunk_energy energy;
+};
+
+/* Number of chunks for n particles. */
+int chunk_count(int n);
+
+void chunk_release(struct chunk *s);
+
+/* Sets begin and end for chunk number s of `count`. */
+void chunk_set_range(struct chunk *s, int number, int count, int n);
+
+/* Empties the neighbour list; the following functions add to it, with owners in
+ * ascending order. */
+void chunk_clear_lists(struct chunk *s);
+void chunk_begin_owner(struct chunk *s, int i);
+void chunk_add_pairs(struct chunk *s, int n, const int *partner);
+void chunk_add_wall(struct chunk *s, int wall);
+void chunk_finish_lists(struct chunk *s, int n);
+
+/* Chooses the contacts from the neighbour list: gap < margin [m]. The
+ * tangential displacements are copied from the old contacts to the neighbour
+ * list and from there to the new contacts. */
+void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
+                           double margin);
+
+/* Allocates space for n histories; existing ones are kept. */
+void chunk_reserve_history(struct chunk *s, int n);
+
+/* Saves the histories of the touching pairs; restores one that chunk s owns
+ * now. */
+void chunk_save_history(struct chunk *s);
+void chunk_restore_history(struct chunk *s, const struct contact_history *k);
+
+/* Number of particles at the beginning of chunk s that receive loads from chunk
+ * t; n particles in all. */
+int chunk_shared_loads(const struct chunk *s, const struct chunk *t, int n);
+
+/* Adds the loads that the other chunks computed for particles begin ... end - 1
+ * of chunk s. */
+void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
+                     int end);
+
+/* Fills in the measures. */
+void chunk_measure(struct chunk *s, const struct bodies *b);
+
+/* Notes an overlap that is deeper than all before. */
+void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
+                          int other, const double x[3]);
+
+/* Looks for it among the contacts between two blocks, where they are now. */
+void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
+                          const struct chunk_block *from,
+                          const struct chunk_block *to);
+
+/* Power of the loads of this chunk on the particles [W]. */
+double chunk_power(const struct chunk *s, const struct bodies *b);
+
+/* Adds to the energy budget the work of the outside forces during a drift of dt
+ * of the particles begin ... end - 1. */
+void chunk_add_work(struct chunk *s, const struct bodies *b, int begin, int end,
+                    double dt);
+
+/* To be called before and after the contacts of a step. Contact histories
+ * migrate between chunks at a rebuild; only the sum of `released` over all
+ * chunks is meaningful. */
+void chunk_begin_budget(struct chunk_energy *e);
+void chunk_end_budget(struct chunk_energy *e);
+
+#endif

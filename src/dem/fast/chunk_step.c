@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/chunk_step.h"
+
+#include <string.h>
+
+#include "dem/implicit_drag.h"
+
+/* Those that move as prescribed; what they do and gain comes from outside. */
+static void steer(const struct neighbours *nb, struct chunk *own, int begin,
+                  int end, double (*load)[8], const struct step_parameters *by)
+{
+    if (nb->prescribed == NULL || !by->prescribed) return;
+    own->energy.driven +=
+        by->dt * prescribed_particles_power(nb->prescribed, nb->bodies, begin,
+                                            end, load);
+    own->energy.driven += prescribed_particles_set_velocities(
+        nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift);
+}
+
+static void advance(const struct neighbours *nb, struct chunk *own, int begin,
+                    int end, const struct step_parameters *by)
+{
+    double(*const load)[8] = own->load + (begin - own->begin);
+
+    steer(nb, own, begin, end, load, by);
+    if (nb->bodies->implicit_drag == NULL)
+        bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
+                       own->max_speed_now);
+    else
+        implicit_drag_advance(nb->bodies, begin, end, load, by->kick, by->drift,
+                              own->max_speed_now);
+    if (by->budget) chunk_add_work(own, nb->bodies, begin, end, by->drift);
+}
+
+/* Number of particles at the beginning of chunk s that receive loads from
+ * chunks that this thread has not computed yet. A chunk adds loads to later
+ * ones; in a periodic direction the first chunk follows the last one, also if
+ * there is only one. Forces other than contacts are computed after the blocks.
+ */
+static int n_shared(const struct neighbours *nb, int s,
+                    const struct step_parameters *by)
+{
+    const int *const around = nb->bodies->box.periodic;
+    const int n = nb->bodies->n, first = neighbours_balanced_range(nb).first;
+    int most = 0;
+
+    if (nb->surfaces != NULL || by->n_attractions > 0) return n;
+    if (nb->n_chunks == 1 && (around[0] || around[1] || around[2])) return n;
+    for (int t = 0; t < nb->n_chunks; t++) {
+        const int done = first <= t && t <= s;
+        const int m =
+            done ? 0 : chunk_shared_loads(&nb->chunks[s], &nb->chunks[t], n);
+        most = m > most ? m : most;
+    }
+    return most;
+}
+
+/* The loads of the contacts that end with this block. */
+static void load_block(const struct neighbours *nb, struct chunk *own, int k,
+                       const struct step_parameters *by)
+{
+    const struct chunk_block begin = {own->begin, 0, own->contacts.n_pairs, 0};
+    const struct chunk_block *const to = &own->blocks[k];
+    const struct chunk_block *const from = k > 0 ? to - 1 : &begin;
+
+    memset(own->load + from->n_loads, 0,
+           (size_t)(to->n_loads - from->n_loads) * sizeof *own->load);
+    by->sweep(own, nb->bodies, by->constants, by->dt, from->pairs, to->pairs);
+    by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
+    if (own->max_overlap > own->deep.overlap)
+        chunk_check_overlaps(own, nb->bodies, from, to);
+}
+
+/* Adds the attractions, and their power to the budget; the particles have not
+ * moved yet. */
+static void add_attractions(const struct bodies *b, struct chunk *own,
+                            const struct step_parameters *by)
+{
+    const int books = by->budget && by->n_attractions > 0;
+    const double before = books ? chunk_power(own, b) : 0.0;
+
+    for (int k = 0; k < by->n_attractions; k++)
+        by->attractions[k].law->sweep(own, b, &by->attractions[k]);
+    if (books) own->energy.attracted += by->dt * (chunk_power(own, b) - before);
+}
+
+/* Adds the loads of surfaces and attractions on a chunk. */
+static void load_others(struct neighbours *nb, int s,
+                        const struct step_parameters *by)
+{
+    struct chunk *const own = &nb->chunks[s];
+
+    if (nb->surfaces != NULL)
+        surfaces_add_loads(nb->surfaces, s, own, nb->bodies, by->sweep,
+                           by->constants, by->dt);
+    add_attractions(nb->bodies, own, by);
+}
+
+/* Computes loads, then motion, block by block. Blocks wait if other chunks may
+ * still add loads to them or still need their positions. */
+static void load_and_move_chunk(struct neighbours *nb, int s,
+                                const struct step_parameters *by, int waiting)
+{
+    struct chunk *const own = &nb->chunks[s];
+    const int late = own->begin + n_shared(nb, s, by);
+
+    for (int k = 0, begin = own->begin; k < own->n_blocks; k++) {
+        const int end = own->blocks[k].end;
+        if (!waiting) load_block(nb, own, k, by);
+        if ((begin < late) == waiting) {
+            chunk_add_loads(nb->chunks, nb->n_chunks, s, nb->bodies->n, begin,
+                            end);
+            advance(nb, own, begin, end, by);
+        }
+        begin = end;
+    }
+    if (!waiting) load_others(nb, s, by);
+}
+
+/* Publishes the largest speeds of the chunk after all threads have read the
+ * previous ones.
+ */
+static void publish_max_speed(struct chunk *own)
+{
+    memcpy(own->max_speed, own->max_speed_now, sizeof own->max_speed);
+    memset(own->max_speed_now, 0, sizeof own->max_speed_now);
+}
+
+void chunk_step_load_and_move(struct neighbours *nb,
+                              const struct step_parameters *by)
+{
+    const struct chunk_range mine = neighbours_balanced_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        if (by->budget) chunk_begin_budget(&nb->chunks[s].energy);
+        load_and_move_chunk(nb, s, by, 0);
+        if (by->budget) chunk_end_budget(&nb->chunks[s].energy);
+    }
+    neighbours_barrier(nb);
+    for (int s = mine.first; s < mine.last; s++) {
+        load_and_move_chunk(nb, s, by, 1);
+        publish_max_speed(&nb->chunks[s]);
+    }
+    neighbours_barrier(nb);
+}
+
+void chunk_step_move(struct neighbours *nb, const struct step_parameters *by)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        advance(nb, own, own->begin, own->end, by);
+        publish_max_speed(own);
+    }
+    neighbours_barrier(nb);
+}

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/neighbours.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+void neighbours_watch(struct neighbours *nb, double overlap)
+{
+    for (int s = 0; s < nb->n_chunks; s++)
+        nb->chunks[s].deep =
+            (struct chunk_deep){.overlap = overlap, .id = -1, .other = -1};
+}
+
+struct neighbours *neighbours_create(struct particles *ps,
+                                     const struct box_domain *box)
+{
+    struct neighbours *const nb = alloc_zeroed(1, sizeof *nb);
+
+    nb->ps = ps;
+    nb->bodies = bodies_create(ps->capacity, box);
+    nb->grid = grid_create(ps->capacity, box);
+    nb->n_chunks = chunk_count(ps->capacity);
+    nb->chunks = alloc_zeroed((size_t)nb->n_chunks, sizeof *nb->chunks);
+    neighbours_watch(nb, HUGE_VAL);
+    nb->barrier = barrier_create();
+    nb->rank = alloc_ints(ps->capacity);
+    nb->stale = 1;
+    return nb;
+}
+
+void neighbours_add_rolling(struct neighbours *nb)
+{
+    for (int s = 0; s < nb->n_chunks; s++)
+        nb->chunks[s].has_rolling = 1;
+}
+
+void neighbours_free(struct neighbours *nb)
+{
+    if (nb == NULL) return;
+    for (int s = 0; s < nb->n_chunks; s++)
+        chunk_release(&nb->chunks[s]);
+    free(nb->chunks);
+    bodies_free(nb->bodies);
+    grid_free(nb->grid);
+    surfaces_free(nb->surfaces);
+    prescribed_particles_free(nb->prescribed);
+    barrier_free(nb->barrier);
+    free(nb->rank);
+    free(nb);
+}
+
+struct chunk_range neighbours_static_range(const struct neighbours *nb)
+{
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+
+    return (struct chunk_range){nb->n_chunks * thread / threads,
+                                nb->n_chunks * (thread + 1) / threads};
+}
+
+/* Cost of moving a particle, in contacts [-]. */
+static long work_of(const struct chunk *s)
+{
+    return s->contacts.n_pairs + s->contacts.n_walls + 2 * (s->end - s->begin);
+}
+
+/* Contacts are not distributed evenly over the chunks of a bed. Each chunk is
+ * assigned by the midpoint of its cumulative cost. (With surfaces the static
+ * partition is used, because there is no barrier between their motion and their
+ * forces.) */
+struct chunk_range neighbours_balanced_range(const struct neighbours *nb)
+{
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    struct chunk_range mine = {0, 0};
+    long all = 0, before = 0;
+
+    for (int s = 0; s < nb->n_chunks; s++)
+        all += work_of(&nb->chunks[s]);
+    if (all == 0 || nb->surfaces != NULL) return neighbours_static_range(nb);
+    for (int s = 0; s < nb->n_chunks; s++) {
+        const long own = work_of(&nb->chunks[s]);
+        const long of = (2 * before + own) * threads / (2 * all);
+        mine.first += of < thread;
+        mine.last += of <= thread;
+        before += own;
+    }
+    return mine;
+}
+
+void neighbours_barrier(const struct neighbours *nb)
+{
+    barrier_wait(nb->barrier, omp_get_num_threads());
+}
+
+/* Saves the histories of chunk s before its particles are sorted. */
+static void save_history(struct neighbours *nb, int s)
+{
+    chunk_save_history(&nb->chunks[s]);
+    if (nb->surfaces != NULL) surfaces_save_history(nb->surfaces, s, nb->ps);
+}
+
+void neighbours_begin_run(struct neighbours *nb)
+{
+    struct bodies *const b = nb->bodies;
+
+    b->n = nb->ps->n;
+    bodies_add_implicit_drag(b, nb->ps);
+    b->id = nb->ps->id;
+    b->material = nb->ps->material;
+    for (int s = 0; s < nb->n_chunks; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        own->max_overlap = 0.0;
+        if (nb->stale) {
+            if (!nb->history_given) save_history(nb, s);
+            chunk_set_range(own, s, nb->n_chunks, b->n);
+        }
+    }
+    if (nb->surfaces != NULL) surfaces_begin_run(nb->surfaces);
+    nb->history_given = 0;
+    if (nb->prescribed != NULL)
+        prescribed_particles_locate(nb->prescribed, nb->ps);
+}
+
+struct contact_history *neighbours_restore_history(struct neighbours *nb, int n)
+{
+    for (int s = 0; s < nb->n_chunks; s++)
+        chunk_reserve_history(&nb->chunks[s], s == 0 ? n : 0);
+    nb->stale = nb->history_given = 1;
+    return nb->chunks[0].history;
+}
+
+const struct contact_history *neighbours_contact_history(struct neighbours *nb,
+                                                         int *n)
+{
+    struct chunk *const all = &nb->chunks[0];
+
+    *n = 0;
+    for (int s = 0; s < nb->n_chunks; s++) {
+        if (!nb->history_given) chunk_save_history(&nb->chunks[s]);
+        *n += nb->chunks[s].n_history;
+    }
+    int at = all->n_history;
+    chunk_reserve_history(all, *n);
+    for (int s = 1; s < nb->n_chunks; s++)
+        for (int q = 0; q < nb->chunks[s].n_history; q++)
+            all->history[at++] = nb->chunks[s].history[q];
+    return all->history;
+}
+
+void neighbours_load(struct neighbours *nb)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++)
+        bodies_load(nb->bodies, nb->ps, nb->chunks[s].begin, nb->chunks[s].end);
+}
+
+void neighbours_store(struct neighbours *nb)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+    struct particles *const ps = nb->ps;
+
+    for (int s = mine.first; s < mine.last; s++) {
+        const struct chunk *const own = &nb->chunks[s];
+        bodies_store(nb->bodies, ps, own->begin, own->end);
+        if (nb->stale) continue; /* no step was made */
+        for (int i = own->begin; i < own->end; i++) {
+            ps->cfx[i] = own->load[i - own->begin][0];
+            ps->cfy[i] = own->load[i - own->begin][1];
+            ps->cfz[i] = own->load[i - own->begin][2];
+        }
+    }
+}
+
+/* The bound is computed by component, without a square root for each particle.
+ */
+double neighbours_speed(const struct neighbours *nb)
+{
+    double top[3] = {0.0, 0.0, 0.0};
+
+    for (int s = 0; s < nb->n_chunks; s++)
+        for (int k = 0; k < 3; k++)
+            top[k] = fmax(top[k], nb->chunks[s].max_speed[k]);
+    const double v = sqrt(top[0] * top[0] + top[1] * top[1] + top[2] * top[2]);
+    return nb->surfaces != NULL ? fmax(v, nb->surfaces->speed) : v;
+}
+
+void neighbours_check_lost(struct neighbours *nb)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        own->survey = bodies_check_lost(nb->bodies, own->begin, own->end);
+        if (nb->surfaces != NULL)
+            surfaces_check_lost(nb->surfaces, s, own, nb->bodies, !nb->stale,
+                                nb->skin, &own->survey);
+    }
+}
+
+/* Largest displacement of a particle since the last rebuild [m], or -1. */
+static double max_displacement(const struct neighbours *nb)
+{
+    double moved2 = 0.0, walls = 0.0;
+
+    for (int s = 0; s < nb->n_chunks; s++) {
+        if (nb->chunks[s].survey.lost > 0) return -1.0;
+        moved2 = fmax(moved2, nb->chunks[s].survey.moved2);
+        if (nb->surfaces != NULL)
+            walls = fmax(walls, surfaces_moved(nb->surfaces, s));
+    }
+    return fmax(sqrt(moved2), walls);
+}
+
+/* Called by one thread: sorts the particles and sets the new index of each. */
+static void sort(struct neighbours *nb)
+{
+    const struct particles *const ps = nb->ps;
+    double widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    const int *const order =
+        grid_order(nb->grid, ps, widest + nb->skin + nb->range);
+    particles_permute(nb->ps, order);
+    for (int i = 0; i < ps->n; i++)
+        nb->rank[order[i]] = i;
+    if (nb->surfaces != NULL) surfaces_locate_particles(nb->surfaces, ps);
+    if (nb->prescribed != NULL) prescribed_particles_locate(nb->prescribed, ps);
+    nb->rebuilds++;
+}
+
+/* The chunk of particle i: its begin is n s / count, rounded down. */
+static struct chunk *chunk_of(const struct neighbours *nb, int i)
+{
+    const long s = ((i + 1L) * nb->n_chunks - 1) / nb->bodies->n;
+    return &nb->chunks[s];
+}
+
+/* Restores the history of a pair with the new indices. If the other particle
+ * owns the pair now, n and xi change sign. */
+static void restore_history(struct neighbours *nb,
+                            const struct contact_history *old)
+{
+    struct contact_history k = *old;
+
+    k.owner = nb->rank[old->owner];
+    if (old->partner >= 0) {
+        k.partner = nb->rank[old->partner];
+        if (!grid_owns(nb->grid, k.owner, k.partner, nb->bodies->n)) {
+            const int swap = k.owner;
+            k.owner = k.partner;
+            k.partner = swap;
+            for (int a = 0; a < 3; a++) {
+                k.xi[a] = -k.xi[a];
+                k.roll_angle[a] = -k.roll_angle[a];
+            }
+        }
+    }
+    chunk_restore_history(chunk_of(nb, k.owner), &k);
+}
+
+static void rebuild(struct neighbours *nb)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+    struct bodies *const b = nb->bodies;
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        if (!nb->stale) save_history(nb, s);
+        bodies_store(b, nb->ps, own->begin, own->end);
+    }
+    neighbours_barrier(nb);
+    if (mine.first == 0) sort(nb);
+    neighbours_barrier(nb);
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        bodies_load(b, nb->ps, own->begin, own->end);
+        if (nb->prescribed != NULL)
+            prescribed_particles_fix_mass(nb->prescribed, b, nb->ps, own->begin,
+                                          own->end);
+        bodies_record_positions(b, own->begin, own->end);
+    }
+    neighbours_barrier(nb);
+    for (int s = mine.first; s < mine.last; s++) {
+        grid_find(nb->grid, &nb->chunks[s], b, nb->skin + nb->range);
+        if (nb->surfaces != NULL)
+            surfaces_find(nb->surfaces, s, &nb->chunks[s], b, nb->skin);
+    }
+    neighbours_barrier(nb);
+    for (int s = mine.first; s < mine.last; s++)
+        for (int q = 0; q < nb->chunks[s].n_history; q++)
+            restore_history(nb, &nb->chunks[s].history[q]);
+    neighbours_barrier(nb);
+    if (mine.first == 0) nb->stale = 0;
+}
+
+double neighbours_refresh(struct neighbours *nb, double wanted)
+{
+    const struct chunk_range mine = neighbours_static_range(nb);
+    const double margin =
+        nb->rebuild_each_step ? 0.0 : fmin(wanted, 0.25 * nb->skin);
+
+    neighbours_check_lost(nb);
+    neighbours_barrier(nb);
+    const double moved = max_displacement(nb);
+    neighbours_barrier(nb);
+    if (moved < 0.0) return -1.0;
+    if (nb->stale || nb->rebuild_each_step || nb->skin - 2.0 * moved < margin)
+        rebuild(nb);
+    for (int s = mine.first; s < mine.last; s++) {
+        chunk_choose_contacts(&nb->chunks[s], nb->bodies, margin);
+        if (nb->surfaces != NULL)
+            surfaces_choose_contacts(nb->surfaces, s, nb->bodies, margin);
+    }
+    neighbours_barrier(nb);
+    return margin;
+}

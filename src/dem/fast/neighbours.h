@@ -1,0 +1,97 @@
+/* neighbours.h -- when and how the lists are rebuilt. Chapter 3.
+ *
+ * The gap of two particles with speeds of at most v decreases by at most 2 v dt
+ * in a step [LS 5.16]. The contacts are chosen with a margin; while the sum of
+ * 2 v dt is below the margin, no other pair can touch. Then the contacts are
+ * chosen again from the neighbour list, which is complete for gaps up to the
+ * skin minus twice the largest displacement since it was built (measured, not
+ * estimated). When that is too small, the particles are sorted and the
+ * neighbour list is rebuilt; contact histories stay with their pairs.
+ *
+ * All threads of a team call these functions together; each thread works on its
+ * range of chunks.
+ */
+#ifndef DEM_FAST_NEIGHBOURS_H
+#define DEM_FAST_NEIGHBOURS_H
+
+#include "dem/fast/barrier.h"
+#include "dem/surfaces/prescribed_particles.h"
+#include "dem/grid.h"
+#include "dem/fast/chunk.h"
+#include "dem/surfaces/surfaces.h"
+
+struct neighbours {
+    struct particles *ps; /* borrowed */
+    struct bodies *bodies;
+    struct grid *grid;
+    struct chunk *chunks;
+    int n_chunks;              /* [-] chunks */
+    struct surfaces *surfaces; /* besides the box; NULL without any */
+    struct prescribed_particles
+        *prescribed; /* particles with a motion of their own; NULL */
+    struct barrier *barrier;
+    int *rank;     /* [-] new index of each particle after a sort */
+    double skin;   /* [m] set by the caller before neighbours_begin_run */
+    double range;  /* [m] gap up to which the neighbour list must be complete,
+                      for forces at a distance; 0 without any */
+    double margin; /* [m] of the contacts */
+    double margin_used;    /* [m] of it since they were chosen */
+    int rebuild_each_step; /* [-] 1: link cells, the lists are rebuilt in each
+                              step */
+    int stale;             /* [-] 1: the particles were changed from outside */
+    int history_given;     /* [-] 1: the histories were set by
+                              neighbours_restore_history, not by the last run */
+    long rebuilds;
+};
+
+struct neighbours *neighbours_create(struct particles *ps,
+                                     const struct box_domain *box);
+void neighbours_free(struct neighbours *nb);
+
+/* Adds the rolling angle to the contacts. To be called before the first run. */
+void neighbours_add_rolling(struct neighbours *nb);
+
+/* From now on the deepest overlap beyond this share of the mean diameter is
+ * known with its place and its two; HUGE_VAL: none. */
+void neighbours_watch(struct neighbours *nb, double overlap);
+
+/* Chunks first ... last - 1 belong to this thread. */
+struct chunk_range {
+    int first, last;
+};
+struct chunk_range neighbours_static_range(const struct neighbours *nb);
+
+/* The same by the work in a step, which is not distributed evenly. Between uses
+ * of the two partitions there must be a barrier. */
+struct chunk_range neighbours_balanced_range(const struct neighbours *nb);
+
+/* Waits for all threads of the team. */
+void neighbours_barrier(const struct neighbours *nb);
+
+/* The histories of all touching pairs, collected from the chunks; or space for
+ * the `n` histories with which the next run starts. Borrowed. */
+const struct contact_history *neighbours_contact_history(struct neighbours *nb,
+                                                         int *n);
+struct contact_history *neighbours_restore_history(struct neighbours *nb,
+                                                   int n);
+
+/* Before a team starts. */
+void neighbours_begin_run(struct neighbours *nb);
+
+/* At the beginning and the end of a run: copies the particles to the bodies,
+ * and back. */
+void neighbours_load(struct neighbours *nb);
+void neighbours_store(struct neighbours *nb);
+
+/* Largest speed that the last bodies_advance of any chunk bounds [m/s]. */
+double neighbours_speed(const struct neighbours *nb);
+
+/* Chooses the contacts, with a margin of `wanted` [m] or what the skin allows,
+ * and rebuilds the neighbour list if necessary. Ends with a barrier. Returns
+ * the margin, or -1 if a particle is lost. */
+double neighbours_refresh(struct neighbours *nb, double wanted);
+
+/* Searches the chunks of this thread for lost particles. */
+void neighbours_check_lost(struct neighbours *nb);
+
+#endif

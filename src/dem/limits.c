@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/limits.h"
+
+#include <gsl/gsl_math.h>
+
+#include "dem/contact_hertz.h"
+
+static const double steps_a_contact = 25.0, least_steps_a_contact = 15.0;
+static const double share_of_rayleigh = 0.1;
+static const double most_over_undamped = 5.0 / 3.0;
+
+double limits_rayleigh(double r, double rho, double G, double nu)
+{
+    return M_PI * r * sqrt(rho / G) / (0.1631 * nu + 0.8766); /* [LS 5.11] */
+}
+
+double limits_contact_time(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v)
+{
+    const double mass = rho * M_PI / 6.0 * d * d * d;
+    return law->duration(m, 0.25 * d, 0.5 * mass, v);
+}
+
+/* A contact of strong damping takes long, at e = 0 for ever, but its dashpot
+ * acts as fast as its spring. */
+static double resolved_time(const struct contact_law *law,
+                            const struct material *m, double d, double rho,
+                            double v)
+{
+    struct material undamped = *m;
+
+    undamped.restitution = 1.0;
+    return fmin(limits_contact_time(law, m, d, rho, v),
+                most_over_undamped *
+                    limits_contact_time(law, &undamped, d, rho, v));
+}
+
+double limits_step(const struct contact_law *law, const struct material *m,
+                   double d, double rho, double v)
+{
+    const double step = resolved_time(law, m, d, rho, v) / steps_a_contact;
+
+    if (law != &contact_hertz) return step;
+    const double G = m->young / (2.0 * (1.0 + m->poisson));
+    const double T_R = limits_rayleigh(0.5 * d, rho, G, m->poisson);
+    return fmin(step, share_of_rayleigh * T_R);
+}
+
+double limits_longest_step(const struct contact_law *law,
+                           const struct material *m, double d, double rho,
+                           double v)
+{
+    return resolved_time(law, m, d, rho, v) / least_steps_a_contact;
+}

@@ -1,0 +1,57 @@
+/* materials.h -- several materials, and the properties of their pairs. Chapter
+ * 17.
+ *
+ * Every particle is of a material, known by its number: 0 is that of
+ * dem_options, the others are listed here. In a contact of two materials, the
+ * elastic constants of both enter the formulas of the law [LS 4.9, 4.10]; two
+ * linear springs act in series,
+ *
+ *   1/k = (1/k_a + 1/k_b) / 2,
+ *
+ * and of restitution, friction, rolling friction and k_t/k, which belong to the
+ * pair and not to either, the smaller one is used where no measured value is
+ * given.
+ */
+#ifndef DEM_MATERIALS_H
+#define DEM_MATERIALS_H
+
+#include "dem/contact.h"
+
+/* What was measured for materials a and b together. Negative: not given. */
+struct materials_measured {
+    int a, b;
+    double stiffness, tangential;          /* [N/m], [-] */
+    double restitution, friction, rolling; /* [-] */
+};
+
+struct materials {
+    int n;                          /* [-] with material 0 */
+    const struct material *further; /* numbers 1 to n - 1 */
+    int n_measured;
+    const struct materials_measured *measured;
+    int wall; /* [-] number of the material of the box */
+};
+
+/* A material with itself: its own values, to the bit. */
+struct material_pair materials_same(const struct material *m);
+
+/* Two different ones by the rules above. */
+struct material_pair materials_mixed(const struct material *a,
+                                     const struct material *b);
+
+/* Numbers a and b of the list, of which `zero` is number 0. NULL for `all`:
+ * there is no other. */
+struct material_pair materials_pair(const struct material *zero,
+                                    const struct materials *all, int a, int b);
+
+/* Number of materials, and 1 if any pair of them resists rolling. */
+int materials_count(const struct materials *all);
+int materials_have_rolling(const struct material *zero,
+                           const struct materials *all);
+
+/* Fills the table of all pairs, row a and column b at table[a * count + b]. */
+void materials_table(const struct contact_law *law, const struct material *zero,
+                     const struct materials *all,
+                     struct contact_constants *table);
+
+#endif

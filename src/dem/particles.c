@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/particles.h"
+
+#include <assert.h>
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+enum { MOST_ATTACHED = 64, MOST_WIDTH = 8, OWN = 17 };
+
+/* All arrays that are sorted with the particles; the first OWN are those of
+ * struct particles. */
+struct attachments {
+    int n;
+    double *array[MOST_ATTACHED];
+    int width[MOST_ATTACHED];
+    double *room; /* a copy of one array, while it is permuted */
+    int *id_room; /* the same for whole numbers */
+};
+
+struct particles *particles_create(int capacity)
+{
+    struct particles *const ps = alloc_zeroed(1, sizeof *ps);
+    double **const own[OWN] = {&ps->x,   &ps->y,  &ps->z,  &ps->vx, &ps->vy,
+                               &ps->vz,  &ps->wx, &ps->wy, &ps->wz, &ps->d,
+                               &ps->m,   &ps->ex, &ps->ey, &ps->ez, &ps->cfx,
+                               &ps->cfy, &ps->cfz};
+
+    ps->capacity = capacity;
+    ps->id = alloc_ints(capacity);
+    ps->attached = alloc_zeroed(1, sizeof *ps->attached);
+    ps->attached->room = alloc_doubles(MOST_WIDTH * capacity);
+    ps->attached->id_room = alloc_ints(capacity);
+    for (int a = 0; a < OWN; a++) {
+        *own[a] = alloc_doubles(capacity);
+        particles_attach(ps, *own[a], 1);
+    }
+    return ps;
+}
+
+void particles_free(struct particles *ps)
+{
+    if (ps == NULL) return;
+    for (int a = 0; a < OWN; a++)
+        free(ps->attached->array[a]);
+    free(ps->drag_coefficient);
+    free(ps->added_mass);
+    free(ps->drag_impulse);
+    free(ps->id);
+    free(ps->material);
+    free(ps->attached->room);
+    free(ps->attached->id_room);
+    free(ps->attached);
+    free(ps);
+}
+
+void particles_add_implicit_drag(struct particles *ps)
+{
+    if (ps->drag_coefficient != NULL) return;
+    ps->drag_coefficient = alloc_doubles(ps->capacity);
+    ps->added_mass = alloc_doubles(ps->capacity);
+    ps->drag_impulse = alloc_doubles(3 * ps->capacity);
+    particles_attach(ps, ps->drag_coefficient, 1);
+    particles_attach(ps, ps->added_mass, 1);
+    particles_attach(ps, ps->drag_impulse, 3);
+}
+
+int particles_add(struct particles *ps, const double x[3], double d,
+                  double density)
+{
+    const struct attachments *const a = ps->attached;
+    const int i = ps->n++;
+
+    assert(ps->n <= ps->capacity);
+    for (int k = 0; k < a->n; k++) /* somebody may have been here before */
+        memset(a->array[k] + a->width[k] * i, 0,
+               (size_t)a->width[k] * sizeof(double));
+    ps->x[i] = x[0];
+    ps->y[i] = x[1];
+    ps->z[i] = x[2];
+    ps->d[i] = d;
+    ps->m[i] = density * particles_volume(ps, i);
+    ps->id[i] = ps->next_id++;
+    if (ps->material != NULL) ps->material[i] = 0;
+    return i;
+}
+
+void particles_add_material(struct particles *ps)
+{
+    if (ps->material == NULL) ps->material = alloc_ints(ps->capacity);
+}
+
+void particles_attach(struct particles *ps, double *array, int width)
+{
+    struct attachments *const a = ps->attached;
+
+    assert(a->n < MOST_ATTACHED && width <= MOST_WIDTH);
+    a->array[a->n] = array;
+    a->width[a->n++] = width;
+}
+
+void particles_detach(struct particles *ps, const double *array)
+{
+    struct attachments *const a = ps->attached;
+
+    for (int k = OWN; k < a->n; k++)
+        if (a->array[k] == array) {
+            a->n--;
+            a->array[k] = a->array[a->n];
+            a->width[k] = a->width[a->n];
+            return;
+        }
+}
+
+static void permute_array(double *array, int width, const int *order, int n,
+                          double *room)
+{
+    memcpy(room, array, (size_t)n * (size_t)width * sizeof *room);
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < width; k++)
+            array[width * i + k] = room[width * order[i] + k];
+}
+
+static void permute_ints(int *array, const int *order, int n, int *room)
+{
+    memcpy(room, array, (size_t)n * sizeof *room);
+    for (int i = 0; i < n; i++)
+        array[i] = room[order[i]];
+}
+
+void particles_permute(struct particles *ps, const int *order)
+{
+    struct attachments *const a = ps->attached;
+
+    for (int k = 0; k < a->n; k++)
+        permute_array(a->array[k], a->width[k], order, ps->n, a->room);
+    permute_ints(ps->id, order, ps->n, a->id_room);
+    if (ps->material != NULL)
+        permute_ints(ps->material, order, ps->n, a->id_room);
+}
+
+void particles_remove(struct particles *ps, const int *gone)
+{
+    int *const order = alloc_ints(ps->n);
+    int stay = 0, go = ps->n;
+
+    for (int i = 0; i < ps->n; i++)
+        order[gone[i] ? --go : stay++] = i;
+    particles_permute(ps, order);
+    ps->n = stay;
+    free(order);
+}
+
+double particles_volume(const struct particles *ps, int i)
+{
+    return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+}

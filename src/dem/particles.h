@@ -1,0 +1,62 @@
+/* particles.h -- spheres, as a structure of arrays.  Chapter 2.
+ *
+ * One array a quantity, one entry a particle. The order of the particles
+ * changes when they are sorted in space: a particle is identified by its id,
+ * not by its index. An array with one row a particle can be attached, and is
+ * then sorted with them.
+ */
+#ifndef DEM_PARTICLES_H
+#define DEM_PARTICLES_H
+
+struct particles {
+    int n, capacity;
+    int next_id;             /* [-] of the next one: none is given twice */
+    double *x, *y, *z;       /* [m] centre */
+    double *vx, *vy, *vz;    /* [m/s] velocity */
+    double *wx, *wy, *wz;    /* [rad/s] angular velocity */
+    double *d;               /* [m] diameter */
+    double *m;               /* [kg] mass */
+    double *ex, *ey, *ez;    /* [N] outside force, constant during dem_run */
+    double *cfx, *cfy, *cfz; /* [N] of contacts and attractions, at the end of
+                                dem_run */
+    int *id;                 /* [-] 0, 1, ... in the order of creation */
+    int *material;           /* [-] number of it; NULL: all are of material 0 */
+    /* Implicit drag and added mass (implicit_drag.h): NULL unless
+     * particles_add_implicit_drag was called. */
+    double *
+        drag_coefficient; /* [kg/s] k of a drag -k v beside the outside force */
+    double *added_mass;   /* [kg] of fluid that moves along */
+    double *drag_impulse; /* [N s] impulse of -k v, added up; 3 a particle */
+    struct attachments *attached;
+};
+
+struct particles *particles_create(int capacity);
+void particles_free(struct particles *ps);
+
+/* One more sphere of the given diameter [m] and density [kg/m^3], at rest at x
+ * [m]. Returns its index. */
+int particles_add(struct particles *ps, const double x[3], double d,
+                  double density);
+
+/* Allocates resistance, added_mass and resisted, all 0. Nothing happens the
+ * second time. */
+void particles_add_implicit_drag(struct particles *ps);
+
+/* Adds a material number to each particle, initially 0. */
+void particles_add_material(struct particles *ps);
+
+/* `array`, with `width` numbers a particle, follows the particles from now on.
+ * Borrowed: it must stay as long as the particles do, or be detached. */
+void particles_attach(struct particles *ps, double *array, int width);
+void particles_detach(struct particles *ps, const double *array);
+
+/* Removes the particles i with gone[i]; the others keep their order. */
+void particles_remove(struct particles *ps, const int *gone);
+
+/* Puts the particle that was at order[i] to place i, for all arrays. */
+void particles_permute(struct particles *ps, const int *order);
+
+/* Volume of particle i [m^3]. */
+double particles_volume(const struct particles *ps, int i);
+
+#endif

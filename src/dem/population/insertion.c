@@ -1,0 +1,352 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/population/insertion.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/input.h"
+#include "base/interrupt.h"
+#include "base/number.h"
+
+/* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
+ * and what waits is asked again in the next step. */
+enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
+
+/* 0 <= u < 1 from four numbers: the mixer of SplitMix64 [Steele14]. */
+static double chance(unsigned long seed, long k, long attempt, int which)
+{
+    const uint64_t part[4] = {seed, (uint64_t)k, (uint64_t)attempt,
+                              (uint64_t)which};
+    uint64_t z = 0;
+
+    for (int i = 0; i < 4; i++) {
+        z += part[i] + 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        z ^= z >> 31;
+    }
+    return (double)(z >> 11) / 9007199254740992.0;
+}
+
+double insertion_diameter(const struct insertion_options *o, long k)
+{
+    if (o->list != NULL) return o->list[k].d;
+    if (o->sizes == NULL) return o->diameter;
+    return sizes_quantile(o->sizes, chance(o->seed, k, 0, 3));
+}
+
+void insertion_place(const struct insertion_options *o, long k, long attempt,
+                     double d, double x[3])
+{
+    for (int a = 0; a < 3; a++) {
+        const double room = o->hi[a] - o->lo[a] - d;
+        const double u = chance(o->seed, k, attempt, a);
+        x[a] = o->list != NULL ? o->list[k].x[a]
+                               : o->lo[a] + 0.5 * d + u * fmax(room, 0.0);
+    }
+}
+
+long insertion_count_due(const struct insertion *in, double t)
+{
+    const struct insertion_options *const o = &in->options;
+
+    if (t < o->start) return 0;
+    if (o->rate <= 0.0) return o->count;
+    const double n = floor((t - o->start) * o->rate) + 1.0;
+    long due;
+    return number_long(n, &due) != 0 || due > o->count ? o->count : due;
+}
+
+/* Particles by the cell of their centre, chained; cells are as wide as two of
+ * the largest spheres that touch are apart, so that who touches a sphere is in
+ * its cell or beside it. */
+struct near_particles {
+    const struct particles *ps;
+    const struct box_domain *box;
+    double lo[3], inverse[3]; /* [m], [1/m] */
+    int cells[3];
+    int *head, *next; /* the first of a cell; who follows; -1: nobody */
+};
+
+static const double *axis(const struct particles *ps, int k)
+{
+    return k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
+}
+
+/* x_i - x along direction k, nearest image. */
+static double apart(const struct near_particles *c, int i, int k,
+                    const double x[3])
+{
+    const double dx = axis(c->ps, k)[i] - x[k];
+    return dx - c->box->length[k] * rint(dx * c->box->inverse[k]);
+}
+
+/* Over the region, or the period; so few that to empty them costs no more than
+ * to fill them in. */
+static void divide(struct near_particles *c, const struct insertion_options *o,
+                   double width)
+{
+    const double most = 2.0 * c->ps->capacity + 64.0;
+    double total = HUGE_VAL;
+
+    for (; total > most; width *= 1.25) {
+        total = 1.0;
+        for (int k = 0; k < 3; k++) {
+            const int whole = c->box->periodic[k] || o->list != NULL;
+            const double lo = whole ? c->box->lo[k] : o->lo[k];
+            const double length = (whole ? c->box->hi[k] : o->hi[k]) - lo;
+            const double n = fmax(fmin(floor(length / width), MOST_CELLS), 1.0);
+            c->lo[k] = lo;
+            c->cells[k] = number_clamped(n, 1, MOST_CELLS);
+            c->inverse[k] = length > 0.0 ? n / length : 0.0;
+            total *= n;
+        }
+    }
+}
+
+/* Cells a step off along direction k; -1: there is none. */
+static int beside(const struct near_particles *c, int k, int cell)
+{
+    const int n = c->cells[k];
+
+    if (cell >= 0 && cell < n) return cell;
+    return c->box->periodic[k] ? (cell + n) % n : -1;
+}
+
+/* Who is beyond an end is in the last cell before it. */
+static int coordinate(const struct near_particles *c, int k, double x)
+{
+    return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
+}
+
+static int number(const struct near_particles *c, const int at[3])
+{
+    return (at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0];
+}
+
+static void join(struct near_particles *c, int i)
+{
+    int at[3];
+
+    for (int k = 0; k < 3; k++)
+        at[k] = coordinate(c, k, axis(c->ps, k)[i]);
+    int *const head = &c->head[number(c, at)];
+    c->next[i] = *head;
+    *head = i;
+}
+
+/* An empty one, for spheres of up to `widest` [m]. */
+static struct near_particles crowd_create(const struct insertion_options *o,
+                                          const struct particles *ps,
+                                          const struct box_domain *box,
+                                          double widest)
+{
+    struct near_particles c = {.ps = ps, .box = box};
+
+    divide(&c, o, widest);
+    const int n = c.cells[0] * c.cells[1] * c.cells[2];
+    c.head = alloc_ints(n);
+    c.next = alloc_ints(ps->capacity);
+    for (int k = 0; k < n; k++)
+        c.head[k] = -1;
+    return c;
+}
+
+static void crowd_free(struct near_particles *c)
+{
+    free(c->head);
+    free(c->next);
+}
+
+/* One of a cell that overlaps a sphere by more than this share of the mean
+ * diameter; -1: none. */
+static int clash_in(const struct near_particles *c, int cell, const double x[3],
+                    double d, double share)
+{
+    for (int i = c->head[cell]; i >= 0; i = c->next[i]) {
+        const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
+        double r2 = 0.0;
+        for (int k = 0; k < 3; k++) {
+            const double dx = apart(c, i, k, x);
+            r2 += dx * dx;
+        }
+        if (r2 < reach * reach) return i;
+    }
+    return -1;
+}
+
+static int clash(const struct near_particles *c, const double x[3], double d,
+                 double share)
+{
+    int at[3];
+
+    for (int q = 0; q < 27; q++) {
+        const int step[3] = {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1};
+        int there = 1;
+        for (int k = 0; k < 3; k++) {
+            at[k] = beside(c, k, coordinate(c, k, x[k]) + step[k]);
+            there &= at[k] >= 0;
+        }
+        const int i = there ? clash_in(c, number(c, at), x, d, share) : -1;
+        if (i >= 0) return i;
+    }
+    return -1;
+}
+
+/* Those who may touch a sphere in the region. */
+static struct near_particles near_particles_of(const struct insertion *in,
+                                               const struct particles *ps,
+                                               const struct box_domain *box,
+                                               long due)
+{
+    const struct insertion_options *const o = &in->options;
+    double middle[3], widest = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        widest = fmax(widest, ps->d[i]);
+    for (long k = in->n_inserted; k < due; k++)
+        widest = fmax(widest, insertion_diameter(o, k));
+    struct near_particles c = crowd_create(o, ps, box, widest);
+    for (int k = 0; k < 3; k++)
+        middle[k] = 0.5 * (o->lo[k] + o->hi[k]);
+    for (int i = 0; i < ps->n; i++) {
+        int near = 1;
+        for (int k = 0; k < 3; k++)
+            near &= fabs(apart(&c, i, k, middle)) <=
+                    0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
+        if (near || o->list != NULL) join(&c, i);
+    }
+    return c;
+}
+
+/* Inserts the next sphere if there is a free position. */
+static int place_next(struct insertion *in, struct near_particles *c,
+                      struct particles *ps)
+{
+    const struct insertion_options *const o = &in->options;
+    const double d = insertion_diameter(o, in->n_inserted);
+    double x[3];
+
+    for (int a = 0; a < (o->list != NULL ? 1 : ATTEMPTS); a++) {
+        insertion_place(o, in->n_inserted, in->n_attempts++, d, x);
+        if (clash(c, x, d, 0.0) >= 0) continue;
+        if (o->region.has_room != NULL &&
+            !o->region.has_room(o->region.state, x, 0.5 * d))
+            continue;
+        const int i = particles_add(ps, x, d, o->density);
+        if (ps->material != NULL) ps->material[i] = o->material;
+        ps->vx[i] = o->velocity[0];
+        ps->vy[i] = o->velocity[1];
+        ps->vz[i] = o->velocity[2];
+        join(c, i);
+        in->n_inserted++;
+        in->n_attempts = 0;
+        return 1;
+    }
+    return 0;
+}
+
+/* Those before number `last`, as far as they find room. */
+static void place_some(struct insertion *in, struct particles *ps,
+                       const struct box_domain *box, long last)
+{
+    struct near_particles crowd = near_particles_of(in, ps, box, last);
+
+    while (in->n_inserted < last && ps->n < ps->capacity &&
+           place_next(in, &crowd, ps))
+        continue;
+    crowd_free(&crowd);
+}
+
+/* AT_ONCE of them at a time, so that a step that finds no room for the first of
+ * many has not asked how large they all are. */
+int insertion_step(struct insertion *in, struct particles *ps,
+                   const struct box_domain *box, double t)
+{
+    const long due = insertion_count_due(in, t);
+    const int before = ps->n;
+    long last = in->n_inserted;
+
+    while (in->n_inserted == last && in->n_inserted < due &&
+           ps->n < ps->capacity && !interrupt_arrived()) {
+        last = due - in->n_inserted > AT_ONCE ? in->n_inserted + AT_ONCE : due;
+        place_some(in, ps, box, last);
+    }
+    return ps->n - before;
+}
+
+int insertion_clash(const struct insertion_options *o,
+                    const struct box_domain *box, double share, int who[2])
+{
+    struct particles *const ps = particles_create((int)o->count);
+    double widest = 0.0;
+
+    for (long k = 0; k < o->count; k++)
+        widest = fmax(widest, o->list[k].d);
+    struct near_particles c = crowd_create(o, ps, box, widest);
+    who[0] = -1;
+    for (who[1] = 0; who[1] < o->count; who[1]++) {
+        const struct insertion_sphere *const one = &o->list[who[1]];
+        who[0] = clash(&c, one->x, one->d, share);
+        if (who[0] >= 0) break;
+        join(&c, particles_add(ps, one->x, one->d, 1.0));
+    }
+    crowd_free(&c);
+    particles_free(ps);
+    return who[0] >= 0;
+}
+
+/* Non-zero if the line is neither a remark nor four numbers. */
+static int parse(const char *line, struct insertion_sphere *one, int *is_one)
+{
+    const char *const text = line + strspn(line, " \t\r\n");
+    char rest;
+
+    *is_one = *text != '#' && *text != '\0';
+    if (!*is_one) return 0;
+    return sscanf(text, "%lf %lf %lf %lf %c", &one->x[0], &one->x[1],
+                  &one->x[2], &one->d, &rest) != 4 ||
+           !(one->d > 0.0) ||
+           !isfinite(one->x[0] + one->x[1] + one->x[2] + one->d);
+}
+
+struct insertion_sphere *insertion_read(const char *path, long *n)
+{
+    const char *const why = input_wrong(path);
+    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
+    struct insertion_sphere *list = NULL;
+    long room = 0, number = 0;
+    char line[LINE];
+    int is_one, wrong = 0;
+
+    *n = 0;
+    if (f == NULL) {
+        fprintf(stderr, "winnow: %s: %s\n", path,
+                why != NULL ? why : strerror(errno));
+        return NULL;
+    }
+    while (!wrong && fgets(line, LINE, f) != NULL) {
+        if (*n == room) {
+            room = 2 * room + 64;
+            struct insertion_sphere *const more =
+                alloc_zeroed((size_t)room, sizeof *more);
+            if (*n > 0) memcpy(more, list, (size_t)*n * sizeof *more);
+            free(list);
+            list = more;
+        }
+        number++;
+        wrong = parse(line, &list[*n], &is_one);
+        *n += is_one;
+    }
+    fclose(f);
+    if (!wrong && *n > 0) return list;
+    fprintf(stderr,
+            "winnow: %s:%ld: expected x y z d, four numbers [m], d > 0\n", path,
+            number);
+    free(list);
+    return NULL;
+}

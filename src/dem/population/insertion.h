@@ -1,0 +1,75 @@
+/* insertion.h -- insertion of particles during a run. Chapter 15.
+ *
+ * A source inserts spheres at random positions in a region where they overlap
+ * no other particle: all at once, or at a given rate. Diameter and positions of
+ * the k-th sphere are drawn from random numbers that depend on the seed and on
+ * k alone. A large sphere without a free position waits, and all later ones
+ * wait with it, because otherwise the inserted sizes would not follow the
+ * distribution. The state of a source consists of two numbers, which are all
+ * that a resumed run needs.
+ */
+#ifndef DEM_POPULATION_INSERTION_H
+#define DEM_POPULATION_INSERTION_H
+
+#include <stdio.h>
+
+#include "dem/fast/bodies.h"
+#include "dem/population/placement_region.h"
+#include "dem/population/sizes.h"
+
+/* One sphere of a list. */
+struct insertion_sphere {
+    double x[3]; /* [m] */
+    double d;    /* [m] */
+};
+
+struct insertion_options {
+    double lo[3], hi[3]; /* [m] the region that contains the whole spheres */
+    double velocity[3];  /* [m/s] initial velocity */
+    double diameter;     /* [m] of all, unless there are sizes */
+    const struct sizes *sizes; /* borrowed; or NULL */
+    double density;            /* [kg/m^3] */
+    int material;              /* [-] its number */
+    long count;                /* [-] of spheres in all */
+    double rate;               /* [1/s]; 0: all at once */
+    double start;              /* [s] time of the first */
+    unsigned long seed;
+    struct placement_region
+        region; /* positions outside of it count as attempts */
+    const struct insertion_sphere *list; /* borrowed; count of them, instead of
+                                         chance; or NULL */
+};
+
+struct insertion {
+    struct insertion_options options;
+    long n_inserted; /* [-] spheres inserted so far */
+    long n_attempts; /* [-] places tried for the next one */
+    /* Data borrowed by the options that are released with the source; else
+     * NULL. */
+    struct sizes *own_sizes;
+    struct insertion_sphere *own_list;
+};
+
+/* The diameter of sphere k of a source [m], and place number `attempt` [m]. */
+double insertion_diameter(const struct insertion_options *o, long k);
+void insertion_place(const struct insertion_options *o, long k, long attempt,
+                     double d, double x[3]);
+
+/* Adds the spheres due at time t [s] to ps, with a limited number of attempts
+ * each; returns how many were added. Spheres without a free position wait. */
+int insertion_step(struct insertion *in, struct particles *ps,
+                   const struct box_domain *box, double t);
+
+/* Whether two spheres of the list overlap by more than this share of their mean
+ * diameter, so that they cannot come at once, and which. */
+int insertion_clash(const struct insertion_options *o,
+                    const struct box_domain *box, double share, int who[2]);
+
+/* Number of spheres due by then [-]. */
+long insertion_count_due(const struct insertion *in, double t);
+
+/* The list in a file, "x y z d" a line, # for a remark; released with free().
+ * NULL after a message that names the line. */
+struct insertion_sphere *insertion_read(const char *path, long *n);
+
+#endif

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/population/population.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+struct population *population_create(const struct box_domain *box,
+                                     int n_sources, int n_sinks)
+{
+    struct population *const l = alloc_zeroed(1, sizeof *l);
+
+    l->box = *box;
+    l->n_sources = n_sources;
+    l->n_sinks = n_sinks;
+    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
+    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
+    return l;
+}
+
+void population_free(struct population *l)
+{
+    if (l == NULL) return;
+    for (int i = 0; i < l->n_sources; i++) {
+        sizes_free(l->sources[i].own_sizes);
+        free(l->sources[i].own_list);
+    }
+    free(l->sources);
+    free(l->sinks);
+    free(l->is_removed);
+    free(l);
+}
+
+static int is_removed(const struct population *l,
+                      const struct population_sink *sink,
+                      const struct particles *ps, int i, double dt)
+{
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    const int k = sink->side / 2, upper = sink->side % 2;
+
+    if (sink->side >= 0) {
+        const double gap = (upper ? l->box.hi[k] - x[k] : x[k] - l->box.lo[k]) -
+                           0.5 * ps->d[i];
+        const double nearer = (upper ? v[k] : -v[k]) * dt;
+        return gap - (nearer > 0.0 ? nearer : 0.0) <= 0.0;
+    }
+    for (int a = 0; a < 3; a++)
+        if (x[a] < sink->lo[a] || x[a] > sink->hi[a]) return 0;
+    return 1;
+}
+
+static void add_momentum(double sum[3], const struct particles *ps, int i)
+{
+    sum[0] += ps->m[i] * ps->vx[i];
+    sum[1] += ps->m[i] * ps->vy[i];
+    sum[2] += ps->m[i] * ps->vz[i];
+}
+
+static void count_removed(struct population_totals *a,
+                          const struct particles *ps, int i)
+{
+    a->removed++;
+    a->mass_out += ps->m[i];
+    add_momentum(a->momentum_out, ps, i);
+}
+
+static void count_inserted(struct population_totals *a,
+                           const struct particles *ps, int i)
+{
+    a->inserted++;
+    a->mass_in += ps->m[i];
+    add_momentum(a->momentum_in, ps, i);
+}
+
+int population_mark(struct population *l, const struct particles *ps, double dt)
+{
+    int n = 0;
+
+    if (l->n_sinks == 0) return 0;
+    if (l->capacity < ps->n) {
+        free(l->is_removed);
+        l->capacity = ps->capacity;
+        l->is_removed = alloc_ints(l->capacity);
+    }
+    for (int i = 0; i < ps->n; i++) {
+        l->is_removed[i] = 0;
+        for (int s = 0; s < l->n_sinks && !l->is_removed[i]; s++)
+            l->is_removed[i] = is_removed(l, &l->sinks[s], ps, i, dt);
+        if (l->is_removed[i]) count_removed(&l->totals, ps, i);
+        n += l->is_removed[i];
+    }
+    return n;
+}
+
+void population_remove(struct population *l, struct dem *dem)
+{
+    dem_remove(dem, l->is_removed);
+}
+
+int population_insert(struct population *l, struct particles *ps,
+                      struct dem *dem, double t)
+{
+    const int before = ps->n;
+
+    l->totals.waiting = 0;
+    for (int s = 0; s < l->n_sources; s++) {
+        struct insertion *const in = &l->sources[s];
+        insertion_step(in, ps, &l->box, t);
+        l->totals.waiting += insertion_count_due(in, t) - in->n_inserted;
+    }
+    for (int i = before; i < ps->n; i++)
+        count_inserted(&l->totals, ps, i);
+    if (ps->n > before) dem_changed(dem);
+    return before;
+}
+
+void population_save(const struct population *l, const struct particles *ps,
+                     FILE *f)
+{
+    const struct population_totals *const a = &l->totals;
+
+    fprintf(f, "life %d %d %ld %ld %a %a\n", ps->next_id, l->n_sources,
+            a->inserted, a->removed, a->mass_in, a->mass_out);
+    for (int k = 0; k < 3; k++)
+        fprintf(f, "momentum %a %a\n", a->momentum_in[k], a->momentum_out[k]);
+    for (int s = 0; s < l->n_sources; s++)
+        fprintf(f, "source %ld %ld\n", l->sources[s].n_inserted,
+                l->sources[s].n_attempts);
+}
+
+int population_load(struct population *l, struct particles *ps, FILE *f)
+{
+    struct population_totals *const a = &l->totals;
+    int n = -1;
+
+    if (fscanf(f, " life %d %d %ld %ld %la %la", &ps->next_id, &n, &a->inserted,
+               &a->removed, &a->mass_in, &a->mass_out) != 6 ||
+        n != l->n_sources)
+        return 1;
+    for (int k = 0; k < 3; k++)
+        if (fscanf(f, " momentum %la %la", &a->momentum_in[k],
+                   &a->momentum_out[k]) != 2)
+            return 1;
+    for (int s = 0; s < n; s++)
+        if (fscanf(f, " source %ld %ld", &l->sources[s].n_inserted,
+                   &l->sources[s].n_attempts) != 2)
+            return 1;
+    return 0;
+}

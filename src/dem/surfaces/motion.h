@@ -1,0 +1,50 @@
+/* motion.h -- how a wall or a prescribed particle moves, as prescribed. Chapter
+ * 14.
+ *
+ *   c(t) = c_0 + v s + A sin(2 pi f s),   s = t - from, not beyond until
+ *   x(t) = c(t) + Q(omega s) (x_0 - c_0)                              (14.6)
+ *
+ * a rigid motion: the sum of a velocity, an oscillation and a rotation about an
+ * axis through c. The position of a point is a function of time, so errors do
+ * not accumulate from step to step.
+ */
+#ifndef DEM_SURFACES_MOTION_H
+#define DEM_SURFACES_MOTION_H
+
+struct motion {
+    double from, until;  /* [s] at rest before and after; until 0: no end */
+    double velocity[3];  /* [m/s] v */
+    double amplitude[3]; /* [m] A */
+    double frequency;    /* [Hz] f */
+    double centre[3];    /* [m] c_0, a point of the axis at time `from` */
+    double spin[3];      /* [rad/s] omega */
+};
+
+/* A rigid body at one moment. */
+struct pose {
+    double start[3];       /* [m] c_0 */
+    double centre[3];      /* [m] c(t) */
+    double rotation[3][3]; /* [-] Q */
+    double velocity[3];    /* [m/s] dc/dt */
+    double spin[3];        /* [rad/s] */
+};
+
+struct pose motion_pose(const struct motion *m, double t);
+
+/* 1 if it ever moves; 1 if it moves at time t. */
+int motion_is_any(const struct motion *m);
+int motion_is_on(const struct motion *m, double t);
+
+/* No point within `reach` [m] of c is ever faster [m/s]. */
+double motion_speed(const struct motion *m, double reach);
+
+/* Maps the initial position of a point to the present one, and back.
+ * motion_turn only rotates a vector. */
+void motion_place(const struct pose *p, const double start[3], double x[3]);
+void motion_origin(const struct pose *p, const double x[3], double start[3]);
+void motion_turn(const struct pose *p, const double start[3], double v[3]);
+
+/* Velocity of the body at x: dc/dt + omega x (x - c) [m/s]. */
+void motion_velocity(const struct pose *p, const double x[3], double v[3]);
+
+#endif

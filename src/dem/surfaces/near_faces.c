@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/near_faces.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+void near_faces_release(struct near_faces *l)
+{
+    free(l->owner);
+    free(l->face);
+    free(l->found.number);
+}
+
+void *near_faces_room(void *list, int n, int *room, size_t size)
+{
+    if (n < *room) return list;
+    *room = 2 * n + 64;
+    void *const longer = alloc_zeroed((size_t)*room, size);
+    if (n > 0) memcpy(longer, list, (size_t)n * size);
+    free(list);
+    return longer;
+}
+
+static void begin_owner(struct near_faces *l, int i)
+{
+    l->owner = near_faces_room(l->owner, l->n_owners, &l->owner_capacity,
+                               sizeof *l->owner);
+    l->owner[l->n_owners++] = (struct near_owner){i, l->n_faces, l->n_faces};
+}
+
+static void add_face(struct near_faces *l, const struct near_face *f)
+{
+    l->face = near_faces_room(l->face, l->n_faces, &l->face_capacity,
+                              sizeof *l->face);
+    l->face[l->n_faces++] = *f;
+    l->owner[l->n_owners - 1].last = l->n_faces;
+}
+
+static void end_owner(struct near_faces *l)
+{
+    const struct near_owner *const o = &l->owner[l->n_owners - 1];
+    if (o->first == o->last) l->n_owners--;
+}
+
+void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
+                      double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const double dx =
+            b->position_radius[i][k] - b->position_at_rebuild[i][k];
+        const double back = b->box.length[k] * rint(dx * b->box.inverse[k]);
+        x[k] = b->position_radius[i][k] - back + f->shift[k];
+    }
+}
+
+static double gap_of(const struct surface_scene *scene, const struct pose *pose,
+                     const struct near_face *f, const double x[3], double R)
+{
+    return surface_nearest_moved(&scene->surface[f->surface], f->face,
+                                 &pose[f->surface], x)
+               .r -
+           R;
+}
+
+/* The faces of one surface near one image of a particle. */
+static void find_faces(struct near_faces *l, const struct surface_scene *scene,
+                       const struct pose *pose, int surface,
+                       const double place[4], const double shift[3],
+                       double skin)
+{
+    const struct surface *const s = &scene->surface[surface];
+    const int many = s->shape == SURFACE_TRIANGLES;
+    struct near_face f = {.surface = surface};
+    double x[3], y[3];
+
+    memcpy(f.shift, shift, sizeof f.shift);
+    vector_along(place, 1.0, shift, x);
+    motion_origin(&pose[surface], x, y);
+    l->found.n = 1;
+    if (many) triangles_near(s->triangles, y, place[3] + skin, &l->found);
+    for (int q = 0; q < l->found.n; q++) {
+        f.face = many ? l->found.number[q] : 0;
+        if (gap_of(scene, pose, &f, x, place[3]) <= skin) add_face(l, &f);
+    }
+}
+
+/* A particle near an end of a periodic direction is near what lies beyond. */
+static int images(const struct box_domain *box, const double place[4], int k,
+                  double skin, double shift[3])
+{
+    const double reach = place[3] + skin;
+    int n = 1;
+
+    shift[0] = 0.0;
+    if (!box->periodic[k]) return n;
+    if (place[k] - box->lo[k] < reach) shift[n++] = box->length[k];
+    if (box->hi[k] - place[k] < reach) shift[n++] = -box->length[k];
+    return n;
+}
+
+static void find_owner(struct near_faces *l, const struct surface_scene *scene,
+                       const struct pose *pose, const double place[4],
+                       double skin)
+{
+    double shift[3][3];
+    int n[3];
+
+    for (int k = 0; k < 3; k++)
+        n[k] = images(scene->box, place, k, skin, shift[k]);
+    for (int z = 0; z < n[2]; z++)
+        for (int y = 0; y < n[1]; y++)
+            for (int x = 0; x < n[0]; x++) {
+                const double by[3] = {shift[0][x], shift[1][y], shift[2][z]};
+                for (int s = 0; s < scene->n; s++)
+                    find_faces(l, scene, pose, s, place, by, skin);
+            }
+}
+
+void near_faces_find(struct near_faces *l, const struct surface_scene *scene,
+                     const struct pose *pose, const struct chunk *s,
+                     const struct bodies *b, double skin)
+{
+    l->n_owners = l->n_faces = 0;
+    for (int i = s->begin; i < s->end; i++) {
+        begin_owner(l, i);
+        find_owner(l, scene, pose, b->position_radius[i], skin);
+        end_owner(l);
+    }
+}
+
+void near_faces_choose(struct near_faces *l, const struct near_faces *from,
+                       const struct surface_scene *scene,
+                       const struct pose *pose, const struct bodies *b,
+                       double margin)
+{
+    l->n_owners = l->n_faces = 0;
+    for (int o = 0; o < from->n_owners; o++) {
+        const struct near_owner *const own = &from->owner[o];
+        begin_owner(l, own->owner);
+        for (int f = own->first; f < own->last; f++) {
+            const struct near_face *const face = &from->face[f];
+            double x[3];
+            near_faces_image(face, b, own->owner, x);
+            if (gap_of(scene, pose, face, x,
+                       b->position_radius[own->owner][3]) < margin)
+                add_face(l, face);
+        }
+        end_owner(l);
+    }
+}

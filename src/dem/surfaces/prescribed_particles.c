@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/prescribed_particles.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "dem/implicit_drag.h"
+
+/* [-] factor of 1/m for a prescribed particle: with 0, a contact of two of them
+ * would divide 0 by 0. */
+static const double fraction_within = 1e-12;
+
+struct prescribed_particles *
+prescribed_particles_create(const struct prescribed_particle *list, int n)
+{
+    struct prescribed_particles *const d = alloc_zeroed(1, sizeof *d);
+
+    d->list = list;
+    d->n = n;
+    d->index = alloc_ints(n);
+    d->is_on = alloc_ints(n);
+    return d;
+}
+
+void prescribed_particles_free(struct prescribed_particles *d)
+{
+    if (d == NULL) return;
+    free(d->index);
+    free(d->is_on);
+    free(d);
+}
+
+void prescribed_particles_locate(struct prescribed_particles *d,
+                                 const struct particles *ps)
+{
+    for (int k = 0; k < d->n; k++) {
+        d->index[k] = -1;
+        for (int i = 0; i < ps->n && d->index[k] < 0; i++)
+            if (ps->id[i] == d->list[k].id) d->index[k] = i;
+    }
+}
+
+/* Without 1/m, and deaf to what else would move it. Its drag -k v stays what
+ * the fluid feels of it: k is as it was, but does not change v. */
+static void set_inverse_mass(struct bodies *b, const struct particles *ps,
+                             int i)
+{
+    b->velocity[i][7] = fraction_within / ps->m[i];
+    memset(b->acceleration[i], 0, sizeof b->acceleration[i]);
+    if (b->implicit_drag == NULL) return;
+    const double per_mass = fraction_within / (ps->m[i] + ps->added_mass[i]);
+    b->implicit_drag[i][0] = ps->drag_coefficient[i] * per_mass;
+    b->implicit_drag[i][1] = b->implicit_drag[i][2] = 1.0;
+    b->implicit_drag[i][3] = per_mass;
+}
+
+/* As bodies_load makes it. The loads of this moment are those of a particle
+ * without 1/m: its dashpots, made for so large a mass, would throw one that
+ * has a mass again. They go with the motion that ends. */
+static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
+                                 int i, double load[8])
+{
+    if (load != NULL) memset(load, 0, 8 * sizeof *load);
+    const double per_mass = 1.0 / ps->m[i];
+
+    b->velocity[i][7] = per_mass;
+    b->acceleration[i][0] = ps->ex[i] * per_mass;
+    b->acceleration[i][1] = ps->ey[i] * per_mass;
+    b->acceleration[i][2] = ps->ez[i] * per_mass;
+    if (b->implicit_drag != NULL) implicit_drag_load(b, ps, i, i + 1);
+}
+
+static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
+                            double t, double dt)
+{
+    const struct pose now = motion_pose(m, t);
+    double *const v = b->velocity[i], *const x = b->position_radius[i];
+
+    if (dt > 0.0) {
+        const struct pose next = motion_pose(m, t + dt);
+        double start[3], to[3];
+        motion_origin(&now, x, start);
+        motion_place(&next, start, to);
+        for (int k = 0; k < 3; k++)
+            v[k] = (to[k] - x[k]) / dt;
+    } else {
+        motion_velocity(&now, x, v);
+    }
+    for (int k = 0; k < 3; k++)
+        v[4 + k] = x[3] * now.spin[k];
+}
+
+/* Of translation and rotation, and of the fluid that is taken along [J]. */
+static double kinetic(const struct bodies *b, const struct particles *ps, int i)
+{
+    const double *const v = b->velocity[i];
+    const double m =
+        ps->m[i] + (b->implicit_drag != NULL ? ps->added_mass[i] : 0.0);
+
+    return 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+           0.2 * ps->m[i] * (v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
+}
+
+/* What the fluid takes from it [W], as chunk_add_work books it. */
+static double taken(const struct bodies *b, const struct particles *ps, int i)
+{
+    const double *const v = b->velocity[i];
+
+    if (b->implicit_drag == NULL) return 0.0;
+    return ps->drag_coefficient[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static int owned_index(const struct prescribed_particles *d, int k, int begin,
+                       int end)
+{
+    return d->index[k] >= begin && d->index[k] < end;
+}
+
+double prescribed_particles_set_velocities(struct prescribed_particles *d,
+                                           struct bodies *b,
+                                           const struct particles *ps,
+                                           int begin, int end,
+                                           double (*load)[8], double t,
+                                           double dt)
+{
+    double gained = 0.0;
+
+    for (int k = 0; k < d->n; k++) {
+        const struct motion *const m = &d->list[k].motion;
+        const int i = d->index[k], on = motion_is_on(m, t);
+
+        if (!owned_index(d, k, begin, end)) continue;
+        if (on) {
+            set_inverse_mass(b, ps, i);
+            gained -= kinetic(b, ps, i);
+            set_velocity_of(m, b, i, t, dt);
+            gained += kinetic(b, ps, i) + dt * taken(b, ps, i);
+        } else if (d->is_on[k]) {
+            restore_inverse_mass(b, ps, i,
+                                 load != NULL ? load[i - begin] : NULL);
+        }
+        d->is_on[k] = on;
+    }
+    return gained;
+}
+
+/* T . omega = -load . (R omega) (chunk.h). */
+double prescribed_particles_power(const struct prescribed_particles *d,
+                                  const struct bodies *b, int begin, int end,
+                                  double (*load)[8])
+{
+    double power = 0.0;
+
+    for (int k = 0; k < d->n; k++) {
+        if (!owned_index(d, k, begin, end) || !d->is_on[k]) continue;
+        const double *const v = b->velocity[d->index[k]];
+        const double *const f = load[d->index[k] - begin];
+        for (int a = 0; a < 3; a++)
+            power -= f[a] * v[a] - f[4 + a] * v[4 + a];
+    }
+    return power;
+}
+
+void prescribed_particles_fix_mass(const struct prescribed_particles *d,
+                                   struct bodies *b, const struct particles *ps,
+                                   int begin, int end)
+{
+    for (int k = 0; k < d->n; k++)
+        if (owned_index(d, k, begin, end) && d->is_on[k])
+            set_inverse_mass(b, ps, d->index[k]);
+}
+
+void prescribed_particles_restore_mass(const struct prescribed_particles *d,
+                                       struct bodies *b,
+                                       const struct particles *ps, int begin,
+                                       int end)
+{
+    for (int k = 0; k < d->n; k++)
+        if (owned_index(d, k, begin, end) && d->is_on[k])
+            restore_inverse_mass(b, ps, d->index[k], NULL);
+}

@@ -1,0 +1,62 @@
+/* prescribed_particles.h -- single particles that move as prescribed.
+ * Chapter 14.
+ *
+ * During its prescribed motion a particle moves as a point of a rigid body;
+ * before and after it is free. In contacts it acts like a wall: its 1/m is 0.
+ * Each step begins at the present position of the particle, so that the state
+ * of a run consists of its particles and the time.
+ */
+#ifndef DEM_SURFACES_PRESCRIBED_PARTICLES_H
+#define DEM_SURFACES_PRESCRIBED_PARTICLES_H
+
+#include "dem/fast/bodies.h"
+#include "dem/surfaces/motion.h"
+
+struct prescribed_particle {
+    int id; /* of the particle */
+    struct motion motion;
+};
+
+struct prescribed_particles {
+    const struct prescribed_particle *list; /* borrowed */
+    int n;
+    int *index; /* [-] where each is now, or -1 */
+    int *is_on; /* [-] 1: it is prescribed in this step */
+};
+
+struct prescribed_particles *
+prescribed_particles_create(const struct prescribed_particle *list, int n);
+void prescribed_particles_free(struct prescribed_particles *d);
+
+/* Finds the indices of these particles. */
+void prescribed_particles_locate(struct prescribed_particles *d,
+                                 const struct particles *ps);
+
+/* Sets the velocities of those among begin ... end - 1 for a step from t to
+ * t + dt [s]; dt = 0 gives those of the time t. Of those whose motion has ended
+ * it clears the loads, from begin on; NULL: there are none yet. Returns the
+ * energy that they gained by it, and what the fluid takes on the way [J]. */
+double prescribed_particles_set_velocities(struct prescribed_particles *d,
+                                           struct bodies *b,
+                                           const struct particles *ps,
+                                           int begin, int end,
+                                           double (*load)[8], double t,
+                                           double dt);
+
+/* Power [W] with which those that are prescribed push against their loads;
+ * `load` is that of particle `begin`, as in chunk.h. */
+double prescribed_particles_power(const struct prescribed_particles *d,
+                                  const struct bodies *b, int begin, int end,
+                                  double (*load)[8]);
+
+/* After rows were loaded: sets 1/m of the prescribed particles to 0; or
+ * restores their own 1/m for measurements. */
+void prescribed_particles_fix_mass(const struct prescribed_particles *d,
+                                   struct bodies *b, const struct particles *ps,
+                                   int begin, int end);
+void prescribed_particles_restore_mass(const struct prescribed_particles *d,
+                                       struct bodies *b,
+                                       const struct particles *ps, int begin,
+                                       int end);
+
+#endif

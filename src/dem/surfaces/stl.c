@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/stl.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/alloc.h"
+#include "base/input.h"
+#include "base/number.h"
+#include "base/vector.h"
+#include "dem/surfaces/triangle.h"
+
+enum { HEAD = 80, RECORD = 50, WORD = 64, MOST = 50000000 };
+
+/* The whole file in memory, ended by a zero byte, and where we are in it. */
+struct source {
+    const char *path;
+    char *text;
+    size_t length;
+    const char *at;
+    int line;
+};
+
+static int wrong(const struct source *in, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static int wrong(const struct source *in, const char *format, ...)
+{
+    va_list values;
+
+    fprintf(stderr, "winnow: %s", in->path);
+    if (in->line > 0) fprintf(stderr, ":%d", in->line);
+    fprintf(stderr, ": ");
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fprintf(stderr, "\n");
+    return 1;
+}
+
+static int load(struct source *in)
+{
+    const char *why;
+
+    in->at = in->text = input_text(in->path, &in->length, &why);
+    return in->text != NULL ? 0 : wrong(in, "cannot be read: %s", why);
+}
+
+/* One more triangle, unless it has no area. */
+static void add(struct stl *s, int *room, double corner[3][3])
+{
+    double n[3];
+
+    triangle_normal((const double(*)[3])corner, n);
+    if (!(vector_length(n) > 0.5)) {
+        s->dropped++;
+        return;
+    }
+    if (s->n == *room) {
+        *room = 2 * *room + 64;
+        double(*const longer)[3][3] =
+            alloc_zeroed((size_t)*room, sizeof *longer);
+        if (s->n > 0) memcpy(longer, s->corner, (size_t)s->n * sizeof *longer);
+        free(s->corner);
+        s->corner = longer;
+    }
+    memcpy(s->corner[s->n++], corner, sizeof *s->corner);
+}
+
+/* --- binary --------------------------------------------------------------- */
+
+/* Little-endian, whatever this machine is. */
+static uint32_t four_bytes(const char *p)
+{
+    const unsigned char *const b = (const unsigned char *)p;
+
+    return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 |
+           (uint32_t)b[3] << 24;
+}
+
+static double float_at(const char *p)
+{
+    const uint32_t bits = four_bytes(p);
+    float x;
+
+    memcpy(&x, &bits, sizeof x);
+    return (double)x;
+}
+
+static double announced(const struct source *in)
+{
+    return in->length < HEAD + 4 ? -1.0 : (double)four_bytes(in->text + HEAD);
+}
+
+static int is_binary(const struct source *in)
+{
+    return (double)in->length == HEAD + 4 + RECORD * announced(in);
+}
+
+/* Twelve numbers, the normal first, and two bytes that nobody uses. */
+static int read_binary(struct source *in, struct stl *s)
+{
+    const int n = number_clamped(announced(in), 0, MOST);
+    int room = 0;
+
+    for (int t = 0; t < n; t++) {
+        const char *const record = in->text + HEAD + 4 + (size_t)t * RECORD;
+        double corner[3][3];
+        for (int k = 0; k < 9; k++) {
+            corner[k / 3][k % 3] = float_at(record + 12 + 4 * k);
+            if (!isfinite(corner[k / 3][k % 3]))
+                return wrong(in,
+                             "corner %d of triangle %d (byte %zu) is not a "
+                             "number",
+                             k / 3, t, HEAD + 4 + (size_t)t * RECORD);
+        }
+        add(s, &room, corner);
+    }
+    return 0;
+}
+
+/* --- text ----------------------------------------------------------------- */
+
+/* The next word; "" at the end. */
+static void next_word(struct source *in, char word[WORD])
+{
+    size_t n = 0;
+
+    for (; isspace((unsigned char)*in->at); in->at++)
+        in->line += *in->at == '\n';
+    while (in->at[n] != '\0' && !isspace((unsigned char)in->at[n]))
+        n++;
+    snprintf(word, WORD, "%.*s", (int)(n < WORD ? n : WORD - 1), in->at);
+    in->at += n;
+}
+
+static int expect(struct source *in, const char *what)
+{
+    char word[WORD];
+
+    next_word(in, word);
+    if (strcasecmp(word, what) == 0) return 0;
+    return wrong(in, "expected \"%s\", found %s%s%s", what, word[0] ? "\"" : "",
+                 word[0] ? word : "the end of the file", word[0] ? "\"" : "");
+}
+
+static int three_numbers(struct source *in, double x[3])
+{
+    for (int k = 0; k < 3; k++) {
+        char word[WORD], *end;
+        next_word(in, word);
+        x[k] = strtod(word, &end);
+        if (word[0] == '\0' || *end != '\0' || !isfinite(x[k]))
+            return wrong(
+                in, "expected a number, found %s%s%s", word[0] ? "\"" : "",
+                word[0] ? word : "the end of the file", word[0] ? "\"" : "");
+    }
+    return 0;
+}
+
+/* From behind "facet" to its end. The normal may be anything, even "nan". */
+static int read_facet(struct source *in, struct stl *s, int *room)
+{
+    double corner[3][3];
+    char word[WORD];
+
+    if (expect(in, "normal") != 0) return 1;
+    for (int k = 0; k < 3; k++)
+        next_word(in, word);
+    if (expect(in, "outer") != 0 || expect(in, "loop") != 0) return 1;
+    for (int c = 0; c < 3; c++)
+        if (expect(in, "vertex") != 0 || three_numbers(in, corner[c]) != 0)
+            return 1;
+    add(s, room, corner);
+    return expect(in, "endloop") != 0 || expect(in, "endfacet") != 0;
+}
+
+/* Names may have spaces: they end with their line. */
+static void skip_line(struct source *in)
+{
+    while (*in->at != '\0' && *in->at != '\n')
+        in->at++;
+}
+
+static int read_text(struct source *in, struct stl *s)
+{
+    int room = 0, open = 0;
+    char word[WORD];
+
+    in->line = 1;
+    for (next_word(in, word); word[0] != '\0'; next_word(in, word)) {
+        const int solid = strcasecmp(word, "solid") == 0;
+        if (open && strcasecmp(word, "facet") == 0) {
+            if (read_facet(in, s, &room) != 0) return 1;
+        } else if (solid != open &&
+                   (solid || strcasecmp(word, "endsolid") == 0)) {
+            open = solid;
+            skip_line(in);
+        } else {
+            return wrong(in, "expected %s, found \"%s\"",
+                         open ? "\"facet\" or \"endsolid\"" : "\"solid\"",
+                         word);
+        }
+    }
+    return open ? wrong(in, "the file ends before \"endsolid\"") : 0;
+}
+
+/* --- both ----------------------------------------------------------------- */
+
+static int begins_with_solid(const struct source *in)
+{
+    const char *p = in->text;
+
+    while (isspace((unsigned char)*p))
+        p++;
+    return strncasecmp(p, "solid", 5) == 0;
+}
+
+static int read_either(struct source *in, struct stl *s)
+{
+    if (is_binary(in)) {
+        if (announced(in) > MOST)
+            return wrong(in, "%.0f triangles are more than the %d that fit",
+                         announced(in), MOST);
+        return read_binary(in, s);
+    }
+    if (begins_with_solid(in)) return read_text(in, s);
+    if (in->length < HEAD + 4)
+        return wrong(in, "no STL file: neither \"solid\" nor the 84 bytes of a "
+                         "binary head");
+    return wrong(in,
+                 "no STL file, or cut off: its head announces %.0f triangles, "
+                 "which make %.0f bytes; it has %zu",
+                 announced(in), HEAD + 4 + RECORD * announced(in), in->length);
+}
+
+int stl_read(const char *path, struct stl *s)
+{
+    struct source in = {.path = path};
+
+    *s = (struct stl){0, NULL, 0};
+    int failed = load(&in) != 0 || read_either(&in, s) != 0;
+    in.line = 0;
+    if (!failed && s->n == 0)
+        failed = wrong(&in, "there is no triangle%s in it",
+                       s->dropped > 0 ? " with an area" : "");
+    free(in.text);
+    if (failed) stl_release(s);
+    return failed;
+}
+
+void stl_release(struct stl *s)
+{
+    free(s->corner);
+    *s = (struct stl){0, NULL, 0};
+}

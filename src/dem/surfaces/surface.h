@@ -1,0 +1,59 @@
+/* surface.h -- a wall that is not one of the box.  Chapter 14.
+ *
+ * The solid of a plane lies behind it, that of a cylinder around or in it: a
+ * sphere whose centre is in the solid is pushed out. Triangles have two sides
+ * and no thickness; the force points to the side of the centre.
+ */
+#ifndef DEM_SURFACES_SURFACE_H
+#define DEM_SURFACES_SURFACE_H
+
+#include "dem/surfaces/motion.h"
+#include "dem/surfaces/triangles.h"
+
+enum surface_shape { SURFACE_PLANE, SURFACE_CYLINDER, SURFACE_TRIANGLES };
+
+struct surface {
+    const char *name; /* borrowed */
+    enum surface_shape shape;
+    int material;                      /* [-] number of it */
+    double point[3];                   /* [m] on the plane, or on the axis */
+    double normal[3];                  /* [-] out of the solid; or the axis */
+    double radius;                     /* [m] of the cylinder */
+    int inside;                        /* [-] 1: particles are within it */
+    const struct triangles *triangles; /* borrowed */
+    struct motion motion;              /* the places above are of time 0 */
+};
+
+/* What one face of a surface is to a point. */
+struct surface_hit {
+    double r;    /* [m] distance; negative in the solid of plane, cylinder */
+    double n[3]; /* [-] from the face to the point */
+    double q[3]; /* [m] the nearest point of the face */
+};
+
+/* The face of a plane or a cylinder is number 0, that of triangles the number
+ * of one. y and the answer are in the frame of the surface, as at time 0. */
+struct surface_hit surface_nearest(const struct surface *s, int face,
+                                   const double y[3]);
+
+/* The same in the frame of the box: x is moved to the surface and the answer
+ * back. */
+struct surface_hit surface_nearest_moved(const struct surface *s, int face,
+                                         const struct pose *p,
+                                         const double x[3]);
+
+/* Is the point the image of no other in the solid of a plane or a cylinder,
+ * deeper than R? Triangles have no solid: 0. */
+int surface_contains(const struct surface *s, const struct pose *p,
+                     const double x[3], double R);
+
+/* Largest distance [m] of its points within the box from the centre of its
+ * motion, at time 0. */
+double surface_reach(const struct surface *s, const double lo[3],
+                     const double hi[3]);
+
+/* At most one message if its numbers make no surface: an axis or a normal
+ * without a direction, a radius that is not positive. Non-zero then. */
+int surface_wrong(const struct surface *s);
+
+#endif

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/surface_contacts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+/* Cosine of the angle by which n may turn in a step and be the same [-]. */
+static const double same = 0.9;
+
+/* The contact loop writes whole blocks (sweep_buffers.h). */
+enum { SPARE = 64 };
+
+void surface_contacts_init(struct surface_contacts *c,
+                           const struct surface_scene *scene)
+{
+    const size_t n = (size_t)scene->n;
+
+    memset(c, 0, sizeof *c);
+    c->pose = alloc_zeroed(n, sizeof *c->pose);
+    c->built = alloc_zeroed(n, sizeof *c->built);
+    c->received = alloc_zeroed(n, sizeof *c->received);
+    for (int s = 0; s < scene->n; s++)
+        c->pose[s] = motion_pose(&scene->surface[s].motion, 0.0);
+}
+
+/* The arrays of the loop, which hold nothing from step to step. */
+static void free_arrays(struct surface_contacts *c)
+{
+    free(c->position_radius);
+    free(c->velocity);
+    free(c->material);
+    chunk_release(&c->pairs);
+}
+
+void surface_contacts_release(struct surface_contacts *c)
+{
+    near_faces_release(&c->list);
+    near_faces_release(&c->close);
+    free(c->touches.list);
+    free(c->current.list);
+    free(c->previous.list);
+    free(c->saved.list);
+    free_arrays(c);
+    free(c->pose);
+    free(c->built);
+    free(c->received);
+}
+
+void surface_contacts_save(struct surface_histories *f,
+                           const struct surface_history *one)
+{
+    f->list = near_faces_room(f->list, f->n, &f->capacity, sizeof *f->list);
+    f->list[f->n++] = *one;
+}
+
+void surface_contacts_sort(struct surface_histories *f)
+{
+    for (int q = 1; q < f->n; q++) {
+        const struct surface_history one = f->list[q];
+        int at = q;
+        for (; at > 0 && f->list[at - 1].owner > one.owner; at--)
+            f->list[at] = f->list[at - 1];
+        f->list[at] = one;
+    }
+}
+
+static void make_room(struct surface_contacts *c, int n, int rolls)
+{
+    struct chunk_contacts *const k = &c->pairs.contacts;
+    const double deepest = c->pairs.max_overlap;
+    const struct chunk_energy energy = c->pairs.energy;
+
+    if (n <= c->capacity) return;
+    c->capacity = n + n / 2 + 64;
+    free_arrays(c);
+    c->position_radius =
+        alloc_zeroed(2 * (size_t)c->capacity, 4 * sizeof(double));
+    c->velocity = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
+    memset(&c->pairs, 0, sizeof c->pairs);
+    c->pairs.max_overlap = deepest;
+    c->pairs.energy = energy;
+    c->pairs.has_rolling = rolls;
+    c->material = alloc_ints(2 * c->capacity);
+    c->pairs.load = alloc_zeroed(2 * (size_t)c->capacity, 8 * sizeof(double));
+    k->capacity = c->capacity + SPARE;
+    k->owner = alloc_ints(k->capacity);
+    k->partner = alloc_ints(k->capacity);
+    for (int a = 0; a < 3; a++)
+        k->xi[a] = alloc_doubles(k->capacity);
+    for (int a = 0; rolls && a < 3; a++)
+        k->roll_angle[a] = alloc_doubles(k->capacity);
+}
+
+/* The particle is at the origin, the sphere behind the surface r + R from it
+ * along -n: their overlap is 2 R - (r + R) = R - r, at any r > -R. */
+static void put_spheres(struct surface_contacts *c,
+                        const struct surface_scene *scene, int q,
+                        const struct bodies *b)
+{
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    double *const mine = c->position_radius[2 * q];
+    double *const mirror = c->position_radius[2 * q + 1];
+    double *const moves = c->velocity[2 * q + 1];
+    const double R = b->position_radius[t->owner][3];
+
+    for (int k = 0; k < 3; k++) {
+        mine[k] = 0.0;
+        mirror[k] = -(t->r + R) * t->n[k];
+    }
+    mine[3] = mirror[3] = R;
+    memcpy(c->velocity[2 * q], b->velocity[t->owner], 8 * sizeof(double));
+    memset(moves, 0, 8 * sizeof(double));
+    memcpy(moves, t->v, sizeof t->v);
+    c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
+    c->material[2 * q + 1] = scene->surface[t->surface].material;
+    c->pairs.contacts.owner[q] = 2 * q;
+    c->pairs.contacts.partner[q] = 2 * q + 1;
+}
+
+/* Returns the history of this contact from the previous step, if there is one,
+ * and marks it as used. *at advances with the owner. */
+static void put_spring(struct surface_contacts *c, int q, int *at)
+{
+    struct chunk_contacts *const k = &c->pairs.contacts;
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    struct surface_histories *const old = &c->previous;
+    struct surface_history *found = NULL;
+    double best = same;
+
+    while (*at < old->n && old->list[*at].owner < t->owner)
+        ++*at;
+    for (int p = *at; p < old->n && old->list[p].owner == t->owner; p++) {
+        const double turned = vector_dot(old->list[p].n, t->n);
+        if (turned > best) {
+            best = turned;
+            found = &old->list[p];
+        }
+    }
+    for (int a = 0; a < 3; a++) {
+        k->xi[a][q] = found != NULL ? found->xi[a] : 0.0;
+        if (c->pairs.has_rolling)
+            k->roll_angle[a][q] = found != NULL ? found->roll_angle[a] : 0.0;
+        if (found != NULL) found->n[a] = 0.0;
+    }
+}
+
+/* Adds the loads to the particles, and their reactions to the totals of the
+ * surface. */
+static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
+                            const struct pose *pose, double dt)
+{
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    const double *const load = c->pairs.load[2 * q];
+    double *const sum = s->load[t->owner - s->begin];
+    double *const impulse = c->received[t->surface].impulse;
+    double *const angular = c->received[t->surface].angular;
+    double arm[3], torque[3];
+
+    for (int k = 0; k < 8; k++)
+        sum[k] += load[k];
+    vector_between(t->q, pose[t->surface].centre, arm);
+    vector_cross(arm, load, torque);
+    for (int k = 0; k < 3; k++) {
+        impulse[k] -= dt * load[k];
+        angular[k] -= dt * torque[k];
+    }
+    c->received[t->surface].work += dt * vector_dot(load, t->v);
+}
+
+static void save_contact(struct surface_contacts *c, int q)
+{
+    const struct surface_contact_point *const t = &c->touches.list[q];
+    struct surface_history one = {.owner = t->owner};
+
+    for (int k = 0; k < 3; k++) {
+        one.n[k] = t->n[k];
+        one.xi[k] = c->pairs.contacts.xi[k][q];
+        if (c->pairs.has_rolling)
+            one.roll_angle[k] = c->pairs.contacts.roll_angle[k][q];
+    }
+    surface_contacts_save(&c->current, &one);
+}
+
+/* As chunk_check_overlaps does it. */
+static void look_deep(const struct surface_contacts *c, struct chunk *s,
+                      const struct bodies *b)
+{
+    for (int q = 0; q < c->touches.n; q++) {
+        const struct surface_contact_point *const t = &c->touches.list[q];
+        const double *const x = b->position_radius[t->owner];
+        chunk_record_overlap(&s->deep, 0.5 * (1.0 - t->r / x[3]),
+                             b->id[t->owner], -7 - t->surface, x);
+    }
+    if (c->pairs.max_overlap > s->deep.overlap)
+        s->deep.overlap = c->pairs.max_overlap;
+}
+
+void surface_contacts_add_loads(struct surface_contacts *c,
+                                const struct surface_scene *scene,
+                                struct chunk *s, const struct bodies *b,
+                                contact_sweep *sweep,
+                                const struct contact_constants *k, double dt)
+{
+    const struct surface_histories old = c->previous;
+    struct bodies two = *b;
+    int at = 0;
+
+    surface_contact_points_find(&c->touches, &c->close, scene, c->pose, b);
+    const int n = c->touches.n;
+    make_room(c, n, s->has_rolling);
+    c->previous = c->current;
+    c->current = old;
+    c->current.n = 0;
+    for (int q = 0; q < n; q++) {
+        put_spheres(c, scene, q, b);
+        put_spring(c, q, &at);
+    }
+    c->pairs.contacts.n_pairs = n;
+    c->pairs.window = c->pairs.end = two.n = 2 * n;
+    two.position_radius = c->position_radius;
+    two.velocity = c->velocity;
+    two.material = c->material;
+    chunk_begin_budget(&c->pairs.energy);
+    if (n > 0) {
+        memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
+        sweep(&c->pairs, &two, k, dt, 0, n);
+    }
+    chunk_end_budget(&c->pairs.energy);
+    if (c->pairs.max_overlap > s->deep.overlap) look_deep(c, s, b);
+    for (int q = 0; q < n; q++) {
+        accumulate_load(c, q, s, c->pose, dt);
+        save_contact(c, q);
+    }
+}

@@ -1,0 +1,77 @@
+/* surfaces.h -- all surfaces of a run, for the loop over its steps. Chapter 14.
+ *
+ * One surface_contacts a chunk, so that each thread has its own and the sums
+ * have the same bits for any number of threads. Functions with a chunk number s
+ * are called by the thread that works on this chunk.
+ */
+#ifndef DEM_SURFACES_SURFACES_H
+#define DEM_SURFACES_SURFACES_H
+
+#include "dem/surfaces/surface_contacts.h"
+
+struct surfaces {
+    struct surface_scene scene;
+    struct surface_contacts *chunk;
+    int n_chunks;       /* [-] chunks */
+    double speed;       /* [m/s] no point of a surface in the box is faster */
+    int *index_of_id;   /* [-] index of each id after a sort, or -1 */
+    int index_capacity; /* [-] that there is room for in `where` */
+};
+
+/* The list and the box are borrowed. */
+struct surfaces *surfaces_create(const struct surface *list, int n,
+                                 const struct box_domain *box, int count);
+void surfaces_free(struct surfaces *sf);
+
+/* Moves the surfaces to their positions at time t [s]. */
+void surfaces_move(struct surfaces *sf, int s, double t);
+
+/* How far any of them may have moved since surfaces_find [m]. */
+double surfaces_moved(const struct surfaces *sf, int s);
+
+/* At a rebuild of the lists: the histories are saved with the ids of their
+ * particles; one thread finds the new indices; then faces are found, and the
+ * histories are restored. */
+void surfaces_save_history(struct surfaces *sf, int s,
+                           const struct particles *ps);
+void surfaces_locate_particles(struct surfaces *sf, const struct particles *ps);
+void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
+                   const struct bodies *b, double skin);
+
+void surfaces_choose_contacts(struct surfaces *sf, int s,
+                              const struct bodies *b, double margin);
+void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
+                        const struct bodies *b, contact_sweep *sweep,
+                        const struct contact_constants *k, double dt);
+
+/* Adds to the survey the particles that are in the solid of a plane or cylinder
+ * by more than their radius and, if there are `marks`, those whose path since
+ * the last rebuild crosses a triangle. */
+void surfaces_check_lost(const struct surfaces *sf, int s,
+                         const struct chunk *chunk, const struct bodies *b,
+                         int marks, double skin, struct bodies_survey *found);
+
+/* The contact histories of chunk s, of the particles ps, or as kept if that is
+ * NULL; none from now on; and one that the next run starts with. */
+const struct surface_histories *
+surfaces_contact_history(struct surfaces *sf, int s,
+                         const struct particles *ps);
+void surfaces_clear_history(struct surfaces *sf);
+void surfaces_restore_history(struct surfaces *sf,
+                              const struct surface_history *one);
+
+/* Before a run, and after it: contacts that touch [-], and the largest overlap
+ * of the run over the diameter [-]. */
+void surfaces_begin_run(struct surfaces *sf);
+int surfaces_contacts(const struct surfaces *sf);
+double surfaces_deepest(const struct surfaces *sf);
+
+/* The energy budget of the contacts with them, chunk by chunk. */
+struct chunk_energy *surfaces_energy(struct surfaces *sf, int s);
+double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
+
+/* The totals of a surface over all chunks. */
+struct surface_received surfaces_received(const struct surfaces *sf,
+                                          int surface);
+
+#endif

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* boundary_face.c -- the velocity at boundary faces. */
+#include "fluid/piso.h"
+
+#include <math.h>
+#include <stddef.h>
+
+static double dot3(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* to = u + factor S */
+static void along(const double u[3], double factor, const double *S,
+                  double to[3])
+{
+    for (int k = 0; k < 3; k++)
+        to[k] = u[k] + factor * S[k];
+}
+
+/* The inlet velocity is the flux over the area times eps; backflow through an
+ * outlet enters with zero velocity. */
+void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
+                            int f, double u[3])
+{
+    static const double rest[3] = {0.0, 0.0, 0.0};
+    const double *const S = &fl->mesh->S[3 * f], SS = fl->piso->SS[f];
+    const int c = fl->mesh->owner[f];
+    const double *const inside = &fl->u[3 * c];
+    const double phi = fl->piso->convecting_flux[f];
+
+    if (b->kind == BOUNDARY_INLET)
+        along(rest, phi / (fl->eps[c] * SS), S, u);
+    else if (b->kind == BOUNDARY_OUTLET)
+        along(phi >= 0.0 ? inside : rest, 0.0, S, u);
+    else if (b->kind == BOUNDARY_SLIP)
+        along(inside, -dot3(inside, S) / SS, S, u);
+    else
+        along(b->wall, 0.0, S, u);
+}
+
+void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct boundary *const b = &fl->options.boundaries[i];
+        const struct patch *const p = &m->patches[i];
+        if (b->kind != BOUNDARY_INLET) continue;
+        const double U = boundary_inlet_velocity(b, fl->t);
+        for (int j = 0; j < p->n; j++) {
+            const double *const S = &m->S[3 * (p->first + j)];
+            const double share = b->profile != NULL ? b->profile[j] : 1.0;
+            phi[p->first + j] = -U * share * sqrt(dot3(S, S));
+        }
+    }
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* deferred_correction.c -- deferred correction.
+ *
+ * These are the explicit part of a convection scheme that uses the cell
+ * upstream of the upstream cell, and the non-orthogonal part of the viscous
+ * stress:
+ *
+ *   mu grad u . S = mu (S.S / S.d) (u_N - u_P) + mu grad u . (S - d S.S / S.d)
+ *
+ * Both need velocity gradients, so they are computed from the velocities known
+ * so far and added to the right-hand sides of the two cells with opposite
+ * signs.
+ */
+#include "fluid/piso.h"
+
+#include <stddef.h>
+
+int deferred_correction_exists(const struct fluid *fl)
+{
+    return fl->options.convection->deferred != NULL || fl->mesh->oblique;
+}
+
+static void fill_velocity_gradients(struct fluid *fl, const double *u)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct velocity_gradient_scheme *const s =
+        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
+                                              : &velocity_gradient_schemes[0];
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        for (int f = p->first; f < p->first + p->n; f++)
+            boundary_face_velocity(
+                fl, &fl->options.boundaries[i], f,
+                &fl->piso->u_boundary[3 * (f - m->n_internal)]);
+    }
+    s->fill(m, u, fl->piso->u_boundary, fl->piso->velocity_gradient);
+}
+
+static double along(const double *slope, const double *x)
+{
+    return slope[0] * x[0] + slope[1] * x[1] + slope[2] * x[2];
+}
+
+/* The explicit part of the scheme for component k at face f. */
+static double beyond(const struct fluid *fl, const double *u, int f, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const int o = m->owner[f], n = m->neighbour[f];
+    const int with =
+        fl->piso->convecting_flux[f] >= 0.0; /* from owner to neighbour */
+    const double sign = with ? 1.0 : -1.0;
+    const double step = sign * (u[3 * n + k] - u[3 * o + k]);
+    const double *const slope =
+        &fl->piso->velocity_gradient[9 * (with ? o : n) + 3 * k];
+
+    return fl->options.convection->deferred(step,
+                                            sign * along(slope, &m->d[3 * f]),
+                                            with ? 1.0 - m->w[f] : m->w[f]);
+}
+
+/* grad u . (S - d S.S / S.d) of component k, linear between the cells. */
+static double non_orthogonal(const struct fluid *fl, const double rest[3],
+                             int f, int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const slope = fl->piso->velocity_gradient;
+
+    return m->w[f] * along(&slope[9 * m->owner[f] + 3 * k], rest) +
+           (1.0 - m->w[f]) * along(&slope[9 * m->neighbour[f] + 3 * k], rest);
+}
+
+/* Adds a flux to one cell and subtracts it from the other. */
+static void add_to_both_cells(struct fluid *fl, int f, int k, double force)
+{
+    fl->piso->b[3 * fl->mesh->owner[f] + k] += force;
+    fl->piso->b[3 * fl->mesh->neighbour[f] + k] -= force;
+}
+
+static void add_beyond(struct fluid *fl, const double *u)
+{
+    fill_velocity_gradients(fl, u);
+    for (int f = 0; f < fl->mesh->n_internal; f++)
+        for (int k = 0; k < 3; k++)
+            add_to_both_cells(fl, f, k,
+                              -fl->options.rho * fl->piso->convecting_flux[f] *
+                                  beyond(fl, u, f, k));
+}
+
+static void add_non_orthogonal(struct fluid *fl, const double *u)
+{
+    fill_velocity_gradients(fl, u);
+    for (int f = 0; f < fl->mesh->n_internal; f++) {
+        double rest[3];
+        mesh_oblique_part(fl->mesh, f, rest);
+        for (int k = 0; k < 3; k++)
+            add_to_both_cells(fl, f, k,
+                              fl->options.mu * non_orthogonal(fl, rest, f, k));
+    }
+}
+
+/* Distance of viscous diffusion in a step, in cells [-]. */
+static double crossed(const struct fluid *fl, int c)
+{
+    const struct mesh *const m = fl->mesh;
+    double link = 0.0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        link += fl->piso->face_coefficient[m->cell_face[a]];
+    return fl->options.mu * link / fl->piso->ddt[c];
+}
+
+/* The velocity used in the non-orthogonal part: extrapolated from two steps,
+ * with an extrapolation that decreases where viscous diffusion crosses cells
+ * within a step. Full extrapolation would be unstable there on links with an
+ * angle of more than 20 degrees; with short steps the order in time is still
+ * two. */
+static const double *continued(const struct fluid *fl)
+{
+    double *const to = fl->piso->rhs; /* room that is free now */
+    const double *const known = fl->piso->u_known, *const u = fl->u;
+
+    if (known == NULL) return u;
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double part = 1.0 / (1.0 + crossed(fl, c));
+        for (int i = 3 * c; i < 3 * c + 3; i++)
+            to[i] = u[i] + part * (known[i] - u[i]);
+    }
+    return to;
+}
+
+void deferred_correction_add(struct fluid *fl)
+{
+    const double *const known = fl->piso->u_known;
+
+    if (fl->options.convection->deferred != NULL)
+        add_beyond(fl, known != NULL ? known : fl->u);
+    if (fl->mesh->oblique) add_non_orthogonal(fl, continued(fl));
+}

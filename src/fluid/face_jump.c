@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* face_jump.c -- inertia where the void fraction jumps.
+ *
+ * A stream of phi / A through a face has the velocity phi / (eps A) on either
+ * side. If eps jumps there, momentum does too, by
+ *
+ *   j = rho (phi / A)^2 (1 / eps_O - 1 / eps_N)       [Pa]
+ *
+ * and the pressure must jump with it (Bernoulli's equation at the surface of a
+ * bed). The convection scheme gives the fraction 1 - s of this force to cell O
+ * and the fraction s to N. If it acted on the cells as a whole it would be
+ * smeared over their length, and the velocity would oscillate over several
+ * cells; therefore the flux and the pressure of the face include it as a jump
+ * at the face.
+ *
+ * The remaining force of convection and viscosity per volume, t, has no jump.
+ * But with model A the pressure gradient t / gamma that balances it has one,
+ * and with a mean of the two gradients a central scheme amplifies waves at the
+ * surface of a bed. Therefore a face has one t, and each side uses it with its
+ * own gamma:
+ *
+ *   p_N - p_O = ... + d t_f ((1 - w) / gamma_O + w / gamma_N)
+ *   t_f = (1 - w) t_O + w t_N
+ *
+ * In addition, j must not amplify itself: between neighbouring faces, a flux
+ * that is slightly too large increases j, and j increases the flux, before the
+ * convection of the cells can counteract it. A dissipative scheme suppresses
+ * this; a nondissipative one amplifies waves along the surface of a bed. For
+ * such a scheme the jump is computed with the velocities of the cells,
+ *
+ *   j = rho (phi / A) q (1 / eps_O - 1 / eps_N)
+ *   q = w eps_O u_O + (1 - w) eps_N u_N
+ *
+ * and the weights are biased upwind by 2 |eps_O - eps_N| / (eps_O + eps_N).
+ * Where eps is smooth this bias is of first order in the cell size and its
+ * error of second order. Bernoulli's pressure is unchanged; waves of a purely
+ * central scheme still occur but decay.
+ */
+#include "fluid/piso.h"
+
+#include <math.h>
+
+#include "linear/fast/vec3.h"
+
+void face_jump_bias_upwind(int first, int last, struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const convecting_flux = fl->piso->convecting_flux;
+    double *const owner_weight = fl->piso->owner_weight;
+
+    for (int f = first; f < last; f++) {
+        const double a = fl->eps[m->owner[f]], b = fl->eps[m->neighbour[f]];
+        const double bias = fmin(1.0, 2.0 * fabs(a - b) / (a + b));
+        fl->piso->upwind_bias[f] =
+            bias * ((convecting_flux[f] >= 0.0 ? 1.0 : 0.0) - owner_weight[f]);
+        owner_weight[f] += fl->piso->upwind_bias[f];
+    }
+}
+
+/* Splits the jump j of a face between its two cells, for the velocity of a flux
+ * q [m^3/s]; s is the neighbour's fraction. */
+static inline void split_jump(const struct fluid *fl, int f, int o, int n,
+                              double s, double q)
+{
+    const struct piso *const ps = fl->piso;
+    const double j = fl->options.rho * ps->convecting_flux[f] * q / ps->SS[f] *
+                     (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
+
+    ps->jump_owner[f] = (1.0 - s) * j;
+    ps->jump_neighbour[f] = s * j;
+}
+
+FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
+                                     const struct fluid *fl)
+{
+    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double *const u = &fl->u[3 * o], *const v = &fl->u[3 * n];
+    const double q =
+        w * fl->eps[o] * (u[0] * S[0] + u[1] * S[1] + u[2] * S[2]) +
+        (1.0 - w) * fl->eps[n] * (v[0] * S[0] + v[1] * S[1] + v[2] * S[2]);
+
+    split_jump(fl, f, o, n,
+               fl->piso->owner_weight[f] - fl->piso->upwind_bias[f], q);
+}
+
+FACE_KERNEL split_by_flux(int f, int o, int n, const struct fluid *fl)
+{
+    split_jump(fl, f, o, n, fl->piso->owner_weight[f],
+               fl->piso->convecting_flux[f]);
+}
+
+static void split_jumps(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    if (piso_nondissipative(fl))
+        FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                      split_by_cell_velocities, fl);
+    else
+        FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
+                      split_by_flux, fl);
+}
+
+/* The forces of the jumps on the cells, part times S. */
+static void inertia_rows(int first, int last, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+    struct contiguous_piece p = {0};
+
+    for (int i = 3 * first; i < 3 * last; i++)
+        ps->inertia[i] = 0.0;
+    while (ps->contiguous != NULL &&
+           contiguous_faces_next_of_cells(ps->contiguous, first, last, &p) &&
+           p.link < m->n_internal) {
+        const double *const part =
+            p.out > 0.0 ? ps->jump_owner : ps->jump_neighbour;
+        vec3_add(p.n, 1.0, part + p.link, m->S + 3L * p.link,
+                 ps->inertia + 3L * p.cell);
+    }
+    for (int c = first; c < last && ps->contiguous == NULL; c++)
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            if (f >= m->n_internal) continue;
+            const double part =
+                m->owner[f] == c ? ps->jump_owner[f] : ps->jump_neighbour[f];
+            for (int k = 0; k < 3; k++)
+                ps->inertia[3 * c + k] += part * m->S[3 * f + k];
+        }
+}
+
+/* Restores the jump force to the cells that the unbiased scheme would give it
+ * to. */
+static void restore_jump_force(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct piso *const ps = fl->piso;
+
+    for (int f = 0; f < m->n_internal; f++) {
+        const double j = ps->jump_owner[f] + ps->jump_neighbour[f];
+        for (int k = 0; k < 3; k++) {
+            const double force = ps->upwind_bias[f] * j * m->S[3 * f + k];
+            ps->b[3 * m->owner[f] + k] += force;
+            ps->b[3 * m->neighbour[f] + k] -= force;
+        }
+    }
+}
+
+void face_jump_update(struct fluid *fl)
+{
+    PARALLEL_RANGES(fl->mesh->n_internal, 8, split_jumps, fl);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, inertia_rows, fl);
+    if (piso_nondissipative(fl)) restore_jump_force(fl);
+}
+
+static void smooth_force_rows(int first, int last, struct fluid *fl)
+{
+    const struct piso *const ps = fl->piso;
+
+    for (int c = first; c < last; c++) {
+        const double V = fl->mesh->V[c];
+        const double older = ps->ddt_older != NULL ? ps->ddt_older[c] : 0.0;
+        const double own = ps->diag[c] - ps->ddt[c] - older - fl->K[c] * V;
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            ps->smooth_force[i] =
+                (ps->H[i] - ps->inertia[i] - own * fl->u[i]) / V - fl->F[i];
+        }
+    }
+}
+
+void face_jump_smooth_force(struct fluid *fl)
+{
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, smooth_force_rows, fl);
+}
+
+/* w (1 - w) d (1 / gamma_O - 1 / gamma_N), over the area [m^-1] */
+static double gamma_jump_factor(const struct fluid *fl, int f)
+{
+    const struct mesh *const m = fl->mesh;
+    return m->w[f] * (1.0 - m->w[f]) * fl->piso->Sd[f] / fl->piso->SS[f] *
+           (1.0 / piso_gamma(fl, m->owner[f]) -
+            1.0 / piso_gamma(fl, m->neighbour[f]));
+}
+
+static double along(const struct fluid *fl, int c, int f)
+{
+    const double *const t = &fl->piso->smooth_force[3 * c];
+    const double *const S = &fl->mesh->S[3 * f];
+    return t[0] * S[0] + t[1] * S[1] + t[2] * S[2];
+}
+
+double face_jump_gamma_difference(const struct fluid *fl, int f)
+{
+    const struct mesh *const m = fl->mesh;
+    return gamma_jump_factor(fl, f) *
+           (along(fl, m->neighbour[f], f) - along(fl, m->owner[f], f));
+}
+
+double face_jump_gamma_at_face(const struct fluid *fl, int f)
+{
+    const struct mesh *const m = fl->mesh;
+    return gamma_jump_factor(fl, f) *
+           ((1.0 - m->w[f]) * along(fl, m->owner[f], f) +
+            m->w[f] * along(fl, m->neighbour[f], f));
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* momentum_balance.c -- the momentum balance of the fluid.
+ *
+ * In the sum over all cells the exchange between cells cancels: there remain
+ * the boundary faces, the particles, and the momentum relabelled by averaging.
+ * The sum is computed from fluxes, pressures and velocities, not from the
+ * matrix, so it also detects a coefficient that differs between the two sides
+ * of a face.
+ */
+#include "fluid/piso.h"
+
+#include <math.h>
+
+struct sum {
+    double impulse[3]; /* [N s] */
+    double gross;      /* [N s] of the sizes */
+};
+
+static void add(struct sum *s, int k, double impulse)
+{
+    s->impulse[k] += impulse;
+    s->gross += fabs(impulse);
+}
+
+/* Adds the contributions of boundary face f: convected momentum, pressure, and
+ * the viscous force of a wall or an inlet. */
+static void add_face(const struct fluid *fl, const struct boundary *b, int f,
+                     struct sum *s)
+{
+    const double dt = fl->options.dt,
+                 flow = fl->options.rho * fl->piso->convecting_flux[f];
+    const double *const u = &fl->u[3 * fl->mesh->owner[f]];
+    const double D = b->kind == BOUNDARY_OUTLET
+                         ? 0.0
+                         : fl->options.mu * fl->piso->face_coefficient[f];
+    double edge[3];
+
+    boundary_face_velocity(fl, b, f, edge);
+    for (int k = 0; k < 3; k++) {
+        add(s, k, -dt * flow * edge[k]);
+        add(s, k, dt * D * (edge[k] - u[k]));
+        add(s, k, -dt * fl->p_face[f] * fl->mesh->S[3 * f + k]);
+    }
+}
+
+static void add_boundaries(const struct fluid *fl, struct sum *s)
+{
+    for (int i = 0; i < fl->mesh->n_patches; i++) {
+        const struct patch *const p = &fl->mesh->patches[i];
+        for (int f = p->first; f < p->first + p->n; f++)
+            add_face(fl, &fl->options.boundaries[i], f, s);
+    }
+}
+
+/* Adds the drag, and the part of the pressure force that acts on the particles.
+ */
+static void add_particles(const struct fluid *fl, struct sum *s)
+{
+    const double dt = fl->options.dt;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++)
+        for (int k = 0; k < 3; k++) {
+            const int i = 3 * c + k;
+            const double V = fl->mesh->V[c];
+            add(s, k, dt * V * (fl->F[i] - fl->K[c] * fl->u[i]));
+            add(s, k, dt * V * (1.0 - piso_gamma(fl, c)) * fl->grad_p[i]);
+        }
+}
+
+/* Adds the mean pressure gradient, which is not part of any face. */
+static void add_mean_gradient(const struct fluid *fl, struct sum *s)
+{
+    for (int k = 0; k < 3; k++) {
+        double V = 0.0;
+        if (fl->mean_gradient[k] == 0.0) continue;
+        for (int c = 0; c < fl->mesh->n_cells; c++)
+            V += fl->mesh->V[c];
+        add(s, k, -fl->options.dt * V * fl->mean_gradient[k]);
+    }
+}
+
+double momentum_balance_residual(const struct fluid *fl, const double before[3],
+                                 const double relabelled[3])
+{
+    struct sum s = {{0.0, 0.0, 0.0}, 0.0};
+    double after[3], worst = 0.0;
+
+    add_boundaries(fl, &s);
+    add_mean_gradient(fl, &s);
+    if (fl->options.coupled) add_particles(fl, &s);
+    fluid_momentum(fl, after);
+    for (int k = 0; k < 3; k++) {
+        const double known = s.impulse[k] + fl->relabelled[k] - relabelled[k];
+        worst = fmax(worst, fabs(after[k] - before[k] - known));
+        s.gross += fabs(before[k]) + fabs(after[k]);
+    }
+    return s.gross > 0.0 ? worst / s.gross : 0.0;
+}

@@ -1,0 +1,29 @@
+/* velocity_gradient.h -- the gradient of the velocity in the cells. Chapter 19.
+ *
+ * Gauss: (1/V) sum u_f S, u_f linear between the two cells of a face. Least
+ * squares: the gradient that best gives the differences to all neighbours,
+ * weighted by one over the distance squared; exact for a linear field on any
+ * mesh. Only schemes that need more than two cells use it.
+ */
+#ifndef FLUID_VELOCITY_GRADIENT_H
+#define FLUID_VELOCITY_GRADIENT_H
+
+#include "mesh/mesh.h"
+
+/* Fills slope, 9 a cell: [9 * c + 3 * k + j] is d u_k / d x_j [1/s]. u: 3 a
+ * cell; u_b: 3 a boundary face, from that face's first on [m/s]. */
+struct velocity_gradient_scheme {
+    const char *name; /* as a case spells it */
+    const char *cite;
+    const char *what;
+    const char *function;
+    void (*fill)(const struct mesh *m, const double *u, const double *u_b,
+                 double *slope);
+};
+
+/* All schemes, ended by a row without a name; NULL for an unknown name. */
+extern const struct velocity_gradient_scheme velocity_gradient_schemes[];
+const struct velocity_gradient_scheme *
+velocity_gradient_scheme_named(const char *name);
+
+#endif

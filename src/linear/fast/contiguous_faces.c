@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/fast/contiguous_faces.h"
+
+#include "base/alloc.h"
+
+#include <stdlib.h>
+
+/* What two links must share to lie in the same group. */
+struct kind {
+    int boundary, distance;
+};
+
+static struct kind kind_of(int l, int n_inner, const int *owner,
+                           const int *neighbour)
+{
+    const int boundary = l >= n_inner;
+
+    return (struct kind){boundary, boundary ? 0 : neighbour[l] - owner[l]};
+}
+
+/* Begins a group with the next run; 0 if there are too many. */
+static int begin_group(struct contiguous_faces *r, struct kind k, int next)
+{
+    if (r->n_groups == CONTIGUOUS_FACES_GROUPS) return 0;
+    r->group[r->n_groups].first = next;
+    r->group[r->n_groups].distance = k.distance;
+    r->group[r->n_groups].boundary = k.boundary;
+    r->n_groups++;
+    return 1;
+}
+
+/* Link l after those before it: one more of the last run, or the first of a new
+ * one, perhaps of a new group. Returns 0 if there are too many groups. */
+static int add_link(struct contiguous_faces *r, int *n_runs, int l, int owner,
+                    struct kind k)
+{
+    struct contiguous_range *const last =
+        *n_runs > 0 ? &r->range[*n_runs - 1] : NULL;
+    const int g = r->n_groups - 1;
+    const int same = g >= 0 && r->group[g].distance == k.distance &&
+                     r->group[g].boundary == k.boundary;
+
+    if (same && owner == last->owner + last->n) {
+        last->n++;
+        return 1;
+    }
+    if (!(same && owner > last->owner + last->n) && !begin_group(r, k, *n_runs))
+        return 0;
+    r->range[(*n_runs)++] = (struct contiguous_range){l, owner, 1};
+    r->group[r->n_groups - 1].end = *n_runs;
+    return 1;
+}
+
+struct contiguous_faces *contiguous_faces_create(int n_inner, int n_links,
+                                                 const int *owner,
+                                                 const int *neighbour)
+{
+    struct contiguous_faces *const r = alloc_zeroed(1, sizeof *r);
+    int n_runs = 0, fits = 1;
+
+    r->range = alloc_zeroed((size_t)n_links, sizeof *r->range);
+    for (int l = 0; l < n_links && fits; l++)
+        fits = add_link(r, &n_runs, l, owner[l],
+                        kind_of(l, n_inner, owner, neighbour));
+    if (fits && (long)n_runs * CONTIGUOUS_FACES_MIN_LENGTH <= n_links) return r;
+    contiguous_faces_free(r);
+    return NULL;
+}
+
+void contiguous_faces_free(struct contiguous_faces *r)
+{
+    if (r == NULL) return;
+    free(r->range);
+    free(r);
+}
+
+/* The first run of [begin, end) that reaches beyond an owner or a link. */
+static int first_beyond(const struct contiguous_range *run, int begin, int end,
+                        int at, int by_link)
+{
+    while (begin < end) {
+        const int middle = begin + (end - begin) / 2;
+        const struct contiguous_range *const m = &run[middle];
+
+        if ((by_link ? m->link : m->owner) + m->n > at)
+            end = middle;
+        else
+            begin = middle + 1;
+    }
+    return begin;
+}
+
+/* The part of the run whose links (by_link) or owners lie within [first, last).
+ */
+static void cut(const struct contiguous_range *run, int first, int last,
+                int by_link, struct contiguous_piece *p)
+{
+    const int begin = by_link ? run->link : run->owner;
+    const int skip = first > begin ? first - begin : 0;
+    const int end = begin + run->n < last ? begin + run->n : last;
+
+    p->link = run->link + skip;
+    p->cell = run->owner + skip;
+    p->n = end - begin - skip;
+}
+
+/* p->group counts the sides of the groups: 2 g from the owner, 2 g + 1 from the
+ * neighbour; p->run is the run to look at next, 0 until it has been found. */
+int contiguous_faces_next_of_cells(const struct contiguous_faces *r, int first,
+                                   int last, struct contiguous_piece *p)
+{
+    for (; p->group < 2 * r->n_groups; p->group++, p->range = 0) {
+        const int g = p->group / 2, inward = p->group % 2;
+        const int d = r->group[g].distance, shift = inward ? d : 0;
+
+        if (inward && r->group[g].boundary) continue;
+        if (p->range == 0)
+            p->range = first_beyond(r->range, r->group[g].first,
+                                    r->group[g].end, first - shift, 0);
+        if (p->range == r->group[g].end ||
+            r->range[p->range].owner >= last - shift)
+            continue;
+        cut(&r->range[p->range++], first - shift, last - shift, 0, p);
+        p->cell += shift;
+        p->other = inward ? p->cell - d : p->cell + d;
+        p->out = inward ? -1.0 : 1.0;
+        return 1;
+    }
+    return 0;
+}
+
+int contiguous_faces_next_of_faces(const struct contiguous_faces *r, int first,
+                                   int last, struct contiguous_piece *p)
+{
+    for (; p->group < r->n_groups; p->group++, p->range = 0) {
+        const int g = p->group;
+
+        if (p->range == 0)
+            p->range = first_beyond(r->range, r->group[g].first,
+                                    r->group[g].end, first, 1);
+        if (p->range == r->group[g].end || r->range[p->range].link >= last)
+            continue;
+        cut(&r->range[p->range++], first, last, 1, p);
+        p->other = p->cell + r->group[g].distance;
+        p->out = 1.0;
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,28 @@
+/* poly.h -- meshes of OpenFOAM: points, faces, owner, neighbour, boundary.
+ * Chapter 4.
+ */
+#ifndef MESH_POLY_POLY_H
+#define MESH_POLY_POLY_H
+
+#include "mesh/mesh.h"
+
+/* The mesh of the five files in dir, or in dir/polyMesh or
+ * dir/constant/polyMesh, written as ascii, packed by gzip or not; NULL after
+ * one message on stderr. Cells and faces are renumbered (poly_order.h);
+ * boundary faces stay in their patch. */
+struct mesh *poly_read(const char *dir);
+
+enum { POLY_FOLDER = 960 };
+/* Finds the folder of the five files; 0 and dir itself if there is none. */
+int poly_folder(const char *dir, char folder[POLY_FOLDER]);
+/* 1 if such a folder exists. */
+int poly_is(const char *dir);
+
+/* Reads only the names of the patches that are not cyclic. Returns their number
+ * and a list that the caller frees; -1 after one message. */
+struct poly_patch {
+    char name[64];
+};
+int poly_patches(const char *dir, struct poly_patch **list);
+
+#endif

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly/poly_order.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "mesh/poly/poly_rows.h"
+
+/* The cells beside each, one row a cell. */
+static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
+{
+    int *const used = alloc_ints(r->n_cells);
+
+    for (int f = 0; f < r->n_inner; f++) {
+        start[r->owner[f] + 1]++;
+        start[r->neighbour[f] + 1]++;
+    }
+    for (int c = 0; c < r->n_cells; c++)
+        start[c + 1] += start[c];
+    for (int f = 0; f < r->n_inner; f++) {
+        const int o = r->owner[f], n = r->neighbour[f];
+        beside[start[o] + used[o]++] = n;
+        beside[start[n] + used[n]++] = o;
+    }
+    free(used);
+}
+
+/* Cuthill and McKee's numbering: breadth-first from one cell; if cells remain,
+ * again from the first of these. */
+static void number_in_waves(struct poly_raw *r)
+{
+    int *const start = alloc_ints(r->n_cells + 1);
+    int *const beside = alloc_ints(2 * r->n_inner);
+    int *const queue = alloc_ints(r->n_cells);
+    int n = 0, done = 0;
+
+    neighbours_of(r, start, beside);
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = -1;
+    for (int first = 0; first < r->n_cells; first++) {
+        if (r->number[first] >= 0) continue;
+        queue[n] = first;
+        r->number[first] = n++;
+        for (; done < n; done++)
+            for (int e = start[queue[done]]; e < start[queue[done] + 1]; e++) {
+                const int c = beside[e];
+                if (r->number[c] >= 0) continue;
+                queue[n] = c;
+                r->number[c] = n++;
+            }
+    }
+    free(start);
+    free(beside);
+    free(queue);
+}
+
+/* The sum over the inner faces of how far apart their cells are numbered. */
+static double spread(const struct poly_raw *r)
+{
+    double sum = 0.0;
+
+    for (int f = 0; f < r->n_inner; f++)
+        sum += abs(r->number[r->neighbour[f]] - r->number[r->owner[f]]);
+    return sum;
+}
+
+/* Sorts the numbers in order by their keys 0 .. n_keys - 1, equal ones as they
+ * were. */
+static void sort_by(const int *key, int n_keys, int n, int *order)
+{
+    int *const next = alloc_ints(n_keys + 1), *const old = alloc_ints(n);
+
+    memcpy(old, order, (size_t)n * sizeof *order);
+    for (int i = 0; i < n; i++)
+        next[key[order[i]] + 1]++;
+    for (int k = 0; k < n_keys; k++)
+        next[k + 1] += next[k];
+    for (int i = 0; i < n; i++)
+        order[next[key[old[i]]]++] = old[i];
+    free(next);
+    free(old);
+}
+
+enum { ROW = 8 }; /* least average number of faces in a row */
+
+/* The order of faces by distance, and of equal ones by the lower cell; or,
+ * where too few of these follow each other, NULL. */
+static int *order_in_rows(int n, int n_cells, const int *least,
+                          const int *distance)
+{
+    int *const order = alloc_ints(n);
+    int rows = 0;
+
+    for (int i = 0; i < n; i++)
+        order[i] = i;
+    sort_by(least, n_cells, n, order);
+    sort_by(distance, n_cells, n, order);
+    for (int i = 0; i < n; i++)
+        rows += i == 0 || distance[order[i]] != distance[order[i - 1]] ||
+                least[order[i]] != least[order[i - 1]] + 1;
+    if ((long)rows * ROW <= n) return order;
+    free(order);
+    return NULL;
+}
+
+static void number_as_filed(struct poly_raw *r)
+{
+    r->number = alloc_ints(r->n_cells);
+    for (int c = 0; c < r->n_cells; c++)
+        r->number[c] = c;
+}
+
+static int has_rows(const struct poly_raw *r)
+{
+    int *const least = alloc_ints(r->n_inner);
+    int *const distance = alloc_ints(r->n_inner);
+
+    for (int f = 0; f < r->n_inner; f++) {
+        const int a = r->number[r->owner[f]], b = r->number[r->neighbour[f]];
+        least[f] = a < b ? a : b;
+        distance[f] = abs(b - a);
+    }
+    int *const order = order_in_rows(r->n_inner, r->n_cells, least, distance);
+    const int found = order != NULL;
+    free(least);
+    free(distance);
+    free(order);
+    return found;
+}
+
+/* Cells by their three integers, those of the longest direction side by side.
+ * 0 if they have none. */
+static int number_in_rows(struct poly_raw *r)
+{
+    int extent[3], by[3] = {0, 1, 2};
+    int *const at = poly_rows_find(r, extent);
+
+    if (at == NULL) return 0;
+    int *const order = alloc_ints(r->n_cells), *const key =
+                                                   alloc_ints(r->n_cells);
+    for (int i = 0; i < 3; i++) /* longest first, else as they come */
+        for (int j = i; j > 0 && extent[by[j]] > extent[by[j - 1]]; j--) {
+            const int k = by[j];
+            by[j] = by[j - 1];
+            by[j - 1] = k;
+        }
+    for (int c = 0; c < r->n_cells; c++)
+        order[c] = c;
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < r->n_cells; c++)
+            key[c] = at[3 * c + by[i]];
+        sort_by(key, extent[by[i]], r->n_cells, order);
+    }
+    r->number = alloc_ints(r->n_cells);
+    for (int i = 0; i < r->n_cells; i++)
+        r->number[order[i]] = i;
+    free(at);
+    free(order);
+    free(key);
+    return 1;
+}
+
+/* Replaces the present numbering by this one. */
+static void take(struct poly_raw *r, int *number)
+{
+    free(r->number);
+    r->number = number;
+}
+
+/* Of two numberings with rows, or of two without, the closer one; the first if
+ * they are equal. */
+void poly_number_cells(struct poly_raw *r)
+{
+    number_as_filed(r);
+
+    int *const as_filed = r->number;
+    const double far = spread(r);
+    const int rows = has_rows(r);
+
+    r->number = NULL;
+    if (number_in_rows(r)) {
+        const int better = has_rows(r) && (!rows || spread(r) < far);
+        if (better) {
+            free(as_filed);
+            return;
+        }
+    }
+    take(r, as_filed);
+    if (rows) return;
+    r->number = NULL;
+    number_in_waves(r);
+    if (spread(r) < far)
+        free(as_filed);
+    else
+        take(r, as_filed);
+}
+
+/* If cells have several faces in a patch, the first faces of all cells come
+ * first, then the second ones, so that they form rows, too. */
+static void sort_patch(const struct poly_raw *r, int n, int *face, int *key,
+                       int *met)
+{
+    for (int i = 0; i < n; i++)
+        key[face[i]] = r->number[r->owner[face[i]]];
+    sort_by(key, r->n_cells, n, face);
+    for (int i = 0; i < n; i++)
+        key[face[i]] = met[r->owner[face[i]]]++;
+    for (int i = 0; i < n; i++)
+        met[r->owner[face[i]]] = 0;
+
+    int most = 0;
+
+    for (int i = 0; i < n; i++)
+        most = key[face[i]] > most ? key[face[i]] : most;
+    sort_by(key, most + 1, n, face);
+}
+
+int *poly_boundary_order(const struct poly_raw *r)
+{
+    int *const order = alloc_ints(r->n_faces - r->n_inner);
+    int *const key = alloc_ints(r->n_faces), *const met =
+                                                 alloc_ints(r->n_cells);
+    int n = 0;
+
+    for (int i = 0; i < r->n_parts; i++) {
+        const struct poly_part *const part = &r->part[i];
+        if (part->periodic_index != 0) continue;
+        for (int j = 0; j < part->n; j++)
+            order[n + j] = part->first + j;
+        sort_patch(r, part->n, order + n, key, met);
+        n += part->n;
+    }
+    free(key);
+    free(met);
+    return order;
+}
+
+int *poly_face_order(int n, int n_cells, const int *least, const int *distance)
+{
+    int *order = order_in_rows(n, n_cells, least, distance);
+
+    if (order != NULL) return order;
+    order = alloc_ints(n);
+    for (int i = 0; i < n; i++)
+        order[i] = i;
+    sort_by(least, n_cells, n, order);
+    return order;
+}

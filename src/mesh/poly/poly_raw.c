@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly/poly_raw.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "mesh/poly/poly_file.h"
+
+void poly_raw_release(struct poly_raw *r)
+{
+    free(r->point);
+    free(r->start);
+    free(r->corner);
+    free(r->owner);
+    free(r->neighbour);
+    free(r->middle);
+    free(r->area);
+    free(r->V);
+    free(r->centre);
+    free(r->number);
+}
+
+/* --- the five files ------------------------------------------------------ */
+
+static int read_points(struct poly_raw *r, const char *dir)
+{
+    struct poly_file p;
+
+    poly_file_open(&p, dir, "points");
+    r->n_points = poly_file_count(&p, (int)strlen("(0 0 0)"));
+    r->point = alloc_doubles(3 * r->n_points);
+    poly_file_expect(&p, "(");
+    for (int i = 0; i < r->n_points && !p.failed; i++) {
+        poly_file_expect(&p, "(");
+        for (int k = 0; k < 3; k++)
+            r->point[3 * i + k] = poly_file_real(&p);
+        poly_file_expect(&p, ")");
+    }
+    poly_file_expect(&p, ")");
+    poly_file_close(&p);
+    return p.failed;
+}
+
+/* One face, n ( a b c ... ), at the end of the corners so far. */
+static void read_face(struct poly_raw *r, struct poly_file *p, int f, int *room)
+{
+    const int n = poly_file_count(p, (int)strlen("0 "));
+
+    if (n < 3) poly_file_wrong(p, "a face of %d points, expected >= 3", n);
+    if (n > INT_MAX / 2 - r->start[f])
+        poly_file_wrong(p, "more corners of faces than %d", INT_MAX / 2);
+    poly_file_expect(p, "(");
+    if (p->failed) return;
+    r->start[f + 1] = r->start[f] + n;
+    if (r->start[f + 1] > *room) {
+        int *const more = alloc_ints(2 * r->start[f + 1]);
+        memcpy(more, r->corner, (size_t)r->start[f] * sizeof *more);
+        free(r->corner);
+        r->corner = more;
+        *room = 2 * r->start[f + 1];
+    }
+    for (int i = r->start[f]; i < r->start[f + 1] && !p->failed; i++) {
+        r->corner[i] = poly_file_int(p);
+        if (r->corner[i] >= r->n_points)
+            poly_file_wrong(p, "point %d of %d", r->corner[i], r->n_points);
+    }
+    poly_file_expect(p, ")");
+}
+
+static int read_faces(struct poly_raw *r, const char *dir)
+{
+    struct poly_file p;
+    int room;
+
+    poly_file_open(&p, dir, "faces");
+    r->n_faces = poly_file_count(&p, (int)strlen("3(0 1 2)"));
+    room = 4 * r->n_faces;
+    r->start = alloc_ints(r->n_faces + 1);
+    r->corner = alloc_ints(room);
+    poly_file_expect(&p, "(");
+    for (int f = 0; f < r->n_faces && !p.failed; f++)
+        read_face(r, &p, f, &room);
+    poly_file_expect(&p, ")");
+    poly_file_close(&p);
+    return p.failed;
+}
+
+/* owner or neighbour: one cell a face. */
+static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
+                       int *n, int *failed)
+{
+    struct poly_file p;
+
+    poly_file_open(&p, dir, name);
+    *n = poly_file_count(&p, (int)strlen("0 "));
+    if (*n > r->n_faces)
+        poly_file_wrong(&p, "%d entries, but there are %d faces", *n,
+                        r->n_faces);
+    int *const cell = alloc_ints(*n);
+    poly_file_expect(&p, "(");
+    for (int f = 0; f < *n && !p.failed; f++) {
+        cell[f] = poly_file_int(&p);
+        if (cell[f] >= r->n_faces)
+            poly_file_wrong(&p, "cell %d is more than there are faces",
+                            cell[f]);
+        if (cell[f] >= r->n_cells) r->n_cells = cell[f] + 1;
+    }
+    poly_file_expect(&p, ")");
+    *failed |= p.failed;
+    poly_file_close(&p);
+    return cell;
+}
+
+/* key value; of a patch. Values in brackets are skipped. */
+static void read_entry(struct poly_file *p, struct poly_part *part,
+                       const char *key)
+{
+    char word[POLY_WORD];
+
+    if (strcmp(key, "nFaces") == 0)
+        part->n = poly_file_int(p);
+    else if (strcmp(key, "startFace") == 0)
+        part->first = poly_file_int(p);
+    else {
+        poly_file_word(p, word);
+        if (strcmp(key, "type") == 0)
+            snprintf(part->type, sizeof part->type, "%.63s", word);
+        if (strcmp(key, "neighbourPatch") == 0)
+            snprintf(part->other, sizeof part->other, "%.63s", word);
+    }
+    do
+        poly_file_word(p, word);
+    while (!p->failed && strcmp(word, ";") != 0);
+}
+
+static void read_part(struct poly_raw *r, struct poly_file *p,
+                      struct poly_part *part)
+{
+    static const char *const known[] = {
+        "patch", "wall", "empty", "symmetry", "symmetryPlane", "cyclic", NULL};
+    char word[POLY_WORD];
+    int i = 0;
+
+    poly_file_word(p, word);
+    part->line = p->line;
+    snprintf(part->name, sizeof part->name, "%.63s", word);
+    if (strcmp(word, part->name) != 0)
+        poly_file_wrong(p, "patch %s: the name is longer than 63 letters",
+                        word);
+    for (const struct poly_part *q = r->part; q < part; q++)
+        if (strcmp(q->name, part->name) == 0)
+            poly_file_wrong(p, "patch %s: the name is there twice", word);
+    poly_file_expect(p, "{");
+    for (poly_file_word(p, word); !p->failed && strcmp(word, "}") != 0;
+         poly_file_word(p, word))
+        read_entry(p, part, word);
+    while (known[i] != NULL && strcmp(known[i], part->type) != 0)
+        i++;
+    if (known[i] == NULL)
+        poly_file_wrong(p,
+                        "patch %s: type %s is not read; expected patch, wall, "
+                        "empty, symmetry, symmetryPlane or cyclic",
+                        part->name, part->type);
+    if (r->n_faces > 0 &&
+        (part->first < r->n_inner || part->first > r->n_faces - part->n))
+        poly_file_wrong(p, "patch %s: faces %d to %d are not of the boundary",
+                        part->name, part->first, part->first + part->n - 1);
+}
+
+static int read_boundary(struct poly_raw *r, const char *dir)
+{
+    struct poly_file p;
+
+    poly_file_open(&p, dir, "boundary");
+    r->n_parts = poly_file_count(&p, 1);
+    if (r->n_parts > POLY_RAW_PATCHES)
+        poly_file_wrong(&p, "%d patches, expected at most %d", r->n_parts,
+                        POLY_RAW_PATCHES);
+    poly_file_expect(&p, "(");
+    for (int i = 0; i < r->n_parts && !p.failed; i++)
+        read_part(r, &p, &r->part[i]);
+    poly_file_expect(&p, ")");
+    poly_file_close(&p);
+    return p.failed;
+}
+
+int poly_raw_read_parts(struct poly_raw *r, const char *dir)
+{
+    return read_boundary(r, dir);
+}
+
+int poly_raw_read(struct poly_raw *r, const char *dir)
+{
+    int n_owner = 0, failed = 0;
+
+    if (read_points(r, dir) || read_faces(r, dir)) return 1;
+    r->owner = read_cells(r, dir, "owner", &n_owner, &failed);
+    if (failed) return 1;
+    r->neighbour = read_cells(r, dir, "neighbour", &r->n_inner, &failed);
+    if (failed || read_boundary(r, dir)) return 1;
+    if (n_owner == r->n_faces) return 0;
+    fprintf(stderr, "winnow: %s/owner: %d entries, but there are %d faces\n",
+            dir, n_owner, r->n_faces);
+    return 1;
+}
+
+/* --- geometry ------------------------------------------------------------ */
+
+static void cross(const double *a, const double *b, double *c)
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Triangles from the mean of the corners: their sum is the area, and the mean
+ * of their middles, weighted by area, the middle of the face. */
+static void measure_face(struct poly_raw *r, int f)
+{
+    const int n = r->start[f + 1] - r->start[f];
+    const int *const corner = &r->corner[r->start[f]];
+    double mean[3] = {0.0, 0.0, 0.0}, sum = 0.0;
+    double *const S = &r->area[3 * f], *const x = &r->middle[3 * f];
+
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            mean[k] += r->point[3 * corner[i] + k] / n;
+    for (int i = 0; i < n; i++) {
+        const double *const a = &r->point[3 * corner[i]];
+        const double *const b = &r->point[3 * corner[(i + 1) % n]];
+        const double u[3] = {a[0] - mean[0], a[1] - mean[1], a[2] - mean[2]};
+        const double v[3] = {b[0] - mean[0], b[1] - mean[1], b[2] - mean[2]};
+        double c[3];
+        cross(u, v, c);
+        const double size = sqrt(dot(c, c));
+        sum += size;
+        for (int k = 0; k < 3; k++) {
+            S[k] += 0.5 * c[k];
+            x[k] += size * (a[k] + b[k] + mean[k]) / 3.0;
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        x[k] = sum > 0.0 ? x[k] / sum : mean[k];
+}
+
+/* Pyramids from the mean of the face middles: volume and centre. */
+static void measure_cells(struct poly_raw *r)
+{
+    double *const mean = alloc_doubles(3 * r->n_cells);
+    int *const count = alloc_ints(r->n_cells);
+
+    for (int f = 0; f < r->n_faces; f++)
+        for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+            const int c = side == 0 ? r->owner[f] : r->neighbour[f];
+            count[c]++;
+            for (int k = 0; k < 3; k++)
+                mean[3 * c + k] += r->middle[3 * f + k];
+        }
+    for (int i = 0; i < 3 * r->n_cells; i++)
+        mean[i] /= count[i / 3];
+    for (int f = 0; f < r->n_faces; f++)
+        for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+            const int c = side == 0 ? r->owner[f] : r->neighbour[f];
+            const double *const x = &r->middle[3 * f], *const o = &mean[3 * c];
+            const double h[3] = {x[0] - o[0], x[1] - o[1], x[2] - o[2]};
+            const double V =
+                (side == 0 ? 1.0 : -1.0) * dot(&r->area[3 * f], h) / 3.0;
+            r->V[c] += V;
+            for (int k = 0; k < 3; k++)
+                r->centre[3 * c + k] += V * (0.75 * x[k] + 0.25 * o[k]);
+        }
+    for (int i = 0; i < 3 * r->n_cells; i++)
+        r->centre[i] /= r->V[i / 3];
+    free(mean);
+    free(count);
+}
+
+/* The cell with the largest closure error: |sum of S| over its surface. */
+static int least_closed(const struct poly_raw *r, double *worst)
+{
+    double *const sum = alloc_doubles(4 * r->n_cells);
+    int which = 0;
+
+    for (int f = 0; f < r->n_faces; f++)
+        for (int side = 0; side < 1 + (f < r->n_inner); side++) {
+            const int c = side == 0 ? r->owner[f] : r->neighbour[f];
+            const double *const S = &r->area[3 * f];
+            for (int k = 0; k < 3; k++)
+                sum[4 * c + k] += side == 0 ? S[k] : -S[k];
+            sum[4 * c + 3] += sqrt(dot(S, S));
+        }
+    *worst = 0.0;
+    for (int c = 0; c < r->n_cells; c++) {
+        const double open = sqrt(dot(&sum[4 * c], &sum[4 * c]));
+        if (open <= *worst * sum[4 * c + 3]) continue;
+        *worst = open / sum[4 * c + 3];
+        which = c;
+    }
+    free(sum);
+    return which;
+}
+
+static int wrong_face(const struct poly_raw *r, const char *dir)
+{
+    for (int f = 0; f < r->n_faces; f++) {
+        const double *const S = &r->area[3 * f];
+        if (f < r->n_inner && r->owner[f] == r->neighbour[f]) {
+            fprintf(stderr,
+                    "winnow: %s/neighbour: face %d has the cell %d on both "
+                    "sides\n",
+                    dir, f, r->owner[f]);
+            return 1;
+        }
+        if (dot(S, S) > 0.0) continue;
+        fprintf(stderr, "winnow: %s/faces: face %d has no area\n", dir, f);
+        return 1;
+    }
+    return 0;
+}
+
+static int wrong_cell(const struct poly_raw *r, const char *dir)
+{
+    double open;
+    const int c = least_closed(r, &open);
+
+    if (open > 1e-6) {
+        fprintf(stderr,
+                "winnow: %s/owner: cell %d is not closed: its faces miss %.2g "
+                "of its surface; one is missing, has another cell, or its "
+                "points in the wrong order\n",
+                dir, c, open);
+        return 1;
+    }
+    for (int b = 0; b < r->n_cells; b++)
+        if (!(r->V[b] > 0.0)) {
+            fprintf(stderr,
+                    "winnow: %s: cell %d has the volume %g m^3, expected > 0; "
+                    "its faces do not close it or point inward\n",
+                    dir, b, r->V[b]);
+            return 1;
+        }
+    return 0;
+}
+
+/* The link from centre to centre goes with the face, not against it. */
+static int wrong_link(const struct poly_raw *r, const char *dir)
+{
+    for (int f = 0; f < r->n_inner; f++) {
+        const double *const a = &r->centre[3 * r->owner[f]];
+        const double *const b = &r->centre[3 * r->neighbour[f]];
+        const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        if (dot(d, &r->area[3 * f]) > 0.0) continue;
+        fprintf(stderr,
+                "winnow: %s/faces: face %d: the centres of the cells %d and "
+                "%d beside it do not lie on its two sides; such a mesh is too "
+                "crooked to compute on\n",
+                dir, f, r->owner[f], r->neighbour[f]);
+        return 1;
+    }
+    return 0;
+}
+
+int poly_raw_measure(struct poly_raw *r, const char *dir)
+{
+    r->middle = alloc_doubles(3 * r->n_faces);
+    r->area = alloc_doubles(3 * r->n_faces);
+    r->V = alloc_doubles(r->n_cells);
+    r->centre = alloc_doubles(3 * r->n_cells);
+    for (int f = 0; f < r->n_faces; f++)
+        measure_face(r, f);
+    measure_cells(r);
+    return wrong_face(r, dir) || wrong_cell(r, dir) || wrong_link(r, dir);
+}
+
+/* How far any corner is off the plane of its face [m]. */
+double poly_raw_warp(const struct poly_raw *r)
+{
+    double most = 0.0;
+
+    for (int f = 0; f < r->n_faces; f++) {
+        const double *const S = &r->area[3 * f], *const x = &r->middle[3 * f];
+        const double size = sqrt(dot(S, S));
+        for (int i = r->start[f]; i < r->start[f + 1]; i++) {
+            const double *const p = &r->point[3 * r->corner[i]];
+            const double d[3] = {p[0] - x[0], p[1] - x[1], p[2] - x[2]};
+            most = fmax(most, fabs(dot(d, S)) / size);
+        }
+    }
+    return most;
+}

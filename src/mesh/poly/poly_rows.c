@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly/poly_rows.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+/* The six faces of each cell. Once it has been reached, face 2 k is the one
+ * before it in direction k and 2 k + 1 the one behind. */
+struct walk {
+    const struct poly_raw *r;
+    int (*face)[6];
+    int (*at)[3];
+    char *reached;
+};
+
+/* 0 if a cell has not six faces, or a face not four corners. */
+static int take_faces(struct walk *w)
+{
+    const struct poly_raw *const r = w->r;
+    int *const used = alloc_ints(r->n_cells);
+    int fits = 1;
+
+    for (int f = 0; f < r->n_faces && fits; f++) {
+        fits = r->start[f + 1] - r->start[f] == 4;
+        for (int side = 0; side < 1 + (f < r->n_inner) && fits; side++) {
+            const int c = side == 0 ? r->owner[f] : r->neighbour[f];
+            fits = used[c] < 6;
+            if (fits) w->face[c][used[c]++] = f;
+        }
+    }
+    for (int c = 0; c < r->n_cells && fits; c++)
+        fits = used[c] == 6;
+    free(used);
+    return fits;
+}
+
+static int has_corner(const struct poly_raw *r, int f, int point)
+{
+    const int *const corner = &r->corner[r->start[f]];
+    return corner[0] == point || corner[1] == point || corner[2] == point ||
+           corner[3] == point;
+}
+
+/* How many corners faces f, g and h share; h = g: how many f and g do. */
+static int common(const struct poly_raw *r, int f, int g, int h)
+{
+    int n = 0;
+
+    for (int i = r->start[f]; i < r->start[f + 1]; i++)
+        n += has_corner(r, g, r->corner[i]) && has_corner(r, h, r->corner[i]);
+    return n;
+}
+
+/* The face of cell c, other than f, with this many corners in common with f and
+ * g; or -1. */
+static int find(const struct walk *w, int c, int f, int g, int corners)
+{
+    for (int i = 0; i < 6; i++) {
+        const int h = w->face[c][i];
+        if (h != f && common(w->r, f, g, h) == corners) return h;
+    }
+    return -1;
+}
+
+/* The faces of cell c in their order: `first` is number s, and where it meets
+ * face 2 k of the cell before lies face 2 k of this one. 0 if it is none. */
+static int turn(struct walk *w, int c, int first, int s, const int before[6])
+{
+    int face[6];
+
+    face[s ^ 1] = find(w, c, first, first, 0);
+    face[s] = first;
+    for (int k = 0; k < 6; k += 2) {
+        if (k == (s & ~1)) continue;
+        face[k] = find(w, c, first, before[k], 2);
+        if (face[k] < 0) return 0;
+        face[k + 1] = find(w, c, face[k], face[k], 0);
+    }
+    for (int i = 0; i < 6; i++)
+        if (face[i] < 0) return 0;
+    memcpy(w->face[c], face, sizeof face);
+    return 1;
+}
+
+/* The first cell: any face, one beside it, one beside both. */
+static int begin(struct walk *w)
+{
+    const int *const own = w->face[0];
+    int face[6] = {own[0], 0, -1, 0, -1, 0};
+
+    for (int i = 1; i < 6; i++) {
+        if (common(w->r, own[0], own[i], own[i]) != 2) continue;
+        if (face[2] < 0)
+            face[2] = own[i];
+        else if (common(w->r, face[2], own[i], own[i]) == 2)
+            face[4] = own[i];
+    }
+    if (face[4] < 0) return 0;
+    for (int k = 0; k < 6; k += 2) {
+        face[k + 1] = find(w, 0, face[k], face[k], 0);
+        if (face[k + 1] < 0) return 0;
+    }
+    memcpy(w->face[0], face, sizeof face);
+    w->reached[0] = 1;
+    return 1;
+}
+
+/* From the cells that have been reached to those behind their faces; returns
+ * how many there are in the end. */
+static int walk_on(struct walk *w)
+{
+    const struct poly_raw *const r = w->r;
+    int *const queue = alloc_ints(r->n_cells);
+    int n = begin(w);
+
+    for (int done = 0; done < n; done++) {
+        const int c = queue[done];
+        for (int s = 0; s < 6; s++) {
+            const int f = w->face[c][s];
+            if (f >= r->n_inner) continue;
+            const int next = r->owner[f] == c ? r->neighbour[f] : r->owner[f];
+            if (w->reached[next] || !turn(w, next, f, s ^ 1, w->face[c]))
+                continue;
+            memcpy(w->at[next], w->at[c], sizeof w->at[c]);
+            w->at[next][s / 2] += s % 2 ? 1 : -1;
+            w->reached[next] = 1;
+            queue[n++] = next;
+        }
+    }
+    free(queue);
+    return n;
+}
+
+/* Integers from 0 on. */
+static void shift(int (*at)[3], int n, int extent[3])
+{
+    for (int k = 0; k < 3; k++) {
+        int least = 0, most = 0;
+        for (int c = 0; c < n; c++) {
+            least = at[c][k] < least ? at[c][k] : least;
+            most = at[c][k] > most ? at[c][k] : most;
+        }
+        for (int c = 0; c < n; c++)
+            at[c][k] -= least;
+        extent[k] = most - least + 1;
+    }
+}
+
+int *poly_rows_find(const struct poly_raw *r, int extent[3])
+{
+    struct walk w = {.r = r};
+
+    w.face = alloc_zeroed((size_t)r->n_cells, sizeof *w.face);
+    w.at = alloc_zeroed((size_t)r->n_cells, sizeof *w.at);
+    w.reached = alloc_zeroed((size_t)r->n_cells, 1);
+    const int all = take_faces(&w) && walk_on(&w) == r->n_cells;
+
+    if (all) shift(w.at, r->n_cells, extent);
+    free(w.face);
+    free(w.reached);
+    if (all) return &w.at[0][0];
+    free(w.at);
+    return NULL;
+}

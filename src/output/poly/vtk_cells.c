@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* vtk_cells.c -- hexahedra, tetrahedra and polyhedra.
+ *
+ * VTK knows a cell by the list of its points. A hexahedron has those of one
+ * face, turned so that its normal by the right hand points inward, and then
+ * those across; a tetrahedron likewise, and then its apex. Of a polyhedron the
+ * list is in any order, and its faces stand in a second list: how many there
+ * are, and for each how many points it has and which.
+ */
+#include "output/poly/vtk_cells.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+enum { TETRAHEDRON = 10, HEXAHEDRON = 12, POLYHEDRON = 42 };
+
+/* Numbers, and room for more. */
+struct list {
+    int n, room;
+    int *value;
+};
+
+struct vtk_cells {
+    const struct mesh *mesh;   /* borrowed */
+    struct list points, faces; /* connectivity, faces */
+    int *end, *faces_end;      /* [-] offsets of each cell */
+    unsigned char *type;
+    int polyhedra; /* [-] how many */
+};
+
+static void add(struct list *l, int value)
+{
+    if (l->n == l->room) {
+        const int room = 2 * l->room + 64;
+        int *const more = alloc_ints(room);
+        if (l->n > 0) memcpy(more, l->value, (size_t)l->n * sizeof *more);
+        free(l->value);
+        l->value = more;
+        l->room = room;
+    }
+    l->value[l->n++] = value;
+}
+
+static int is_in(const int *list, int n, int value)
+{
+    for (int i = 0; i < n; i++)
+        if (list[i] == value) return 1;
+    return 0;
+}
+
+/* Polygon i of cell c: its number of corners, and the first of them. */
+static int polygon(const struct mesh_shape *s, int c, int i, const int **corner)
+{
+    const int p = s->polygon[s->cell_start[c] + i];
+
+    *corner = &s->corner[s->start[p]];
+    return s->start[p + 1] - s->start[p];
+}
+
+static int faces_of(const struct mesh_shape *s, int c)
+{
+    return s->cell_start[c + 1] - s->cell_start[c];
+}
+
+/* 1 if all faces of the cell have this number of corners. */
+static int all_have(const struct mesh_shape *s, int c, int corners)
+{
+    const int *corner;
+
+    for (int i = 0; i < faces_of(s, c); i++)
+        if (polygon(s, c, i, &corner) != corners) return 0;
+    return 1;
+}
+
+/* The first face of the cell, its normal inward. */
+static void base_of(const struct mesh *m, int c, int n, int *base)
+{
+    const struct mesh_shape *const s = m->shape;
+    const double *const x = &m->centre[3 * c];
+    const int *corner;
+    double inward = 0.0;
+
+    polygon(s, c, 0, &corner);
+    for (int i = 0; i < n; i++) {
+        double a[3], b[3], normal[3];
+        vector_between(&s->point[3 * corner[i]], x, a);
+        vector_between(&s->point[3 * corner[(i + 1) % n]], x, b);
+        vector_cross(a, b, normal);
+        inward -= vector_dot(normal, a);
+        vector_between(&s->point[3 * corner[(i + 2) % n]], x, a);
+        inward -= vector_dot(normal, a);
+    }
+    for (int i = 0; i < n; i++)
+        base[i] = corner[inward > 0.0 ? i : n - 1 - i];
+}
+
+/* The point that an edge outside of the base joins to a point of it; -1: the
+ * cell has no such edge, or not one. */
+static int across(const struct mesh_shape *s, int c, int n, const int *base,
+                  int point)
+{
+    int found = -1;
+
+    for (int i = 1; i < faces_of(s, c); i++) {
+        const int *corner;
+        const int corners = polygon(s, c, i, &corner);
+        for (int k = 0; k < corners; k++)
+            for (int way = -1; way < 2; way += 2) {
+                const int to = corner[(k + way + corners) % corners];
+                if (corner[k] != point || is_in(base, n, to)) continue;
+                if (found >= 0 && found != to) return -1;
+                found = to;
+            }
+    }
+    return found;
+}
+
+/* The eight points of a hexahedron; 0 if the cell is none. */
+static int is_hexahedron(const struct mesh *m, int c, int point[8])
+{
+    if (faces_of(m->shape, c) != 6 || !all_have(m->shape, c, 4)) return 0;
+    base_of(m, c, 4, point);
+    for (int i = 0; i < 4; i++) {
+        point[4 + i] = across(m->shape, c, 4, point, point[i]);
+        if (point[4 + i] < 0 || is_in(&point[4], i, point[4 + i])) return 0;
+    }
+    return 1;
+}
+
+static int is_tetrahedron(const struct mesh *m, int c, int point[4])
+{
+    if (faces_of(m->shape, c) != 4 || !all_have(m->shape, c, 3)) return 0;
+    base_of(m, c, 3, point);
+    point[3] = across(m->shape, c, 3, point, point[0]);
+    return point[3] >= 0;
+}
+
+static void add_polyhedron(struct vtk_cells *v, int c)
+{
+    const struct mesh_shape *const s = v->mesh->shape;
+    const int first = v->points.n;
+
+    add(&v->faces, faces_of(s, c));
+    for (int i = 0; i < faces_of(s, c); i++) {
+        const int *corner;
+        const int corners = polygon(s, c, i, &corner);
+        add(&v->faces, corners);
+        for (int k = 0; k < corners; k++) {
+            add(&v->faces, corner[k]);
+            if (!is_in(&v->points.value[first], v->points.n - first, corner[k]))
+                add(&v->points, corner[k]);
+        }
+    }
+    v->polyhedra++;
+}
+
+static void add_cell(struct vtk_cells *v, int c)
+{
+    int point[8];
+    const int n = is_hexahedron(v->mesh, c, point)    ? 8
+                  : is_tetrahedron(v->mesh, c, point) ? 4
+                                                      : 0;
+
+    for (int i = 0; i < n; i++)
+        add(&v->points, point[i]);
+    v->type[c] = n == 8 ? HEXAHEDRON : n == 4 ? TETRAHEDRON : POLYHEDRON;
+    if (n == 0) add_polyhedron(v, c);
+    v->end[c] = v->points.n;
+    v->faces_end[c] = n == 0 ? v->faces.n : -1;
+}
+
+struct vtk_cells *vtk_cells_create(const struct mesh *m)
+{
+    struct vtk_cells *const v = alloc_zeroed(1, sizeof *v);
+
+    v->mesh = m;
+    v->end = alloc_ints(m->n_cells);
+    v->faces_end = alloc_ints(m->n_cells);
+    v->type = alloc_zeroed((size_t)m->n_cells, 1);
+    for (int c = 0; c < m->n_cells; c++)
+        add_cell(v, c);
+    return v;
+}
+
+void vtk_cells_free(struct vtk_cells *v)
+{
+    if (v == NULL) return;
+    free(v->points.value);
+    free(v->faces.value);
+    free(v->end);
+    free(v->faces_end);
+    free(v->type);
+    free(v);
+}
+
+int vtk_cells_number(const struct vtk_cells *v)
+{
+    return v->mesh->n_cells;
+}
+
+void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
+{
+    const struct mesh *const m = v->mesh;
+    const struct vtk_array points = {
+        .name = "position", .components = 3, .values = m->shape->point};
+
+    fprintf(vtk_file_stream(f),
+            "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
+            m->shape->n_points, m->n_cells);
+    vtk_file_section(f, "Points", m->shape->n_points, 1, &points);
+    fprintf(vtk_file_stream(f), "<Cells>\n");
+    vtk_file_array(f,
+                   &(struct vtk_array){.name = "connectivity",
+                                       .components = 1,
+                                       .ints = v->points.value},
+                   v->points.n);
+    vtk_file_array(
+        f,
+        &(struct vtk_array){.name = "offsets", .components = 1, .ints = v->end},
+        m->n_cells);
+    vtk_file_array(
+        f,
+        &(struct vtk_array){.name = "types", .components = 1, .bytes = v->type},
+        m->n_cells);
+    if (v->polyhedra > 0) {
+        vtk_file_array(f,
+                       &(struct vtk_array){.name = "faces",
+                                           .components = 1,
+                                           .ints = v->faces.value},
+                       v->faces.n);
+        vtk_file_array(f,
+                       &(struct vtk_array){.name = "faceoffsets",
+                                           .components = 1,
+                                           .ints = v->faces_end},
+                       m->n_cells);
+    }
+    fprintf(vtk_file_stream(f), "</Cells>\n");
+}

@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/piso.h"
+#include "linear/fast/ldu.h"
+#include "linear/fast/contiguous_faces.h"
+#include "linear/fast/vec3.h"
+
+#include "facts.h"
+#include "linear_case.h"
+#include "mesh/mesh.h"
+
+static struct mesh *box(int nx, int ny, int nz, int periodic)
+{
+    const struct box_spec spec = {{1.0, 0.7, 0.4},
+                                  {nx, ny, nz},
+                                  {1.3, 1.0, 0.8},
+                                  {periodic, 0, periodic}};
+
+    return mesh_create_box(&spec);
+}
+
+static struct contiguous_faces *runs_of(const struct mesh *m)
+{
+    return contiguous_faces_create(m->n_internal, m->n_faces, m->owner,
+                                   m->neighbour);
+}
+
+/* Uneven, for its rows to end anywhere in a strip; and one cell thick. */
+static const struct {
+    int n[3], periodic;
+} boxes[] = {{{17, 13, 9}, 0}, {{17, 13, 9}, 1}, {{64, 40, 1}, 0}};
+
+START_TEST(each_face_occurs_once_from_its_owner)
+{
+    struct mesh *const m =
+        box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
+    struct contiguous_faces *const r = runs_of(m);
+    int *const met = alloc_ints(m->n_internal);
+
+    ck_assert_ptr_nonnull(r);
+    for (int first = 0; first < m->n_internal; first += 50) {
+        const int last =
+            first + 50 < m->n_internal ? first + 50 : m->n_internal;
+        struct contiguous_piece p = {0};
+        while (contiguous_faces_next_of_faces(r, first, last, &p))
+            for (int j = 0; j < p.n; j++) {
+                ck_assert(p.link + j >= first && p.link + j < last);
+                ck_assert_int_eq(p.cell + j, m->owner[p.link + j]);
+                ck_assert_int_eq(p.other + j, m->neighbour[p.link + j]);
+                met[p.link + j]++;
+            }
+    }
+    for (int f = 0; f < m->n_internal; f++)
+        ck_assert_int_eq(met[f], 1);
+    free(met);
+    contiguous_faces_free(r);
+    mesh_free(m);
+}
+END_TEST
+
+/* Which cells are asked for together must not matter: the threads' strips. */
+START_TEST(each_cell_has_its_faces_in_one_order)
+{
+    struct mesh *const m =
+        box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
+    struct contiguous_faces *const r = runs_of(m);
+    const int n = m->n_cells, lengths[] = {n, 100, 7};
+    int *const seen = alloc_ints(n * 8), *const of = alloc_ints(n);
+
+    for (int a = 0; a < 3; a++) {
+        memset(of, 0, (size_t)n * sizeof *of);
+        for (int first = 0; first < n; first += lengths[a]) {
+            const int last = first + lengths[a] < n ? first + lengths[a] : n;
+            struct contiguous_piece p = {0};
+            while (contiguous_faces_next_of_cells(r, first, last, &p))
+                for (int j = 0; j < p.n; j++) {
+                    const int c = p.cell + j, f = p.link + j;
+                    const int own = p.out > 0.0;
+                    ck_assert(c >= first && c < last);
+                    ck_assert_int_eq(c, own ? m->owner[f] : m->neighbour[f]);
+                    if (f < m->n_internal)
+                        ck_assert_int_eq(p.other + j,
+                                         own ? m->neighbour[f] : m->owner[f]);
+                    if (a == 0) seen[8 * c + of[c]] = f;
+                    ck_assert_int_eq(seen[8 * c + of[c]], f);
+                    of[c]++;
+                }
+        }
+        for (int c = 0; c < n; c++)
+            ck_assert_int_eq(of[c], m->cell_start[c + 1] - m->cell_start[c]);
+    }
+    free(seen);
+    free(of);
+    contiguous_faces_free(r);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(faces_in_disorder_have_no_contiguous_ranges)
+{
+    struct links b = links_cube(12, 12, 12);
+
+    links_shuffle(&b, 3);
+    ck_assert_ptr_null(
+        contiguous_faces_create(b.n_links, b.n_links, b.owner, b.neighbour));
+    links_free(&b);
+}
+END_TEST
+
+/* By runs, by rows, and term by term. Seven terms of order 1. */
+START_TEST(product_by_contiguous_faces_is_that_by_rows)
+{
+    struct mesh *const m =
+        box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
+    struct contiguous_faces *const r = runs_of(m);
+    const int n = m->n_cells, links = m->n_internal;
+    struct ldu *const fast = ldu_create(n, links, m->owner, m->neighbour, r);
+    struct ldu *const rows = ldu_create(n, links, m->owner, m->neighbour, NULL);
+    double *const x = noise_vector(3 * n, 1), *const d = noise_vector(3 * n, 2);
+    double *const upper = noise_vector(links, 3);
+    double *const lower = noise_vector(links, 4);
+    double *const y = alloc_doubles(3 * n), *const z = alloc_doubles(3 * n);
+    double *const sum = alloc_doubles(n), *const plain = alloc_doubles(n);
+
+    memcpy(fast->upper, upper, (size_t)links * sizeof *upper);
+    memcpy(rows->upper, upper, (size_t)links * sizeof *upper);
+    memcpy(fast->lower, lower, (size_t)links * sizeof *lower);
+    memcpy(rows->lower, lower, (size_t)links * sizeof *lower);
+    ldu_update(fast);
+    ldu_update(rows);
+    for (int own = 0; own < 2; own++) {
+        ldu_multiply(fast, own ? d : NULL, x, y);
+        ldu_multiply(rows, own ? d : NULL, x, z);
+        for (int i = 0; i < 3 * n; i++)
+            ck_assert_double_eq_tol(y[i], z[i], 1e-14);
+    }
+    for (int i = 0; i < 3 * n; i++)
+        z[i] = d[i] * x[i];
+    for (int l = 0; l < links; l++)
+        for (int k = 0; k < 3; k++) {
+            const int o = m->owner[l], e = m->neighbour[l];
+            z[3 * o + k] += upper[l] * x[3 * e + k];
+            z[3 * e + k] += lower[l] * x[3 * o + k];
+        }
+    for (int i = 0; i < 3 * n; i++)
+        ck_assert_double_eq_tol(y[i], z[i], 1e-14);
+    ldu_row_sums(0, n, fast, sum);
+    ldu_row_sums(0, n, rows, plain);
+    for (int i = 0; i < n; i++)
+        ck_assert_double_eq_tol(sum[i], plain[i], 1e-14);
+    free(x);
+    free(d);
+    free(upper);
+    free(lower);
+    free(y);
+    free(z);
+    free(sum);
+    free(plain);
+    ldu_free(fast);
+    ldu_free(rows);
+    contiguous_faces_free(r);
+    mesh_free(m);
+}
+END_TEST
+
+START_TEST(one_number_times_three_is_as_in_a_plain_loop)
+{
+    enum { N = 300 }; /* two blocks and some */
+    double *const a = noise_vector(N, 1), *const x = noise_vector(3 * N, 2);
+    double *const y = noise_vector(3 * N, 3), *const z = noise_vector(3 * N, 3);
+    double sum[3] = {1.0, 2.0, 3.0}, plain[3] = {1.0, 2.0, 3.0};
+
+    vec3_add(N, -2.0, a, x, y);
+    vec3_sum(N, a, x, sum);
+    for (int i = 0; i < 3 * N; i++) {
+        z[i] += -2.0 * a[i / 3] * x[i];
+        plain[i % 3] += a[i / 3] * x[i];
+        ck_assert_double_eq(y[i], z[i]);
+    }
+    for (int k = 0; k < 3; k++) /* another order of 300 terms */
+        ck_assert_double_eq_tol(sum[k], plain[k], 1e-13);
+    free(a);
+    free(x);
+    free(y);
+    free(z);
+}
+END_TEST
+
+/* Anything from -1 to 1. */
+static double any(int i)
+{
+    return sin(9.0 * i * i + i);
+}
+
+/* A few steps of a flow in which all terms are at work: a bed of any eps,
+ * forces and friction that jump, grains that move, from an inlet to an outlet.
+ */
+static struct fluid *flow(const struct mesh *m, const struct boundary *b,
+                          int shared, int by_lists)
+{
+    const struct fluid_options o = {
+        .rho = 1000.0,
+        .mu = 0.1,
+        .dt = 1e-2,
+        .convection = convection_scheme_named(shared ? "linear" : "upwind"),
+        .continuity = shared ? CONTINUITY_MIXTURE : CONTINUITY_VOID_RATE,
+        .correctors = 3,
+        .tolerance = 1e-13,
+        .coupled = 1,
+        .pressure_shared = shared,
+        .boundaries = b};
+    struct fluid *const fl = fluid_create(m, &o);
+    struct contiguous_faces *const runs = fl->piso->contiguous;
+
+    ck_assert_ptr_nonnull(runs);
+    if (by_lists) fl->piso->contiguous = NULL;
+    for (int c = 0; c < m->n_cells; c++)
+        fl->eps[c] = 0.7 + 0.2 * any(c);
+    fluid_reset_eps_history(fl);
+    for (int n = 0; n < 3; n++) {
+        for (int c = 0; c < m->n_cells; c++) {
+            fl->eps[c] += 0.01 * any(c + n);
+            fl->K[c] = 1e4 * (1.0 + any(3 * c));
+            for (int k = 0; k < 3; k++) {
+                fl->F[3 * c + k] = 100.0 * any(5 * c + k);
+                fl->eps_us[3 * c + k] = 0.01 * any(7 * c + k + n);
+            }
+        }
+        ck_assert_int_eq(fluid_step(fl), 0);
+    }
+    fl->piso->contiguous = runs;
+    return fl;
+}
+
+START_TEST(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces)
+{
+    const struct box_spec spec = {
+        {0.1, 0.2, 0.1}, {10, 9, 8}, {1.0, 2.0, 1.0}, {0, 0, 1}};
+    const double U = 0.3, zero = 0.0;
+    struct mesh *const m = mesh_create_box(&spec);
+    struct boundary b[6] = {
+        {.kind = BOUNDARY_NO_SLIP},
+        {.kind = BOUNDARY_SLIP},
+        {.kind = BOUNDARY_INLET, .n_points = 1, .time = &zero, .velocity = &U},
+        {.kind = BOUNDARY_OUTLET}};
+    struct fluid *const runs = flow(m, b, _i, 0), *const lists =
+                                                      flow(m, b, _i, 1);
+    double u = 0.0, p = 0.0, phi = 0.0;
+    for (int c = 0; c < m->n_cells; c++) {
+        u = fmax(u, fabs(runs->u[3 * c + 1]));
+        p = fmax(p, fabs(runs->p[c]));
+    }
+    for (int f = 0; f < m->n_faces; f++)
+        phi = fmax(phi, fabs(runs->phi[f]));
+    ck_assert_double_gt(u, 0.3);
+    for (int i = 0; i < 3 * m->n_cells; i++)
+        ck_assert_double_eq_tol(runs->u[i], lists->u[i], 1e-9 * u);
+    for (int c = 0; c < m->n_cells; c++)
+        ck_assert_double_eq_tol(runs->p[c], lists->p[c], 1e-9 * p);
+    for (int f = 0; f < m->n_faces; f++)
+        ck_assert_double_eq_tol(runs->phi[f], lists->phi[f], 1e-9 * phi);
+    fluid_free(runs);
+    fluid_free(lists);
+    mesh_free(m);
+}
+END_TEST
+
+FACTS("runs")
+{
+    FACT_FOR_EACH(each_face_occurs_once_from_its_owner, 3);
+    FACT_FOR_EACH(each_cell_has_its_faces_in_one_order, 3);
+    FACT(faces_in_disorder_have_no_contiguous_ranges);
+    FACT_FOR_EACH(product_by_contiguous_faces_is_that_by_rows, 3);
+    FACT(one_number_times_three_is_as_in_a_plain_loop);
+    FACT_FOR_EACH(a_coupled_flow_is_the_same_by_lists_and_by_contiguous_faces,
+                  2);
+}

@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Particles that come and go: no overlap, the sizes that were asked for, ids
+ * that are never given twice, the same bits after a restart. */
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "dem/population/population.h"
+#include "facts.h"
+#include "spheres.h"
+
+static const double table[][2] = {{1e-3, 3.0}, {2e-3, 1.0}, {4e-3, 1.0}};
+
+static struct sizes *three_sizes(void)
+{
+    const struct sizes_options o = {
+        .law = sizes_law_named("discrete"), .n = 3, .point = table};
+    return sizes_create(&o);
+}
+
+static struct insertion source(const struct sizes *sizes, long count,
+                               double rate)
+{
+    const struct insertion in = {.options = {.lo = {-0.02, 0.0, -0.02},
+                                             .hi = {0.02, 0.04, 0.02},
+                                             .velocity = {0.0, -0.5, 0.0},
+                                             .diameter = 2e-3,
+                                             .sizes = sizes,
+                                             .density = 1500.0,
+                                             .count = count,
+                                             .rate = rate,
+                                             .seed = 7}};
+    return in;
+}
+
+static struct box_domain around(int periodic)
+{
+    const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.04, 0.02};
+    const int flags[3] = {periodic, 0, 0};
+    return bodies_domain(lo, hi, flags);
+}
+
+/* The smallest gap of any two, across the seams of a periodic box [m]. */
+static double closest(const struct particles *ps, const struct box_domain *box)
+{
+    double least = 1.0;
+
+    for (int i = 0; i < ps->n; i++)
+        for (int j = 0; j < i; j++) {
+            const double d[3] = {ps->x[i] - ps->x[j], ps->y[i] - ps->y[j],
+                                 ps->z[i] - ps->z[j]};
+            double r2 = 0.0;
+            for (int k = 0; k < 3; k++) {
+                const double near =
+                    d[k] - box->length[k] * rint(d[k] * box->inverse[k]);
+                r2 += near * near;
+            }
+            least = fmin(least, sqrt(r2) - 0.5 * (ps->d[i] + ps->d[j]));
+        }
+    return least;
+}
+
+/* 400 spheres, a fifth of the region: nobody overlaps, all are inside of it. */
+START_TEST(inserted_particles_overlap_no_others)
+{
+    const struct box_domain box = around(_i);
+    struct sizes *const sizes = three_sizes();
+    struct particles *const ps = particles_create(404);
+    struct insertion in = source(sizes, 400, 0.0);
+
+    for (int k = 0; k < 4; k++) /* who is there, half of them on a seam */
+        spheres_add(ps, _i ? 0.0199 : 0.0, 0.008 * k + 0.008, 0.0, 8e-3);
+    ck_assert_int_eq(insertion_step(&in, ps, &box, 0.0), 400);
+    ck_assert_double_ge(closest(ps, &box), -1e-15);
+    for (int i = 4; i < ps->n; i++) {
+        ck_assert_double_ge(ps->y[i] - 0.5 * ps->d[i], 0.0);
+        ck_assert_double_le(ps->y[i] + 0.5 * ps->d[i], 0.04 + 1e-15);
+        ck_assert_double_ge(ps->x[i] - 0.5 * ps->d[i], -0.02 - 1e-15);
+        ck_assert_double_eq(ps->vy[i], -0.5);
+        ck_assert_double_eq_tol(ps->m[i] / particles_volume(ps, i), 1500.0,
+                                1e-9);
+    }
+    ck_assert_int_eq(insertion_step(&in, ps, &box, 1.0), 0);
+    particles_free(ps);
+    sizes_free(sizes);
+}
+END_TEST
+
+/* Also where it is so crowded that most places are taken, the diameters are
+ * those of the distribution, in the order of their numbers: shares 0.6, 0.2,
+ * 0.2, of 3000 with a deviation of 0.009. */
+START_TEST(dense_insertion_does_not_change_the_size_distribution)
+{
+    const struct box_domain box = around(0);
+    struct sizes *const sizes = three_sizes();
+    struct particles *const ps = particles_create(3000);
+    struct insertion in = source(sizes, 3000, 0.0);
+    double share[3] = {0.0, 0.0, 0.0};
+
+    insertion_step(&in, ps, &box, 0.0);
+    insertion_step(&in, ps, &box, 0.1);
+    ck_assert_int_lt(ps->n, 3000); /* they do not all find room */
+    ck_assert_int_gt(ps->n, 800);
+    for (int i = 0; i < ps->n; i++)
+        ck_assert_double_eq(ps->d[i], insertion_diameter(&in.options, i));
+    for (long k = 0; k < 3000; k++)
+        for (int g = 0; g < 3; g++)
+            share[g] +=
+                (insertion_diameter(&in.options, k) == table[g][0]) / 3000.0;
+    ck_assert_double_eq_tol(share[0], 0.6, 0.03);
+    ck_assert_double_eq_tol(share[2], 0.2, 0.03);
+    ck_assert_double_ge(closest(ps, &box), 0.0);
+    particles_free(ps);
+    sizes_free(sizes);
+}
+END_TEST
+
+/* Places are even: the mean of 2000 in each direction is the middle, to 5
+ * standard deviations of L/sqrt(12 n). Spheres of next to no size. */
+START_TEST(insertion_positions_are_uniform_over_the_region)
+{
+    const struct insertion in = source(NULL, 2000, 0.0);
+    double mean[3] = {0.0, 0.0, 0.0}, x[3];
+
+    for (long k = 0; k < 2000; k++) {
+        insertion_place(&in.options, k, 0, 0.0, x);
+        for (int a = 0; a < 3; a++)
+            mean[a] += x[a] / 2000.0;
+    }
+    const double five = 5.0 * 0.04 / sqrt(12.0 * 2000.0);
+    ck_assert_double_eq_tol(mean[0], 0.0, five);
+    ck_assert_double_eq_tol(mean[1], 0.02, five);
+    ck_assert_double_eq_tol(mean[2], 0.0, five);
+}
+END_TEST
+
+START_TEST(a_source_inserts_at_its_rate)
+{
+    struct insertion in = source(NULL, 50, 1000.0);
+
+    in.options.start = 0.1;
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.0999), 0);
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.1), 1);
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.1105), 11);
+    ck_assert_int_eq((int)insertion_count_due(&in, 10.0), 50);
+    in.options.rate = 0.5; /* one in two seconds */
+    ck_assert_int_eq((int)insertion_count_due(&in, 2.0), 1);
+    ck_assert_int_eq((int)insertion_count_due(&in, 2.2), 2);
+    in.options.rate = 0.0;
+    ck_assert_int_eq((int)insertion_count_due(&in, 0.1), 50);
+}
+END_TEST
+
+/* --- a run with sources and sinks ----------------------------------------- */
+
+struct run {
+    struct particles *ps;
+    struct dem *dem;
+    struct population *life;
+    struct sizes *sizes;
+    long step;
+};
+
+/* A stream from above; whoever reaches the floor has left. */
+static struct run begin(void)
+{
+    const struct box_domain box = around(0);
+    struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.02);
+    struct run r = {.ps = particles_create(300), .sizes = three_sizes()};
+
+    o.hi[1] = 0.04;
+    o.material.friction = 0.3;
+    o.material.restitution = 0.5;
+    r.life = population_create(&box, 1, 2);
+    r.life->sources[0] = source(r.sizes, 5000, 4000.0);
+    r.life->sinks[0].side = 2; /* the floor */
+    r.life->sinks[1] = (struct population_sink){
+        .lo = {-1, -1, 0.015}, .hi = {1, 0.02, 1}, .side = -1};
+    r.dem = dem_create(r.ps, &o);
+    return r;
+}
+
+static void go_on(struct run *r, int steps)
+{
+    struct dem_report report;
+
+    for (int k = 0; k < steps; k++) {
+        if (population_mark(r->life, r->ps, 1e-4) > 0)
+            population_remove(r->life, r->dem);
+        population_insert(r->life, r->ps, r->dem, 1e-4 * (double)r->step);
+        for (int i = 0; i < r->ps->n; i++)
+            r->ps->ey[i] = -9.81 * r->ps->m[i];
+        ck_assert_int_eq(dem_run(r->dem, 10, &report), 0);
+        r->step++;
+    }
+}
+
+static void end(struct run *r)
+{
+    dem_free(r->dem);
+    population_free(r->life);
+    particles_free(r->ps);
+    sizes_free(r->sizes);
+}
+
+/* 0.12 s: the first have left, and as many ids were given as came. */
+START_TEST(ids_are_never_given_twice)
+{
+    struct run r = begin();
+    char seen[5000] = {0};
+
+    for (int k = 0; k < 60; k++) {
+        go_on(&r, 20);
+        const struct population_totals *const a = &r.life->totals;
+        ck_assert_int_eq(r.ps->n, (int)(a->inserted - a->removed));
+        ck_assert_int_eq(r.ps->next_id, (int)a->inserted);
+        for (int i = 0; i < r.ps->n; i++) {
+            const int id = r.ps->id[i];
+            ck_assert_int_ne(seen[id], 2); /* who was gone stays away */
+            ck_assert_double_eq(
+                r.ps->d[i],
+                insertion_diameter(&r.life->sources[0].options, id));
+        }
+        for (int id = 0; id < (int)a->inserted; id++)
+            if (seen[id] == 1 && spheres_place(r.ps, id) < 0) seen[id] = 2;
+        for (int i = 0; i < r.ps->n; i++)
+            seen[r.ps->id[i]] = 1;
+    }
+    ck_assert_int_gt((int)r.life->totals.removed, 50);
+    ck_assert_int_gt((int)r.life->totals.inserted, 300);
+    end(&r);
+}
+END_TEST
+
+/* What came is there or has gone, in number, mass and by the ledger. */
+START_TEST(inserted_mass_is_present_or_removed)
+{
+    struct run r = begin();
+    double there = 0.0;
+
+    go_on(&r, 1000);
+    const struct population_totals *const a = &r.life->totals;
+    for (int i = 0; i < r.ps->n; i++)
+        there += r.ps->m[i];
+    ck_assert_double_gt(a->mass_out, 0.0);
+    ck_assert_double_eq_tol((there + a->mass_out) / a->mass_in, 1.0, 1e-12);
+    ck_assert_double_lt(a->momentum_out[1], 0.0); /* they fell out */
+    for (int i = 0; i < r.ps->n; i++) {
+        ck_assert_double_gt(r.ps->y[i] - 0.5 * r.ps->d[i], -0.02);
+        ck_assert(r.ps->z[i] < 0.015 + 2e-3 || r.ps->y[i] > 0.02 - 2e-3);
+    }
+    end(&r);
+}
+END_TEST
+
+/* The springs of those that stay do so when another goes: the same force on
+ * the same contact, to rounding. */
+START_TEST(remaining_particles_keep_their_tangential_displacements)
+{
+    struct particles *const ps = particles_create(4);
+    struct dem_options o = spheres_options(&contact_linear, 1e-5, 0.1);
+    struct dem_report r;
+    double F[2];
+
+    o.material.friction = 0.5;
+    spheres_add(ps, -0.05, 0, 0, 0.01);
+    spheres_throw(ps, spheres_add(ps, 0, 0, 0, 0.01), 0.2, 0.2, 0);
+    spheres_add(ps, 0.0099, 0, 0, 0.01);
+    spheres_add(ps, 0.08, 0, 0, 0.01);
+    struct dem *const dem = dem_create(ps, &o);
+    ck_assert_int_eq(dem_run(dem, 20, &r), 0);
+    F[0] = ps->cfy[spheres_place(ps, 1)];
+    int gone[4] = {0};
+    gone[spheres_place(ps, 0)] = 1;
+    dem_remove(dem, gone);
+    ck_assert_int_eq(ps->n, 3);
+    ck_assert_int_eq(spheres_place(ps, 0), -1);
+    ck_assert_int_eq(dem_run(dem, 0, &r), 0);
+    F[1] = ps->cfy[spheres_place(ps, 1)];
+    ck_assert_double_ne(F[0], 0.0);
+    ck_assert_double_eq_tol(F[1] / F[0], 1.0, 0.02); /* half a step's slip */
+    ck_assert_int_eq(r.contacts, 1);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Stopped in the middle of it, with particles, springs and life written and
+ * read, the run goes on to the same bits. Both put their springs back, so that
+ * both make their lists anew then. */
+START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
+{
+    struct run a = begin(), b = begin();
+    int n;
+
+    go_on(&a, 400);
+    struct dem_spring *const springs = dem_springs(a.dem, &n);
+    ck_assert_int_gt(a.ps->n, 40);
+    dem_restore_springs(a.dem, springs, n);
+    FILE *const f = tmpfile();
+    population_save(a.life, a.ps, f);
+    rewind(f);
+    for (int i = 0; i < a.ps->n; i++) {
+        const double x[3] = {a.ps->x[i], a.ps->y[i], a.ps->z[i]};
+        particles_add(b.ps, x, a.ps->d[i], 1500.0);
+        spheres_throw(b.ps, i, a.ps->vx[i], a.ps->vy[i], a.ps->vz[i]);
+        spheres_spin(b.ps, i, a.ps->wx[i], a.ps->wy[i], a.ps->wz[i]);
+        b.ps->id[i] = a.ps->id[i];
+    }
+    ck_assert_int_eq(population_load(b.life, b.ps, f), 0);
+    fclose(f);
+    dem_restore_springs(b.dem, springs, n);
+    b.step = a.step;
+    free(springs);
+    go_on(&a, 300);
+    go_on(&b, 300);
+    ck_assert_int_eq(a.ps->n, b.ps->n);
+    const size_t size = (size_t)a.ps->n * sizeof(double);
+    ck_assert_mem_eq(a.ps->x, b.ps->x, size);
+    ck_assert_mem_eq(a.ps->wz, b.ps->wz, size);
+    ck_assert_mem_eq(a.ps->id, b.ps->id, (size_t)a.ps->n * sizeof(int));
+    ck_assert_int_eq((int)a.life->totals.removed, (int)b.life->totals.removed);
+    end(&a);
+    end(&b);
+}
+END_TEST
+
+/* A new one in the place of one that has left has nothing of it. */
+START_TEST(inserted_particles_have_no_data_of_removed_ones)
+{
+    struct particles *const ps = particles_create(2);
+    double attached[2] = {0.0, 0.0};
+
+    particles_attach(ps, attached, 1);
+    const int i = spheres_add(ps, 0, 0, 0, 0.01);
+    spheres_throw(ps, i, 1, 2, 3);
+    spheres_spin(ps, i, 4, 5, 6);
+    ps->ex[i] = ps->cfz[i] = attached[i] = 7.0;
+    particles_remove(ps, (const int[1]){1});
+    ck_assert_int_eq(ps->n, 0);
+    ck_assert_int_eq(spheres_add(ps, 0, 0, 0, 0.01), 0);
+    ck_assert_double_eq(ps->vx[0], 0.0);
+    ck_assert_double_eq(ps->wz[0], 0.0);
+    ck_assert_double_eq(ps->ex[0], 0.0);
+    ck_assert_double_eq(ps->cfz[0], 0.0);
+    ck_assert_double_eq(attached[0], 0.0);
+    ck_assert_int_eq(ps->id[0], 1);
+    particles_free(ps);
+}
+END_TEST
+
+/* --- files -----------------------------------------------------------------
+ */
+
+static struct insertion_sphere *read_text(const char *text, long *n)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "/tmp/winnow-test-life-%ld", (long)getpid());
+    FILE *const f = fopen(path, "w");
+    fputs(text, f);
+    fclose(f);
+    struct insertion_sphere *const list = insertion_read(path, n);
+    unlink(path);
+    return list;
+}
+
+START_TEST(a_file_brings_its_spheres_in_its_order)
+{
+    const struct box_domain box = around(0);
+    struct particles *const ps = particles_create(3);
+    struct insertion in = source(NULL, 0, 0.0);
+    long n;
+
+    struct insertion_sphere *const list =
+        read_text("# x y z d\n0 0.01 0 2e-3\n\n 0.005 0.01 0 3e-3\n", &n);
+    ck_assert_int_eq((int)n, 2);
+    in.options.list = list;
+    in.options.count = n;
+    ck_assert_int_eq(insertion_step(&in, ps, &box, 0.0), 2);
+    ck_assert_double_eq(ps->x[1], 0.005);
+    ck_assert_double_eq(ps->d[1], 3e-3);
+    free(list);
+    ck_assert_ptr_null(read_text("0 0 0 1e-3\n0 0 0\n", &n));
+    ck_assert_ptr_null(read_text("0 0 0 -1e-3\n", &n));
+    ck_assert_ptr_null(read_text("0 0 0 1e-3 5\n", &n));
+    ck_assert_ptr_null(read_text("# nothing\n", &n));
+    particles_free(ps);
+}
+END_TEST
+
+FACTS("life")
+{
+    tcase_set_timeout(facts, 30);
+    FACT_FOR_EACH(inserted_particles_overlap_no_others, 2);
+    FACT(dense_insertion_does_not_change_the_size_distribution);
+    FACT(insertion_positions_are_uniform_over_the_region);
+    FACT(a_source_inserts_at_its_rate);
+    FACT(ids_are_never_given_twice);
+    FACT(inserted_mass_is_present_or_removed);
+    FACT(remaining_particles_keep_their_tangential_displacements);
+    FACT(a_resumed_run_with_insertion_has_the_same_bits);
+    FACT(inserted_particles_have_no_data_of_removed_ones);
+    FACT(a_file_brings_its_spheres_in_its_order);
+}
