@@ -63,7 +63,7 @@ static void predict(void)
         }
 }
 
-/* Over and over, each p goes to where its own equation wants it, and beyond. */
+/* Each p is set to what its equation gives, and half as far again beyond. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)

@@ -75,7 +75,7 @@ static double resistance(double eps_f, double slip)
 }
 
 /* (8.6): each grain to the cell of its centre. Then their drag K, and from it
- * what inertia and drag ask of the pressure for the q at the end of the step.
+ * the slope of the pressure that inertia and drag need over q.
  */
 static void average(void)
 {
@@ -127,9 +127,8 @@ static void predict(void)
         }
 }
 
-/* Over and over, each p goes to where its own equation wants it, and beyond. At
- * walls and inlet the mobility is 0: nothing follows p. At the outlet p is 0.
- */
+/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
+ * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)

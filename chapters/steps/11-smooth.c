@@ -2,15 +2,15 @@
 /* Step 11: diffusion of the void fraction.
  *
  * In step 10 a cell has two grains or three by chance, and the mesh decides
- * what the air sees. Here the solids of each cell spread into a Gaussian of the
- * bandwidth bw, a length of the grains and not of the mesh. That is step 6, in
- * a time T that is none, but an area:
+ * which eps the air has. Here the solids of each cell spread into a Gaussian of
+ * the bandwidth bw, a length of the grains and not of the mesh. That is step 6,
+ * in a time T that is none, but an area:
  *
  *     d eps_s / dT = laplacian eps_s   up to   T = bw^2 / 4       (8.8), (8.9)
  *
- * [SX15 5a, 6]. The drag spreads in the same way. And a grain sees eps and u by
- * the same weights, that is, diffused as well (8.3): then what the grains feel
- * is what the air pays (8.4). All else is step 10.
+ * [SX15 5a, 6]. The drag spreads in the same way. And eps and u at a grain are
+ * means with the same weights, that is, diffused as well (8.3): then the grains
+ * get what the air loses (8.4). All else is step 10.
  */
 #include <math.h>
 #include <stdio.h>
@@ -80,19 +80,19 @@ static double resistance(double eps_f, double slip)
     return 0.75 * root * root * rho_f * eps_f / (V_r * V_r * d); /* (9.14) */
 }
 
-/* u_k as the grains in a cell see it (8.3). */
-static void see(int k, field seen)
+/* The u_k of the air at the grains in a cell (8.3). */
+static void gather(int k, field u_f)
 {
     for (int c = W + 1; c < W * (NY + 1); c++)
-        seen[c] = 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
-    diffuse(seen);
+        u_f[c] = 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
+    diffuse(u_f);
 }
 
 /* (8.6): each grain to the cell of its centre, then all spread. */
 static void average(void)
 {
     const double V_c = dx * dx * depth;
-    field seen_eps, seen[2];
+    field eps_p, u_f[2];
     for (int c = 0; c < CELLS; c++) {
         eps[c] = 1.0;
         resist[c] = 0.0;
@@ -100,14 +100,14 @@ static void average(void)
     for (int a = 0; a < N; a++)
         eps[host(a)] -= V_p / V_c;
     diffuse(eps);
-    memcpy(seen_eps, eps, sizeof eps);
-    diffuse(seen_eps);
+    memcpy(eps_p, eps, sizeof eps);
+    diffuse(eps_p);
     for (int k = 0; k < 2; k++)
-        see(k, seen[k]);
+        gather(k, u_f[k]);
     for (int a = 0; a < N; a++) {
         const int c = host(a);
-        const double slip = hypot(seen[0][c], seen[1][c]);
-        resist[c] += V_p / V_c * resistance(seen_eps[c], slip);
+        const double slip = hypot(u_f[0][c], u_f[1][c]);
+        resist[c] += V_p / V_c * resistance(eps_p[c], slip);
     }
     diffuse(resist);
     for (int c = 0; c < CELLS; c++)
@@ -143,9 +143,8 @@ static void predict(void)
         }
 }
 
-/* Over and over, each p goes to where its own equation wants it, and beyond. At
- * walls and inlet the mobility is 0: nothing follows p. At the outlet p is 0.
- */
+/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
+ * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)

@@ -2,8 +2,8 @@
 /* Step 12: the coupled bed.
  *
  * The grains of step 4 move in the air of step 11. In each step of the air
- *   1. the grains tell the air eps, the flux of the solids s = eps_s u_s, and
- *      their drag K u - F per volume, with F = sum k u_p / V_c          (10.2)
+ *   1. averaging gives eps, the flux of the solids s = eps_s u_s, and the drag
+ *      on the air per volume, K u - F with F = sum k u_p / V_c          (10.2)
  *   2. the air moves, and of air and grains div(q + s) = 0 (5.7) [XS11 2.7]
  *   3. the grains get the drag back, k (u_f - u_p) (10.1), and the share of the
  *      pressure that belongs to their volume, -V_p grad p                (5.3)
@@ -19,8 +19,8 @@ enum { N = 300, NX = 8, NY = 32 };         /* grains, cells */
 enum { W = NX + 2, CELLS = W * (NY + 3) }; /* with the ring: W in a row */
 static const double g = 9.81, rho_f = 1.2, mu = 1.8e-5;     /* of air, in SI */
 static const double dx = 2e-3, depth = 1.5e-3, bw = 4.8e-3; /* [m] step 11 */
-static const double d = 1.2e-3, V_p = 9.04778684e-10,
-                    m = 9.04778684e-7;                    /* SI */
+static const double d = 1.2e-3, V_p = 9.04778684e-10; /* [m], [m^3] grains */
+static const double m = 9.04778684e-7;                /* [kg], of 1000 kg/m^3 */
 static const double k_n = 100.0, k_t = 2.0 / 7.0 * 100.0; /* [N/m] (2.10) */
 static const double zeta = 0.033518, friction = 0.1; /* [-] e = 0.9 (2.5) */
 static const double dt = 2e-4, dt_s = 1e-5; /* [s] of the air, of the grains */
@@ -35,6 +35,7 @@ static field u[2], q[2]; /* [m/s] on the lower face across k: u_k, eps u_k */
 static field mob[2]; /* [m^3 s/kg] mobility there: q over slope of p (6.4) */
 static field s[2], F[2]; /* [m/s], [N/m^3] in the cell */
 static double U;         /* [m/s] at the inlet */
+
 /* The grains. Entry N is the walls, which do not move. */
 static double x[2][N], v[2][N + 1], w[N + 1]; /* [m], [m/s], [rad/s] */
 static double P[2][N], drag[N]; /* [N] push of the air, [kg/s] k in (10.1) */
@@ -86,19 +87,19 @@ static double resistance(double eps_f, double slip)
     return 0.75 * root * root * rho_f * eps_f / (V_r * V_r * d); /* (9.14) */
 }
 
-/* u_k as the grains in a cell see it (8.3). */
-static void see(int k, field seen)
+/* The u_k of the air at the grains in a cell (8.3). */
+static void gather(int k, field u_f)
 {
     for (int c = W + 1; c < W * (NY + 1); c++)
-        seen[c] = 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
-    diffuse(seen);
+        u_f[c] = 0.5 * (q[k][c] + q[k][c + next[k]]) / eps[c];
+    diffuse(u_f);
 }
 
 /* (8.6): each grain to the cell of its centre, then all spread. */
 static void average(void)
 {
     const double V_c = dx * dx * depth;
-    field seen_eps, seen[2];
+    field eps_p, u_f[2];
     for (int c = 0; c < CELLS; c++) {
         eps[c] = 1.0;
         resist[c] = F[0][c] = F[1][c] = s[0][c] = s[1][c] = 0.0;
@@ -109,16 +110,16 @@ static void average(void)
             s[k][host(a)] += V_p / V_c * v[k][a];
     }
     diffuse(eps);
-    memcpy(seen_eps, eps, sizeof eps);
-    diffuse(seen_eps);
+    memcpy(eps_p, eps, sizeof eps);
+    diffuse(eps_p);
     for (int k = 0; k < 2; k++) {
         diffuse(s[k]);
-        see(k, seen[k]);
+        gather(k, u_f[k]);
     }
     for (int a = 0; a < N; a++) {
         const int c = host(a);
-        const double slip = hypot(seen[0][c] - v[0][a], seen[1][c] - v[1][a]);
-        drag[a] = V_p * resistance(seen_eps[c], slip);
+        const double slip = hypot(u_f[0][c] - v[0][a], u_f[1][c] - v[1][a]);
+        drag[a] = V_p * resistance(eps_p[c], slip);
         resist[c] += drag[a] / V_c;
         for (int k = 0; k < 2; k++)
             F[k][c] += drag[a] / V_c * v[k][a];
@@ -161,9 +162,8 @@ static void predict(void)
         }
 }
 
-/* Over and over, each p goes to where its own equation wants it, and beyond. At
- * walls and inlet the mobility is 0: nothing follows p. At the outlet p is 0.
- */
+/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
+ * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)
@@ -194,19 +194,19 @@ static void correct(void)
 /* What the air does to each grain in this step; its weight less buoyancy. */
 static void push_grains(void)
 {
-    field seen, slope;
+    field u_f, slope;
     ring(p);
     for (int c = 1; c <= NX; c++) {
         p[c] = 2.0 * p[c + W] - p[c + 2 * W];
         p[c + W * (NY + 1)] = 0.0;
     }
     for (int k = 0; k < 2; k++) {
-        see(k, seen);
+        gather(k, u_f);
         for (int c = W + 1; c < W * (NY + 1); c++)
             slope[c] = (p[c + next[k]] - p[c - next[k]]) / (2.0 * dx);
         diffuse(slope);
         for (int a = 0; a < N; a++)
-            P[k][a] = drag[a] * (seen[host(a)] - v[k][a]) -
+            P[k][a] = drag[a] * (u_f[host(a)] - v[k][a]) -
                       V_p * slope[host(a)] - k * (m - rho_f * V_p) * g;
     }
 }
