@@ -19,8 +19,8 @@
 static const char manifest[] = "manifest.txt";
 
 /* All that a run may write, as patterns of the shell, by folder. */
-static const char *const below[] = {".",        "fluid",   "particles",
-                                    "surfaces", "picture", "profiles"};
+static const char *const below[] = {
+    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -36,6 +36,10 @@ static const char *const ours[] = {"./summary.json",
                                    "picture/void_fraction.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
+                                   "./bed.gif",
+                                   "frames/frame_*.txt",
+                                   "frames/bed.gp",
+                                   "frames/gnuplot.log",
                                    "profiles/*.csv"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
