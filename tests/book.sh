@@ -166,7 +166,7 @@ fact other_digits_may_not 1 "+v = 4.4291" sh "$tools/transcript.sh" check figure
 printf '#!/bin/sh\nprintf "## one\\n1\\n## two\\n2\\n"\n' >figures/parts.sh
 printf '## all\n$ sh figures/parts.sh\n## one\n0\n## two\n2\n## old\n3\n\n## last\n$ echo 4\n4\n' \
     >figures/parts.txt
-sh "$tools/transcript.sh" figures/parts.txt >/dev/null
+sh "$tools/transcript.sh" figures/parts.txt >/dev/null 2>&1
 fact parts_that_a_script_prints_are_there_once 0 "2 one two" \
     sh -c 'echo $(grep -c "## [ot]" figures/parts.txt) $(sed -n "s/^## \([ot]\)/\1/p" figures/parts.txt)'
 fact a_part_of_its_own_stays_below_them 0 "## last" tail -3 figures/parts.txt
@@ -177,7 +177,7 @@ if command -v git >/dev/null; then
     echo 1 >cases/late.cfg
     git_here init && git_here add . && git_here commit -m one
     fact a_slow_transcript_without_its_revision_is_named 0 "that it does not name" age
-    sh "$tools/transcript.sh" figures/late.txt >/dev/null
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
     fact a_slow_transcript_tells_its_revision 0 \
         "# slow, made at $(git rev-parse --short HEAD): 10 s" head -1 figures/late.txt
     git_here commit -am two
@@ -185,7 +185,7 @@ if command -v git >/dev/null; then
     fact it_is_not_old_if_nothing_that_it_depends_on_changed 0 "" cmp said /dev/null
     echo 2 >cases/late.cfg
     fact it_is_old_if_a_file_that_its_command_names_changed 0 "has changed" age
-    sh "$tools/transcript.sh" figures/late.txt >/dev/null
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
     fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+: 10 s" \
         head -1 figures/late.txt
 fi
