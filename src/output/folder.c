@@ -53,6 +53,7 @@ struct folder {
     int here;     /* descriptor of the folder; negative: not open */
     int file;     /* of the manifest, locked; negative: not open */
     int fresh;    /* [-] 1: the manifest was not there before */
+    int quiet;    /* [-] 1: what is removed is not told */
     off_t length; /* [bytes] of the manifest, whole lines */
     struct manifest old;
 };
@@ -231,12 +232,17 @@ void folder_leave(struct folder *f)
     free(part);
 }
 
+void folder_be_quiet(struct folder *f)
+{
+    f->quiet = 1;
+}
+
 int folder_begin(struct folder *f)
 {
     int removed;
 
     if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
-    if (removed > 0)
+    if (removed > 0 && !f->quiet)
         fprintf(stderr, "%s: the %d files of an earlier run are replaced\n",
                 f->dir, removed);
     manifest_release(&f->old);

@@ -30,6 +30,9 @@ void folder_free(struct folder *f);
  * to be freed. */
 void folder_leave(struct folder *f);
 
+/* Lets folder_begin remove without a word. */
+void folder_be_quiet(struct folder *f);
+
 /* Removes what the run before has left, and says so on stderr. Non-zero after a
  * message. */
 int folder_begin(struct folder *f);
