@@ -203,7 +203,7 @@ END_TEST
 
 /* A sphere without end is a wall, D_i D_j/(D_i + D_j) -> D_i; and all six
  * walls pull outward. */
-START_TEST(ls_4_14_a_wall_is_a_sphere_without_end)
+START_TEST(ls_4_14_a_wall_is_a_sphere_of_infinite_radius)
 {
     const double F = van_der_waals_force(1e-12, d, 1e-5);
 
@@ -356,7 +356,7 @@ END_TEST
 
 /* A longer list must find no other pair: only the order of sums differs. A
  * range that the list does not hold would change the places by 1e-6 m. */
-START_TEST(attractions_do_not_know_the_skin)
+START_TEST(attractions_do_not_depend_on_the_skin)
 {
     struct particles *const a = cloud(1, 0.0, 0), *const b = cloud(1, 5e-4, 0);
 
@@ -420,13 +420,13 @@ FACTS("attraction")
     FACT(ls_4_14_van_der_waals_by_hand);
     FACT(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further);
     FACT(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well);
-    FACT(ls_4_14_a_wall_is_a_sphere_without_end);
+    FACT(ls_4_14_a_wall_is_a_sphere_of_infinite_radius);
     FACT(ls_4_15_a_bridge_of_water_by_hand);
     FACT(ls_4_15_unequal_spheres_tell_the_two_means_apart);
     FACT(ls_4_15_a_wet_grain_hangs_under_the_ceiling);
     FACT(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge);
     FACT(attractions_have_the_same_bits_for_any_number_of_threads);
-    FACT(attractions_do_not_know_the_skin);
+    FACT(attractions_do_not_depend_on_the_skin);
     FACT(attractions_reach_through_the_seam);
     FACT(attractions_keep_the_momentum_of_a_periodic_box);
 }

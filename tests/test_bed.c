@@ -232,7 +232,7 @@ static void spoil(const char *path, const char *line, int k, const char *word)
 }
 
 /* Two spheres, so that particle 0 is on line 19, and particle 1 after it. */
-START_TEST(bed_file_with_what_no_bed_has_is_refused_by_its_line)
+START_TEST(impossible_bed_file_is_refused_with_its_line)
 {
     static const struct {
         const char *line;
@@ -392,7 +392,7 @@ FACTS("bed")
     FACT(bed_from_its_file_goes_on_bit_for_bit);
     FACT(bed_of_another_case_is_refused);
     FACT(half_a_bed_is_refused);
-    FACT_FOR_EACH(bed_file_with_what_no_bed_has_is_refused_by_its_line, 15);
+    FACT_FOR_EACH(impossible_bed_file_is_refused_with_its_line, 15);
     FACT(bed_that_does_not_fit_is_refused);
     FACT(bed_of_two_sizes_settles_and_each_has_its_mass);
     FACT(bed_of_other_sizes_is_refused);

@@ -137,7 +137,7 @@ END_TEST
 /* --- inlets and outlets ------------------------------------------------- */
 
 /* Against Simpson's rule, which is exact for a parabola. */
-START_TEST(the_stretches_of_a_parabola_have_its_mean)
+START_TEST(the_pieces_of_a_parabola_have_its_mean)
 {
     const double x[] = {0.0, 0.1, 0.35, 0.8, 1.0};
     double sum = 0.0;
@@ -310,7 +310,7 @@ FACTS("boundary")
     tcase_set_timeout(facts, 60.0);
     FACT(couette_flow_under_a_moving_wall_is_exact);
     FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2);
-    FACT(the_stretches_of_a_parabola_have_its_mean);
+    FACT(the_pieces_of_a_parabola_have_its_mean);
     FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
     FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4);
     FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree);

@@ -225,7 +225,7 @@ START_TEST(slanted_walls_hold_the_grains)
 }
 END_TEST
 
-START_TEST(what_grains_cannot_do_on_such_a_mesh_is_refused)
+START_TEST(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
 {
     static const char box[] = "polymesh = \"../tests/data/poly/sheared\";";
     static const char grains[] =
@@ -285,7 +285,7 @@ FACTS("case_mesh")
     FACT(a_sheared_channel_has_poiseuilles_flow);
     FACT(a_box_from_files_has_the_bed_of_our_box);
     FACT_FOR_EACH(slanted_walls_hold_the_grains, 3);
-    FACT(what_grains_cannot_do_on_such_a_mesh_is_refused);
+    FACT(unsupported_particle_features_on_a_polyhedral_mesh_are_refused);
     FACT(patches_go_by_their_own_names);
     FACT(a_mesh_is_a_box_or_from_files);
 }

@@ -241,7 +241,7 @@ END_TEST
 
 /* [XS11 Algorithm 3.1] as printed charges the fluid with Omega and A of the
  * step before and forgets the difference. How much that is: `owed` is it. */
-START_TEST(without_the_debt_algorithm_3_1_loses_momentum)
+START_TEST(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
 {
     struct simulation *const sim = build(&air);
     double owed[3];
@@ -288,7 +288,7 @@ END_TEST
 
 /* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms asks for 9 to 10 drag
  * updates, and 20 particle steps allow them. */
-START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for)
+START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires)
 {
     struct scene s = air;
     s.rho = 1000.0;
@@ -620,9 +620,9 @@ FACTS("coupling")
     FACT_FOR_EACH(a_cap_leaves_the_whole_buoyancy_in_both_models, 2);
     FACT(the_void_rate_form_averages_the_solids_velocity_on_demand);
     FACT(sampling_the_solids_velocity_does_not_change_the_run);
-    FACT(without_the_debt_algorithm_3_1_loses_momentum);
+    FACT(without_the_unpaid_impulse_algorithm_3_1_loses_momentum);
     FACT(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
-    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
+    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires);
     FACT_FOR_EACH(xs11_3_16_relaxation_is_exact_for_a_constant_rate, 10);
     FACT(xs11_2_9_drag_is_along_the_slip_of_the_fluid);
     FACT(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);

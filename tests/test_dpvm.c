@@ -77,7 +77,7 @@ END_TEST
 /* Spheres of diameter 1 in a cubic packing, cells of 0.3: pcm puts 0.52 into
  * 0.027, twenty times too much; divided, no cell is more than full, and those
  * within a sphere are full to rounding. */
-START_TEST(divided_no_cell_gets_more_than_it_has_room_for)
+START_TEST(dpvm_fills_no_cell_beyond_its_volume)
 {
     const struct box_spec spec = {
         {3.0, 3.0, 3.0}, {10, 10, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -219,7 +219,7 @@ FACTS("dpvm")
 {
     FACT(a_sphere_across_a_face_is_divided_by_its_cap);
     FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells);
-    FACT(divided_no_cell_gets_more_than_it_has_room_for);
+    FACT(dpvm_fills_no_cell_beyond_its_volume);
     FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2);
     FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES);
     FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3);

@@ -225,7 +225,7 @@ END_TEST
  * own energy besides, and leaves it with that where it lets go. Off the line of
  * centres, with friction and a dashpot, the budget still closes, to the first
  * order of the integrator. */
-START_TEST(a_driven_sphere_does_the_work_that_it_gives)
+START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
 {
     const int rough = _i % 2, stops = _i / 2;
     struct particles *const ps = particles_create(2);
@@ -373,7 +373,7 @@ FACTS("energy")
     FACT(the_work_of_gravity_is_the_height_lost);
     FACT(sliding_takes_two_sevenths_until_it_rolls);
     FACT(rolling_friction_takes_what_a_rolling_sphere_has);
-    FACT_FOR_EACH(a_driven_sphere_does_the_work_that_it_gives, 4);
+    FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4);
     FACT(a_wall_that_moves_does_the_work_that_it_gives);
     FACT(attractions_do_the_work_that_comes_out_as_motion);
     FACT(energy_added_between_runs_is_counted);

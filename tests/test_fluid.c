@@ -230,7 +230,7 @@ static void around_a_block(double dt, int steps, double *p, double *u)
     mesh_free(m);
 }
 
-START_TEST(a_steady_flow_does_not_know_the_time_step)
+START_TEST(a_steady_flow_does_not_depend_on_the_time_step)
 {
     double p1[60], p2[60], u1[180], u2[180], scale = 0.0;
     around_a_block(0.1, 600, p1, u1);
@@ -555,7 +555,7 @@ FACTS("fluid")
     FACT(fluid_at_rest_stays_at_rest_whatever_eps_is);
     FACT_FOR_EACH(step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 8);
     FACT_FOR_EACH(friction_of_1e12_is_as_stable_as_any, 2);
-    FACT(a_steady_flow_does_not_know_the_time_step);
+    FACT(a_steady_flow_does_not_depend_on_the_time_step);
     FACT_FOR_EACH(momentum_changes_only_by_the_forces_on_it, 12);
     FACT(mass_residual_is_what_the_fluxes_leave);
     FACT(ls_3_13_flow_between_plates_converges_with_order_two);

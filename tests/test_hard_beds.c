@@ -18,7 +18,7 @@ static int closed(const struct simulation *sim)
 /* Continuity to some times the solver's 1e-6; what the fluid paid is what the
  * particles were charged, to rounding (sums of some thousand terms), also where
  * a cap leaves part of the spheres out of eps_s. */
-START_TEST(hard_scenes_stay_finite_bounded_and_balanced)
+START_TEST(hard_cases_stay_finite_bounded_and_balanced)
 {
     const struct hard *const h = &hard_scenes[_i / 2];
     struct simulation *const sim =
@@ -89,7 +89,6 @@ END_TEST
 FACTS("hard scenes")
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(hard_scenes_stay_finite_bounded_and_balanced,
-                  2 * HARD_SCENES);
+    FACT_FOR_EACH(hard_cases_stay_finite_bounded_and_balanced, 2 * HARD_SCENES);
     FACT_FOR_EACH(full_cells_become_empty_ones_in_one_step, 2);
 }

@@ -125,7 +125,7 @@ END_TEST
 /* e = 1, mu = 0: in a closed box one sphere has the speed that it had, after
  * hundreds of impacts. Each leaves an error of its own sign in the second order
  * of the step, 1e-5 here, and they do not add up. */
-START_TEST(ls_4_4_a_perfectly_elastic_sphere_never_tires)
+START_TEST(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy)
 {
     struct dem_options o = spheres_options(contact_laws[_i], 5e-6, 0.02);
     struct particles *const ps = particles_create(1);
@@ -224,7 +224,7 @@ FACTS("hard_cases")
     FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2);
     FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2);
     FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2);
-    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_never_tires, 2);
+    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy, 2);
     FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still);
     FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2);
 }

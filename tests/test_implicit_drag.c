@@ -56,7 +56,7 @@ END_TEST
 
 /* What is driven has the velocity that is prescribed, and the fluid feels the
  * drag on that: -k v dt a step, and nothing of what else pushes it. */
-START_TEST(the_fluid_feels_the_drag_alone_of_a_driven_particle)
+START_TEST(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
 {
     const struct prescribed_particle one = {
         .id = 0, .motion = {.velocity = {0.1, 0.0, -0.4}}};
@@ -174,7 +174,7 @@ END_TEST
 FACTS("response")
 {
     FACT_FOR_EACH(an_added_mass_and_a_drag_are_solved_exactly, 18);
-    FACT(the_fluid_feels_the_drag_alone_of_a_driven_particle);
+    FACT(a_prescribed_particle_acts_on_the_fluid_by_drag_alone);
     FACT(implicit_drag_of_zero_changes_nothing);
     FACT(a_sphere_in_honey_creeps_to_its_balance);
     FACT_FOR_EACH(the_added_mass_is_part_of_the_energy, 2);

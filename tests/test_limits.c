@@ -15,7 +15,7 @@ START_TEST(ls_5_11_rayleigh_time_of_the_mueller_bed)
 }
 END_TEST
 
-START_TEST(linear_contact_time_does_not_know_the_speed)
+START_TEST(linear_contact_time_does_not_depend_on_the_speed)
 {
     const struct contact_law *const law = contact_law_named("linear");
     const struct material m = {.stiffness = 1000.0, .restitution = 1.0};
@@ -117,7 +117,7 @@ FACTS("limits")
 {
     tcase_set_timeout(facts, 60);
     FACT(ls_5_11_rayleigh_time_of_the_mueller_bed);
-    FACT(linear_contact_time_does_not_know_the_speed);
+    FACT(linear_contact_time_does_not_depend_on_the_speed);
     FACT(hertz_step_grows_with_slowness_up_to_rayleigh);
     FACT_FOR_EACH(suggested_step_keeps_restitution, 20);
     FACT(ls_4_11_suggested_step_resolves_critical_damping);

@@ -308,7 +308,7 @@ START_TEST(the_cycle_is_symmetric_and_positive)
 END_TEST
 
 /* The update takes everything over: a matrix before leaves no trace. */
-START_TEST(an_update_forgets_the_matrix_before)
+START_TEST(an_update_leaves_nothing_of_the_matrix_before)
 {
     struct cycle c = one_cycle(links_cube(20, 10, 10));
     struct csr *const other = diffusion(&c.b, NULL);
@@ -382,7 +382,7 @@ FACTS("multigrid")
     FACT(cells_in_random_order_converge);
     FACT(unknowns_without_links_are_solved);
     FACT(the_cycle_is_symmetric_and_positive);
-    FACT(an_update_forgets_the_matrix_before);
+    FACT(an_update_leaves_nothing_of_the_matrix_before);
     FACT(units_do_not_matter);
     FACT(threads_do_not_change_a_bit);
 }

@@ -177,7 +177,7 @@ START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
 END_TEST
 
 /* The last sphere may go, and the fluid goes on alone. */
-START_TEST(the_last_particle_may_go)
+START_TEST(the_last_particle_may_be_removed)
 {
     struct scene s = busy(_i);
     s.averaging = methods[_i % METHODS].averaging;
@@ -217,6 +217,6 @@ FACTS("replacement")
                   METHODS);
     FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4);
     FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
-    FACT_FOR_EACH(the_last_particle_may_go, METHODS);
+    FACT_FOR_EACH(the_last_particle_may_be_removed, METHODS);
     FACT(one_way_insertion_and_removal_do_not_change_the_fluid);
 }

@@ -6,7 +6,7 @@
 #include "suspension.h"
 
 /* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
-START_TEST(a_packed_bed_asks_for_less_than_half_its_relaxation_time)
+START_TEST(a_packed_bed_requires_less_than_half_its_relaxation_time)
 {
     ck_assert_double_eq_tol(stability_longest_step(0.45, 1.0), 0.405, 1e-12);
     ck_assert_double_eq_tol(stability_longest_step(1.0, 3.0), 6.0, 1e-12);
@@ -15,7 +15,7 @@ END_TEST
 
 /* Where (20.9) is 1: half of the room for neutral spheres, with added mass and
  * without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
-START_TEST(the_swing_dies_out_below_the_densest_packing)
+START_TEST(the_oscillation_decays_below_the_densest_packing)
 {
     static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
     static const double C[] = {0.0, 0.5, 0.0, 0.5};
@@ -166,8 +166,8 @@ END_TEST
 FACTS("stability")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(a_packed_bed_asks_for_less_than_half_its_relaxation_time);
-    FACT(the_swing_dies_out_below_the_densest_packing);
+    FACT(a_packed_bed_requires_less_than_half_its_relaxation_time);
+    FACT(the_oscillation_decays_below_the_densest_packing);
     FACT(the_loading_is_mass_beside_mass);
     FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
                   3);

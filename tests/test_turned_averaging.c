@@ -167,7 +167,7 @@ static void assert_seen(struct scene *a, struct scene *b, const struct frame *t)
     }
 }
 
-START_TEST(averages_do_not_know_the_axes_that_they_are_taken_in)
+START_TEST(averages_do_not_depend_on_the_axes)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     const int frame = shape == 0 ? 4 : 5; /* turned, and mirrored, too */
@@ -184,7 +184,7 @@ START_TEST(averages_do_not_know_the_axes_that_they_are_taken_in)
 END_TEST
 
 /* To the last bit: the unit is a power of two. */
-START_TEST(averages_do_not_know_the_unit_of_length)
+START_TEST(averages_do_not_depend_on_the_unit_of_length)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     struct scene *const a = create(&turned_frames[0], 1.0, way, shape);
@@ -212,7 +212,6 @@ END_TEST
 FACTS("turned averaging")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(averages_do_not_know_the_axes_that_they_are_taken_in,
-                  WAYS * BOXES);
-    FACT_FOR_EACH(averages_do_not_know_the_unit_of_length, WAYS * BOXES);
+    FACT_FOR_EACH(averages_do_not_depend_on_the_axes, WAYS * BOXES);
+    FACT_FOR_EACH(averages_do_not_depend_on_the_unit_of_length, WAYS * BOXES);
 }

@@ -265,7 +265,7 @@ static void assert_sums(const struct scene *a, const struct scene *b)
 /* Velocities are some 0.3 m/s, pressures some 10 Pa over cells of 0.02 m; the
  * solvers leave 1e-13 of their right sides. A term of one component or one side
  * that is wrong shows as 1e-4 and more. */
-START_TEST(a_flow_does_not_know_the_axes_that_it_is_written_in)
+START_TEST(a_flow_does_not_depend_on_the_axes)
 {
     struct scene *const a = create(&variants[_i], &turned_frames[0], turned_si);
     for (int t = 1; t < TURNED; t++) {
@@ -280,7 +280,7 @@ START_TEST(a_flow_does_not_know_the_axes_that_it_is_written_in)
 END_TEST
 
 /* To the last bit: all units are powers of two. */
-START_TEST(a_flow_does_not_know_the_units_that_it_is_measured_in)
+START_TEST(a_flow_does_not_depend_on_the_units)
 {
     const struct frame *const t = &turned_frames[0];
     struct scene *const a = create(&variants[_i], t, turned_si);
@@ -318,8 +318,6 @@ END_TEST
 FACTS("turned flow")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(a_flow_does_not_know_the_axes_that_it_is_written_in,
-                  VARIANTS);
-    FACT_FOR_EACH(a_flow_does_not_know_the_units_that_it_is_measured_in,
-                  VARIANTS);
+    FACT_FOR_EACH(a_flow_does_not_depend_on_the_axes, VARIANTS);
+    FACT_FOR_EACH(a_flow_does_not_depend_on_the_units, VARIANTS);
 }

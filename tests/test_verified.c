@@ -139,7 +139,7 @@ static struct made_error made_run(int n, int shared, int unsteady, double dt,
 }
 
 /* Both forms of the pressure term, steady. */
-START_TEST(a_made_solution_with_eps_has_order_two_in_u_and_p)
+START_TEST(a_manufactured_solution_with_eps_has_order_two_in_u_and_p)
 {
     const struct made_error a = made_run(16, _i, 0, 0.02, 40, "euler");
     const struct made_error b = made_run(32, _i, 0, 0.02, 40, "euler");
@@ -151,7 +151,7 @@ END_TEST
 
 /* Unsteady, on one mesh: what a step of dt adds to the error of the mesh falls
  * by 2 with Euler and by 4 with BDF2 (order 1 and 2). */
-START_TEST(a_made_solution_in_time_has_the_order_of_the_scheme)
+START_TEST(a_manufactured_solution_has_the_order_of_the_scheme_in_time)
 {
     const char *const time = _i ? "bdf2" : "euler";
     double u[3];
@@ -454,8 +454,9 @@ END_TEST
 FACTS("verified")
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_made_solution_with_eps_has_order_two_in_u_and_p, 2);
-    FACT_FOR_EACH(a_made_solution_in_time_has_the_order_of_the_scheme, 2);
+    FACT_FOR_EACH(a_manufactured_solution_with_eps_has_order_two_in_u_and_p, 2);
+    FACT_FOR_EACH(a_manufactured_solution_has_the_order_of_the_scheme_in_time,
+                  2);
     FACT(a_travelling_void_has_order_two_in_space_and_time);
     FACT(the_cavity_has_the_profile_of_ghia_at_re_100);
     FACT(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);

@@ -126,7 +126,7 @@ enum { ROOMS = sizeof rooms / sizeof *rooms };
  * Where angles are not right ones a cell and its image meet at a wall or at a
  * bisector as no two cells do, and the sum of values at centres is less exact.
  */
-START_TEST(the_images_of_all_cells_fill_the_room_once)
+START_TEST(the_images_of_all_cells_fill_the_space_once)
 {
     const double b = 2.0;
     struct hall h = hall_of(blocks_create(&rooms[_i].blocks), 3.0 * b);
@@ -159,5 +159,5 @@ FACTS("mirrors")
 {
     FACT(ew18_21_a_corner_of_a_box_has_seven_images);
     FACT(between_two_walls_images_have_images);
-    FACT_FOR_EACH(the_images_of_all_cells_fill_the_room_once, ROOMS);
+    FACT_FOR_EACH(the_images_of_all_cells_fill_the_space_once, ROOMS);
 }
