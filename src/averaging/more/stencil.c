@@ -59,7 +59,7 @@ double *stencil_extents(const struct mesh *m)
 struct walk {
     const struct mesh *m;
     double b;     /* [m] */
-    double alike; /* [m] no farther apart are two ways to one place */
+    double alike; /* [m] links closer than this lead to the same position */
     double *half; /* [m] half extents of each cell, 3 */
     enum stencil_to to;
     int n, room;
@@ -99,7 +99,7 @@ static void walk_add(struct walk *w, int c, const double link[3])
     w->latest[c] = w->n++;
 }
 
-/* Is cell c, with its centre at the link, nearer than b to the cell? */
+/* 1 if cell c, with its centre at the link, is nearer than b to the cell. */
 static int is_near(const struct walk *w, int c, const double link[3])
 {
     double r2 = 0.0;

@@ -143,14 +143,14 @@ static void set_outer(struct mesh *m, const struct poly_raw *r, int to, int f)
     }
 }
 
-/* A cell that is its own neighbour round a period has no face there: what
- * leaves would enter it again. */
+/* A cell that is its own neighbour across a period has no face there, because
+ * the flux through it would enter the same cell. */
 static int joins(const struct poly_raw *r, int f, int far)
 {
     return r->owner[f] != r->owner[far];
 }
 
-/* An inner face to be: two of the files, or one twice. */
+/* An inner face of the mesh: two faces of the files, or one of them twice. */
 struct join {
     int f, far, lap;
 };
