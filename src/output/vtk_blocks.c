@@ -80,7 +80,7 @@ static size_t pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
     z->next_out = b->packed;
     z->avail_out = PACKED_ROOM;
     const int done = deflate(z, Z_FINISH) == Z_STREAM_END;
-    assert(done); /* there was room for it */
+    assert(done); /* the buffer was large enough */
     return done ? (size_t)z->total_out : 0;
 }
 

@@ -11,7 +11,8 @@ struct poly_part {
     char name[64], type[64], other[64];
     int first, n;
     int line;           /* [-] of the file */
-    int periodic_index; /* [-] partner of a cyclic patch */
+    int periodic_index; /* [-] of a cyclic patch: its period as in mesh.h, else
+                           0 */
 };
 
 /* The contents of the files, and the quantities derived from them. */
