@@ -61,7 +61,7 @@ static double spread_around(const struct row *r, double x, int first, int last)
 
 /* Along x the Gaussian has the mean square b^2 / 2, and the mesh keeps it. With
  * "cells", b^2 / 2 - 1/6, which the two times 1/12 of a cell of 1 make good: a
- * grain is anywhere in its host, and a value stands for all of its cell. */
+ * grain may be anywhere in its cell, and a value represents all of its cell. */
 START_TEST(the_variance_of_the_cells_is_subtracted)
 {
     const int cell = 50;
@@ -121,9 +121,9 @@ START_TEST(a_region_has_its_own_bandwidth)
 END_TEST
 
 /* Grains of 1 and 3 mm, as much volume of each: the mean diameter is 2 mm,
- * their bandwidths b / 2 and 3 b / 2. Only the hosts differ in D here, and so
- * not the blobs but the flux out of the hosts tells: after a short time each
- * host has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
+ * their bandwidths b / 2 and 3 b / 2. Only the cells with a grain differ in D
+ * here, and so the test measures the flux out of these: after a short time each
+ * has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
 START_TEST(the_bandwidth_follows_the_diameter)
 {
     int cell[28];

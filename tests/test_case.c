@@ -205,7 +205,7 @@ START_TEST(materials_are_known_by_their_names)
 }
 END_TEST
 
-/* What a case says of its materials is what the particles are made of. */
+/* The materials of a case are those of the particles. */
 START_TEST(materials_of_a_case_reach_the_particles)
 {
     const char *const overrides[] = {
@@ -245,7 +245,7 @@ START_TEST(cohesion_is_complete_and_possible)
 }
 END_TEST
 
-/* What a case says of its cohesion is what acts, in the order of the effects.
+/* The cohesion of a case acts on the particles, in the order of the effects.
  */
 START_TEST(cohesion_of_a_case_reaches_the_particles)
 {
@@ -337,8 +337,8 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
 }
 END_TEST
 
-/* The words that a key allows are the names of the models of its kind, and
- * each model reads keys that there are. */
+/* The words that a key allows are the names of the models of its kind, and each
+ * model reads keys that exist. */
 START_TEST(models_and_keys_name_the_same)
 {
     const struct key *tables[CASE_FILE_TABLES];
@@ -397,8 +397,8 @@ START_TEST(list_shows_every_model_and_key)
 }
 END_TEST
 
-/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. They
- * print S_c / d_p = 2 for it, rounded. */
+/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. The
+ * paper prints S_c / d_p = 2 for it, rounded. */
 START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
 {
     int code;

@@ -107,8 +107,8 @@ START_TEST(a_box_sheared_by_nothing_has_the_flow_of_the_box)
 END_TEST
 
 /* A gradient along x drives a sheared box that is periodic in x and walled in
- * y; what is driven through it is Poiseuille's flow, which knows nothing of the
- * shear: u(y) = G y (H - y) / (2 mu), with the error of a straight mesh. */
+ * y; what is driven through it is Poiseuille's flow, which does not depend on
+ * the shear: u(y) = G y (H - y) / (2 mu), with the error of a straight mesh. */
 START_TEST(a_sheared_channel_has_poiseuilles_flow)
 {
     double error[2];
@@ -194,8 +194,8 @@ START_TEST(a_box_from_files_has_the_bed_of_our_box)
 }
 END_TEST
 
-/* Slanted walls hold the grains, whoever made the mesh and however it is
- * numbered: each has its cell, at least nearly its radius from all planes. */
+/* Slanted walls hold the grains for any mesh and any numbering: each grain has
+ * a cell, and a distance of nearly its radius or more from all planes. */
 START_TEST(slanted_walls_hold_the_grains)
 {
     static const char *const meshes[] = {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One collision against what is known of it: closed forms, published numbers
- * and symmetries. All go through dem_run, as a simulation does. */
+/* One collision against closed forms, published numbers and symmetries. All use
+ * dem_run, as a simulation does. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -36,9 +36,9 @@ static double measured_restitution(const struct particles *ps, double v)
            v;
 }
 
-/* Forces meet velocities half a step old, which damping feels in the first
- * order: at a 1000th of the collision e comes out within 0.4 %. With the sign
- * of ln e wrong, or m for m*, it would miss by more than 10 %. */
+/* Forces are computed with velocities half a step old, an error of first order
+ * in the damping: at a 1000th of the collision e comes out within 0.4 %. With
+ * the sign of ln e wrong, or m for m*, it would miss by more than 10 %. */
 START_TEST(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says)
 {
     const double e = restitutions[_i], v = 0.3;
@@ -74,8 +74,8 @@ START_TEST(ls_4_7_hertz_collision_returns_e_at_any_speed)
 }
 END_TEST
 
-/* Nothing comes back where the damping is critical: the overlap dies away and
- * never ends. */
+/* With critical damping there is no rebound: the overlap decays and never
+ * ends. */
 START_TEST(ls_4_11_critical_damping_lets_nothing_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an oblique collision of two spinning spheres keeps, and in which frames
- * it is the same. */
+/* The quantities that an oblique collision of two spinning spheres conserves,
+ * and the frames in which it is the same. */
 #include <omp.h>
 
 #include "facts.h"
@@ -63,7 +63,7 @@ START_TEST(ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit)
     struct particles *const ps = oblique_pair(0, 0.01, 0.01);
 
     spheres_collide(ps, &o);
-    ck_assert_double_gt(fabs(ps->vy[0] - 0.2), 0.01); /* they did meet */
+    ck_assert_double_gt(fabs(ps->vy[0] - 0.2), 0.01); /* they did collide */
     ck_assert_double_eq(ps->vx[0], -ps->vx[1]);
     ck_assert_double_eq(ps->vy[0], -ps->vy[1]);
     ck_assert_double_eq(ps->vz[0], -ps->vz[1]);

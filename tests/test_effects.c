@@ -122,8 +122,8 @@ static void spy_after(void *memory, struct simulation *sim)
     calls_after++;
 }
 
-/* The loop knows effects only by its list: one call a step and hook for one
- * that is in it, none for one that is not, none where the hook is missing. */
+/* The loop calls effects only through its list: one call a step and hook for an
+ * effect in the list, none for others, none where the hook is missing. */
 START_TEST(an_effect_that_is_not_named_is_never_called)
 {
     static const struct effect both = {
