@@ -1,6 +1,6 @@
-/* plain_contacts.h -- every pair asked, one number after the other.
+/* plain_contacts.h -- the contact loop over all pairs, in scalars.
  *
- * What the contact loop does in lanes, strips and lists is done here in the
+ * What the contact loop does in lanes, chunks and lists is done here in the
  * plainest way: two loops over all particles, a loop over the walls, the
  * formulas of contact.h, sweep_energy.h and sweep_rolling.h as they are
  * printed. Particles are identified by their id.

@@ -80,7 +80,7 @@ static long allocations_with(const char *effects)
     return n;
 }
 
-/* What each effect allocates beyond a scene that names none: the list itself,
+/* What each effect allocates beyond a case that names none: the list itself,
  * and its own memory. With one more array anywhere these numbers change. */
 START_TEST(an_effect_that_is_not_named_allocates_nothing)
 {

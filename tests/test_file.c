@@ -19,8 +19,8 @@ static void tear_down(void)
     scratch_clear(dir);
 }
 
-/* From here on files end at so many bytes, as on a disk that is full there;
- * the write then fails with EFBIG in place of ENOSPC. Returns the old limit. */
+/* Limits the size of files, as on a full disk; the write then fails with EFBIG
+ * in place of ENOSPC. Returns the old limit. */
 static rlim_t limit_file_size(rlim_t bytes)
 {
     struct rlimit limit;

@@ -203,8 +203,8 @@ END_TEST
 /* --- the time step ------------------------------------------------------ */
 
 /* Steady flow around a dense block in two dimensions, reached with steps a
- * hundredfold apart: the interpolation to the faces must not know dt. The two
- * differ by how far they are from steady, 1e-7; a Rhie-Chow term that keeps
+ * hundredfold apart: the interpolation to the faces must not depend on dt. The
+ * two differ by how far they are from steady, 1e-7; a Rhie-Chow term that keeps
  * dt differs by 1e-3. */
 static void around_a_block(double dt, int steps, double *p, double *u)
 {
@@ -265,7 +265,7 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     if (changes) o.u_tolerance = 0.1;
     struct fluid *const fl = fluid_create(m, &o);
     const double swing =
-        o.time->time_levels > 1 ? 0.02 : 0.2; /* or it blows up */
+        o.time->time_levels > 1 ? 0.02 : 0.2; /* or it becomes unstable */
     double impulse[3] = {0.0, 0.0, 0.0}, gross = 0.0, now[3];
     for (int n = 0; n < 20; n++) {
         fl->options.dt = o.dt * (changes && n % 3 == 2 ? 0.7 : 1.0);
@@ -308,7 +308,7 @@ START_TEST(mass_residual_is_what_the_fluxes_leave)
     struct mesh *const m = box(size, 6, 5, 4, 1.0, 1, 1, 1);
     struct fluid_options o = options(NULL);
     o.coupled = 1;
-    o.tolerance = 1e-4; /* loose, so that something is left to see */
+    o.tolerance = 1e-4; /* loose, so that a residual remains */
     struct fluid *const fl = fluid_create(m, &o);
     for (int c = 0; c < m->n_cells; c++)
         fl->eps[c] = 0.6 + 0.1 * (c % 2) - 0.05;

@@ -59,7 +59,8 @@ static int step_there(const int at[3])
     return at[0] < 8 || at[1] < 8;
 }
 
-/* One cell of 4: between near walls there are more images than need be here. */
+/* One cell of 4: between near walls there are more images than are needed
+ * here. */
 static void deep(double x[3])
 {
     x[2] *= 4.0;
@@ -141,7 +142,7 @@ static double unevenness(const struct mesh *m, struct particles *ps,
 }
 
 /* b of two cells; without images the cells at the walls are off by a quarter
- * and more. In the curved rooms the lattice does not follow the walls. */
+ * and more. In the curved meshes the lattice does not follow the walls. */
 START_TEST(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape)
 {
     struct mesh *const m = blocks_create(&rooms[_i].blocks);

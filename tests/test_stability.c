@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What limits the coupled step: the formulas, and the program beside them. */
+/* The limits of the coupled step: the formulas compared with the program. */
 #include "coupling/stability.h"
 
 #include "facts.h"
@@ -13,8 +13,8 @@ START_TEST(a_packed_bed_requires_less_than_half_its_relaxation_time)
 }
 END_TEST
 
-/* Where (20.9) is 1: half of the room for neutral spheres, with added mass and
- * without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
+/* Where (20.9) is 1: half of the volume for neutral spheres, with added mass
+ * and without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
 START_TEST(the_oscillation_decays_below_the_densest_packing)
 {
     static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
@@ -30,7 +30,7 @@ START_TEST(the_oscillation_decays_below_the_densest_packing)
 }
 END_TEST
 
-/* Sand in air, 0.6 of the room: 1500 kg beside 0.48 kg. */
+/* Sand in air, a solid fraction of 0.6: 1500 kg and 0.48 kg a cubic metre. */
 START_TEST(the_loading_is_mass_beside_mass)
 {
     ck_assert_double_eq_tol(stability_loading(2500.0, 0.6, 1.2), 3125.0, 1e-9);
@@ -61,8 +61,8 @@ static double growth(double ratio, double C)
 }
 
 /* Below 1 nothing grows, though the spheres weigh a fiftieth of the fluid; far
- * above (the mean over 2 cells that a sphere sees takes some of it) the swing
- * runs away, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
+ * above (the interpolation over 2 cells damps some of it) the oscillation
+ * diverges, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
 START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
 {
     const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;

@@ -154,7 +154,7 @@ START_TEST(what_makes_no_surface_is_refused)
 END_TEST
 
 /* A sphere of radius 0.1 m may begin 0.01 m deep in a plane or a sheet, not
- * 0.011 m; and is told where it is. */
+ * 0.011 m; and its position is reported. */
 START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
 {
     double corner[1][3][3] = {{{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}}};
@@ -228,7 +228,7 @@ static void slide(int neighbour, double found[4])
     particles_free(ps);
 }
 
-/* To the last bit: it has nothing of the springs of who has gone. */
+/* To the last bit: it has none of the data of the removed sphere. */
 START_TEST(a_contact_on_a_surface_keeps_its_own_tangential_displacement)
 {
     double with[4], alone[4];

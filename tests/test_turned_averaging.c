@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Averaging and interpolation, seen in other axes and measured in other units:
- * the same numbers. */
+/* Averaging and interpolation in other axes and other units give the same
+ * numbers. */
 #include "averaging/interpolation.h"
 
 #include <math.h>
@@ -146,7 +146,8 @@ static void assert_fields(const struct scene *a, const struct scene *b,
     }
 }
 
-/* What particles see of the fields, by the adjoint and by each way. */
+/* The fields interpolated to the particles, by the adjoint and by each
+ * interpolation. */
 static void assert_seen(struct scene *a, struct scene *b, const struct frame *t)
 {
     for (int c = 0; c < a->m->n_cells; c++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spheres that fly through a fluid, seen in other axes and measured in other
- * units: the same numbers. */
+/* Spheres that move through a fluid, in other axes and other units: the same
+ * numbers. */
 #include "facts.h"
 #include "suspension.h"
 #include "turned.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A flow with all that it can have, seen in other axes and measured in other
- * units: the same numbers. */
+/* A flow with all its options, in other axes and other units: the same
+ * numbers. */
 #include "fluid/fluid.h"
 
 #include <math.h>
@@ -132,7 +132,8 @@ static double any(int c, int q, int n)
     return sin(7.0 * c + 3.1 * q + 1.7 * n + 0.13 * c * q);
 }
 
-/* What the particles would set. The volume of the solids stays. */
+/* Sets the fields that the particles would set. The volume of the solids is
+ * constant. */
 static void set_particles(struct scene *s, int n)
 {
     const double force = s->pressure / s->in.L; /* [N/m^3] */
@@ -212,8 +213,8 @@ static void discard(struct scene *s)
     free(s);
 }
 
-/* The fields of the second scene back in the cells and axes of the first. A
- * closed flow has no level of pressure: there it is that of cell 0. */
+/* The fields of the second case in the cells and axes of the first. A closed
+ * flow has no level of pressure: there it is that of cell 0. */
 static void assert_alike(const struct scene *a, const struct scene *b)
 {
     const int n = a->m->n_cells, open = !a->v->closed && !a->v->periodic;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Grains between walls and surfaces, seen in other axes and measured in other
- * units: the same motion. */
+/* Grains between walls and surfaces, in other axes and other units: the same
+ * motion. */
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 

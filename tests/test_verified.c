@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fluid against solutions made for it, a published table, and hard cases.
+/* The fluid solver against manufactured solutions, a published table, and hard
+ * cases.
  */
 #include "fluid/fluid.h"
 #include "facts.h"
@@ -18,7 +19,7 @@ static void discard(struct fluid *fl)
     mesh_free(m);
 }
 
-/* --- a solution made for the equations ----------------------------------- */
+/* --- a manufactured solution --------------------------------------------- */
 
 /* u = T (-2 sin^2 pi x sin pi y cos pi y, 2 sin pi x cos pi x sin^2 pi y),
  * p = T sin pi x sin pi y, eps = 0.5 + 0.25 sin pi x sin pi y on [-1, 1]^2: eps
@@ -45,7 +46,7 @@ static double made_eps(double x, double y)
     return 0.5 + 0.25 * sin(M_PI * x) * sin(M_PI * y);
 }
 
-/* The force that makes it a solution: eps (du/dt + u . grad u) + gamma grad p
+/* The force for which it is a solution: eps (du/dt + u . grad u) + gamma grad p
  * - lap u, with differences over 1e-4 (their error is 1e-7). */
 static double made_force(int k, int shared, int unsteady, double x, double y,
                          double t)
@@ -164,7 +165,7 @@ START_TEST(a_manufactured_solution_has_the_order_of_the_scheme_in_time)
 END_TEST
 
 /* A void fraction that travels through a periodic box, eps = 0.5 + 0.2 sin(x -
- * c t), with u = c + q / eps: void-rate continuity to the letter. */
+ * c t), with u = c + q / eps: which satisfies void-rate continuity exactly. */
 static double wave_error(const char *time, int n, double dt)
 {
     const double L = 2.0 * M_PI, speed = 1.0, q = 0.3, mu = 0.05;
@@ -430,7 +431,7 @@ START_TEST(a_cavity_at_courant_number_5_stays_below_its_lid)
 END_TEST
 
 /* Viscosity that crosses many cells within a step: two corrections are not
- * enough and would grow what they leave; they go on by themselves. */
+ * enough and would diverge; further ones are added automatically. */
 START_TEST(corrections_go_on_where_viscosity_is_fast)
 {
     struct boundary b[4];
