@@ -331,9 +331,9 @@ START_TEST(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb)
 END_TEST
 
 /* A sphere slides along a wall faster than friction can stop it, so in every
- * step friction takes from its speed. A spring that made room for the dashpot
- * when the force is capped would be drawn to the other side, and push the
- * sphere on early in a damped Hertzian impact. */
+ * step friction takes from its speed. A tangential displacement that is reduced
+ * by the force of the dashpot when the sum is capped would change sign, and
+ * push the sphere on early in a damped Hertzian impact. */
 START_TEST(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip)
 {
     const struct contact_law *const law = contact_laws[_i];

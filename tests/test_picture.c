@@ -79,7 +79,7 @@ START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
 END_TEST
 
 /* Whether gnuplot drew it: with and without each panel, in a folder whose name
- * asks for quoting. A machine without gnuplot must say what to install. */
+ * needs quoting. Without gnuplot the message must name what to install. */
 START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
 {
     struct mesh *const m = box();

@@ -64,7 +64,7 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
     return near;
 }
 
-/* 0.01: within the host. 0.37: across more than a period of those shapes that
+/* 0.01: within the cell. 0.37: across more than a period of those shapes that
  * have two cells or five. */
 START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
 {

@@ -243,7 +243,7 @@ static struct surface floor_of_two(double angle)
 }
 
 /* The same with eight about the origin, or twelve that leave hanging corners:
- * a strip of large ones beside a strip of small ones. */
+ * a row of large ones beside a row of small ones. */
 static struct surface floor_of_eight(void)
 {
     double corner[8][3][3] = {{{0}}};

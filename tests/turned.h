@@ -1,10 +1,10 @@
 /* turned.h -- the same case in other axes, for tests.
  *
- * Nothing in physics knows x from y or left from right. In a frame, direction k
- * shows what the original has along axis[k], mirrored about the middle of the
- * box if sign[k] is -1. A term that is missing, or has a wrong sign or index in
- * one direction, on one side or in one of the two cells of a face, differs
- * between two frames.
+ * The equations do not distinguish x from y or left from right. In a frame,
+ * direction k shows what the original has along axis[k], mirrored about the
+ * middle of the box if sign[k] is -1. A term that is missing, or has a wrong
+ * sign or index in one direction, on one side or in one of the two cells of a
+ * face, differs between two frames.
  */
 #ifndef TURNED_H
 #define TURNED_H

@@ -118,7 +118,7 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
                                  const double shear[3]);
 void mesh_free(struct mesh *m);
 
-/* Returns the same mesh to one more user, who also calls mesh_free. */
+/* Adds an owner, which must also call mesh_free, and returns the mesh. */
 struct mesh *mesh_retain(struct mesh *m);
 
 /* The cell that contains the point, or -1 outside. A point on a face belongs to

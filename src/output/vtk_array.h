@@ -2,7 +2,7 @@
  *
  * The numbers are not copied: they may be interleaved, in one array a
  * component, or integers. They are Float64 in the file, bit for bit what was
- * computed, unless `single` asks for Float32: seven digits at half the size,
+ * computed, or Float32 if `single` is set: seven digits at half the size,
  * enough for values that are only displayed (velocities), but not for
  * positions, whose differences are overlaps of 1e-4 d, nor for values that will
  * be summed.

@@ -16,7 +16,7 @@ struct vtk_blocks {
     unsigned char plain[VTK_BLOCK];
     unsigned char packed[PACKED_ROOM];
     uint64_t *size; /* [bytes] of each block of the array, compressed */
-    size_t n_size;  /* room in size; grows with the largest array */
+    size_t n_size;  /* capacity of size; grows with the largest array */
     z_stream light, stored;
 };
 

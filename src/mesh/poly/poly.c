@@ -50,7 +50,7 @@ static void shift_of(const struct poly_raw *r, const struct poly_part *part,
 }
 
 /* The number, from 1, of the period that is P, negative if minus P; a new one
- * where there is none yet, 0 without room for it. */
+ * if there is none yet, 0 if there are too many. */
 static int periodic_index_of(struct mesh *m, const double P[3])
 {
     for (int i = 0; i < m->n_periods; i++)
