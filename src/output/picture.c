@@ -12,14 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A particle as it is drawn. */
+/* A particle to be drawn. */
 struct disc {
     double x, y, z; /* [m] centre */
     double r;       /* [m] */
     double speed;   /* [m/s] */
 };
 
-/* More would not be seen. */
+/* Largest number of points; more would not be visible. */
 static const int most_squares[3] = {200, 400, 50}; /* [-] */
 
 static int by_speed(const void *a, const void *b)
@@ -87,7 +87,8 @@ int picture_write_particles(struct folder *folder, const char *name,
     return file_commit(f);
 }
 
-/* One fast grain shall not make all others dark. */
+/* With 99 % of the particles a single fast one does not make all others dark.
+ */
 double picture_usual_speed(const struct picture *p)
 {
     if (p->n == 0) return 0.0;
@@ -99,7 +100,7 @@ double picture_usual_speed(const struct picture *p)
     return speed;
 }
 
-/* Mean over the cells behind each other, by their volumes. */
+/* Mean over the cells along the depth, weighted by their volumes. */
 static double depth_average(const struct mesh *m, const double *eps, int i,
                             int j)
 {
@@ -126,8 +127,8 @@ static void put_columns(FILE *out, const struct picture *p)
         }
 }
 
-/* Mean of the cells met at n points behind each other, which begin at x; 0 if
- * there are none. */
+/* Mean of the cells at n points along the depth from x on; 0 if all points are
+ * outside the mesh. */
 static double sampled(const struct picture *p, double x[3], double step, int n)
 {
     double sum = 0.0, offset[3];
@@ -142,8 +143,8 @@ static double sampled(const struct picture *p, double x[3], double step, int n)
     return met > 0 ? sum / met : 0.0;
 }
 
-/* A mesh that is no box has no columns: points in squares half as wide as a
- * mean cell stand for them. */
+/* A polyhedral mesh has no columns of cells; squares half as wide as a mean
+ * cell are used instead. */
 static void put_squares(FILE *out, const struct picture *p)
 {
     const struct mesh *const m = p->mesh;
@@ -194,9 +195,8 @@ static void put_definition(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-/* A title within double quotes, in which gnuplot takes quotes, backslashes and
- * backquotes for more than letters: all that might mean something to it is
- * written by its number. */
+/* A title within double quotes. Quotes, backslashes and backquotes have a
+ * meaning to gnuplot there, so they are written as octal codes. */
 static void put_title(FILE *out, const char *title)
 {
     fputs("title = \"", out);
@@ -249,7 +249,8 @@ int picture_write(struct folder *folder, const struct picture *p)
            put_void_fraction(folder, p) || put_script(folder, p);
 }
 
-/* Lists what gnuplot is going to write; non-zero after a message. */
+/* Adds the files that gnuplot will write to the manifest; non-zero after a
+ * message. */
 static int list_drawn(struct folder *folder)
 {
     char *const png = folder_file(folder, "bed.png");
