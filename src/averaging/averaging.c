@@ -28,11 +28,6 @@ struct averaging {
     struct averaging_report report;
 };
 
-const struct averaging_method *const averaging_methods[] = {
-    &pcm_method,      &dpvm_method,      &dpvm_cube_method,
-    &two_grid_method, &kernel_method,    &kernel_gaussian_method,
-    &images_method,   &diffusion_method, NULL};
-
 const struct averaging_method *averaging_method_named(const char *name)
 {
     for (int i = 0; averaging_methods[i] != NULL; i++)

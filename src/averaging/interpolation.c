@@ -106,15 +106,12 @@ static void same(struct averaging *a, int m, const double *field,
     averaging_gather(a, m, field, q);
 }
 
-static const struct interpolation interpolation_nearest = {
+const struct interpolation interpolation_nearest = {
     "nearest", "XS11 3.1", "the value of the host cell", nearest};
-static const struct interpolation interpolation_linear = {
+const struct interpolation interpolation_linear = {
     "linear", "Gauss", "value and Gauss gradient of the host cell", linear};
-static const struct interpolation interpolation_same = {
+const struct interpolation interpolation_same = {
     "same", "XS11 3.9", "weighed as the averaging does", same};
-
-const struct interpolation *const interpolations[] = {
-    &interpolation_nearest, &interpolation_linear, &interpolation_same, NULL};
 
 const struct interpolation *interpolation_named(const char *name)
 {
