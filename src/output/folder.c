@@ -19,8 +19,8 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {".",        "fluid",   "particles",
-                                    "surfaces", "picture", "profiles"};
+static const char *const below[] = {
+    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -36,6 +36,10 @@ static const char *const ours[] = {"./summary.json",
                                    "picture/void_fraction.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
+                                   "./bed.gif",
+                                   "frames/frame_*.txt",
+                                   "frames/bed.gp",
+                                   "frames/gnuplot.log",
                                    "profiles/*.csv"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
@@ -49,6 +53,7 @@ struct folder {
     int here;     /* descriptor of the folder; negative: not open */
     int file;     /* of the manifest, locked; negative: not open */
     int fresh;    /* [-] 1: the manifest was not there before */
+    int quiet;    /* [-] 1: what is removed is not told */
     off_t length; /* [bytes] of the manifest, whole lines */
     struct manifest old;
 };
@@ -227,12 +232,17 @@ void folder_leave(struct folder *f)
     free(part);
 }
 
+void folder_be_quiet(struct folder *f)
+{
+    f->quiet = 1;
+}
+
 int folder_begin(struct folder *f)
 {
     int removed;
 
     if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
-    if (removed > 0)
+    if (removed > 0 && !f->quiet)
         fprintf(stderr, "%s: the %d files of an earlier run are replaced\n",
                 f->dir, removed);
     manifest_release(&f->old);

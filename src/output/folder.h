@@ -31,6 +31,9 @@ void folder_free(struct folder *f);
  * be freed. */
 void folder_leave(struct folder *f);
 
+/* Lets folder_begin remove without a word. */
+void folder_be_quiet(struct folder *f);
+
 /* Removes the files of the previous run, with a message on stderr. Non-zero
  * after a message. */
 int folder_begin(struct folder *f);

@@ -22,16 +22,18 @@ struct disc {
 /* Largest number of points; more would not be visible. */
 static const int most_squares[3] = {200, 400, 50}; /* [-] */
 
-static int by_depth(const void *a, const void *b)
-{
-    const struct disc *const p = a, *const q = b;
-    return (p->z > q->z) - (p->z < q->z);
-}
-
 static int by_speed(const void *a, const void *b)
 {
     const struct disc *const p = a, *const q = b;
     return (p->speed > q->speed) - (p->speed < q->speed);
+}
+
+static int by_depth(const void *a, const void *b)
+{
+    const struct disc *const p = a, *const q = b;
+    const int order = (p->z > q->z) - (p->z < q->z);
+
+    return order != 0 ? order : by_speed(a, b);
 }
 
 static void put_row(FILE *out, int n, const double *row)
@@ -43,8 +45,22 @@ static void put_row(FILE *out, int n, const double *row)
                 i < n - 1 ? ' ' : '\n');
 }
 
-/* A file of the folder; NULL after a message. */
-static struct file *opened(struct folder *folder, const char *name)
+static struct disc *discs_of(const struct picture *p)
+{
+    struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
+
+    for (int i = 0; i < p->n; i++)
+        discs[i] = (struct disc){.x = p->x[0][i],
+                                 .y = p->x[1][i],
+                                 .z = p->x[2][i],
+                                 .r = 0.5 * p->d[i],
+                                 .speed = sqrt(p->v[0][i] * p->v[0][i] +
+                                               p->v[1][i] * p->v[1][i] +
+                                               p->v[2][i] * p->v[2][i])};
+    return discs;
+}
+
+struct file *picture_open(struct folder *folder, const char *name)
 {
     char *const path = folder_file(folder, name);
     struct file *const f = path == NULL ? NULL : file_create(path);
@@ -53,19 +69,35 @@ static struct file *opened(struct folder *folder, const char *name)
     return f;
 }
 
-/* Farthest first, so that the nearer ones cover them. */
-static int put_particles(struct folder *folder, struct disc *discs, int n)
+/* The nearer particles cover the farther ones. */
+int picture_write_particles(struct folder *folder, const char *name,
+                            const struct picture *p)
 {
-    struct file *const f = opened(folder, "picture/particles.txt");
+    struct file *const f = picture_open(folder, name);
     if (f == NULL) return 1;
+    struct disc *const discs = discs_of(p);
 
-    qsort(discs, (size_t)n, sizeof discs[0], by_depth);
+    qsort(discs, (size_t)p->n, sizeof discs[0], by_depth);
     fprintf(file_stream(f), "# x [m]  y [m]  radius [m]  speed [m/s]\n");
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < p->n; i++) {
         const struct disc *const s = &discs[i];
         put_row(file_stream(f), 4, (double[4]){s->x, s->y, s->r, s->speed});
     }
+    free(discs);
     return file_commit(f);
+}
+
+/* With 99 % of the particles a single fast one does not make all others dark.
+ */
+double picture_usual_speed(const struct picture *p)
+{
+    if (p->n == 0) return 0.0;
+    struct disc *const discs = discs_of(p);
+    qsort(discs, (size_t)p->n, sizeof discs[0], by_speed);
+    const int i = number_clamped(0.99 * (p->n - 1), 0, p->n - 1);
+    const double speed = discs[i].speed;
+    free(discs);
+    return speed;
 }
 
 /* Mean over the cells along the depth, weighted by their volumes. */
@@ -142,7 +174,7 @@ static void put_squares(FILE *out, const struct picture *p)
 
 static int put_void_fraction(struct folder *folder, const struct picture *p)
 {
-    struct file *const f = opened(folder, "picture/void_fraction.txt");
+    struct file *const f = picture_open(folder, "picture/void_fraction.txt");
     if (f == NULL) return 1;
 
     fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
@@ -152,16 +184,6 @@ static int put_void_fraction(struct folder *folder, const struct picture *p)
     else
         put_squares(file_stream(f), p);
     return file_commit(f);
-}
-
-/* The speed that 99 % of the particles do not exceed [m/s], so that a single
- * fast particle does not make all others dark. */
-static double usual_speed(struct disc *discs, int n)
-{
-    if (n == 0) return 1.0;
-    qsort(discs, (size_t)n, sizeof discs[0], by_speed);
-    const double speed = discs[number_clamped(0.99 * (n - 1), 0, n - 1)].speed;
-    return speed > 0.0 ? speed : 1.0;
 }
 
 static void put_definition(FILE *out, const char *name, double value,
@@ -191,13 +213,8 @@ static void put_title(FILE *out, const char *title)
     fputs("\"\n", out);
 }
 
-static int put_script(struct folder *folder, const struct picture *p,
-                      double speed)
+void picture_put_box(FILE *out, const struct picture *p, double fast)
 {
-    struct file *const f = opened(folder, "picture/bed.gp");
-    if (f == NULL) return 1;
-
-    FILE *const out = file_stream(f);
     const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
 
     fprintf(out, "# The numbers of this run.\n");
@@ -207,7 +224,17 @@ static int put_script(struct folder *folder, const struct picture *p,
     put_definition(out, "x1", hi[0], "m");
     put_definition(out, "y0", lo[1], "m");
     put_definition(out, "y1", hi[1], "m");
-    put_definition(out, "fast", speed, "m/s, which 99 of 100 keep below");
+    put_definition(out, "fast", fast, "m/s, which 99 of 100 keep below");
+}
+
+static int put_script(struct folder *folder, const struct picture *p)
+{
+    struct file *const f = picture_open(folder, "picture/bed.gp");
+    const double speed = picture_usual_speed(p);
+    if (f == NULL) return 1;
+
+    FILE *const out = file_stream(f);
+    picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
             p->eps != NULL, p->pressure);
     for (const char *const *line = picture_script; *line; line++)
@@ -215,31 +242,11 @@ static int put_script(struct folder *folder, const struct picture *p,
     return file_commit(f);
 }
 
-static struct disc *discs_of(const struct picture *p)
-{
-    struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
-
-    for (int i = 0; i < p->n; i++)
-        discs[i] = (struct disc){.x = p->x[0][i],
-                                 .y = p->x[1][i],
-                                 .z = p->x[2][i],
-                                 .r = 0.5 * p->d[i],
-                                 .speed = sqrt(p->v[0][i] * p->v[0][i] +
-                                               p->v[1][i] * p->v[1][i] +
-                                               p->v[2][i] * p->v[2][i])};
-    return discs;
-}
-
 int picture_write(struct folder *folder, const struct picture *p)
 {
-    struct disc *const discs = discs_of(p);
-    const double speed = usual_speed(discs, p->n);
-    const int failed =
-        folder_make(folder, "picture") || put_particles(folder, discs, p->n) ||
-        put_void_fraction(folder, p) || put_script(folder, p, speed);
-
-    free(discs);
-    return failed;
+    return folder_make(folder, "picture") ||
+           picture_write_particles(folder, "picture/particles.txt", p) ||
+           put_void_fraction(folder, p) || put_script(folder, p);
 }
 
 /* Adds the files that gnuplot will write to the manifest; non-zero after a

@@ -17,6 +17,10 @@
 #include "mesh/mesh.h"
 #include "output/folder.h"
 
+#include <stdio.h>
+
+struct file;
+
 /* The data of a picture; all borrowed. */
 struct picture {
     const char *title;
@@ -29,6 +33,23 @@ struct picture {
     const double *d;    /* [m] */
     int pressure;       /* [-] 1: history.csv has the columns above */
 };
+
+/* Parts of a picture that an animation has as well (animation.h).
+ *
+ * A file of the folder; NULL after a message. */
+struct file *picture_open(struct folder *folder, const char *name);
+
+/* Writes x, y, radius [m] and speed [m/s] of the particles, the farthest first;
+ * non-zero after a message. */
+int picture_write_particles(struct folder *folder, const char *name,
+                            const struct picture *p);
+
+/* The speed that 99 of 100 particles keep below [m/s]; 0 without any. */
+double picture_usual_speed(const struct picture *p);
+
+/* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
+ * variables. */
+void picture_put_box(FILE *out, const struct picture *p, double fast);
 
 /* Writes the three files; non-zero after a message. */
 int picture_write(struct folder *folder, const struct picture *p);
