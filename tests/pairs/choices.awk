@@ -92,7 +92,8 @@ BEGIN {
     apart("surface", "plane cylinder stl moving turning", "cohesion",
           "van_der_waals capillary all", "not on surfaces")
     # Who goes out below comes in above, behind this plane.
-    apart("surface", "plane", "periodic", "y xyz", "")
+    apart("surface", "plane", "periodic", "y xyz",
+          "not parallel to y, which is periodic")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.
