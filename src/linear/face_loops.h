@@ -17,8 +17,7 @@
 /* each(f, owner, neighbour, ...) for all inner faces, whose loop handles m
  * numbers a face. */
 #define FOR_EACH_FACE(of, m, each, ...)                                        \
-    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each,                \
-                    __VA_ARGS__)
+    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each, __VA_ARGS__)
 
 /* The same for the inner faces first .. last - 1. */
 #define FACES_OF_RANGE(first, last, of, each, ...)                             \
