@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/more/bandwidth.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/stencil.h"
@@ -37,7 +36,7 @@ static struct averaging_options completed(const struct averaging_options *o)
     struct averaging_options full = *o;
 
     if (full.scheme == NULL) full.scheme = diffusion_schemes[0];
-    if (full.vary == NULL) full.vary = bandwidth_rules[0];
+    if (full.vary == NULL) full.vary = "uniform";
     if (full.steps == 0) full.steps = 3;
     if (full.tolerance == 0.0) full.tolerance = 1e-6;
     if (full.fields == 0) full.fields = 8;
