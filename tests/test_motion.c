@@ -344,7 +344,7 @@ START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 1; k <= 10; k++) {
         const double phase = 2.0 * M_PI * f * 77.0 * dt * k;
@@ -375,7 +375,7 @@ START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 0; k < 2000; k++) {
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);

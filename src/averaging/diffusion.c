@@ -210,10 +210,6 @@ static const struct scheme schemes[] = {
     {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
 };
 
-const char *const diffusion_schemes[] = {"exponential",    "series",
-                                         "crank-nicolson", "implicit-euler",
-                                         "sdirk2",         NULL};
-
 static void smooth(struct diffusion *d, int m, double *u,
                    struct averaging_report *r)
 {
@@ -233,8 +229,8 @@ static const struct scheme *scheme_named(const char *name)
 
 static int is_a_rule(const char *name)
 {
-    for (int i = 0; bandwidth_rules[i] != NULL; i++)
-        if (strcmp(bandwidth_rules[i], name) == 0) return 1;
+    for (int i = 0; bandwidth_rules[i].name != NULL; i++)
+        if (strcmp(bandwidth_rules[i].name, name) == 0) return 1;
     return 0;
 }
 
@@ -378,9 +374,10 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method diffusion_method = {
     .name = "diffusion",
-    .cite = "SX15 5, 6, 9",
     .what = "the pcm field, smoothed by diffusion",
+    .equations = "SX15 5, 6, 9",
     .function = "diffusion_spread",
+    .keys = {averaging_bandwidth_keys, averaging_delta_keys, diffusion_keys},
     .needs_bandwidth = 1,
     .create = diffusion_create,
     .free = diffusion_free,

@@ -21,12 +21,16 @@
 #define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 extern const struct averaging_method diffusion_method;
 
-/* The names of the schemes, ended by NULL; the first is the default. */
-extern const char *const diffusion_schemes[];
+/* The schemes, ended by one without a name; the first is the default. */
+extern const struct model diffusion_schemes[];
+
+/* The keys that the method reads besides the bandwidth. */
+extern const struct key diffusion_keys[];
 
 /* [SX15 6]: h = exp(-r^2 / b^2) / (b^2 pi)^(3/2) [1/m^3]. r, b in [m]. */
 double diffusion_kernel(double r, double b);

@@ -12,18 +12,22 @@
 #ifndef COUPLING_DRAG_H
 #define COUPLING_DRAG_H
 
+#include "base/key.h"
+
 /* One correlation. resistance: eps_f [-], rho_f [kg/m^3], mu [Pa s], d [m],
  * u_r [m/s] -> beta / eps_s [kg/(m^3 s)]. */
 struct drag_law {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
 };
 
-/* All laws, ended by a row without a name; drag_law_named: NULL if unknown. */
-extern const struct drag_law drag_laws[];
+/* All laws, ended by NULL; drag_law_named: NULL if unknown. */
+extern const struct drag_law *const drag_laws[];
 const struct drag_law *drag_law_named(const char *name);
 
 /* beta [kg/(m^3 s)] of a mixture of one size [XS11 2.11, LS 5.27]. */

@@ -132,3 +132,16 @@ double continuity_residual(struct fluid *fl)
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
     return all.through > 0.0 ? all.rest / all.through : 0.0;
 }
+
+const struct model fluid_continuity_forms[] = {
+    {.name = "mixture",
+     .what = "the volume fluxes of both phases have no divergence",
+     .equations = "XS11 2.7",
+     .function = "continuity_source",
+     .value = CONTINUITY_MIXTURE},
+    {.name = "void-rate",
+     .what = "the fluid flows out of where the void shrinks",
+     .equations = "XS11 2.3",
+     .function = "continuity_source",
+     .value = CONTINUITY_VOID_RATE},
+    {.name = NULL}};

@@ -92,17 +92,33 @@ static void least_squares(const struct mesh *m, const double *u,
     }
 }
 
-const struct velocity_gradient_scheme velocity_gradient_schemes[] = {
-    {"gauss", "", "by the theorem of Gauss; conserves", "gauss", gauss},
-    {"least-squares", "", "exact for a linear field on any mesh",
-     "least_squares", least_squares},
-    {NULL, NULL, NULL, NULL, NULL}};
+const struct key velocity_gradient_keys[] = {
+    {"fluid.gradient", KEY_NAME, "", "", "gauss",
+     "slope of the velocity, where a scheme asks for it", "", ""},
+    KEY_END};
+
+const struct velocity_gradient_scheme velocity_gradient_gauss = {
+    .name = "gauss",
+    .what = "by the theorem of Gauss; conserves",
+    .equations = "",
+    .function = "gauss",
+    .fill = gauss};
+
+const struct velocity_gradient_scheme velocity_gradient_least_squares = {
+    .name = "least-squares",
+    .what = "exact for a linear field on any mesh",
+    .equations = "",
+    .function = "least_squares",
+    .fill = least_squares};
+
+const struct velocity_gradient_scheme *const velocity_gradient_schemes[] = {
+    &velocity_gradient_gauss, &velocity_gradient_least_squares, NULL};
 
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name)
 {
-    for (const struct velocity_gradient_scheme *s = velocity_gradient_schemes;
-         s->name != NULL; s++)
-        if (strcmp(s->name, name) == 0) return s;
+    for (int i = 0; velocity_gradient_schemes[i] != NULL; i++)
+        if (strcmp(velocity_gradient_schemes[i]->name, name) == 0)
+            return velocity_gradient_schemes[i];
     return NULL;
 }
