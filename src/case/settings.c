@@ -349,26 +349,24 @@ static const char *patch_path(const struct settings *s, int i)
     return NULL;
 }
 
+/* The sides of the box: the key of each, and that of it and the opposite one.
+ */
+static const char *const sides[][3] = {
+    {"left", "fluid.left", "fluid.sides"},
+    {"bottom", "fluid.bottom", "fluid.bottom_top"},
+    {"back", "fluid.back", "fluid.front_back"},
+    {"right", "fluid.right", "fluid.sides"},
+    {"top", "fluid.top", "fluid.bottom_top"},
+    {"front", "fluid.front", "fluid.front_back"}};
+
 const char *settings_any_side(const struct settings *s, int i)
 {
-    static const char *const sides[] = {
-        "fluid.left",       "fluid.right", "fluid.bottom", "fluid.top",
-        "fluid.back",       "fluid.front", "fluid.sides",  "fluid.bottom_top",
-        "fluid.front_back", NULL};
-
     if (s->patches != NULL) return patch_path(s, i);
-    return i < 9 ? sides[i] : NULL;
+    return i < 6 ? sides[i][1] : i < 9 ? sides[i - 6][2] : NULL;
 }
 
 const char *settings_side(const struct settings *s, const char *patch)
 {
-    static const char *const sides[][3] = {
-        {"left", "fluid.left", "fluid.sides"},
-        {"right", "fluid.right", "fluid.sides"},
-        {"bottom", "fluid.bottom", "fluid.bottom_top"},
-        {"top", "fluid.top", "fluid.bottom_top"},
-        {"back", "fluid.back", "fluid.front_back"},
-        {"front", "fluid.front", "fluid.front_back"}};
     const char *path;
 
     for (int i = 0; s->patches != NULL && (path = patch_path(s, i)); i++)
