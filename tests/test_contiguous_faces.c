@@ -24,7 +24,7 @@ static struct contiguous_faces *runs_of(const struct mesh *m)
                                    m->neighbour);
 }
 
-/* Uneven, for its rows to end anywhere in a strip; and one cell thick. */
+/* Odd sizes, so that rows end anywhere in a range; and one cell thick. */
 static const struct {
     int n[3], periodic;
 } boxes[] = {{{17, 13, 9}, 0}, {{17, 13, 9}, 1}, {{64, 40, 1}, 0}};
@@ -57,7 +57,7 @@ START_TEST(each_face_occurs_once_from_its_owner)
 }
 END_TEST
 
-/* Which cells are asked for together must not matter: the threads' strips. */
+/* The division into ranges for the threads must not matter. */
 START_TEST(each_cell_has_its_faces_in_one_order)
 {
     struct mesh *const m =

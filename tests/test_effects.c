@@ -80,7 +80,7 @@ static long allocations_with(const char *effects)
     return n;
 }
 
-/* What each effect allocates beyond a scene that names none: the list itself,
+/* What each effect allocates beyond a case that names none: the list itself,
  * and its own memory. With one more array anywhere these numbers change. */
 START_TEST(an_effect_that_is_not_named_allocates_nothing)
 {
@@ -122,8 +122,8 @@ static void spy_after(void *memory, struct simulation *sim)
     calls_after++;
 }
 
-/* The loop knows effects only by its list: one call a step and hook for one
- * that is in it, none for one that is not, none where the hook is missing. */
+/* The loop calls effects only through its list: one call a step and hook for an
+ * effect in the list, none for others, none where the hook is missing. */
 START_TEST(an_effect_that_is_not_named_is_never_called)
 {
     static const struct effect both = {

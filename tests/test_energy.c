@@ -191,8 +191,8 @@ START_TEST(rolling_friction_takes_what_a_rolling_sphere_has)
 }
 END_TEST
 
-/* A sphere in the way of a plane that comes at 0.2 m/s leaves at 0.4 m/s: the
- * plane did (1/2) m v^2, all that there is in the end. */
+/* A sphere hit by a plane that moves at 0.2 m/s leaves at 0.4 m/s: the work of
+ * the plane is (1/2) m v^2, the whole energy at the end. */
 START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
 {
     struct particles *const ps = particles_create(1);
@@ -221,11 +221,11 @@ START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
 }
 END_TEST
 
-/* The same with a sphere that is driven, from rest: what drives it gave it its
- * own energy besides, and leaves it with that where it lets go. Off the line of
- * centres, with friction and a dashpot, the budget still closes, to the first
- * order of the integrator. */
-START_TEST(a_driven_sphere_does_the_work_that_it_gives)
+/* The same with a sphere of prescribed motion, from rest: the prescribed motion
+ * also gives this sphere its kinetic energy, which it keeps when it is
+ * released. Off the line of centres, with friction and a dashpot, the budget
+ * still closes, to the first order of the integrator. */
+START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
 {
     const int rough = _i % 2, stops = _i / 2;
     struct particles *const ps = particles_create(2);
@@ -257,7 +257,7 @@ START_TEST(a_driven_sphere_does_the_work_that_it_gives)
 }
 END_TEST
 
-/* Two unlike charges fall towards each other: what they move with is the work
+/* Two unlike charges fall towards each other: their kinetic energy is the work
  * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
 START_TEST(attractions_do_the_work_that_comes_out_as_motion)
 {
@@ -373,7 +373,7 @@ FACTS("energy")
     FACT(the_work_of_gravity_is_the_height_lost);
     FACT(sliding_takes_two_sevenths_until_it_rolls);
     FACT(rolling_friction_takes_what_a_rolling_sphere_has);
-    FACT_FOR_EACH(a_driven_sphere_does_the_work_that_it_gives, 4);
+    FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4);
     FACT(a_wall_that_moves_does_the_work_that_it_gives);
     FACT(attractions_do_the_work_that_comes_out_as_motion);
     FACT(energy_added_between_runs_is_counted);

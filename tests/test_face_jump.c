@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beds whose fluid fraction jumps from cell to cell, blown through without any
- * drag that would damp: in two and three directions, by all schemes. */
+/* Flow through beds whose fluid fraction jumps from cell to cell, without
+ * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
 #include "facts.h"
 
@@ -9,7 +9,7 @@
 
 enum bed { EACH_CELL_ANY, ALL_CELLS_FULL, FULL_OR_EMPTY };
 
-/* What is blown through, and how. */
+/* The bed, the mesh and the schemes. */
 struct blow {
     enum bed bed;
     const char *time, *convection;

@@ -99,7 +99,7 @@ END_TEST
 
 /* An even bed, 8 particles a cell, b of 2 cells, in a closed box. With
  * images it is even up to the walls and into the corners, to what is cut off;
- * without them the cell in the corner has six tenths of what it should. */
+ * without them the cell in the corner has six tenths of the right value. */
 START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
 {
     const struct box_spec spec = {
@@ -124,7 +124,7 @@ END_TEST
 
 /* cos(pi x / L) is even about both walls, so the Gaussian with its images only
  * damps it, by exp(-(k b / 2)^2). 40 cells: their steps are 1e-3, what is cut
- * off beyond 3 b is 4e-4. Without images the ends would see half of it. */
+ * off beyond 3 b is 4e-4. Without images the ends would have half of it. */
 START_TEST(ew18_17_a_wave_comes_back_damped_and_nothing_else)
 {
     const struct box_spec spec = {

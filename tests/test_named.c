@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a case chooses by its name. */
+/* The models that a case chooses by name. */
 #include <stdio.h>
 
 #include "averaging/averaging.h"

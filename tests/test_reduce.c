@@ -36,7 +36,7 @@ static void count_mine(int first, int last, int *done)
     done[omp_get_thread_num()] += last - first;
 }
 
-/* To a strip more and a last one that is short. (Of 64, these fill 15.) */
+/* To one range more and a short last one. (Of 64, these fill 15.) */
 START_TEST(two_threads_share_a_small_mesh_evenly)
 {
     const int n = 3600;

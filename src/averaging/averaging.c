@@ -23,8 +23,8 @@
 struct averaging {
     const struct averaging_method *method;
     struct cell_of_particle *hosts;
-    void *state; /* the method's */
-    int fields;  /* [-] most in one call */
+    void *state; /* of the method */
+    int fields;  /* [-] largest number in one call */
     struct averaging_report report;
 };
 

@@ -2,8 +2,8 @@
  *
  * The rows are the only place where a key is described: the strict check and
  * its messages, `winnow list` and the reference chapter are all made from
- * them. The rooms that read a key own no second description; an effect brings
- * its own rows in its descriptor.
+ * them. No other file describes a key; the rows of an effect are in its
+ * descriptor.
  */
 #ifndef BASE_KEY_H
 #define BASE_KEY_H

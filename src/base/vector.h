@@ -1,4 +1,4 @@
-/* vector.h -- the few operations on three numbers that geometry needs. */
+/* vector.h -- vector operations in three dimensions. */
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 

@@ -47,8 +47,7 @@ void weights_free(struct weights *s);
  * larger particle. */
 void weights_extend(struct weights *s, double reach);
 
-/* The caller calls this when particles have moved; cached weights are computed
- * again. */
+/* Computes cached weights again; to be called when particles have moved. */
 void weights_bind(struct weights *s);
 
 /* The cells near cell c. */
