@@ -85,7 +85,7 @@ names() {
         path = $1
         sub(/^.*\/src\//, "", path)
         n = split(path, part, "[/:]")
-        if (path ~ /^main[.]o/) next
+        if (path ~ /^(main|models)[.]o/) next
         sub(/\.o$/, "", part[n - 1])
         own = "^(" behind[part[1]] part[n - 1] ")(s?_.*|s?)$"
         if ($3 !~ own) print $1 " " $3

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The models that a case chooses by name. */
+/* What a case chooses by its name. */
 #include <stdio.h>
 
 #include "averaging/averaging.h"
@@ -45,8 +45,8 @@ START_TEST(each_name_finds_its_own_row)
         CHECK_ROW(time_scheme_named, time_schemes[i]);
     for (int i = 0; integrators[i] != NULL; i++)
         CHECK_ROW(integrators_named, integrators[i]);
-    for (int i = 0; effects_all[i] != NULL; i++)
-        CHECK_ROW(effects_named, effects_all[i]);
+    for (int i = 0; effects[i] != NULL; i++)
+        CHECK_ROW(effects_named, effects[i]);
     for (int i = 0; sizes_laws[i] != NULL; i++)
         CHECK_ROW(sizes_law_named, sizes_laws[i]);
 }

@@ -41,11 +41,6 @@ const struct key averaging_delta_keys[] = {
      "EW18 20", ""},
     KEY_END};
 
-const struct averaging_method *const averaging_methods[] = {
-    &pcm_method,      &dpvm_method,      &dpvm_cube_method,
-    &two_grid_method, &kernel_method,    &kernel_gaussian_method,
-    &images_method,   &diffusion_method, NULL};
-
 const struct averaging_method *averaging_method_named(const char *name)
 {
     for (int i = 0; averaging_methods[i] != NULL; i++)

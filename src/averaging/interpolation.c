@@ -127,9 +127,6 @@ const struct interpolation interpolation_same = {
     .function = "same",
     .apply = same};
 
-const struct interpolation *const interpolations[] = {
-    &interpolation_nearest, &interpolation_linear, &interpolation_same, NULL};
-
 const struct interpolation *interpolation_named(const char *name)
 {
     for (int i = 0; interpolations[i] != NULL; i++)

@@ -98,8 +98,8 @@ static void create_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
-    for (int i = 0; effects_all[i] != NULL; i++) {
-        const struct effect *const e = effects_all[i];
+    for (int i = 0; effects[i] != NULL; i++) {
+        const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
         case_file_parameters(s, e->keys, numbers, 16);
         sim->effects[sim->n_effects].effect = e;
@@ -113,8 +113,8 @@ static void count_and_create_effects(const struct settings *s,
 {
     int n = 0;
 
-    for (int i = 0; effects_all[i] != NULL; i++)
-        n += settings_has(s, effects_all[i]->keys[0].path);
+    for (int i = 0; effects[i] != NULL; i++)
+        n += settings_has(s, effects[i]->keys[0].path);
     if (n == 0) return;
     sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
     create_effects(s, sim);

@@ -63,12 +63,12 @@ CHOICES(patch, boundary_kinds)
 static int effect(int i, struct model *m)
 {
     for (int k = 0; k <= i; k++)
-        if (effects_all[k] == NULL) return 0;
-    *m = (struct model){.name = effects_all[i]->name,
-                        .what = effects_all[i]->what,
-                        .equations = effects_all[i]->equations,
-                        .function = effects_all[i]->function,
-                        .keys = {effects_all[i]->keys}};
+        if (effects[k] == NULL) return 0;
+    *m = (struct model){.name = effects[i]->name,
+                        .what = effects[i]->what,
+                        .equations = effects[i]->equations,
+                        .function = effects[i]->function,
+                        .keys = {effects[i]->keys}};
     return 1;
 }
 

@@ -102,9 +102,6 @@ const struct drag_law drag_schiller_naumann = {
     .function = "schiller_naumann",
     .resistance = schiller_naumann};
 
-const struct drag_law *const drag_laws[] = {
-    &drag_syamlal_obrien, &drag_gidaspow, &drag_schiller_naumann, NULL};
-
 const struct drag_law *drag_law_named(const char *name)
 {
     for (int i = 0; drag_laws[i] != NULL; i++)

@@ -29,10 +29,6 @@ const struct integrator integrators_heun = {
     .function = "integrators_correct",
     .predicts = 1};
 
-const struct integrator *const integrators[] = {&integrators_velocity_verlet,
-                                                &integrators_symplectic_euler,
-                                                &integrators_heun, NULL};
-
 const struct integrator *integrators_named(const char *name)
 {
     for (int i = 0; integrators[i] != NULL; i++)

@@ -91,10 +91,6 @@ const struct convection_scheme convection_van_leer = {
     .owner_weights = weights_upwind,
     .deferred = beyond_van_leer};
 
-const struct convection_scheme *const convection_schemes[] = {
-    &convection_upwind,        &convection_linear,   &convection_blended,
-    &convection_second_upwind, &convection_van_leer, NULL};
-
 const struct convection_scheme *convection_scheme_named(const char *name)
 {
     for (int i = 0; convection_schemes[i] != NULL; i++)

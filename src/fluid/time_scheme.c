@@ -35,9 +35,6 @@ const struct time_scheme time_scheme_bdf2 = {
     .time_levels = 2,
     .weights = weights_bdf2};
 
-const struct time_scheme *const time_schemes[] = {&time_scheme_euler,
-                                                  &time_scheme_bdf2, NULL};
-
 const struct time_scheme *time_scheme_named(const char *name)
 {
     for (int i = 0; time_schemes[i] != NULL; i++)

@@ -111,9 +111,6 @@ const struct velocity_gradient_scheme velocity_gradient_least_squares = {
     .function = "least_squares",
     .fill = least_squares};
 
-const struct velocity_gradient_scheme *const velocity_gradient_schemes[] = {
-    &velocity_gradient_gauss, &velocity_gradient_least_squares, NULL};
-
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name)
 {

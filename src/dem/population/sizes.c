@@ -21,10 +21,6 @@ const struct key sizes_by_keys[] = {{"particles.sizes.by", KEY_NAME, "",
                                      "what the shares are parts of", "", ""},
                                     KEY_END};
 
-const struct sizes_law *const sizes_laws[] = {&sizes_uniform,   &sizes_normal,
-                                              &sizes_lognormal, &sizes_discrete,
-                                              &sizes_table,     NULL};
-
 const struct sizes_law *sizes_law_named(const char *name)
 {
     for (int i = 0; sizes_laws[i] != NULL; i++)
