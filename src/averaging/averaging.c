@@ -54,8 +54,8 @@ static struct averaging_options completed(const struct averaging_options *o)
 {
     struct averaging_options full = *o;
 
-    if (full.scheme == NULL) full.scheme = diffusion_schemes[0].name;
-    if (full.vary == NULL) full.vary = bandwidth_rules[0].name;
+    if (full.scheme == NULL) full.scheme = diffusion_schemes[0]->name;
+    if (full.vary == NULL) full.vary = bandwidth_rules[0]->name;
     if (full.steps == 0) full.steps = 3;
     if (full.tolerance == 0.0) full.tolerance = 1e-6;
     if (full.fields == 0) full.fields = 8;

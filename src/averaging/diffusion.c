@@ -229,8 +229,8 @@ static const struct scheme *scheme_named(const char *name)
 
 static int is_a_rule(const char *name)
 {
-    for (int i = 0; bandwidth_rules[i].name != NULL; i++)
-        if (strcmp(bandwidth_rules[i].name, name) == 0) return 1;
+    for (int i = 0; bandwidth_rules[i] != NULL; i++)
+        if (strcmp(bandwidth_rules[i]->name, name) == 0) return 1;
     return 0;
 }
 

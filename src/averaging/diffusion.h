@@ -26,8 +26,8 @@
 
 extern const struct averaging_method diffusion_method;
 
-/* The schemes, ended by one without a name; the first is the default. */
-extern const struct model diffusion_schemes[];
+/* The schemes, ended by NULL; the first is the default. */
+extern const struct model *const diffusion_schemes[];
 
 /* The keys that the method reads besides the bandwidth. */
 extern const struct key diffusion_keys[];

@@ -29,28 +29,40 @@ static const struct key steps_keys[] = {
      "steps of the diffusion in pseudo-time", "SX15 5", ""},
     KEY_END};
 
-const struct model diffusion_schemes[] = {
-    {.name = "exponential",
-     .what = "the matrix exponential; no steps",
-     .equations = "",
-     .function = "apply_exponential"},
-    {.name = "series",
-     .what = "the same, always by its series",
-     .equations = "",
-     .function = "chebyshev_apply"},
-    {.name = "crank-nicolson",
-     .what = "second order; undershoots if the steps are few",
-     .equations = "SX15 5",
-     .function = "theta_step",
-     .keys = {steps_keys}},
-    {.name = "implicit-euler",
-     .what = "first order; never undershoots",
-     .equations = "",
-     .function = "theta_step",
-     .keys = {steps_keys}},
-    {.name = "sdirk2",
-     .what = "second order, L-stable; undershoots little",
-     .equations = "",
-     .function = "sdirk2_step",
-     .keys = {steps_keys}},
-    {.name = NULL}};
+const struct model diffusion_exponential = {
+    .name = "exponential",
+    .what = "the matrix exponential; no steps",
+    .equations = "",
+    .function = "apply_exponential",
+};
+
+const struct model diffusion_series = {
+    .name = "series",
+    .what = "the same, always by its series",
+    .equations = "",
+    .function = "chebyshev_apply",
+};
+
+const struct model diffusion_crank_nicolson = {
+    .name = "crank-nicolson",
+    .what = "second order; undershoots if the steps are few",
+    .equations = "SX15 5",
+    .function = "theta_step",
+    .keys = {steps_keys},
+};
+
+const struct model diffusion_implicit_euler = {
+    .name = "implicit-euler",
+    .what = "first order; never undershoots",
+    .equations = "",
+    .function = "theta_step",
+    .keys = {steps_keys},
+};
+
+const struct model diffusion_sdirk2 = {
+    .name = "sdirk2",
+    .what = "second order, L-stable; undershoots little",
+    .equations = "",
+    .function = "sdirk2_step",
+    .keys = {steps_keys},
+};

@@ -111,21 +111,24 @@ const struct interpolation interpolation_nearest = {
     .what = "the value of the host cell",
     .equations = "XS11 3.1",
     .function = "nearest",
-    .apply = nearest};
+    .apply = nearest,
+};
 
 const struct interpolation interpolation_linear = {
     .name = "linear",
     .what = "value and Gauss gradient of the host cell",
     .equations = "Gauss",
     .function = "linear",
-    .apply = linear};
+    .apply = linear,
+};
 
 const struct interpolation interpolation_same = {
     .name = "same",
     .what = "weighed as the averaging does",
     .equations = "XS11 3.9",
     .function = "same",
-    .apply = same};
+    .apply = same,
+};
 
 const struct interpolation *interpolation_named(const char *name)
 {

@@ -29,35 +29,25 @@
         return 1;                                                              \
     }
 
-/* The i-th row of a table of choices, which ends with one without a name. */
-#define CHOICES(kind, table)                                                   \
-    static int kind(int i, struct model *m)                                    \
-    {                                                                          \
-        for (int k = 0; k <= i; k++)                                           \
-            if (table[k].name == NULL) return 0;                               \
-        *m = table[i];                                                         \
-        return 1;                                                              \
-    }
-
 DESCRIPTORS(contact, contact_laws)
 DESCRIPTORS(integrator, integrators)
-CHOICES(list, dem_options_lists)
+DESCRIPTORS(list, dem_options_lists)
 DESCRIPTORS(sizes, sizes_laws)
-CHOICES(surface, surface_shapes)
+DESCRIPTORS(surface, surface_shapes)
 DESCRIPTORS(averaging, averaging_methods)
-CHOICES(scheme, diffusion_schemes)
-CHOICES(variation, bandwidth_rules)
+DESCRIPTORS(scheme, diffusion_schemes)
+DESCRIPTORS(variation, bandwidth_rules)
 DESCRIPTORS(interpolation, interpolations)
 DESCRIPTORS(drag, drag_laws)
-CHOICES(treatment, coupling_treatments)
-CHOICES(slip_integration, coupling_slip_integrations)
-CHOICES(form, coupling_forms)
-CHOICES(direction, coupling_directions)
+DESCRIPTORS(treatment, coupling_treatments)
+DESCRIPTORS(slip_integration, coupling_slip_integrations)
+DESCRIPTORS(form, coupling_forms)
+DESCRIPTORS(direction, coupling_directions)
 DESCRIPTORS(time_scheme, time_schemes)
 DESCRIPTORS(convection, convection_schemes)
 DESCRIPTORS(gradient, velocity_gradient_schemes)
-CHOICES(continuity, fluid_continuity_forms)
-CHOICES(patch, boundary_kinds)
+DESCRIPTORS(continuity, fluid_continuity_forms)
+DESCRIPTORS(patch, boundary_kinds)
 
 /* The keys of an effect are a table of its own. */
 static int effect(int i, struct model *m)
@@ -163,9 +153,9 @@ void models_words(const struct key *key, char *text, size_t room)
         }
 }
 
-int models_value(const struct model *choices, const char *name)
+int models_value(const struct model *const *choices, const char *name)
 {
-    while (strcmp(choices->name, name) != 0)
+    while (strcmp((*choices)->name, name) != 0)
         choices++;
-    return choices->value;
+    return (*choices)->value;
 }

@@ -37,7 +37,7 @@ int models_reads(const struct model *m, const char *path);
  * those without keys, which a case writes as a word. */
 void models_words(const struct key *key, char *text, size_t room);
 
-/* The value of the choice of that name, which is in the table. */
-int models_value(const struct model *choices, const char *name);
+/* The value of the choice of that name, which is in the list. */
+int models_value(const struct model *const *choices, const char *name);
 
 #endif

@@ -34,12 +34,12 @@ enum slip_integration { SLIP_INTEGRATION_FROZEN, SLIP_INTEGRATION_EXPONENTIAL };
 
 /* What a case can choose of these, of the form of the fluid's equation, whose
  * value is 1 if it keeps its share of the pressure gradient only (A), and of
- * the direction of the coupling, whose value is two_way. Each is ended by a row
- * without a name. */
-extern const struct model coupling_treatments[];
-extern const struct model coupling_slip_integrations[];
-extern const struct model coupling_forms[];
-extern const struct model coupling_directions[];
+ * the direction of the coupling, whose value is two_way. Each is ended by
+ * NULL. */
+extern const struct model *const coupling_treatments[];
+extern const struct model *const coupling_slip_integrations[];
+extern const struct model *const coupling_forms[];
+extern const struct model *const coupling_directions[];
 
 struct coupling_options {
     const struct drag_law *law;

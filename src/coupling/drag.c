@@ -47,7 +47,8 @@ const struct drag_law drag_syamlal_obrien = {
     .what = "settling data of suspensions; the law of XS11 and SX15",
     .equations = "XS11 2.11-2.14",
     .function = "syamlal_obrien",
-    .resistance = syamlal_obrien};
+    .resistance = syamlal_obrien,
+};
 
 /* C_d Re / 24, the correction to Stokes' law [LS 5.13, 5.26]. Schiller and
  * Naumann to Re = 1000, Newton's constant 0.44 beyond. */
@@ -82,7 +83,8 @@ const struct drag_law drag_gidaspow = {
     .what = "Ergun's packed bed below eps_f = 0.8, Wen and Yu above",
     .equations = "LS 5.25-5.27",
     .function = "gidaspow",
-    .resistance = gidaspow};
+    .resistance = gidaspow,
+};
 
 /* One sphere alone [LS 5.2]: eps_f does not matter. 3 pi mu d phi over V. */
 static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
@@ -100,7 +102,8 @@ const struct drag_law drag_schiller_naumann = {
     .what = "one sphere in an unbounded stream, neighbours ignored",
     .equations = "LS 5.2, 5.13",
     .function = "schiller_naumann",
-    .resistance = schiller_naumann};
+    .resistance = schiller_naumann,
+};
 
 const struct drag_law *drag_law_named(const char *name)
 {

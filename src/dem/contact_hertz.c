@@ -109,4 +109,5 @@ const struct contact_law contact_hertz = {
     .duration = duration,
     .wave_time = wave_time,
     .stored = 0.4,
-    .sweep = SWEEP_LOOPS_TABLE};
+    .sweep = SWEEP_LOOPS_TABLE,
+};

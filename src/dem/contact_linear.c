@@ -84,13 +84,15 @@ static const struct key spring_keys[] = {
      "tangential spring over k; left out: the smaller one", "LS 4.8", ""},
     KEY_END};
 
-const struct contact_law contact_linear = {.name = "linear",
-                                           .what = "spring and dashpot",
-                                           .equations = "LS 4.4, 4.8",
-                                           .function = "contact_linear_force",
-                                           .keys = {spring_keys},
-                                           .constants = constants,
-                                           .duration = duration,
-                                           .wave_time = wave_time,
-                                           .stored = 0.5,
-                                           .sweep = SWEEP_LOOPS_TABLE};
+const struct contact_law contact_linear = {
+    .name = "linear",
+    .what = "spring and dashpot",
+    .equations = "LS 4.4, 4.8",
+    .function = "contact_linear_force",
+    .keys = {spring_keys},
+    .constants = constants,
+    .duration = duration,
+    .wave_time = wave_time,
+    .stored = 0.5,
+    .sweep = SWEEP_LOOPS_TABLE,
+};

@@ -9,16 +9,19 @@ static const struct key skin_keys[] = {
      "margin of the neighbour list beyond touching", "LS 5.15", ""},
     KEY_END};
 
-const struct model dem_options_lists[] = {
-    {.name = "verlet",
-     .what = "pairs up to a skin apart, kept until they have moved it",
-     .equations = "LS 5.15, 5.16",
-     .function = "neighbours_refresh",
-     .keys = {skin_keys},
-     .value = 0},
-    {.name = "link-cells",
-     .what = "pairs of neighbouring cells, sought in each step",
-     .equations = "LS section 5.2.2",
-     .function = "grid_find",
-     .value = 1},
-    {.name = NULL}};
+const struct model dem_options_verlet = {
+    .name = "verlet",
+    .what = "pairs up to a skin apart, kept until they have moved it",
+    .equations = "LS 5.15, 5.16",
+    .function = "neighbours_refresh",
+    .keys = {skin_keys},
+    .value = 0,
+};
+
+const struct model dem_options_link_cells = {
+    .name = "link-cells",
+    .what = "pairs of neighbouring cells, sought in each step",
+    .equations = "LS section 5.2.2",
+    .function = "grid_find",
+    .value = 1,
+};

@@ -12,9 +12,8 @@
 #include "dem/materials.h"
 #include "dem/surfaces/surface.h"
 
-/* Ways to find the pairs; the value is link_cells. Ended by one without a name.
- */
-extern const struct model dem_options_lists[];
+/* Ways to find the pairs; the value is link_cells. Ended by NULL. */
+extern const struct model *const dem_options_lists[];
 
 struct dem_options {
     const struct contact_law *law;

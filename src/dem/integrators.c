@@ -13,21 +13,24 @@ const struct integrator integrators_velocity_verlet = {
     .equations = "LS section 4.2",
     .function = "bodies_advance",
     .first = 0.5,
-    .last = 0.5};
+    .last = 0.5,
+};
 
 const struct integrator integrators_symplectic_euler = {
     .name = "symplectic-euler",
     .what = "first order, never gains energy for long",
     .equations = "LS section 4.2",
     .function = "bodies_advance",
-    .first = 1.0};
+    .first = 1.0,
+};
 
 const struct integrator integrators_heun = {
     .name = "heun",
     .what = "second order, damped or not; gains energy",
     .equations = "LS section 4.2",
     .function = "integrators_correct",
-    .predicts = 1};
+    .predicts = 1,
+};
 
 const struct integrator *integrators_named(const char *name)
 {

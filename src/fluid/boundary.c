@@ -39,33 +39,45 @@ static const struct key outlet_keys[] = {
      "pressure outside, without the weight of the fluid", "", ""},
     KEY_END};
 
-const struct model boundary_kinds[] = {
-    {.name = "no-slip",
-     .what = "the fluid stands still at the wall",
-     .equations = "",
-     .function = "add_wall_face",
-     .value = BOUNDARY_NO_SLIP},
-    {.name = "slip",
-     .what = "no flow through, no friction along",
-     .equations = "",
-     .function = "add_slip_face",
-     .value = BOUNDARY_SLIP},
-    {.name = "inlet",
-     .what = "a superficial velocity, constant or varying in time",
-     .equations = "",
-     .function = "boundary_inlet_velocity",
-     .keys = {inlet_keys},
-     .value = BOUNDARY_INLET},
-    {.name = "wall",
-     .what = "a wall that moves along itself and takes the fluid with it",
-     .equations = "",
-     .function = "add_wall_face",
-     .keys = {wall_keys},
-     .value = BOUNDARY_NO_SLIP},
-    {.name = "outlet",
-     .what = "a pressure outside",
-     .equations = "",
-     .function = "pressure_correct",
-     .keys = {outlet_keys},
-     .value = BOUNDARY_OUTLET},
-    {.name = NULL}};
+const struct model boundary_no_slip = {
+    .name = "no-slip",
+    .what = "the fluid stands still at the wall",
+    .equations = "",
+    .function = "add_wall_face",
+    .value = BOUNDARY_NO_SLIP,
+};
+
+const struct model boundary_slip = {
+    .name = "slip",
+    .what = "no flow through, no friction along",
+    .equations = "",
+    .function = "add_slip_face",
+    .value = BOUNDARY_SLIP,
+};
+
+const struct model boundary_inlet = {
+    .name = "inlet",
+    .what = "a superficial velocity, constant or varying in time",
+    .equations = "",
+    .function = "boundary_inlet_velocity",
+    .keys = {inlet_keys},
+    .value = BOUNDARY_INLET,
+};
+
+const struct model boundary_wall = {
+    .name = "wall",
+    .what = "a wall that moves along itself and takes the fluid with it",
+    .equations = "",
+    .function = "add_wall_face",
+    .keys = {wall_keys},
+    .value = BOUNDARY_NO_SLIP,
+};
+
+const struct model boundary_outlet = {
+    .name = "outlet",
+    .what = "a pressure outside",
+    .equations = "",
+    .function = "pressure_correct",
+    .keys = {outlet_keys},
+    .value = BOUNDARY_OUTLET,
+};

@@ -18,8 +18,8 @@ enum boundary_kind {
 };
 
 /* What a case can write for a side or a patch: a word, or, where there are
- * keys, a group with the first of them. Ended by one without a name. */
-extern const struct model boundary_kinds[];
+ * keys, a group with the first of them. Ended by NULL. */
+extern const struct model *const boundary_kinds[];
 
 struct boundary {
     enum boundary_kind kind;

@@ -18,7 +18,8 @@ const struct convection_scheme convection_upwind = {
     .equations = "XS11",
     .function = "weights_upwind",
     .owner_weights = weights_upwind,
-    .damps = 1};
+    .damps = 1,
+};
 
 static void weights_linear(const struct convection_faces *faces, double *share)
 {
@@ -31,7 +32,8 @@ const struct convection_scheme convection_linear = {
     .what = "second order (central), may overshoot",
     .equations = "XS11",
     .function = "weights_linear",
-    .owner_weights = weights_linear};
+    .owner_weights = weights_linear,
+};
 
 static void weights_blended(const struct convection_faces *faces, double *share)
 {
@@ -53,7 +55,8 @@ const struct convection_scheme convection_blended = {
     .equations = "",
     .function = "weights_blended",
     .keys = {blend_keys},
-    .owner_weights = weights_blended};
+    .owner_weights = weights_blended,
+};
 
 /* Linear extrapolation from C to the face with the gradient in C. */
 static double beyond_second_upwind(double step, double rise, double reach)
@@ -69,7 +72,8 @@ const struct convection_scheme convection_second_upwind = {
     .function = "beyond_second_upwind",
     .keys = {velocity_gradient_keys},
     .owner_weights = weights_upwind,
-    .deferred = beyond_second_upwind};
+    .deferred = beyond_second_upwind,
+};
 
 /* The gradient in C and that of the link limit each other [VanLeer74]: with r =
  * (u_C - u_B) / (u_D - u_C) relative to C, B being as far upstream as D is
@@ -89,7 +93,8 @@ const struct convection_scheme convection_van_leer = {
     .function = "beyond_van_leer",
     .keys = {velocity_gradient_keys},
     .owner_weights = weights_upwind,
-    .deferred = beyond_van_leer};
+    .deferred = beyond_van_leer,
+};
 
 const struct convection_scheme *convection_scheme_named(const char *name)
 {

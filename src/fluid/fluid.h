@@ -31,7 +31,7 @@
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
-extern const struct model fluid_continuity_forms[]; /* ended without a name */
+extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
 struct fluid_options {
     double rho;                     /* [kg/m^3] */

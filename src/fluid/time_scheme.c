@@ -16,7 +16,8 @@ const struct time_scheme time_scheme_euler = {
     .equations = "XS11",
     .function = "weights_euler",
     .time_levels = 1,
-    .weights = weights_euler};
+    .weights = weights_euler,
+};
 
 /* The derivative at the end of the parabola through three time levels. With r =
  * 0 it is that of the line through the last two: the first step is implicit
@@ -33,7 +34,8 @@ const struct time_scheme time_scheme_bdf2 = {
     .equations = "Curtiss52",
     .function = "weights_bdf2",
     .time_levels = 2,
-    .weights = weights_bdf2};
+    .weights = weights_bdf2,
+};
 
 const struct time_scheme *time_scheme_named(const char *name)
 {

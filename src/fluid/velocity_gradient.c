@@ -102,14 +102,16 @@ const struct velocity_gradient_scheme velocity_gradient_gauss = {
     .what = "by the theorem of Gauss; conserves",
     .equations = "",
     .function = "gauss",
-    .fill = gauss};
+    .fill = gauss,
+};
 
 const struct velocity_gradient_scheme velocity_gradient_least_squares = {
     .name = "least-squares",
     .what = "exact for a linear field on any mesh",
     .equations = "",
     .function = "least_squares",
-    .fill = least_squares};
+    .fill = least_squares,
+};
 
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name)

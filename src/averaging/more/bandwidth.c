@@ -17,20 +17,26 @@ struct bandwidth {
     double *D;     /* [-] of each internal face */
 };
 
-const struct model bandwidth_rules[] = {
-    {.name = "uniform",
-     .what = "the same everywhere, but for regions",
-     .equations = "",
-     .function = "bandwidth_create"},
-    {.name = "cells",
-     .what = "less what a cell smears by its width",
-     .equations = "SX15 section 2.2.3",
-     .function = "bandwidth_minus_cell"},
-    {.name = "grains",
-     .what = "as the mean diameter of the grains in a cell",
-     .equations = "SX15 section 2.2.3",
-     .function = "follow_grains"},
-    {.name = NULL}};
+const struct model bandwidth_uniform = {
+    .name = "uniform",
+    .what = "the same everywhere, but for regions",
+    .equations = "",
+    .function = "bandwidth_create",
+};
+
+const struct model bandwidth_cells = {
+    .name = "cells",
+    .what = "less what a cell smears by its width",
+    .equations = "SX15 section 2.2.3",
+    .function = "bandwidth_minus_cell",
+};
+
+const struct model bandwidth_grains = {
+    .name = "grains",
+    .what = "as the mean diameter of the grains in a cell",
+    .equations = "SX15 section 2.2.3",
+    .function = "follow_grains",
+};
 
 static int is_in(const struct averaging_region *r, const double x[3])
 {
@@ -104,7 +110,7 @@ static void find_faces(struct bandwidth *w)
 struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
                                    const struct averaging_options *o)
 {
-    const int uniform = strcmp(o->vary, bandwidth_rules[0].name) == 0;
+    const int uniform = strcmp(o->vary, bandwidth_rules[0]->name) == 0;
 
     if (uniform && o->n_regions == 0) return NULL;
     struct bandwidth *const w = alloc_zeroed(1, sizeof *w);

@@ -27,7 +27,7 @@
 #include "base/model.h"
 
 /* The names for options.vary, ended by NULL; the first is the default: not. */
-extern const struct model bandwidth_rules[];
+extern const struct model *const bandwidth_rules[];
 
 /* D minus the smoothing by a cell of width dx [m], where D = 1 for the
  * bandwidth b [m]: the rule "cells". [-] */

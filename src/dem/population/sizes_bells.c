@@ -126,16 +126,17 @@ static const struct key lognormal_keys[] = {
      "of the 84 % quantile of lognormal to its median", "", ""},
     KEY_END};
 
-const struct sizes_law sizes_normal = {.name = "normal",
-                                       .what =
-                                           "Gauss's bell between two cut-offs",
-                                       .equations = "XS11 section 4.4",
-                                       .function = "normal_quantile",
-                                       .keys = {normal_keys, sizes_range_keys},
-                                       .wrong = normal_wrong,
-                                       .shape = shape_normal,
-                                       .quantile = normal_quantile,
-                                       .moment = normal_moment};
+const struct sizes_law sizes_normal = {
+    .name = "normal",
+    .what = "Gauss's bell between two cut-offs",
+    .equations = "XS11 section 4.4",
+    .function = "normal_quantile",
+    .keys = {normal_keys, sizes_range_keys},
+    .wrong = normal_wrong,
+    .shape = shape_normal,
+    .quantile = normal_quantile,
+    .moment = normal_moment,
+};
 
 const struct sizes_law sizes_lognormal = {
     .name = "lognormal",
@@ -146,4 +147,5 @@ const struct sizes_law sizes_lognormal = {
     .wrong = lognormal_wrong,
     .shape = shape_lognormal,
     .quantile = lognormal_quantile,
-    .moment = lognormal_moment};
+    .moment = lognormal_moment,
+};

@@ -153,7 +153,8 @@ const struct sizes_law sizes_uniform = {
     .wrong = uniform_wrong,
     .shape = shape_uniform,
     .quantile = pieces_quantile,
-    .moment = pieces_moment};
+    .moment = pieces_moment,
+};
 
 const struct sizes_law sizes_discrete = {
     .name = "discrete",
@@ -164,7 +165,8 @@ const struct sizes_law sizes_discrete = {
     .wrong = discrete_wrong,
     .shape = shape_discrete,
     .quantile = pieces_quantile,
-    .moment = pieces_moment};
+    .moment = pieces_moment,
+};
 
 const struct sizes_law sizes_table = {
     .name = "table",
@@ -175,4 +177,5 @@ const struct sizes_law sizes_table = {
     .wrong = table_wrong,
     .shape = shape_table,
     .quantile = pieces_quantile,
-    .moment = pieces_moment};
+    .moment = pieces_moment,
+};

@@ -159,23 +159,29 @@ static const struct key file_keys[] = {
      "length of the file's unit: 1e-3 for millimetres", "", ""},
     KEY_END};
 
-const struct model surface_shapes[] = {
-    {.name = "plane",
-     .what = "its solid behind it, no end",
-     .equations = "",
-     .function = "surface_nearest",
-     .keys = {point_keys, plane_keys},
-     .value = SURFACE_PLANE},
-    {.name = "cylinder",
-     .what = "the particles inside or outside, no ends",
-     .equations = "",
-     .function = "surface_nearest",
-     .keys = {point_keys, cylinder_keys},
-     .value = SURFACE_CYLINDER},
-    {.name = "stl",
-     .what = "triangles from a file; a seam, an edge, a vertex count once",
-     .equations = "LS section 4.3",
-     .function = "surface_contact_points_find",
-     .keys = {point_keys, file_keys},
-     .value = SURFACE_TRIANGLES},
-    {.name = NULL}};
+const struct model surface_plane = {
+    .name = "plane",
+    .what = "its solid behind it, no end",
+    .equations = "",
+    .function = "surface_nearest",
+    .keys = {point_keys, plane_keys},
+    .value = SURFACE_PLANE,
+};
+
+const struct model surface_cylinder = {
+    .name = "cylinder",
+    .what = "the particles inside or outside, no ends",
+    .equations = "",
+    .function = "surface_nearest",
+    .keys = {point_keys, cylinder_keys},
+    .value = SURFACE_CYLINDER,
+};
+
+const struct model surface_stl = {
+    .name = "stl",
+    .what = "triangles from a file; a seam, an edge, a vertex count once",
+    .equations = "LS section 4.3",
+    .function = "surface_contact_points_find",
+    .keys = {point_keys, file_keys},
+    .value = SURFACE_TRIANGLES,
+};

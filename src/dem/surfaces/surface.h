@@ -12,7 +12,7 @@
 #include "dem/surfaces/triangles.h"
 
 enum surface_shape { SURFACE_PLANE, SURFACE_CYLINDER, SURFACE_TRIANGLES };
-extern const struct model surface_shapes[]; /* ended by one without a name */
+extern const struct model *const surface_shapes[]; /* ended by NULL */
 
 struct surface {
     const char *name; /* borrowed */
