@@ -21,6 +21,7 @@
 #define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 extern const struct averaging_method diffusion_method;
@@ -57,8 +58,14 @@ struct diffusion_variation {
 extern const struct diffusion_exponential *const diffusion_exponentials[];
 extern const struct diffusion_variation *const diffusion_variations[];
 
-/* The names of the schemes, ended by NULL; the first is the default. */
-extern const char *const diffusion_schemes[];
+/* Names for options.vary, ended by NULL; the first is the default: uniform. */
+extern const struct model *const bandwidth_rules[];
+
+/* The schemes, ended by NULL; the first is the default. */
+extern const struct model *const diffusion_schemes[];
+
+/* The keys that the method reads besides the bandwidth. */
+extern const struct key diffusion_keys[];
 
 /* [SX15 6]: h = exp(-r^2 / b^2) / (b^2 pi)^(3/2) [1/m^3]. r, b in [m]. */
 double diffusion_kernel(double r, double b);
