@@ -7,6 +7,7 @@
 #include "coupling/drag.h"
 #include "fluid/fluid.h"
 #include "dem/contact_hertz.h"
+#include "dem/dem_method.h"
 #include "dem/integrators.h"
 #include "dem/population/sizes.h"
 
@@ -44,19 +45,19 @@ static int integrator(int i, struct model *m)
     for (int k = 0; k <= i; k++)
         if (all[k].name == NULL) return 0;
     *m = (struct model){all[i].name, all[i].what, all[i].cite, "", ""};
-    m->function = all[i].predicts ? "integrators_correct" : "bodies_advance";
+    m->function = all[i].predicts ? "heun_correct" : "bodies_advance";
     return 1;
 }
 
 static int list(int i, struct model *m)
 {
-    static const struct model table[] = {
-        {"verlet", "pairs up to a skin apart, kept until they have moved it",
-         "LS 5.15, 5.16", "neighbours_refresh", "particles.skin"},
-        {"link-cells", "pairs of neighbouring cells, sought in each step",
-         "LS section 5.2.2", "grid_find", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
+    const struct dem_method *const one = dem_methods[i];
+
+    for (int k = 0; k <= i; k++)
+        if (dem_methods[k] == NULL) return 0;
+    *m = (struct model){one->name, one->what, one->cite, one->function,
+                        one->keys};
+    return 1;
 }
 
 /* The keys of a law of sizes: sizes_laws has their names alone. */

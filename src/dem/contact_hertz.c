@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/contact_hertz.h"
 
-#include "dem/fast/contact_sweep.h"
-
 double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
 {
     return 1.0 / ((1.0 - nu_i * nu_i) / E_i + (1.0 - nu_j * nu_j) / E_j);
@@ -62,25 +60,11 @@ static double duration(const struct material *m, double R_star, double m_star,
     return contact_hertz_time(E_star, R_star, m_star, v);
 }
 
-SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
-                                           double delta, double inverse_R,
-                                           double inverse_m)
-{
-    const double R_star = 1.0 / inverse_R, m_star = 1.0 / inverse_m;
-    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
-    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
-
-    return (struct sweep_response){
-        .elastic = contact_hertz_force(k->normal, R_star, delta),
-        .eta_n = eta,
-        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
-        .eta_t = k->damping_t * eta,
-    };
-}
-
-SWEEP_LOOPS(respond)
-
 const struct contact_law contact_hertz = {
-    "hertz",          "LS 4.7-4.10", "elastic spheres after Hertz and Mindlin",
-    constants,        duration,      0.4,
-    SWEEP_LOOPS_TABLE};
+    "hertz",
+    "LS 4.7-4.10",
+    "elastic spheres after Hertz and Mindlin",
+    constants,
+    duration,
+    0.4,
+    contact_hertz_respond};

@@ -3,8 +3,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "dem/fast/contact_sweep.h"
-
 static const double sticking_mass = 2.0 / 7.0; /* [-] of m*, for a sphere */
 
 double contact_linear_damping(double k, double e, double m_i, double m_j)
@@ -42,24 +40,6 @@ static double duration(const struct material *m, double R_star, double m_star,
     return contact_linear_time(m->stiffness, m->restitution, m_star);
 }
 
-SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
-                                           double delta, double inverse_R,
-                                           double inverse_m)
-{
-    const double eta =
-        contact_linear_dashpot(k->damping_n, k->normal, 1.0 / inverse_m);
-
-    (void)inverse_R;
-    return (struct sweep_response){
-        .elastic = contact_linear_force(k->normal, delta),
-        .eta_n = eta,
-        .k_t = k->tangential,
-        .eta_t = k->damping_t * eta,
-    };
-}
-
-SWEEP_LOOPS(respond)
-
 const struct contact_law contact_linear = {
-    "linear", "LS 4.4, 4.8", "spring and dashpot", constants,
-    duration, 0.5,           SWEEP_LOOPS_TABLE};
+    "linear", "LS 4.4, 4.8", "spring and dashpot",  constants,
+    duration, 0.5,           contact_linear_respond};
