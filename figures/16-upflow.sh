@@ -12,7 +12,7 @@ FNR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^mean_fall_velocity/) c = i; next
 { for (; k < n && t[k + 1] < $1 + 1e-9; ) {
       k++
       if (t[k] > $1 - 1e-9) {
-          d = -$c - v[k]; d = d < 0 ? -d : d; if (d > most) max = d
+          d = -$c - v[k]; d = d < 0 ? -d : d; if (d > most) most = d
           printf "%.2f %.8f %.8f\n", t[k], -$c, v[k]
       }
   } }

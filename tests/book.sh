@@ -163,6 +163,32 @@ printf '$ echo v = 4.42900000001\nv = 4.429\n' >figures/run.txt
 fact last_digits_may_differ 0 "" sh "$tools/transcript.sh" check figures/run.txt
 printf '$ echo v = 4.4291\nv = 4.429\n' >figures/run.txt
 fact other_digits_may_not 1 "+v = 4.4291" sh "$tools/transcript.sh" check figures/run.txt
+printf '#!/bin/sh\nprintf "## one\\n1\\n## two\\n2\\n"\n' >figures/parts.sh
+printf '## all\n$ sh figures/parts.sh\n## one\n0\n## two\n2\n## old\n3\n\n## last\n$ echo 4\n4\n' \
+    >figures/parts.txt
+sh "$tools/transcript.sh" figures/parts.txt >/dev/null 2>&1
+fact parts_that_a_script_prints_are_there_once 0 "2 one two" \
+    sh -c 'echo $(grep -c "## [ot]" figures/parts.txt) $(sed -n "s/^## \([ot]\)/\1/p" figures/parts.txt)'
+fact a_part_of_its_own_stays_below_them 0 "## last" tail -3 figures/parts.txt
+if command -v git >/dev/null; then
+    git_here() { git -c user.name=a -c user.email=a@b "$@" >/dev/null 2>&1; }
+    age() { sh "$tools/transcript.sh" age figures/late.txt; }
+    printf '# slow: 10 s\n$ cat cases/late.cfg\n' >figures/late.txt
+    echo 1 >cases/late.cfg
+    git_here init && git_here add . && git_here commit -m one
+    fact a_slow_transcript_without_its_revision_is_named 0 "that it does not name" age
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    fact a_slow_transcript_tells_its_revision 0 \
+        "# slow, made at $(git rev-parse --short HEAD): 10 s" head -1 figures/late.txt
+    git_here commit -am two
+    age >said
+    fact it_is_not_old_if_nothing_that_it_depends_on_changed 0 "" cmp said /dev/null
+    echo 2 >cases/late.cfg
+    fact it_is_old_if_a_file_that_its_command_names_changed 0 "has changed" age
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+: 10 s" \
+        head -1 figures/late.txt
+fi
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
     sh -c "echo x.html | awk -f '$tools/pages.awk'"

@@ -205,7 +205,7 @@ done
 fact each_file_of_a_run_is_listed of_one_run tiny
 replaced() {
     echo mine >tiny/notes.txt
-    "$winnow" run other.cfg -o tiny --quiet >said 2>&1 || return 1
+    "$winnow" run other.cfg -o tiny >said 2>&1 || return 1
     cat said
     grep -q "tiny: the .* files of an earlier run are replaced" said &&
         files tiny | diff - other.files | grep -q '< notes.txt' && of_one_run tiny

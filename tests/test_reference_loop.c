@@ -66,7 +66,7 @@ START_TEST(the_fast_loop_agrees_with_the_reference_loop)
     for (int k = 0; k < 2; k++) {
         struct dem_options o =
             bed_of(_i % 2, k == 0 ? &fast_verlet : references[_i / 2]);
-        o.integrator = &integrators[_i / 2];
+        o.integrator = integrators[_i / 2];
         ps[k] = thrown();
         struct dem *const dem = dem_create(ps[k], &o);
         ck_assert_int_eq(dem_run(dem, 1500, &r[k]), 0);

@@ -155,6 +155,7 @@ int run_case(const struct settings *s, const struct run_options *o)
     if (report_step(s) != 0) return WRONG;
     struct folder *const folder = folder_take(o->dir); /* before settling */
     if (folder == NULL) return NOT_WRITTEN;
+    if (o->quiet) folder_be_quiet(folder);
     struct simulation *const sim = build(s, folder, &code);
     if (sim != NULL) code = run_simulation(s, sim, folder, o);
     build_free(sim);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 
@@ -23,6 +24,13 @@ double dem_range(const struct dem_options *o)
     for (int k = 0; k < o->n_attractions; k++)
         range = fmax(range, o->attractions[k].range);
     return range;
+}
+
+const struct dem_method *dem_method_named(const char *name)
+{
+    for (int i = 0; dem_methods[i] != NULL; i++)
+        if (strcmp(dem_methods[i]->name, name) == 0) return dem_methods[i];
+    return NULL;
 }
 
 static const struct dem_method *method_of(const struct dem_options *o)
@@ -74,7 +82,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     dem->method = method_of(o);
     dem->deepest = (struct dem_overlap){
         .id = -1, .other = -1, .expected = HUGE_VAL, .most = HUGE_VAL};
-    if (o->integrator == NULL) dem->options.integrator = &integrators[0];
+    if (o->integrator == NULL) dem->options.integrator = integrators[0];
     dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
     if (dem->method->create(dem) == 0) return dem;

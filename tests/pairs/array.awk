@@ -72,7 +72,7 @@ function best_value(k,    v, w, g, most, best) {
         g = gain(k, w)
         if (g <= most) continue
         row[k] = w
-        if (open_end()) { max = g; best = w }
+        if (open_end()) { most = g; best = w }
         row[k] = 0
     }
     return most < 0 ? 0 : best

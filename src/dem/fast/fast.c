@@ -49,9 +49,11 @@ static struct neighbours *create_neighbours(const struct dem *dem)
     if (o->n_surfaces > 0)
         nb->surfaces = surfaces_create(o->surfaces, o->n_surfaces,
                                        &nb->bodies->box, nb->n_chunks);
-    if (o->n_prescribed > 0)
+    if (o->n_prescribed > 0) {
         nb->prescribed =
             prescribed_particles_create(o->prescribed, o->n_prescribed);
+        nb->bodies->own_inverse_mass = alloc_doubles(dem->ps->capacity);
+    }
     return nb;
 }
 
