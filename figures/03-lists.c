@@ -54,7 +54,7 @@ static struct particles *settled(const struct dem_options *o)
 static struct neighbours *lists(struct particles *ps,
                                 const struct dem_options *o)
 {
-    const struct box_domain b = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct box_domain b = box_domain_of(o->lo, o->hi, o->periodic);
     struct neighbours *const nb = neighbours_create(ps, &b);
 
     nb->skin = skin;

@@ -63,4 +63,19 @@ static inline double contact_hertz_damping(double zeta, double S, double m_star)
     return 2.0 * root * zeta * sqrt(S * m_star);
 }
 
+CONTACT_INLINE struct contact_response
+contact_hertz_respond(const struct contact_constants *k, double delta,
+                      double R_star, double m_star)
+{
+    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
+    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
+
+    return (struct contact_response){
+        .elastic = contact_hertz_force(k->normal, R_star, delta),
+        .eta_n = eta,
+        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
+        .eta_t = k->damping_t * eta,
+    };
+}
+
 #endif

@@ -40,6 +40,21 @@ static inline double contact_linear_dashpot(double zeta, double k, double m)
     return 2.0 * zeta * sqrt(k * m);
 }
 
+CONTACT_INLINE struct contact_response
+contact_linear_respond(const struct contact_constants *k, double delta,
+                       double R_star, double m_star)
+{
+    const double eta = contact_linear_dashpot(k->damping_n, k->normal, m_star);
+
+    (void)R_star;
+    return (struct contact_response){
+        .elastic = contact_linear_force(k->normal, delta),
+        .eta_n = eta,
+        .k_t = k->tangential,
+        .eta_t = k->damping_t * eta,
+    };
+}
+
 /* [kg/s] eta of [LS 4.4]. */
 double contact_linear_damping(double k, double e, double m_i, double m_j);
 

@@ -8,7 +8,7 @@
 #define COUPLING_EFFECTS_COHESION_H
 
 #include "coupling/effect.h"
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct effect cohesion_electrostatic;
 extern const struct effect cohesion_van_der_waals;

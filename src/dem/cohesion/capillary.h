@@ -15,7 +15,7 @@
 #ifndef DEM_COHESION_CAPILLARY_H
 #define DEM_COHESION_CAPILLARY_H
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct attraction_law capillary;
 

@@ -8,7 +8,7 @@
 #ifndef DEM_COHESION_ELECTROSTATIC_H
 #define DEM_COHESION_ELECTROSTATIC_H
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct attraction_law electrostatic;
 

@@ -13,7 +13,7 @@
 #ifndef DEM_COHESION_VAN_DER_WAALS_H
 #define DEM_COHESION_VAN_DER_WAALS_H
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct attraction_law van_der_waals;
 

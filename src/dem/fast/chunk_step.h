@@ -9,8 +9,8 @@
 #ifndef DEM_FAST_CHUNK_STEP_H
 #define DEM_FAST_CHUNK_STEP_H
 
-#include "dem/cohesion/attraction.h"
-#include "dem/contact.h"
+#include "dem/attraction.h"
+#include "dem/fast/contact_loops.h"
 #include "dem/fast/neighbours.h"
 
 struct step_parameters {

@@ -13,7 +13,8 @@
 
 #include <stdio.h>
 
-#include "dem/fast/bodies.h"
+#include "dem/box_domain.h"
+#include "dem/particles.h"
 #include "dem/population/placement_region.h"
 #include "dem/population/sizes.h"
 

@@ -9,7 +9,8 @@
 #ifndef DEM_POPULATION_OVERLAPS_H
 #define DEM_POPULATION_OVERLAPS_H
 
-#include "dem/fast/bodies.h"
+#include "dem/box_domain.h"
+#include "dem/particles.h"
 
 /* An overlap of more than this part of the mean diameter of the two is too deep
  * for a start [-]. */

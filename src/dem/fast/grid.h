@@ -6,8 +6,8 @@
  * direction of the box as the slowest index: particles that are close in space
  * are then close in memory.
  */
-#ifndef DEM_GRID_H
-#define DEM_GRID_H
+#ifndef DEM_FAST_GRID_H
+#define DEM_FAST_GRID_H
 
 #include "dem/particles.h"
 #include "dem/fast/chunk.h"
