@@ -14,10 +14,17 @@ OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
-SRC   := $(wildcard src/*/*.c src/*/*/*.c)
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
+# What is built: the rooms' own files, and the folders in them that are named
+# here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
+FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+# Each folder lists its models in models.txt; models.awk joins the lists of what
+# is built into the arrays drag_laws[], averaging_methods[], ...
+MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
+STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
 # All cores, unless make was told how many.
 CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
@@ -44,7 +51,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults cli vtk tools \
+checks: solutions results sanitized pairs facts style faults steps-check cli vtk tools \
         commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -65,6 +72,8 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
+steps-check: $B/winnow $(STEPS)
+	@sh tests/steps.sh $B
 commands: $B/winnow
 	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
@@ -72,6 +81,12 @@ chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
+
+steps: $(STEPS) ## the twelve steps to a fluidized bed: build/steps/01-bounce and on
+$B/steps/%: chapters/steps/%.c
+	@mkdir -p $(@D)
+	@echo "compile $<"
+	@$(CC) -std=c11 -O2 -ffp-contract=off $(WARN) -o $@ $< -lm
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
@@ -109,6 +124,11 @@ $B/%.o: %.c
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = -O1
 $B/tests/bench/%.o: LIGHT =
+$B/src/models.c: $(MODELS) src/models.awk
+	@mkdir -p $(@D)
+	@awk -f src/models.awk $(MODELS) >$@.new && mv $@.new $@
+$B/src/models.o: $B/src/models.c
+	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # The book's table of equations, for `winnow explain KEY`.
 $B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)
@@ -124,7 +144,7 @@ $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
-        cli vtk tools commands faults-slow pairs-slow commands-slow solutions results text pages \
-        validate bench weave book help clean tests always
+        steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow solutions results \
+        text pages validate bench weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* blocks.h -- meshes of bricks, some left out, all moved to where they are
- * wanted: rooms with steps, wedges, tubes. For tests. */
+/* blocks.h -- meshes of bricks, some left out, all mapped to other positions:
+ * boxes with steps, wedges, tubes. For tests. */
 #ifndef BLOCKS_H
 #define BLOCKS_H
 
@@ -13,10 +13,10 @@
 struct blocks {
     int n[3];                      /* bricks, of width 1 before the move */
     int (*there)(const int at[3]); /* or NULL: all of them */
-    void (*move)(double x[3]);     /* or NULL: they stay */
+    void (*move)(double x[3]);     /* or NULL: not moved */
 };
 
-/* How many there are of the first n. */
+/* The number of bricks among the first n. */
 static inline int blocks_count(const struct blocks *b, int n)
 {
     int count = 0;

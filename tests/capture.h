@@ -1,4 +1,4 @@
-/* capture.h -- what a function says on stderr or stdout, for tests. */
+/* capture.h -- the output of a function on stderr or stdout, for tests. */
 #ifndef CAPTURE_H
 #define CAPTURE_H
 
@@ -12,7 +12,7 @@ struct capture {
     FILE *file;
 };
 
-/* From here on the descriptor (1 or 2) writes to a file of our own. */
+/* Redirects the descriptor (1 or 2) to a temporary file. */
 static inline struct capture capture_begin(int descriptor)
 {
     struct capture c = {descriptor, dup(descriptor), tmpfile()};
@@ -22,7 +22,7 @@ static inline struct capture capture_begin(int descriptor)
     return c;
 }
 
-/* Puts things back; text is what was written meanwhile. */
+/* Restores the descriptor; text receives what was written meanwhile. */
 static inline void capture_end(struct capture *c, char text[CAPTURE_TEXT])
 {
     size_t n;

@@ -284,6 +284,19 @@ interrupted() {
 fact interrupted_run_is_code_130 130 "" interrupted
 fact interrupted_run_says_so_in_its_summary 0 interrupted cat long/summary.json
 
+# Four times of output, of which the run has one at its start.
+animated() {
+    "$winnow" run tiny.cfg -o animated --quiet -s output.animation=true \
+        -s output.end=0.012 -s output.every=0.004 >/dev/null 2>&1 || return 1
+    echo "$(tail -n +2 animated/frames/frame_00004.txt | wc -l) spheres," \
+        "$(ls animated/frames | grep -c frame_) frames, $(head -c 3 animated/bed.gif)"
+}
+fact animation_has_a_frame_for_each_time_with_all_spheres 0 \
+    "2 spheres, 4 frames, GIF" animated
+not_animated() { "$winnow" run tiny.cfg -o animated --quiet -s output.end=0.004 && ls animated; }
+animation_is_off() { ! not_animated 2>&1 | grep -E 'frames|gif'; }
+fact without_the_key_there_is_no_animation 0 "" animation_is_off
+
 fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     "Try a smaller particles.step" "$winnow" run tiny.cfg -o lost \
     -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* cloud.h -- meshes of every special kind, with particles in every special
- * place, for the tests of the averaging room. */
+ * place, for the tests of src/averaging. */
 #ifndef CLOUD_H
 #define CLOUD_H
 
@@ -25,7 +25,7 @@ static const struct box_spec cloud_shapes[] = {
 };
 enum { CLOUD_SHAPES = sizeof cloud_shapes / sizeof *cloud_shapes };
 
-/* A number in 0 <= r < 1 from a state that one seeds. */
+/* A random number in 0 <= r < 1 from a seeded state. */
 static inline double cloud_random(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;

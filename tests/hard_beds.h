@@ -1,5 +1,5 @@
-/* hard_beds.h -- scenes that break a careless solver; for test_hard_beds.c
- * and figures/20-hard.c. */
+/* hard_beds.h -- cases that break a careless solver; for test_hard_beds.c and
+ * figures/20-hard.c. */
 #ifndef HARD_SCENES_H
 #define HARD_SCENES_H
 
@@ -10,8 +10,8 @@
 
 enum { HARD_MOST = 14 };
 
-/* Half of the small bed, still moving a little when the scene begins: it takes
- * a quarter of the time of all. */
+/* Half of the small bed, still moving a little when the case begins: settling
+ * takes a quarter of the total time. */
 #define HALF_BED                                                               \
     "mesh.size=[0.008,0.04,0.0015]", "particles.bed.count=150",                \
         "particles.bed.settle=0.08", "particles.step=2e-5"
@@ -19,7 +19,8 @@ enum { HARD_MOST = 14 };
 struct hard {
     const char *name, *file;
     int steps;
-    double fastest; /* [m/s] bound of every particle, with its reason */
+    double fastest; /* [m/s] bound of the speed of every particle, with its
+                       reason */
     int turned;     /* 1: gravity turns round when the bed has settled */
     int capped;     /* 1: cells are cut at a largest eps_s */
     const char *overrides[HARD_MOST];
@@ -34,9 +35,8 @@ static const struct hard hard_scenes[] = {
      0,
      0,
      {"fluid.viscosity=300", "exchange.slip_integration=exponential"}},
-    /* A packed layer below the lid, clear liquid below it: it falls, in
-     * fingers. One grain alone sinks with 0.16 m/s; a finger is some times as
-     * fast. */
+    /* A packed layer below the lid, clear liquid below it: it falls in fingers.
+     * A single grain sinks with 0.16 m/s; a finger is several times as fast. */
     {"a dense plug above clear liquid",
      "cases/small-bed.cfg",
      200,
@@ -47,7 +47,8 @@ static const struct hard hard_scenes[] = {
       "fluid.top=no-slip", "fluid.density=1000", "fluid.viscosity=1e-3",
       "particles.grains.density=2500", "effects.gravity=[0.0,9.81,0.0]",
       "effects.virtual_mass={}", "fluid.step=5e-4"}},
-    /* 1 m/s from one step to the next, below a bed that it lifts. */
+    /* An inlet of 1 m/s is switched on within one step, below a bed that it
+     * lifts. */
     {"an inlet switched on at once",
      "cases/small-bed.cfg",
      100,
@@ -55,7 +56,8 @@ static const struct hard hard_scenes[] = {
      0,
      0,
      {HALF_BED, "mesh.cells=[4,20,1]", "fluid.bottom.inlet=1.0"}},
-    /* 30:1 in a liquid that pushes the small ones along with 0.1 m/s. */
+    /* Diameters of 30:1 in a liquid that carries the small spheres with 0.1
+     * m/s. */
     {"grains of 0.083 mm beside 2.5 mm",
      "cases/one-grain.cfg",
      60,
@@ -79,7 +81,8 @@ static const struct hard hard_scenes[] = {
      0,
      0,
      {"mesh.cells=[1,1,1]", "averaging={method=\"pcm\";}"}},
-    /* A tenth as heavy as the liquid, from rest to its rise, 0.25 m/s. */
+    /* Spheres of a tenth of the liquid's density, from rest to their rising
+     * velocity, 0.25 m/s. */
     {"light spheres rise",
      "cases/closed-box.cfg",
      100,
@@ -100,7 +103,7 @@ static const struct hard hard_scenes[] = {
 };
 enum { HARD_SCENES = sizeof hard_scenes / sizeof *hard_scenes };
 
-/* The scene with this form of continuity; NULL if it cannot be built. */
+/* The case with this form of continuity; NULL if it cannot be built. */
 static inline struct simulation *hard_build(const struct hard *h,
                                             const char *form)
 {

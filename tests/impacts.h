@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* impacts.h -- one sphere meets a rigid plane or another sphere, for the tests
- * of chapter 16 and its figures.
+/* impacts.h -- impacts of one sphere on a rigid plane or another sphere, for
+ * the tests of chapter 16 and its figures.
  *
  * The plane is made rigid by giving the material, which is the plane's too,
  * twice its Young's modulus: then E* = E/(1 - nu^2) and G* = G/(2 - nu), as if
@@ -93,8 +93,8 @@ static inline struct particles *impact_begin(const struct impact *c,
     return ps;
 }
 
-/* After every step the force and the overlap are shown to `seen`, if there is
- * one. */
+/* After every step `seen`, unless NULL, is called with the force and the
+ * overlap. */
 typedef void impact_seen(void *to, double time, double overlap, double force);
 
 static inline struct rebound impact_watch(const struct impact *c,

@@ -20,7 +20,7 @@ struct links {
     double *at;       /* [m] centre of each cell, 3 a cell */
 };
 
-/* A box of nx ny nz cells of size h, x fastest, periodic where asked. */
+/* A box of nx ny nz cells of size h, x fastest, periodic where wanted. */
 static inline struct links links_box(int nx, int ny, int nz, const double h[3],
                                      const int periodic[3])
 {
@@ -66,8 +66,8 @@ static inline void links_free(struct links *b)
     free(b->at);
 }
 
-/* Numbers in [-1, 1] that are the same on every machine, with digits to the
- * last: sums of short numbers would be exact in any order. */
+/* Numbers in [-1, 1] that are the same on every machine and have all their
+ * digits: sums of short numbers would be exact in any order. */
 static inline double noise(unsigned *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;

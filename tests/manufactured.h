@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* manufactured.h -- two flows made for the averaged equations, with walls and a
- * fluid fraction that varies in space and time.  Chapter 19.
+/* manufactured.h -- two manufactured solutions of the averaged equations, with
+ * walls and a fluid fraction that varies in space and time.  Chapter 19.
  *
  * From a vector field W and a stream A of choice, both functions of x and t,
  *
  *   eps = e - div W,   eps u = dW/dt + curl A,   eps_s u_s = -dW/dt
  *
- * meet both forms of continuity to the letter: d eps/dt + div(eps u) = 0, and
- * eps u + eps_s u_s = curl A has no divergence. A pressure and a friction K are
- * chosen too; F is what the momentum equation then lacks,
+ * satisfy both forms of continuity exactly: d eps/dt + div(eps u) = 0, and eps
+ * u + eps_s u_s = curl A has no divergence. A pressure and a friction K are
+ * chosen, too; F is the remainder of the momentum equation,
  *
  *   F = eps rho (du/dt + u . grad u) + gamma grad p - mu lap u + K u,
  *
@@ -67,7 +67,7 @@ static double manufactured_course(const struct manufactured *a, double t)
     return a->steady ? 1.0 : 1.0 + 0.4 * sin(4.0 * t);
 }
 
-/* How far W has gone. */
+/* The amplitude of W at a time. */
 static double manufactured_way(const struct manufactured *a, double t)
 {
     return a->steady ? 0.02 : 0.02 * (1.0 + 0.8 * sin(5.0 * t));
@@ -226,7 +226,8 @@ static void manufactured_force(const struct manufactured *a, const double x[3],
     }
 }
 
-/* What the coupling would write: for the time at the end of a step. */
+/* Sets the fields that the coupling would set, for the time at the end of a
+ * step. */
 static void manufactured_set(const struct manufactured *a, struct fluid *fl,
                              double t)
 {

@@ -1,9 +1,9 @@
-/* plain_contacts.h -- every pair asked, one number after the other.
+/* plain_contacts.h -- the contact loop over all pairs, in scalars.
  *
- * What the contact loop does in lanes, strips and lists is done here in the
+ * What the contact loop does in lanes, chunks and lists is done here in the
  * plainest way: two loops over all particles, a loop over the walls, the
  * formulas of contact.h, sweep_energy.h and sweep_rolling.h as they are
- * printed. Particles are known by their id.
+ * printed. Particles are identified by their id.
  */
 #ifndef PLAIN_CONTACTS_H
 #define PLAIN_CONTACTS_H
@@ -61,8 +61,8 @@ static inline struct plain plain_of(const struct particles *ps,
     return p;
 }
 
-/* Two spheres, or a sphere and the one behind a wall, on their way to a
- * force. */
+/* Two spheres, or a sphere and its image behind a wall, with what their force
+ * depends on. */
 struct plain_meeting {
     double n[3], delta, arm;          /* [-], [m], [-] r / (R_i + R_j) */
     double R_star, m_star, R[2];      /* [m], [kg]; R of a wall is 0 */
@@ -134,7 +134,7 @@ static inline void plain_across(const double a[3], const double n[3],
     vector_along(a, -vector_dot(a, n), n, out);
 }
 
-/* Friction: F_t, and what the budget says of it. */
+/* Friction: F_t, and its part of the energy budget. */
 static inline void plain_slide(struct plain *p, const struct plain_meeting *t,
                                const struct plain_law *l, double F_n,
                                struct plain_spring *s, double dt, double F_t[3])

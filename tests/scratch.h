@@ -1,5 +1,5 @@
-/* scratch.h -- for tests of output: a folder of their own, files read back,
- * and what was said on stderr. */
+/* scratch.h -- for tests of output: a temporary folder, files read back, and
+ * the messages on stderr. */
 #ifndef SCRATCH_H
 #define SCRATCH_H
 
@@ -74,13 +74,13 @@ static inline void scratch_assert_text(const char *path, const char *expected)
     free(text);
 }
 
-/* From here on stderr goes to DIR/said; each test is a process of its own. */
+/* Redirects stderr to DIR/said; each test is a process of its own. */
 static inline void scratch_listen(const char *dir)
 {
     ck_assert_ptr_nonnull(freopen(scratch_path(dir, "said"), "w", stderr));
 }
 
-/* What was said since, to be freed. */
+/* The messages since then, to be freed. */
 static inline char *scratch_heard(const char *dir)
 {
     fflush(stderr);

@@ -11,8 +11,8 @@
 #include "dem/contact_linear.h"
 #include "dem/dem.h"
 
-/* A box from -half to half; a material that forgets neither energy nor lets
- * anything stick, until the test says otherwise. */
+/* A box from -half to half; an elastic material without friction, unless the
+ * test changes it. */
 static inline struct dem_options spheres_options(const struct contact_law *law,
                                                  double step, double half)
 {
@@ -58,21 +58,21 @@ static inline int spheres_place(const struct particles *ps, int id)
     return -1;
 }
 
-/* A number in -1 <= r < 1 from a state that one seeds. */
+/* A random number in -1 <= r < 1 from a seeded state. */
 static inline double spheres_random(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) / 4503599627370496.0 - 1.0;
 }
 
-/* What was seen of one collision. */
+/* The measures of one collision. */
 struct collision {
     double time;    /* [s] in contact, to a step */
     double overlap; /* [-] largest, over the mean diameter */
     double force;   /* [N] largest on particle 0 across direction 0 */
 };
 
-/* One step at a time until all have met and parted. */
+/* Single steps until all contacts have ended. */
 static inline struct collision spheres_collide(struct particles *ps,
                                                const struct dem_options *o)
 {

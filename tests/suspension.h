@@ -1,5 +1,5 @@
-/* suspension.h -- spheres that fly through a fluid, for the tests of the
- * exchange: a periodic cube, put together by hand. */
+/* suspension.h -- spheres that move through a fluid, for the tests of the
+ * coupling: a periodic cube, built without a case file. */
 #ifndef SUSPENSION_H
 #define SUSPENSION_H
 
@@ -15,7 +15,7 @@
 #include "coupling/coupling.h"
 #include "dem/population/population.h"
 
-/* A scene put together by hand: everything that a test wants to vary. */
+/* A simulation built without a case file: all that the tests vary. */
 struct scene {
     const char *averaging, *scheme, *interpolation, *drag;
     enum slip_integration relaxation;
@@ -131,8 +131,8 @@ static inline void create_coupling(struct simulation *sim,
     sim->coupling = coupling_create(sim, &co);
 }
 
-/* Spheres of another size that come with a velocity, and a box that takes out
- * those whose centre is in it. */
+/* Spheres of another size are inserted with a velocity; those with their centre
+ * in a box are removed. */
 static inline void create_life(struct simulation *sim, const struct scene *s,
                                const struct dem_options *o)
 {

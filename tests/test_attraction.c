@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Forces without touching, each against its formula in a motion that one can
- * work out: orbits, falls and what hangs on the ceiling. */
+/* Forces without contact, each against its formula in a motion with a closed
+ * form: orbits, falls and spheres hanging on the ceiling. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -106,7 +106,7 @@ END_TEST
 /* Unlike charges circle around each other: w^2 = k q^2/(mu r^3) with the
  * reduced mass mu. After one turn of 4000 steps they are back where they were
  * within a 1000th of the distance. With 1/l instead of 1/l^2, or m for mu, they
- * would be elsewhere altogether. */
+ * would be far from there. */
 START_TEST(ls_4_13_unlike_charges_circle_as_keplers_planets)
 {
     const double charge[] = {1e-10, -1e-10}, l = 5.0 * d;
@@ -156,8 +156,8 @@ END_TEST
 static const struct attraction sticky = {
     .law = &van_der_waals, .range = 1e-4, .strength = 1e-12, .closest = 1e-6};
 
-/* It attracts, ends at its range, and below the closest gap, also where the
- * spheres overlap, it stays what it is there. */
+/* The force attracts, ends at its range, and is constant below the closest gap,
+ * also where the spheres overlap. */
 START_TEST(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further)
 {
     const double D = van_der_waals_diameter(d, 3.0 * d);
@@ -201,9 +201,9 @@ START_TEST(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well)
 }
 END_TEST
 
-/* A sphere without end is a wall, D_i D_j/(D_i + D_j) -> D_i; and all six
- * walls pull outward. */
-START_TEST(ls_4_14_a_wall_is_a_sphere_without_end)
+/* A sphere of infinite radius is a wall, D_i D_j/(D_i + D_j) -> D_i; and all
+ * six walls pull outward. */
+START_TEST(ls_4_14_a_wall_is_a_sphere_of_infinite_radius)
 {
     const double F = van_der_waals_force(1e-12, d, 1e-5);
 
@@ -256,8 +256,8 @@ START_TEST(ls_4_15_unequal_spheres_tell_the_two_means_apart)
 }
 END_TEST
 
-/* A wet grain hangs under the ceiling: the contact there is pressed by what
- * the bridge pulls more than the grain weighs. A drier one falls. */
+/* A wet grain hangs under the ceiling: the contact force there is the pull of
+ * the bridge less the weight of the grain. A drier one falls. */
 START_TEST(ls_4_15_a_wet_grain_hangs_under_the_ceiling)
 {
     for (int wet = 0; wet < 2; wet++) {
@@ -283,7 +283,7 @@ START_TEST(ls_4_15_a_wet_grain_hangs_under_the_ceiling)
 END_TEST
 
 /* To part, two grains must climb out of a well of depth F times the range: a
- * little slower and they swing back, a little faster and they are gone. */
+ * little slower and they return, a little faster and they separate. */
 START_TEST(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge)
 {
     const double range = 2e-4;
@@ -354,9 +354,9 @@ START_TEST(attractions_have_the_same_bits_for_any_number_of_threads)
 }
 END_TEST
 
-/* A longer list must find no other pair: only the order of sums differs. A
- * range that the list does not hold would change the places by 1e-6 m. */
-START_TEST(attractions_do_not_know_the_skin)
+/* A longer list must give the same pairs: only the order of sums differs. Pairs
+ * within the range that the list lacks would change positions by 1e-6 m. */
+START_TEST(attractions_do_not_depend_on_the_skin)
 {
     struct particles *const a = cloud(1, 0.0, 0), *const b = cloud(1, 5e-4, 0);
 
@@ -370,8 +370,8 @@ START_TEST(attractions_do_not_know_the_skin)
 }
 END_TEST
 
-/* Half of a pair on either side of the seam feels the other as in the middle,
- * as far as places differ by rounding. */
+/* A pair across a periodic end has the same force as in the middle of the box,
+ * up to the rounding of positions. */
 START_TEST(attractions_reach_through_the_seam)
 {
     double F[2];
@@ -420,13 +420,13 @@ FACTS("attraction")
     FACT(ls_4_14_van_der_waals_by_hand);
     FACT(ls_4_14_the_force_grows_to_the_closest_gap_and_no_further);
     FACT(ls_4_14_two_spheres_fall_together_with_the_energy_of_their_well);
-    FACT(ls_4_14_a_wall_is_a_sphere_without_end);
+    FACT(ls_4_14_a_wall_is_a_sphere_of_infinite_radius);
     FACT(ls_4_15_a_bridge_of_water_by_hand);
     FACT(ls_4_15_unequal_spheres_tell_the_two_means_apart);
     FACT(ls_4_15_a_wet_grain_hangs_under_the_ceiling);
     FACT(ls_4_15_two_wet_grains_part_with_the_work_of_the_bridge);
     FACT(attractions_have_the_same_bits_for_any_number_of_threads);
-    FACT(attractions_do_not_know_the_skin);
+    FACT(attractions_do_not_depend_on_the_skin);
     FACT(attractions_reach_through_the_seam);
     FACT(attractions_keep_the_momentum_of_a_periodic_box);
 }

@@ -12,7 +12,7 @@
 
 enum { N = 150, M = 8 };
 
-/* What a way of averaging is known to do. */
+/* Known properties of an averaging method. */
 enum {
     POSITIVE = 1, /* cannot undershoot, at most by what its tolerance leaves;
                      Crank-Nicolson and SDIRK with 3 steps may here */
@@ -20,11 +20,11 @@ enum {
     MOVES = 4     /* follows the particles when they move by a cell */
 };
 
-/* All of space above this x has a bandwidth of its own. */
+/* The region above this x has another bandwidth. */
 static const struct averaging_region half = {
     {0.3, -9.0, -9.0}, {9.0, 9.0, 9.0}, 0.1};
 
-/* Every way of averaging that a case can choose. A bandwidth of 0.25 makes a
+/* Every averaging method that a case can choose. A bandwidth of 0.25 makes a
  * second grid that fits none of the meshes, and 0.03 reaches no cell centre. */
 static const struct {
     const char *method;
@@ -69,7 +69,7 @@ static const struct {
 };
 enum { WAYS = sizeof ways / sizeof *ways, ALL = WAYS * CLOUD_SHAPES };
 
-/* A mesh, a cloud in it, a way of averaging, and room for M fields. */
+/* A mesh, a cloud in it, an averaging method, and M fields. */
 struct scene {
     struct mesh *mesh;
     struct particles *ps;
@@ -126,8 +126,8 @@ static double lost_share(const struct scene *s, int k)
 }
 
 /* Rounding of some hundred terms of mixed sign is below 1e-14 of their sum of
- * sizes; a particle forgotten at a wall would be 1/150. The capped pcm loses
- * nothing either: the caller cuts the volumes, if they are to be cut. */
+ * sizes; a particle missing at a wall would be 1/150. The capped pcm conserves
+ * the sum, too: the caller reduces the volumes if they are to be reduced. */
 static void check_conserved(int i, int first, int last)
 {
     struct scene s = scene_of(i % WAYS, i / WAYS, N);
@@ -246,7 +246,7 @@ static void spread_and_gather(struct scene *s, int threads, double *f,
     omp_set_num_threads(1);
 }
 
-/* As many cells and particles as it takes for a second thread to be asked. */
+/* Enough cells and particles for a second thread to be used. */
 START_TEST(one_thread_and_two_give_the_same_bits)
 {
     enum { MANY = 1500 };
@@ -294,8 +294,8 @@ static double largest_difference(int rows, int m, const double *wide,
     return worst;
 }
 
-/* How many fields lie side by side is a matter of speed, not of results. Of
- * order 1 / V = 1000; CG stops when the last field has converged, hence its
+/* The number of interleaved fields must not change the results, only the speed.
+ * Of order 1 / V = 1000; CG stops when the last field has converged, hence its
  * tolerance. */
 START_TEST(fewer_fields_side_by_side_give_the_same)
 {

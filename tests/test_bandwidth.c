@@ -61,8 +61,8 @@ static double spread_around(const struct row *r, double x, int first, int last)
 
 /* Along x the Gaussian has the mean square b^2 / 2, and the mesh keeps it. With
  * "cells", b^2 / 2 - 1/6, which the two times 1/12 of a cell of 1 make good: a
- * grain is anywhere in its host, and a value stands for all of its cell. */
-START_TEST(what_the_cells_smear_is_taken_off)
+ * grain may be anywhere in its cell, and a value represents all of its cell. */
+START_TEST(the_variance_of_the_cells_is_subtracted)
 {
     const int cell = 50;
     const double d = 0.1;
@@ -121,9 +121,9 @@ START_TEST(a_region_has_its_own_bandwidth)
 END_TEST
 
 /* Grains of 1 and 3 mm, as much volume of each: the mean diameter is 2 mm,
- * their bandwidths b / 2 and 3 b / 2. Only the hosts differ in D here, and so
- * not the blobs but the flux out of the hosts tells: after a short time each
- * host has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
+ * their bandwidths b / 2 and 3 b / 2. Only the cells with a grain differ in D
+ * here, and so the test measures the flux out of these: after a short time each
+ * has lost 2 T D, with D = 2 P / (P + 1) of the faces to empty cells. */
 START_TEST(the_bandwidth_follows_the_diameter)
 {
     int cell[28];
@@ -198,7 +198,7 @@ START_TEST(grains_of_one_size_have_one_bandwidth)
 END_TEST
 
 /* A bed has grown larger grains since the series was made. */
-START_TEST(a_larger_grain_than_all_before_is_no_harm)
+START_TEST(a_grain_larger_than_all_before_is_averaged)
 {
     static const int cell[] = {10, 20, 30};
     double d[] = {1e-3, 1e-3, 1e-3};
@@ -223,7 +223,8 @@ END_TEST
 /* What depends on the widths of cells alone goes by directions in a box, and is
  * what the series makes of all of it at once; some links of these boxes are too
  * long to be crossed. */
-START_TEST(by_directions_the_cells_are_taken_off_as_by_the_series)
+START_TEST(
+    by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[_i / 2]);
     struct particles *const ps = cloud_create(m, 60);
@@ -257,13 +258,14 @@ END_TEST
 
 FACTS("bandwidth")
 {
-    FACT(what_the_cells_smear_is_taken_off);
+    FACT(the_variance_of_the_cells_is_subtracted);
     FACT(in_cells_too_large_it_is_pcm);
     FACT(a_region_has_its_own_bandwidth);
     FACT(the_bandwidth_follows_the_diameter);
     FACT_FOR_EACH(no_cell_has_more_than_the_largest_bandwidth, 2);
     FACT(grains_of_one_size_have_one_bandwidth);
-    FACT(a_larger_grain_than_all_before_is_no_harm);
-    FACT_FOR_EACH(by_directions_the_cells_are_taken_off_as_by_the_series,
-                  2 * CLOUD_SHAPES);
+    FACT(a_grain_larger_than_all_before_is_averaged);
+    FACT_FOR_EACH(
+        by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series,
+        2 * CLOUD_SHAPES);
 }

@@ -9,8 +9,8 @@
 
 enum { TEAM = 3, ROUNDS = 1000 };
 
-/* Each writes its round, and sees that of the others after the barrier; the
- * second keeps them from going on before all have looked. */
+/* Each thread writes its round and reads that of the others after the barrier;
+ * the second barrier holds them until all have read. */
 START_TEST(no_thread_passes_the_barrier_before_all_have_arrived)
 {
     struct barrier *const b = barrier_create();
@@ -29,8 +29,9 @@ START_TEST(no_thread_passes_the_barrier_before_all_have_arrived)
 }
 END_TEST
 
-/* One comes 50 ms late, five times. The other's processor time [s] is what it
- * looked around for, five times 0.2 ms, and not the quarter of a second. */
+/* One thread arrives 50 ms late, five times. The processor time of the other
+ * [s] is that of its spinning, five times 0.2 ms, and not the quarter of a
+ * second. */
 START_TEST(a_thread_that_waits_long_sleeps)
 {
     const struct timespec late = {0, 50000000};

@@ -12,7 +12,7 @@
 #include "facts.h"
 #include "capture.h"
 
-/* A file of our own, that is not there yet. */
+/* A temporary file that does not exist yet. */
 static void temporary(char path[64])
 {
     snprintf(path, 64, "/tmp/winnow-test-bed-%ld", (long)getpid());
@@ -87,9 +87,9 @@ START_TEST(bed_settles_to_a_poured_packing)
 }
 END_TEST
 
-/* 0.01 s of the real motion: the floor carries the weight, nobody rises. The
- * springs are there from the first step: without them the grains move by 5e-7 m
- * on average, with them by 8e-8 m. */
+/* 0.01 s of the real motion: the floor carries the weight, and no particle
+ * rises. The tangential displacements exist from the first step: without them
+ * the grains move by 5e-7 m on average, with them by 8e-8 m. */
 START_TEST(bed_stays_at_rest_when_the_run_begins)
 {
     char path[64];
@@ -232,7 +232,7 @@ static void spoil(const char *path, const char *line, int k, const char *word)
 }
 
 /* Two spheres, so that particle 0 is on line 19, and particle 1 after it. */
-START_TEST(bed_file_with_what_no_bed_has_is_refused_by_its_line)
+START_TEST(impossible_bed_file_is_refused_with_its_line)
 {
     static const struct {
         const char *line;
@@ -301,10 +301,10 @@ static struct sizes *two_sizes(void)
     return sizes_create(&o);
 }
 
-/* At rest under their own weights with their own masses: what the small ones
- * borrowed is given back, also to those that were sorted elsewhere. The weight
- * of what they borrowed would be 18 % too much; a bed just settled still
- * trembles, which is up to 7 %. */
+/* At rest under their own weights with their own masses: the mass added to the
+ * small ones for settling is removed again, also after sorting. The weight
+ * would otherwise be 18 % too large; a bed just settled still oscillates by up
+ * to 7 %. */
 START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
 {
     struct sizes *const sizes = two_sizes();
@@ -359,7 +359,7 @@ START_TEST(bed_of_other_sizes_is_refused)
 }
 END_TEST
 
-/* In 2D, in any direction, and with nobody in it. */
+/* In 2D, in any direction, and without particles. */
 START_TEST(lattice_begins_where_gravity_points)
 {
     struct bed_options bed = small_bed();
@@ -392,7 +392,7 @@ FACTS("bed")
     FACT(bed_from_its_file_goes_on_bit_for_bit);
     FACT(bed_of_another_case_is_refused);
     FACT(half_a_bed_is_refused);
-    FACT_FOR_EACH(bed_file_with_what_no_bed_has_is_refused_by_its_line, 15);
+    FACT_FOR_EACH(impossible_bed_file_is_refused_with_its_line, 15);
     FACT(bed_that_does_not_fit_is_refused);
     FACT(bed_of_two_sizes_settles_and_each_has_its_mass);
     FACT(bed_of_other_sizes_is_refused);

@@ -137,7 +137,7 @@ END_TEST
 /* --- inlets and outlets ------------------------------------------------- */
 
 /* Against Simpson's rule, which is exact for a parabola. */
-START_TEST(the_stretches_of_a_parabola_have_its_mean)
+START_TEST(the_pieces_of_a_parabola_have_its_mean)
 {
     const double x[] = {0.0, 0.1, 0.35, 0.8, 1.0};
     double sum = 0.0;
@@ -190,8 +190,8 @@ START_TEST(a_parabola_at_the_inlet_is_poiseuille_flow_at_once)
 }
 END_TEST
 
-/* A pair of vortices is carried through the outlet: fluid comes back in there,
- * it is counted, and the kinetic energy only falls. */
+/* A pair of vortices is carried through the outlet: fluid flows back in there,
+ * which is counted, and the kinetic energy only decreases. */
 START_TEST(a_vortex_leaves_through_an_outlet)
 {
     struct boundary b[6] = {{.kind = BOUNDARY_INLET,
@@ -243,8 +243,8 @@ END_TEST
 
 /* --- a flow round a periodic box ---------------------------------------- */
 
-/* u = G y (y - h) / (2 mu): in the mean -G h^2 / (12 mu). A mean flow that is
- * asked for is there after every step; its gradient comes to the same. */
+/* u = G y (y - h) / (2 mu): in the mean -G h^2 / (12 mu). A prescribed mean
+ * flow is reached in every step; its gradient is the same. */
 START_TEST(a_mean_gradient_and_the_mean_flow_that_is_kept_agree)
 {
     const struct boundary b[2] = {{.kind = BOUNDARY_NO_SLIP},
@@ -310,7 +310,7 @@ FACTS("boundary")
     tcase_set_timeout(facts, 60.0);
     FACT(couette_flow_under_a_moving_wall_is_exact);
     FACT_FOR_EACH(a_turned_box_has_the_turned_flow, 2);
-    FACT(the_stretches_of_a_parabola_have_its_mean);
+    FACT(the_pieces_of_a_parabola_have_its_mean);
     FACT(a_parabola_at_the_inlet_is_poiseuille_flow_at_once);
     FACT_FOR_EACH(a_vortex_leaves_through_an_outlet, 4);
     FACT(a_mean_gradient_and_the_mean_flow_that_is_kept_agree);

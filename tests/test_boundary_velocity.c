@@ -29,7 +29,7 @@ static void fill_boundaries(const struct mesh *m, struct boundary b[6])
 }
 
 /* u = (1, 2, 4) in all cells; the inlet's flux is 0.9 a square metre, and the
- * fluid has 0.6 of the room: 1.5 m/s. */
+ * fluid fraction is 0.6: 1.5 m/s. */
 START_TEST(each_kind_of_side_has_its_velocity)
 {
     const struct box_spec spec = {

@@ -143,13 +143,27 @@ START_TEST(cells_are_of_a_size_that_can_be_computed)
 {
     refused("mesh.grading=[1.0,1e-12,1.0]",
             "the widest cell is 1e+12 times the narrowest in y; at most 1e+06");
-    refused("mesh.grading=[1.0,1e-300,1.0]", "times the narrowest in y");
-    refused("mesh.size=[1e300,1e300,1e300]", "the cells have inf to inf m^3");
-    refused("mesh.size=[1e-60,1.0,1.0]", "expected between 1e-60 and 1e+60");
+    refused("mesh.grading=[1.0,1e-300,1.0]", "between 1e-30 and 1e+30 [-]");
+    refused("mesh.size=[1e300,1e300,1e300]", "between 1e-12 and 1e+12 [m]");
+    refused("mesh.size=[1e-60,1.0,1.0]", "between 1e-12 and 1e+12 [m]");
 }
 END_TEST
 
-START_TEST(sink_without_a_side_asks_for_a_region)
+/* Half of the smallest double has no square and no reciprocal. */
+START_TEST(numbers_have_magnitudes_that_their_units_can_have)
+{
+    refused("particles.bed.diameter=4.9e-324",
+            "particles.bed.diameter: expected 0 or a magnitude between 1e-12 "
+            "and 1e+12 [m], found 4.94066e-324");
+    refused("fluid.bottom.inlet=4.9e-324", "between 1e-20 and 3e+08 [m/s]");
+    refused("fluid.bottom.inlet=((0.0,0.0),(1e300,1e9))", "[m/s], found 1e+09");
+    refused("fluid.density=1e300", "between 1e-12 and 1e+20 [kg/m^3]");
+    refused("effects.gravity=[0.0,-1e200,0.0]", "found -1e+200");
+    refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
+}
+END_TEST
+
+START_TEST(sink_without_a_side_requires_a_region)
 {
     refused("particles.sinks=({side=\"none\";})",
             "sink 0: give either side, or from and to");
@@ -177,7 +191,7 @@ START_TEST(every_profile_has_a_file_of_its_own)
 }
 END_TEST
 
-START_TEST(contact_law_asks_for_its_constants)
+START_TEST(contact_law_requires_its_constants)
 {
     refused("particles.contact=linear",
             "linear asks for particles.grains.stiffness");
@@ -205,7 +219,7 @@ START_TEST(materials_are_known_by_their_names)
 }
 END_TEST
 
-/* What a case says of its materials is what the particles are made of. */
+/* The materials of a case are those of the particles. */
 START_TEST(materials_of_a_case_reach_the_particles)
 {
     const char *const overrides[] = {
@@ -245,7 +259,7 @@ START_TEST(cohesion_is_complete_and_possible)
 }
 END_TEST
 
-/* What a case says of its cohesion is what acts, in the order of the effects.
+/* The cohesion of a case acts on the particles, in the order of the effects.
  */
 START_TEST(cohesion_of_a_case_reaches_the_particles)
 {
@@ -283,7 +297,7 @@ START_TEST(bed_must_fit_into_the_box)
 }
 END_TEST
 
-START_TEST(averaging_by_a_width_asks_for_one)
+START_TEST(averaging_by_a_bandwidth_requires_one)
 {
     refused("averaging={method=\"kernel\";}", "asks for averaging.bandwidth");
 }
@@ -337,8 +351,8 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
 }
 END_TEST
 
-/* The words that a key allows are the names of the models of its kind, and
- * each model reads keys that there are. */
+/* The words that a key allows are the names of the models of its kind, and each
+ * model reads keys that exist. */
 START_TEST(models_and_keys_name_the_same)
 {
     const struct key *tables[CASE_FILE_TABLES];
@@ -397,8 +411,8 @@ START_TEST(list_shows_every_model_and_key)
 }
 END_TEST
 
-/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. They
- * print S_c / d_p = 2 for it, rounded. */
+/* The bed of SX15 Table 1, mesh C: 44 x 120 x 10 mm in 18 x 50 x 4 cells. The
+ * paper prints S_c / d_p = 2 for it, rounded. */
 START_TEST(sx15_10_the_size_of_a_cell_is_the_root_of_its_volume)
 {
     int code;
@@ -429,15 +443,16 @@ FACTS("scene")
     FACT(average_is_no_wider_than_the_mesh_by_far);
     FACT(whole_number_is_written_without_point_or_exponent);
     FACT(cells_are_of_a_size_that_can_be_computed);
-    FACT(sink_without_a_side_asks_for_a_region);
+    FACT(numbers_have_magnitudes_that_their_units_can_have);
+    FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
-    FACT(contact_law_asks_for_its_constants);
+    FACT(contact_law_requires_its_constants);
     FACT(materials_are_known_by_their_names);
     FACT(materials_of_a_case_reach_the_particles);
     FACT(cohesion_is_complete_and_possible);
     FACT(cohesion_of_a_case_reaches_the_particles);
     FACT(bed_must_fit_into_the_box);
-    FACT(averaging_by_a_width_asks_for_one);
+    FACT(averaging_by_a_bandwidth_requires_one);
     FACT(profiles_lie_inside_the_box);
     FACT(probes_lie_inside_the_box);
     FACT(empty_bed_and_missing_inlet_are_allowed);

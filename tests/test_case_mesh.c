@@ -107,8 +107,8 @@ START_TEST(a_box_sheared_by_nothing_has_the_flow_of_the_box)
 END_TEST
 
 /* A gradient along x drives a sheared box that is periodic in x and walled in
- * y; what is driven through it is Poiseuille's flow, which knows nothing of the
- * shear: u(y) = G y (H - y) / (2 mu), with the error of a straight mesh. */
+ * y; what is driven through it is Poiseuille's flow, which does not depend on
+ * the shear: u(y) = G y (H - y) / (2 mu), with the error of a straight mesh. */
 START_TEST(a_sheared_channel_has_poiseuilles_flow)
 {
     double error[2];
@@ -194,8 +194,8 @@ START_TEST(a_box_from_files_has_the_bed_of_our_box)
 }
 END_TEST
 
-/* Slanted walls hold the grains, whoever made the mesh and however it is
- * numbered: each has its cell, at least nearly its radius from all planes. */
+/* Slanted walls hold the grains for any mesh and any numbering: each grain has
+ * a cell, and a distance of nearly its radius or more from all planes. */
 START_TEST(slanted_walls_hold_the_grains)
 {
     static const char *const meshes[] = {
@@ -225,7 +225,7 @@ START_TEST(slanted_walls_hold_the_grains)
 }
 END_TEST
 
-START_TEST(what_grains_cannot_do_on_such_a_mesh_is_refused)
+START_TEST(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
 {
     static const char box[] = "polymesh = \"../tests/data/poly/sheared\";";
     static const char grains[] =
@@ -285,7 +285,7 @@ FACTS("case_mesh")
     FACT(a_sheared_channel_has_poiseuilles_flow);
     FACT(a_box_from_files_has_the_bed_of_our_box);
     FACT_FOR_EACH(slanted_walls_hold_the_grains, 3);
-    FACT(what_grains_cannot_do_on_such_a_mesh_is_refused);
+    FACT(unsupported_particle_features_on_a_polyhedral_mesh_are_refused);
     FACT(patches_go_by_their_own_names);
     FACT(a_mesh_is_a_box_or_from_files);
 }

@@ -33,7 +33,7 @@ START_TEST(every_particle_is_a_member_of_the_cell_that_holds_it_once)
 }
 END_TEST
 
-/* Twice: a second search must not build on what the first left behind. */
+/* Twice: a second search must not depend on the first. */
 START_TEST(particles_are_found_where_they_went)
 {
     struct mesh *const m = mesh_create_box(&cloud_shapes[4]);

@@ -105,7 +105,7 @@ START_TEST(the_absolute_tolerance_stops_too)
 
     ck_assert(r.converged);
     ck_assert_double_le(r.after, 1e-3);
-    ck_assert_double_gt(r.after, 1e-6); /* did not go on for nothing */
+    ck_assert_double_gt(r.after, 1e-6); /* no iterations beyond the tolerance */
     release(&s);
 }
 END_TEST

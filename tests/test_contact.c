@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One collision against what is known of it: closed forms, published numbers
- * and symmetries. All go through dem_run, as a simulation does. */
+/* One collision against closed forms, published numbers and symmetries. All use
+ * dem_run, as a simulation does. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -36,9 +36,9 @@ static double measured_restitution(const struct particles *ps, double v)
            v;
 }
 
-/* Forces meet velocities half a step old, which damping feels in the first
- * order: at a 1000th of the collision e comes out within 0.4 %. With the sign
- * of ln e wrong, or m for m*, it would miss by more than 10 %. */
+/* Forces are computed with velocities half a step old, an error of first order
+ * in the damping: at a 1000th of the collision e comes out within 0.4 %. With
+ * the sign of ln e wrong, or m for m*, it would miss by more than 10 %. */
 START_TEST(ls_4_4_linear_collision_returns_e_and_takes_the_time_it_says)
 {
     const double e = restitutions[_i], v = 0.3;
@@ -74,8 +74,8 @@ START_TEST(ls_4_7_hertz_collision_returns_e_at_any_speed)
 }
 END_TEST
 
-/* Nothing comes back where the damping is critical: the overlap dies away and
- * never ends. */
+/* With critical damping there is no rebound: the overlap decays and never
+ * ends. */
 START_TEST(ls_4_11_critical_damping_lets_nothing_rebound)
 {
     struct particles *const ps = approaching_pair(0.3);
@@ -331,9 +331,9 @@ START_TEST(ls_4_8_an_impact_that_slides_throughout_obeys_coulomb)
 END_TEST
 
 /* A sphere slides along a wall faster than friction can stop it, so in every
- * step friction takes from its speed. A spring that made room for the dashpot
- * when the force is capped would be drawn to the other side, and push the
- * sphere on early in a damped Hertzian impact. */
+ * step friction takes from its speed. A tangential displacement that is reduced
+ * by the force of the dashpot when the sum is capped would change sign, and
+ * push the sphere on early in a damped Hertzian impact. */
 START_TEST(ls_4_8_friction_never_pushes_the_way_that_the_surfaces_slip)
 {
     const struct contact_law *const law = contact_laws[_i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loop over the contacts, with all its lanes, blocks and strips, against
- * one that asks every pair: in boxes of all kinds, every number it gives. */
+/* The loop over the contacts, with all its lanes, blocks and chunks, against a
+ * loop over all pairs: in boxes of all kinds, every result. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
@@ -135,7 +135,7 @@ static double kinetic(const struct plain *p)
     return sum;
 }
 
-/* Velocity Verlet, as dem_run does it from lists that are made anew. */
+/* Velocity Verlet, as in dem_run with new lists. */
 static void run_plain(struct plain *p, int steps)
 {
     const double dt = p->o->step;
@@ -153,10 +153,10 @@ static void run_plain(struct plain *p, int steps)
 
 enum { STEPS = 3 };
 
-/* --- the scenes ----------------------------------------------------------- */
+/* --- the cases ------------------------------------------------------------ */
 
-/* Spheres at random, many of which overlap; the box has the side L, and there
- * is room for so many more. */
+/* Spheres at random, many of which overlap; the box has the side L, and `room`
+ * more spheres fit in the arrays. */
 static struct particles *swarm(int n, int room, double L, uint64_t seed)
 {
     struct particles *const ps = particles_create(n + room);
@@ -180,7 +180,7 @@ static struct particles *swarm(int n, int room, double L, uint64_t seed)
 struct scene {
     int n, periodic; /* bit k: direction k */
     double L;        /* [m] */
-    int room;        /* [-] for spheres that are not there */
+    int room;        /* [-] capacity for further spheres */
     int law, cohesion, rolling, budget;
 };
 
@@ -301,7 +301,8 @@ static void compare_run(const struct scene *s, const struct dem_options *o,
     dem_free(dem);
 }
 
-/* The same scene both ways, with so many threads; gives the contacts. */
+/* The same case with both loops and this number of threads; returns the number
+ * of contacts. */
 static int compare(const struct scene *s, int threads)
 {
     struct attraction pull[3];
@@ -326,8 +327,8 @@ static int compare(const struct scene *s, int threads)
 
 /* Boxes periodic in no direction, in x, y, z, in two of them and in all three;
  * smaller and larger than 2 m, and of 2 m; fewer contacts than the loop has
- * lanes and more, a sphere alone, and odd numbers of them; in one strip, or
- * those few in the strips of as many as there is room for. */
+ * lanes and more, a sphere alone, and odd numbers of them; in one chunk, or a
+ * few in the chunks of the full capacity. */
 START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
 {
     static const double sides[] = {0.01, 0.9, 2.0, 7.0};
@@ -350,9 +351,10 @@ START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
 }
 END_TEST
 
-/* So many that there are two strips, of several blocks each: what a block
- * leaves out or does too late, or a strip lays on another, would be missing. */
-START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips)
+/* Enough for two chunks of several blocks each: contacts that a block omits or
+ * computes too late, or loads that one chunk adds to another, would be
+ * missing. */
+START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks)
 {
     static const int periodic[] = {0, 7};
     const struct scene s = {.n = 2101,
@@ -378,9 +380,9 @@ static int whole_lanes(const struct chunk_contacts *c, int first, int n,
     return (int)fmin(64.0 * ceil(own / 64.0), n);
 }
 
-/* A contact done after its block would come too late for its owner's motion;
- * one done before would be of no harm, but the lanes of the next block would be
- * empty. Walls begin lanes of their own. */
+/* A contact computed after its block would be too late for the motion of its
+ * owner; one computed before would do no harm, but leave lanes of the next
+ * block empty. Walls begin new lanes. */
 START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
 {
     const struct scene s = {.n = 1901, .L = 0.9};
@@ -412,6 +414,6 @@ FACTS("contact_loop")
 {
     FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8);
     FACT_FOR_EACH(
-        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 2);
+        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks, 2);
     FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
 }

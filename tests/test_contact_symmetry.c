@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an oblique collision of two spinning spheres keeps, and in which frames
- * it is the same. */
+/* The quantities that an oblique collision of two spinning spheres conserves,
+ * and the frames in which it is the same. */
 #include <omp.h>
 
 #include "facts.h"
@@ -35,7 +35,7 @@ static void assert_same_bits(const double *a, int i, const double *b, int j)
     ck_assert_mem_eq(&a[i], &b[j], sizeof *a);
 }
 
-START_TEST(the_two_of_a_pair_may_be_named_in_either_order_bit_for_bit)
+START_TEST(the_order_within_a_pair_does_not_change_a_bit)
 {
     const struct dem_options o = rough_options(contact_laws[_i]);
     struct particles *const a = oblique_pair(0, 0.01, 0.013);
@@ -63,7 +63,7 @@ START_TEST(ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit)
     struct particles *const ps = oblique_pair(0, 0.01, 0.01);
 
     spheres_collide(ps, &o);
-    ck_assert_double_gt(fabs(ps->vy[0] - 0.2), 0.01); /* they did meet */
+    ck_assert_double_gt(fabs(ps->vy[0] - 0.2), 0.01); /* they did collide */
     ck_assert_double_eq(ps->vx[0], -ps->vx[1]);
     ck_assert_double_eq(ps->vy[0], -ps->vy[1]);
     ck_assert_double_eq(ps->vz[0], -ps->vz[1]);
@@ -177,8 +177,7 @@ END_TEST
 FACTS("contact_symmetry")
 {
     omp_set_num_threads(1); /* one pair has nothing to share */
-    FACT_FOR_EACH(the_two_of_a_pair_may_be_named_in_either_order_bit_for_bit,
-                  2);
+    FACT_FOR_EACH(the_order_within_a_pair_does_not_change_a_bit, 2);
     FACT_FOR_EACH(
         ls_4_16_equal_spheres_leave_with_opposite_velocities_bit_for_bit, 2);
     FACT_FOR_EACH(a_collision_keeps_momentum_to_rounding, 2);

@@ -50,9 +50,9 @@ static double flux_above(const struct fluid *fl, int i)
     return i < N - 1 ? fl->phi[i] : fl->phi[mesh_patch(fl->mesh, "top")->first];
 }
 
-/* What enters below, less what the cells up to here keep, goes on upward. The
- * solver leaves 1e-12 of the flux; taking eps at another time, or the sign
- * wrong, would change it by parts of ten. */
+/* The flux upward is the flux that enters below, less the rate at which the
+ * cells in between fill. The solver leaves 1e-12 of the flux; taking eps at
+ * another time, or the sign wrong, would change it by parts of ten. */
 START_TEST(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
 {
     struct boundary b[6];
@@ -77,8 +77,8 @@ START_TEST(xs11_2_3_the_fluid_that_a_cell_does_not_keep_flows_on)
 }
 END_TEST
 
-/* The volume of fluid and of solids through a face is U A everywhere. Solids
- * do not pass the outlet: there the fluid has it all. */
+/* The volume of fluid and of solids through a face is U A everywhere. Solids do
+ * not pass the outlet: there all of the flux is fluid. */
 START_TEST(xs11_2_7_both_phases_together_have_the_flux_of_the_inlet)
 {
     struct boundary b[6];
@@ -124,7 +124,7 @@ START_TEST(both_forms_of_continuity_pass_the_volume_of_a_grain)
         most = fmax(most, less);
     }
     ck_assert_double_eq_tol(missing / volume, 1.0, 1e-7);
-    /* at once, or as the flux of solids half of which a face sees */
+    /* at once, or as the flux of solids, half of which is counted at a face */
     ck_assert_double_eq_tol(
         most / (_i ? volume / dt : 0.5 * volume * speed / h), 1.0, 1e-7);
     discard(fl);

@@ -11,7 +11,7 @@
 
 static const struct {
     const char *averaging, *scheme;
-    double cap; /* [-] more than half of the cells here hold more */
+    double cap; /* [-] more than half of the cells here exceed it */
 } methods[] = {
     {"pcm", "exponential", 0.0},          {"pcm", "exponential", 0.12},
     {"kernel", "exponential", 0.0},       {"diffusion", "exponential", 0.0},
@@ -24,7 +24,7 @@ enum { METHODS = sizeof methods / sizeof *methods };
 static const char *const ways[] = {"nearest", "linear", "same"};
 static const int drag_updates[] = {1, 3, 0};
 
-/* Takes a choice out of n from what is left of a number. */
+/* Decodes one choice out of n from a number. */
 static int pick(int *left, int n)
 {
     const int choice = *left % n;
@@ -60,10 +60,10 @@ static struct scene combination(int number)
     return s;
 }
 
-/* [XS11 Algorithm 3.1] three times: fluid, particles and what is owed keep
- * their sum to rounding. 1e-12 of the particles' momentum is a thousand
- * roundings; the solvers of the diffusion get 1e-10, a thousand times their
- * tolerance. */
+/* [XS11 Algorithm 3.1] three times: the sum of the momenta of fluid and
+ * particles and the unpaid impulse is constant to rounding. 1e-12 of the
+ * particles' momentum is a thousand roundings; the solvers of the diffusion get
+ * 1e-10, a thousand times their tolerance. */
 static void check_momentum(const struct scene *s)
 {
     double before[3], after[3];
@@ -87,7 +87,7 @@ static void check_momentum(const struct scene *s)
 }
 
 /* Every method of averaging with every interpolation, and with 8 of the 144.
- * The strides 7 and 19 let any two choices meet somewhere. (All 5184, tried
+ * With the strides 7 and 19 any two choices occur together. (All 5184, tried
  * once: at most 9e-16.) */
 START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
 {
@@ -103,10 +103,10 @@ START_TEST(xs11_3_18_total_momentum_is_constant_for_every_combination)
 END_TEST
 
 /* Spheres alone in cells half as wide as they are: their volume is 3.6 times
- * that of the cell, and 0.7 of it is counted. A force that went by the whole
- * volume would come back larger than it went, up to 3.6/0.3 a step. Nothing
- * drives the flow, so no velocity may exceed twice the 0.3 m/s it begins with:
- * model A and model B, and the virtual mass. */
+ * that of the cell, and 0.7 of it is counted. A force proportional to the whole
+ * volume would be amplified by up to 3.6/0.3 a step. Nothing drives the flow,
+ * so no velocity may exceed twice the 0.3 m/s it begins with: model A and model
+ * B, and the virtual mass. */
 START_TEST(volume_above_a_cap_has_no_volume_force)
 {
     struct scene s = air;
@@ -132,8 +132,8 @@ START_TEST(volume_above_a_cap_has_no_volume_force)
 }
 END_TEST
 
-/* What the viscous stress of a stream in waves pushes 64 spheres with, one a
- * cell of 0.7 of its volume, with this cap; of the first of them. */
+/* The viscous force of a wavy stream on the first of 64 spheres, one a cell and
+ * 0.7 of its volume, with this cap. */
 static double viscous_push(double cap)
 {
     struct scene s = air;
@@ -184,7 +184,8 @@ START_TEST(a_cap_leaves_the_whole_buoyancy_in_both_models)
     for (int i = 0; i < s.n; i++)
         sim->particles->vx[i] = sim->particles->vy[i] = sim->particles->vz[i] =
             0.0;
-    run(sim, 1); /* the debt of the first step is that of the velocities */
+    run(sim, 1); /* the unpaid impulse of the first step follows from the
+                    velocities */
     coupling_total_momentum(sim, before);
     run(sim, 3);
     coupling_total_momentum(sim, after);
@@ -195,8 +196,9 @@ START_TEST(a_cap_leaves_the_whole_buoyancy_in_both_models)
 }
 END_TEST
 
-/* [SX15 section 3.4]: no field of eps_s u_s unless somebody looks. The sum of
- * V eps_s u_s is then that of V_p u_p, and the field that of the other form. */
+/* [SX15 section 3.4]: no field of eps_s u_s is computed unless it is needed.
+ * The sum of V eps_s u_s is then that of V_p u_p, and the field that of the
+ * other form. */
 START_TEST(the_void_rate_form_averages_the_solids_velocity_on_demand)
 {
     struct scene s = air;
@@ -220,7 +222,7 @@ START_TEST(the_void_rate_form_averages_the_solids_velocity_on_demand)
 }
 END_TEST
 
-/* To look changes nothing in the run. */
+/* Sampling does not change the run. */
 START_TEST(sampling_the_solids_velocity_does_not_change_the_run)
 {
     struct simulation *const a = build(&air), *const b = build(&air);
@@ -240,8 +242,9 @@ START_TEST(sampling_the_solids_velocity_does_not_change_the_run)
 END_TEST
 
 /* [XS11 Algorithm 3.1] as printed charges the fluid with Omega and A of the
- * step before and forgets the difference. How much that is: `owed` is it. */
-START_TEST(without_the_debt_algorithm_3_1_loses_momentum)
+ * step before and drops the difference, which is the sum of
+ * `unpaid_impulse`. */
+START_TEST(without_the_unpaid_impulse_algorithm_3_1_loses_momentum)
 {
     struct simulation *const sim = build(&air);
     double owed[3];
@@ -286,9 +289,9 @@ START_TEST(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps)
 }
 END_TEST
 
-/* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms asks for 9 to 10 drag
+/* tau_p of 0.1 mm in water is 0.56 ms: a step of 5 ms requires 9 to 10 drag
  * updates, and 20 particle steps allow them. */
-START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for)
+START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires)
 {
     struct scene s = air;
     s.rho = 1000.0;
@@ -310,9 +313,9 @@ START_TEST(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for)
 }
 END_TEST
 
-/* A sphere held by nothing in a stream, one-way: after a step of any length
- * the exponential relaxation leaves it where the exact solution of its start's
- * k is, and the frozen drag where one Euler step ends. To rounding. */
+/* A free sphere in a stream, one-way: after a step of any length the
+ * exponential integration gives the exact solution for the k of the start, and
+ * frozen drag gives one Euler step. To rounding. */
 START_TEST(xs11_3_16_relaxation_is_exact_for_a_constant_rate)
 {
     static const double steps_over_tau[] = {1e-3, 0.1, 1.0, 3.0, 100.0};
@@ -351,9 +354,10 @@ END_TEST
 
 /* --- forces ------------------------------------------------------------- */
 
-/* The force on a particle is V_p beta / eps_s times the slip, towards where
- * the fluid goes (printed the other way round). One step without contacts: the
- * velocity changes along the slip of its start, to rounding. */
+/* The force on a particle is V_p beta / eps_s times the slip, along the
+ * velocity of the fluid relative to the particle (printed the other way round).
+ * One step without contacts: the velocity changes along the slip of its start,
+ * to rounding. */
 START_TEST(xs11_2_9_drag_is_along_the_slip_of_the_fluid)
 {
     struct scene s = air;
@@ -489,7 +493,7 @@ END_TEST
 /* A bed that is held, 0.5487 of it grains of 1 mm, in a gas of 10 kg/m^3 and
  * 1.5e-3 Pa s: over 15.6 mm Ergun has 22.992 Pa at 2 mm/s and 230.507 Pa at 20
  * mm/s. Driven by these, the fluid comes to these speeds, in both forms of the
- * momentum equation; 1 % is asked, and the printed digits are there. */
+ * momentum equation; the tolerance is 1 %, and the printed digits agree. */
 START_TEST(ls_5_27_a_fixed_bed_has_erguns_pressure_drop)
 {
     static const double drop[] = {22.992, 230.507}, speed[] = {2e-3, 2e-2};
@@ -537,7 +541,8 @@ START_TEST(ls_5_one_way_leaves_the_fluid_alone)
     double mean = 0.0;
     for (int i = 0; i < s.n; i++)
         mean += sim->particles->vx[i] / s.n;
-    ck_assert_double_gt(mean, 0.24); /* the particles do feel it */
+    ck_assert_double_gt(mean,
+                        0.24); /* the force on the particles is not zero */
     discard(sim);
 }
 END_TEST
@@ -557,7 +562,7 @@ START_TEST(xs11_3_14_semi_implicit_drag_is_stable_at_dt_1e4_tau)
     s.dem_steps = 1;
     s.substeps = 1;
     struct simulation *const sim = build(&s);
-    for (int i = 0; i < s.n; i++) /* held: only the fluid is to react */
+    for (int i = 0; i < s.n; i++) /* held: only the fluid reacts */
         sim->particles->m[i] *= 1e12;
     run(sim, 30);
     for (int i = 0; i < 3 * sim->mesh->n_cells; i++)
@@ -620,9 +625,9 @@ FACTS("coupling")
     FACT_FOR_EACH(a_cap_leaves_the_whole_buoyancy_in_both_models, 2);
     FACT(the_void_rate_form_averages_the_solids_velocity_on_demand);
     FACT(sampling_the_solids_velocity_does_not_change_the_run);
-    FACT(without_the_debt_algorithm_3_1_loses_momentum);
+    FACT(without_the_unpaid_impulse_algorithm_3_1_loses_momentum);
     FACT(xs11_3_20_impulse_follows_the_mean_velocity_of_the_sub_steps);
-    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_asks_for);
+    FACT(xs11_3_16_auto_takes_as_many_sub_steps_as_tau_requires);
     FACT_FOR_EACH(xs11_3_16_relaxation_is_exact_for_a_constant_rate, 10);
     FACT(xs11_2_9_drag_is_along_the_slip_of_the_fluid);
     FACT(xs11_3_15_omega_and_a_are_sums_over_the_particles_of_a_cell);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The motion of one and two spheres against closed forms (the verification
- * cases DEM01 to DEM04 of MFiX), and what dem_run says of its work. */
+ * cases DEM01 to DEM04 of MFiX), and the report of dem_run. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_odeiv2.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What dem_run does with whole particle sets: none and one of them, those that
- * are lost, periodic boxes, springs taken out and put back, and its report. */
+/* dem_run with whole particle sets: none or one particle, lost particles,
+ * periodic boxes, a saved and restored state, and its report. */
 #include <omp.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -58,7 +58,7 @@ END_TEST
 /* --- lost -------------------------------------------------------------------
  */
 
-/* A cloud of 27 in which number 11 does something foolish. */
+/* A cloud of 27 in which number 11 gets a wrong position or velocity. */
 static int run_with_a_fool(double x, double v, double force,
                            struct dem_report *r)
 {
@@ -216,7 +216,7 @@ START_TEST(overlaps_are_reported_over_the_mean_diameter)
 END_TEST
 
 /* Two spheres across a periodic end, one in a wall, one in a plane, among many
- * that touch nobody: 20 % of the mean diameter, while 10 % are expected. */
+ * without contacts: 20 % of the mean diameter, while 10 % are expected. */
 START_TEST(the_deepest_overlap_is_known_with_its_two_and_its_place)
 {
     const struct surface floor = {.shape = SURFACE_PLANE,
@@ -312,7 +312,8 @@ static double farthest_apart(const struct particles *a,
 }
 
 /* Two half kicks are one but for rounding, which 300 steps of a heap amplify.
- * A spring forgotten between two runs would move them by more than 1e-6. */
+ * A tangential displacement lost between two runs would move them by more than
+ * 1e-6. */
 START_TEST(a_run_may_be_cut_into_pieces)
 {
     struct particles *whole = pressed_heap(), *cut = pressed_heap();
@@ -347,8 +348,9 @@ static void copy_state(struct particles *to, const struct particles *from)
 }
 
 /* A state is the particles and the springs of their contacts: from both, a new
- * dem goes on as the old one would have. Elastic spheres, because a dashpot
- * would feel in the first half kick that velocities are half a step newer. */
+ * dem goes on as the old one would have. Elastic spheres, because in the first
+ * half kick the force of a dashpot would be computed with velocities half a
+ * step newer. */
 START_TEST(springs_taken_out_and_put_back_continue_a_run)
 {
     struct particles *const ps = pressed_heap();
@@ -368,7 +370,7 @@ START_TEST(springs_taken_out_and_put_back_continue_a_run)
     ck_assert_int_eq(dem_run(dem, 200, &r), 0);
     ck_assert_int_eq(dem_run(next, 200, &r), 0);
     if (_i == 0) ck_assert_double_lt(farthest_apart(ps, copy), 1e-11);
-    /* without them it does not: here springs do matter */
+    /* without the state it differs: contacts with history exist here */
     if (_i == 1) ck_assert_double_gt(farthest_apart(ps, copy), 1e-7);
     dem_free(dem);
     dem_free(next);

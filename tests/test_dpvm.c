@@ -51,8 +51,8 @@ START_TEST(a_sphere_across_a_face_is_divided_by_its_cap)
 }
 END_TEST
 
-/* In a closed corner three eighths of the diameter off: what would be beyond
- * the walls is shared out like the rest, that is, it stays in the one cell. A
+/* In a closed corner three eighths of the diameter off: the part beyond the
+ * walls is distributed like the rest, that is, it stays in the one cell. A
  * period divides: a sphere on its corner is in eight cells. */
 START_TEST(a_sphere_in_a_corner_is_divided_where_there_are_cells)
 {
@@ -77,7 +77,7 @@ END_TEST
 /* Spheres of diameter 1 in a cubic packing, cells of 0.3: pcm puts 0.52 into
  * 0.027, twenty times too much; divided, no cell is more than full, and those
  * within a sphere are full to rounding. */
-START_TEST(divided_no_cell_gets_more_than_it_has_room_for)
+START_TEST(dpvm_fills_no_cell_beyond_its_volume)
 {
     const struct box_spec spec = {
         {3.0, 3.0, 3.0}, {10, 10, 10}, {1.0, 1.0, 1.0}, {0, 0, 0}};
@@ -101,7 +101,7 @@ START_TEST(divided_no_cell_gets_more_than_it_has_room_for)
 END_TEST
 
 /* Eight cells in the place of one have together what the one has: exact
- * overlaps do not know of the mesh. Spheres smaller and larger than cells,
+ * overlaps do not depend on the mesh. Spheres smaller and larger than cells,
  * anywhere inside, none over a wall. */
 START_TEST(the_part_in_a_region_does_not_depend_on_the_cells_in_it)
 {
@@ -152,8 +152,8 @@ START_TEST(a_box_from_files_divides_as_a_box)
     for (int i = 0; i < ps->n; i++) {
         ps->d[i] *= 0.5 * (1 + i % 30);
         if (_i < 2 * CLOUD_SHAPES) continue;
-        /* the second grid asks where the centre is, and on its edges rounding
-         * may say */
+        /* the second grid depends on the cell of the centre, which rounding
+         * decides on its edges */
         ps->x[i] += 0.01 * (spec->size[0] - 1.7 * ps->x[i]);
         ps->y[i] += 0.01 * (spec->size[1] - 1.7 * ps->y[i]);
         ps->z[i] += 0.01 * (spec->size[2] - 1.7 * ps->z[i]);
@@ -175,8 +175,8 @@ START_TEST(a_box_from_files_divides_as_a_box)
 END_TEST
 
 /* Of points in a sphere, one in each of 80^3 small boxes, a cell gets as many
- * as its share says: those who look for the cell of a point and those who cut
- * the sphere do not know of each other. A bent face is a mean plane to the
+ * as its share says: the search for the cell of a point and the cutting of the
+ * sphere are independent computations. A bent face is a mean plane to the
  * former. Then cells of many faces, and a period, each at a wall. */
 START_TEST(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere)
 {
@@ -219,7 +219,7 @@ FACTS("dpvm")
 {
     FACT(a_sphere_across_a_face_is_divided_by_its_cap);
     FACT(a_sphere_in_a_corner_is_divided_where_there_are_cells);
-    FACT(divided_no_cell_gets_more_than_it_has_room_for);
+    FACT(dpvm_fills_no_cell_beyond_its_volume);
     FACT_FOR_EACH(the_part_in_a_region_does_not_depend_on_the_cells_in_it, 2);
     FACT_FOR_EACH(a_box_from_files_divides_as_a_box, 3 * CLOUD_SHAPES);
     FACT_FOR_EACH(the_overlap_of_a_cell_is_that_of_the_points_in_the_sphere, 3);

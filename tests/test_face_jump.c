@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beds whose fluid fraction jumps from cell to cell, blown through without any
- * drag that would damp: in two and three directions, by all schemes. */
+/* Flow through beds whose fluid fraction jumps from cell to cell, without
+ * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
 #include "facts.h"
 
@@ -9,7 +9,7 @@
 
 enum bed { EACH_CELL_ANY, ALL_CELLS_FULL, FULL_OR_EMPTY };
 
-/* What is blown through, and how. */
+/* The bed, the mesh and the schemes. */
 struct blow {
     enum bed bed;
     const char *time, *convection;
@@ -124,7 +124,7 @@ static double blown(const struct blow *w, int component)
 START_TEST(a_bed_of_random_cells_stays_bounded_by_any_scheme)
 {
     struct blow w = {.bed = EACH_CELL_ANY, .depth = 1, .steps = 150};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 8; i++) {
         w.shared = i & 1;
         w.mixture = i >> 1 & 1;
@@ -145,7 +145,7 @@ START_TEST(so_does_one_of_full_and_empty_cells_between_walls)
                      .depth = 6,
                      .walls = 1,
                      .steps = 60};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 2; i++) {
         w.cfl = i ? 2.0 : 0.5;
         ck_assert_double_lt(blown(&w, -1), 2.0 * 2.5);
@@ -164,7 +164,7 @@ START_TEST(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded)
                      .mixture = 1,
                      .depth = 1,
                      .steps = 300};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 2; i++) {
         w.cfl = i ? 2.0 : 0.5;
         ck_assert_double_lt(blown(&w, 0), _i == 1 ? 5.0 * 2.5 : 5e-3);

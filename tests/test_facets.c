@@ -94,8 +94,8 @@ START_TEST(a_ball_on_and_in_a_tetrahedron)
 }
 END_TEST
 
-/* A cube of edge 2 R around a corner of it: of three numbers up to R, half obey
- * the inequality of the triangle, which is what the three faces say. */
+/* A cube of edge 2 R around a corner of it: of three numbers up to R, half
+ * satisfy the triangle inequality, by the symmetry of the three faces. */
 START_TEST(a_cube_on_and_in_a_tetrahedron)
 {
     struct mesh *const m = tetrahedron(regular);
@@ -173,8 +173,8 @@ START_TEST(the_flux_is_the_volume)
 }
 END_TEST
 
-/* The way for boxes and the way for everything are two, and agree: bodies of a
- * twentieth of a cell up to four, centres on faces and corners among them. */
+/* The code for boxes and the code for all cells agree: bodies of a twentieth of
+ * a cell up to four, centres on faces and corners among them. */
 START_TEST(a_box_by_its_facets_is_the_box)
 {
     struct mesh *const m = lattice(1, (const double[3]){0.0, 0.0, 0.0});

@@ -19,8 +19,8 @@ static void tear_down(void)
     scratch_clear(dir);
 }
 
-/* From here on files end at so many bytes, as on a disk that is full there;
- * the write then fails with EFBIG in place of ENOSPC. Returns the old limit. */
+/* Limits the size of files, as on a full disk; the write then fails with EFBIG
+ * in place of ENOSPC. Returns the old limit. */
 static rlim_t limit_file_size(rlim_t bytes)
 {
     struct rlimit limit;
@@ -96,7 +96,7 @@ START_TEST(of_two_that_write_one_file_the_last_to_begin_has_it)
 }
 END_TEST
 
-START_TEST(a_part_that_somebody_removes_is_reported)
+START_TEST(a_partial_file_that_is_removed_is_reported)
 {
     scratch_listen(dir);
     struct file *const f = file_create(scratch_path(dir, "a"));
@@ -184,7 +184,7 @@ FACTS("file")
     FACT(the_old_file_stays_until_the_new_one_is_whole);
     FACT(a_link_with_the_name_of_a_part_is_not_followed);
     FACT(of_two_that_write_one_file_the_last_to_begin_has_it);
-    FACT(a_part_that_somebody_removes_is_reported);
+    FACT(a_partial_file_that_is_removed_is_reported);
     FACT_FOR_EACH(
         a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing, 2);
     FACT(a_file_in_a_missing_folder_is_refused_with_its_path);

@@ -71,7 +71,7 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
 }
 END_TEST
 
-/* The first holds the folder in a process of its own, until it is killed. */
+/* The first run locks the folder in another process, which is then killed. */
 START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
 {
     char number[32];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The forces beside the drag: virtual mass, pressure, and who pays for them. */
+/* The forces besides drag: virtual mass, pressure, and their reactions on the
+ * fluid. */
 #include "coupling/coupling.h"
 
 #include <omp.h>
@@ -57,10 +58,10 @@ START_TEST(ls_5_3_a_released_sphere_falls_with_its_added_mass)
 }
 END_TEST
 
-/* A fluid that is accelerated as a whole takes a sphere along: pressure and
- * virtual mass give (ratio + C) dv/dt = (1 + C) du/dt, so that one as heavy as
- * the fluid stays with it and a light one runs ahead. The first step has no
- * past and so only the pressure: it is left out. */
+/* A fluid that is accelerated as a whole accelerates a sphere: pressure and
+ * virtual mass give (ratio + C) dv/dt = (1 + C) du/dt, so that a sphere of the
+ * fluid's density moves with it and a lighter one moves faster. The first step
+ * has no earlier field and so only the pressure: it is left out. */
 START_TEST(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead)
 {
     struct scene s = inviscid(ratios[_i]);
@@ -82,7 +83,8 @@ START_TEST(ls_5_3_an_accelerating_stream_takes_a_light_sphere_ahead)
 END_TEST
 
 /* u . grad u: a steady stream that speeds up along its way. u = c x between
- * the centres gives c^2 x; a sphere there, held by nothing else, feels it. */
+ * the centres gives c^2 x; this is the acceleration that acts on a free sphere
+ * there. */
 START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
 {
     struct scene s = inviscid(1.0);
@@ -93,7 +95,8 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
     const double c = 3.0, dx = s.size / s.cells;
     const int host = m->n_cells / 2 + s.cells / 2;
 
-    for (int i = 0; i < 2; i++) { /* twice: the field has a past, and stands */
+    for (int i = 0; i < 2; i++) { /* twice, so that the field has an earlier
+                                     level, which is the same */
         for (int k = 0; k < m->n_cells; k++)
             sim->fluid->u[3 * k] = c * m->centre[3 * k];
         for (int f = 0; f < m->n_internal; f++)
@@ -116,9 +119,9 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
 }
 END_TEST
 
-/* What is taken along comes out of the fluid: 4 densities x 2 treatments x 2
- * relaxations x both forms of the momentum equation. 1e-12: as in
- * test_coupling. Light spheres would leap without the added mass. */
+/* The momentum of the added mass is taken from the fluid: 4 densities x 2
+ * treatments x 2 relaxations x both forms of the momentum equation. 1e-12: as
+ * in test_coupling. Light spheres would be unstable without the added mass. */
 START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
 {
     struct scene s = air;
@@ -140,7 +143,7 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
         ck_assert_double_lt(
             fabs(after[k] - before[k] - sim->fluid->relabelled[k]),
             1e-12 * scale);
-    for (int i = 0; i < s.n; i++) /* as fast as what they started with */
+    for (int i = 0; i < s.n; i++) /* bounded by the initial velocities */
         ck_assert_double_lt(fabs(sim->particles->vx[i]), 0.6);
     discard(sim);
 }
@@ -178,9 +181,8 @@ START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
 }
 END_TEST
 
-/* A wave of shear that decays: what stress does to the fluid in the place of
- * the sphere, rho V du/dt, it does to the sphere, to the tolerance of the
- * predictor. */
+/* A decaying shear wave: the force of the stress on the sphere is that on the
+ * fluid in its place, rho V du/dt, to the tolerance of the predictor. */
 START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
 {
     struct scene s = inviscid(1.0);
@@ -201,14 +203,15 @@ START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
     run(sim, 1);
     const double decay = (sim->fluid->u[3 * host] - before) / s.dt;
     const double force = s.rho * particles_volume(sim->particles, 0) * decay;
-    ck_assert_double_gt(fabs(decay), 100.0); /* m/s^2: there is something */
+    ck_assert_double_gt(fabs(decay), 100.0); /* [m/s^2] not zero */
     ck_assert_double_eq_tol(sim->held_force[0], force, 1e-8 * fabs(force));
     discard(sim);
 }
 END_TEST
 
-/* The fluid pays: explicit and implicit drag, frozen and relaxed, model A and
- * B, in a liquid thick enough for stress to matter. 1e-12 as above. */
+/* The fluid receives the reaction: explicit and implicit drag, frozen and
+ * relaxed, model A and B, in a liquid thick enough for stress to matter. 1e-12
+ * as above. */
 START_TEST(ls_5_1_viscous_stress_keeps_total_momentum)
 {
     struct scene s = air;
@@ -261,8 +264,9 @@ static double difference(int halvings)
     return most;
 }
 
-/* The same forces, paid at once (A) or a step later (B): the trajectories
- * differ by what a step is worth, and half of it with half the step. */
+/* The same forces, with the reaction at once (A) or a step later (B): the
+ * trajectories differ by what a step is worth, and half of it with half the
+ * step. */
 START_TEST(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero)
 {
     const double coarse = difference(0), fine = difference(2);

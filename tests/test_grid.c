@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The grid: nobody is missed, in walls, across periodic ends and between
- * strips; and springs find their pairs whatever the order of the particles. */
+/* The grid finds all pairs, at walls, across periodic ends and between chunks;
+ * and tangential displacements stay with their pairs in any order of the
+ * particles. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,7 +55,7 @@ static void add_force(double F[3], double delta, const double n[3], double k)
         F[a] += k * delta * n[a];
 }
 
-/* The sum of k delta n over everybody and all walls: law "linear", e = 1, no
+/* The sum of k delta n over all pairs and walls: law "linear", e = 1, no
  * friction. */
 static void force_on(const struct particles *ps, const struct dem_options *o,
                      int i, double F[3])
@@ -126,7 +127,7 @@ START_TEST(ls_5_15_list_finds_all_pairs_across_periodic_ends)
 }
 END_TEST
 
-/* Several strips (2100 particles: two), also around the periodic end. */
+/* Several chunks (2100 particles: two), also around the periodic end. */
 START_TEST(ls_5_15_list_finds_all_pairs_between_chunks)
 {
     compare_forces(box("linear", 15e-3, 20e-3, 15e-3, 0, 0, 0), 2100, 0.1);
@@ -153,7 +154,7 @@ static struct particles *thrown(const struct dem_options *o, int n, int threads)
     return ps;
 }
 
-/* 4100 particles are four strips; the last lays loads on the first. */
+/* 4100 particles are four chunks; the last adds loads to the first. */
 START_TEST(same_bits_for_any_threads_around_a_periodic_end)
 {
     struct dem_options o = box("hertz", 20e-3, 25e-3, 20e-3, 0, 1, 0);
@@ -205,7 +206,7 @@ START_TEST(springs_find_their_pairs_in_any_order)
         int n;
         struct dem_spring *const list = dem_springs(bt, &n);
         dem_run(at, 5, &r);
-        particles_permute(b, order); /* and everybody changes places */
+        particles_permute(b, order); /* and all particles change places */
         dem_restore_springs(bt, list, n);
         dem_run(bt, 5, &r);
         free(list);

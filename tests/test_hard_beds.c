@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes that break a careless solver, in both forms of continuity. None is
+/* Cases that break a careless solver, in both forms of continuity. None is
  * accurate at these steps; all must stay finite and bounded, and balance. */
 #include "coupling/coupling.h"
 
@@ -8,17 +8,18 @@
 #include "suspension.h"
 
 /* A periodic box without weight: nothing comes from outside, and momentum stays
- * to 1e-9, since 5000 times as much goes to and fro in the first scene. */
+ * to 1e-9, since 5000 times as much is exchanged back and forth in the first
+ * case. */
 static int closed(const struct simulation *sim)
 {
     return sim->mesh->n_faces == sim->mesh->n_internal &&
            sim->gravity[1] == 0.0;
 }
 
-/* Continuity to some times the solver's 1e-6; what the fluid paid is what the
- * particles were charged, to rounding (sums of some thousand terms), also where
- * a cap leaves part of the spheres out of eps_s. */
-START_TEST(hard_scenes_stay_finite_bounded_and_balanced)
+/* Continuity to some times the solver's 1e-6; the impulse on the fluid is the
+ * opposite of that on the particles, to rounding (sums of some thousand terms),
+ * also where a cap leaves part of the spheres out of eps_s. */
+START_TEST(hard_cases_stay_finite_bounded_and_balanced)
 {
     const struct hard *const h = &hard_scenes[_i / 2];
     struct simulation *const sim =
@@ -89,7 +90,6 @@ END_TEST
 FACTS("hard scenes")
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(hard_scenes_stay_finite_bounded_and_balanced,
-                  2 * HARD_SCENES);
+    FACT_FOR_EACH(hard_cases_stay_finite_bounded_and_balanced, 2 * HARD_SCENES);
     FACT_FOR_EACH(full_cells_become_empty_ones_in_one_step, 2);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where contact codes break: very unequal sizes, very large forces, nothing
- * and everything given back, nobody there. Each against a closed form. */
+/* Cases in which contact codes fail: very unequal sizes, very large forces, e =
+ * 0 and e = 1, no particles. Each against a closed form. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
@@ -120,12 +120,12 @@ START_TEST(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium)
 }
 END_TEST
 
-/* --- everything and nothing given back ------------------------------------ */
+/* --- e = 1 and e = 0 ------------------------------------------------------ */
 
 /* e = 1, mu = 0: in a closed box one sphere has the speed that it had, after
  * hundreds of impacts. Each leaves an error of its own sign in the second order
  * of the step, 1e-5 here, and they do not add up. */
-START_TEST(ls_4_4_a_perfectly_elastic_sphere_never_tires)
+START_TEST(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy)
 {
     struct dem_options o = spheres_options(contact_laws[_i], 5e-6, 0.02);
     struct particles *const ps = particles_create(1);
@@ -178,7 +178,7 @@ START_TEST(ls_4_11_a_column_that_gives_nothing_back_lies_still)
 }
 END_TEST
 
-/* --- nobody there --------------------------------------------------------- */
+/* --- no particles --------------------------------------------------------- */
 
 /* With every option at once: several materials that roll, and an attraction. */
 START_TEST(no_particle_or_one_is_no_trouble_with_everything_on)
@@ -224,7 +224,7 @@ FACTS("hard_cases")
     FACT_FOR_EACH(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them, 2);
     FACT_FOR_EACH(ls_4_4_a_grain_rebounds_from_a_boulder, 2);
     FACT_FOR_EACH(ls_4_7_a_press_of_a_million_newtons_finds_its_equilibrium, 2);
-    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_never_tires, 2);
+    FACT_FOR_EACH(ls_4_4_a_perfectly_elastic_sphere_keeps_its_energy, 2);
     FACT(ls_4_11_a_column_that_gives_nothing_back_lies_still);
     FACT_FOR_EACH(no_particle_or_one_is_no_trouble_with_everything_on, 2);
 }

@@ -7,13 +7,14 @@
 
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
+#include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
 
 START_TEST(ew18_20_half_the_height_is_at_half_of_delta)
 {
-    const double sigma = images_sigma(1.2e-3);
+    const double sigma = kernel_sigma(1.2e-3);
     ck_assert_double_eq_tol(
         images_kernel(0.6e-3, sigma) / images_kernel(0.0, sigma), 0.5, 1e-14);
 }
@@ -42,8 +43,8 @@ START_TEST(ew18_19_is_sx15_6_of_that_bandwidth)
     const double delta = 0.7;
     for (double r = 0.0; r < 2.0; r += 0.3)
         ck_assert_double_eq_tol(
-            images_kernel(r, images_sigma(delta)) /
-                diffusion_kernel(r, images_bandwidth(delta)),
+            images_kernel(r, kernel_sigma(delta)) /
+                diffusion_kernel(r, kernel_bandwidth(delta)),
             1.0, 1e-13);
 }
 END_TEST
@@ -99,7 +100,7 @@ END_TEST
 
 /* An even bed, 8 particles a cell, b of 2 cells, in a closed box. With
  * images it is even up to the walls and into the corners, to what is cut off;
- * without them the cell in the corner has six tenths of what it should. */
+ * without them the cell in the corner has six tenths of the right value. */
 START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls)
 {
     const struct box_spec spec = {
@@ -124,7 +125,7 @@ END_TEST
 
 /* cos(pi x / L) is even about both walls, so the Gaussian with its images only
  * damps it, by exp(-(k b / 2)^2). 40 cells: their steps are 1e-3, what is cut
- * off beyond 3 b is 4e-4. Without images the ends would see half of it. */
+ * off beyond 3 b is 4e-4. Without images the ends would have half of it. */
 START_TEST(ew18_17_a_wave_comes_back_damped_and_nothing_else)
 {
     const struct box_spec spec = {

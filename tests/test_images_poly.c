@@ -59,7 +59,8 @@ static int step_there(const int at[3])
     return at[0] < 8 || at[1] < 8;
 }
 
-/* One cell of 4: between near walls there are more images than need be here. */
+/* One cell of 4: between near walls there are more images than are needed
+ * here. */
 static void deep(double x[3])
 {
     x[2] *= 4.0;
@@ -141,8 +142,8 @@ static double unevenness(const struct mesh *m, struct particles *ps,
 }
 
 /* b of two cells; without images the cells at the walls are off by a quarter
- * and more. In the curved rooms the lattice does not follow the walls. */
-START_TEST(ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room)
+ * and more. In the curved meshes the lattice does not follow the walls. */
+START_TEST(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape)
 {
     struct mesh *const m = blocks_create(&rooms[_i].blocks);
     struct particles *const ps = even_bed(m);
@@ -274,8 +275,7 @@ END_TEST
 FACTS("images_poly")
 {
     FACT_FOR_EACH(ew18_21_a_box_of_faces_comes_to_the_box, 2);
-    FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_the_walls_of_any_room,
-                  ROOMS);
+    FACT_FOR_EACH(ew18_21_an_even_bed_is_even_up_to_walls_of_any_shape, ROOMS);
     FACT(ew18_21_no_flux_leads_into_a_wall);
     FACT(ew18_18_a_narrow_gaussian_is_pcm_in_cells_of_any_shape);
     FACT(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments);

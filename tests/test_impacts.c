@@ -8,8 +8,8 @@
 
 static const double degree = M_PI / 180.0;
 
-/* --- [Chung11] test 3: what comes back of a normal impact
- * ---------------------
+/* --- [Chung11] test 3: rebound of a normal impact
+ * ------------------------------
  */
 
 /* Tsuji's dashpot gives e exactly where the contact ends at no overlap. Our
@@ -164,8 +164,8 @@ START_TEST(chung_ooi_test_5_spin_is_near_that_of_finite_elements)
 }
 END_TEST
 
-/* Where all slides: J_t = mu m (1 + e) v_n, R omega = -(5/2) J_t/m, less the
- * last moment, in which the spring may hold: 0.3 %. */
+/* In full sliding J_t = mu m (1 + e) v_n and R omega = -(5/2) J_t/m, up to the
+ * end of the contact, where it may stick: 0.3 %. */
 START_TEST(chung_ooi_test_5_beyond_the_sliding_angle_spin_is_5_mu_v)
 {
     const struct impact c = steel(_i == 0 ? 8.0 : 20.0);
@@ -217,9 +217,10 @@ START_TEST(chung_ooi_test_6_slip_of_a_spinning_sphere_is_stopped_by_friction)
 }
 END_TEST
 
-/* Two spheres that spin alike are each other's plane; so is a sphere that is
- * 125 000 times as heavy. The planes of [Chung11] do not yield and its spheres
- * do: while all slides, that makes no difference to the friction. */
+/* Two spheres with equal spins act as planes on each other; so does a sphere
+ * that is 125 000 times as heavy. The planes of [Chung11] are rigid and its
+ * spheres are elastic, which makes no difference to the friction in full
+ * sliding. */
 START_TEST(chung_ooi_tests_7_and_8_repeat_test_6)
 {
     static const double theta[] = {0.2, 0.6, 0.9};

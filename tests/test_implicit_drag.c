@@ -26,8 +26,8 @@ static struct particles *held_back(double x, double added, double dt)
 }
 
 /* v(t) = v_end + (v_0 - v_end) exp(-k t/(m + m_a)), v_end = F/k, to rounding,
- * however long the step is; in two runs, so that half steps meet; and
- * (m + m_a) times the change of v is what F and the drag have given. */
+ * however long the step is; in two runs, so that half steps meet; and (m + m_a)
+ * times the change of v is the impulse of F and the drag. */
 START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
 {
     static const double rate[] = {0.0, 1e-9, 0.01, 1.0, 30.0, 1e5};
@@ -54,9 +54,9 @@ START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
 }
 END_TEST
 
-/* What is driven has the velocity that is prescribed, and the fluid feels the
- * drag on that: -k v dt a step, and nothing of what else pushes it. */
-START_TEST(the_fluid_feels_the_drag_alone_of_a_driven_particle)
+/* A prescribed particle has its prescribed velocity, and the reaction on the
+ * fluid is that of the drag alone: -k v dt a step. */
+START_TEST(a_prescribed_particle_acts_on_the_fluid_by_drag_alone)
 {
     const struct prescribed_particle one = {
         .id = 0, .motion = {.velocity = {0.1, 0.0, -0.4}}};
@@ -81,9 +81,9 @@ START_TEST(the_fluid_feels_the_drag_alone_of_a_driven_particle)
 }
 END_TEST
 
-/* A sphere without drag and added mass, held back by nothing, goes where
- * bodies_advance brings it: spin, wall, friction and all. Tolerance: a rounding
- * a step, doubled by each of two bounces. */
+/* A sphere without drag and added mass moves as with bodies_advance, with spin,
+ * wall and friction. Tolerance: a rounding a step, doubled by each of two
+ * bounces. */
 START_TEST(implicit_drag_of_zero_changes_nothing)
 {
     double end[2][4];
@@ -110,8 +110,8 @@ START_TEST(implicit_drag_of_zero_changes_nothing)
 }
 END_TEST
 
-/* Pressed on the floor in honey, r dt = 50: it sinks in until the spring bears
- * the push, F = k delta, and never more: no overshoot. */
+/* Pressed on the floor in honey, r dt = 50: it sinks in until F = k delta,
+ * without overshoot. */
 START_TEST(a_sphere_in_honey_creeps_to_its_balance)
 {
     const double dt = 1e-4;
@@ -136,10 +136,10 @@ START_TEST(a_sphere_in_honey_creeps_to_its_balance)
 }
 END_TEST
 
-/* The fluid that goes with a sphere is part of its energy: (m + m_a) v^2 / 2,
- * and what the push and the drag have done is all that it has: the push to
- * rounding, the drag to the square of its rate, 1e-4 of the energy; without m_a
- * three quarters of it would be missing. */
+/* The added mass is part of the kinetic energy, (m + m_a) v^2 / 2, which equals
+ * the work of force and drag: that of the force to rounding, the drag to the
+ * square of its rate, 1e-4 of the energy; without m_a three quarters of it
+ * would be missing. */
 START_TEST(the_added_mass_is_part_of_the_energy)
 {
     const double dt = 1e-4;
@@ -174,7 +174,7 @@ END_TEST
 FACTS("response")
 {
     FACT_FOR_EACH(an_added_mass_and_a_drag_are_solved_exactly, 18);
-    FACT(the_fluid_feels_the_drag_alone_of_a_driven_particle);
+    FACT(a_prescribed_particle_acts_on_the_fluid_by_drag_alone);
     FACT(implicit_drag_of_zero_changes_nothing);
     FACT(a_sphere_in_honey_creeps_to_its_balance);
     FACT_FOR_EACH(the_added_mass_is_part_of_the_energy, 2);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each integrator has the order that is said of it, on an oscillator whose
- * motion is known and on contacts whose is not. */
+/* Each integrator has its order, on an oscillator with a closed form and on
+ * contacts without one. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 #include <stdlib.h>

@@ -216,7 +216,7 @@ START_TEST(same_is_the_adjoint_of_the_averaging)
 }
 END_TEST
 
-START_TEST(every_way_gives_constants_back)
+START_TEST(every_interpolation_is_exact_for_constants)
 {
     for (int w = 0; interpolations[w] != NULL; w++) {
         struct scene s = scene_of(&cloud_shapes[_i], "diffusion");
@@ -231,7 +231,7 @@ START_TEST(every_way_gives_constants_back)
 END_TEST
 
 /* Capped cells too: a slip velocity cut down by the share would be wrong. */
-START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
+START_TEST(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles)
 {
     const struct averaging_options o = {.cap = 0.004};
     struct scene s = scene_of(&cloud_shapes[4], "pcm");
@@ -251,7 +251,7 @@ START_TEST(the_cap_of_pcm_does_not_cut_down_what_particles_see)
 }
 END_TEST
 
-START_TEST(an_unknown_way_has_no_name)
+START_TEST(an_unknown_interpolation_is_not_found)
 {
     ck_assert_ptr_null(interpolation_named("cubic"));
     for (int w = 0; interpolations[w] != NULL; w++)
@@ -269,7 +269,7 @@ FACTS("interpolation")
     FACT(linear_is_of_second_order_and_nearest_of_first);
     FACT_FOR_EACH(nearest_is_the_value_of_the_particles_cell, CLOUD_SHAPES);
     FACT_FOR_EACH(same_is_the_adjoint_of_the_averaging, CLOUD_SHAPES);
-    FACT_FOR_EACH(every_way_gives_constants_back, CLOUD_SHAPES);
-    FACT(the_cap_of_pcm_does_not_cut_down_what_particles_see);
-    FACT(an_unknown_way_has_no_name);
+    FACT_FOR_EACH(every_interpolation_is_exact_for_constants, CLOUD_SHAPES);
+    FACT(the_cap_of_pcm_does_not_reduce_the_fluid_velocity_at_particles);
+    FACT(an_unknown_interpolation_is_not_found);
 }

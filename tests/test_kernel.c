@@ -90,7 +90,7 @@ static double kernel_of(const struct scene *s, int i, int c)
 }
 
 /* Weights of particle i on all cells, by the book. Returns 0 if there are none
- * and the host takes it all. */
+ * and its own cell has the whole particle. */
 static int weights_of(const struct scene *s, int i, double *w)
 {
     double sum = 0.0;
@@ -228,8 +228,7 @@ START_TEST(a_kernel_narrower_than_a_cell_is_pcm)
 END_TEST
 
 /* The largest distance from 1 of an even bed averaged on n cells, the last four
- * times as wide as the first, farther from the walls than particles that see
- * them share out. */
+ * times as wide as the first, at cells beyond the influence of the walls. */
 static double unevenness(int n, const char *method, double b, double reach)
 {
     enum { EVEN = 8000 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How long a step may be, and what the suggested one is good for. */
+/* The limits of the step, and the accuracy of the suggested one. */
 #include <gsl/gsl_math.h>
 
 #include "dem/limits.h"
@@ -15,7 +15,7 @@ START_TEST(ls_5_11_rayleigh_time_of_the_mueller_bed)
 }
 END_TEST
 
-START_TEST(linear_contact_time_does_not_know_the_speed)
+START_TEST(linear_contact_time_does_not_depend_on_the_speed)
 {
     const struct contact_law *const law = contact_law_named("linear");
     const struct material m = {.stiffness = 1000.0, .restitution = 1.0};
@@ -44,8 +44,8 @@ START_TEST(hertz_step_grows_with_slowness_up_to_rayleigh)
 }
 END_TEST
 
-/* What is kept of v with `part` of the suggested step, if the spheres first
- * touch at that phase of a step. */
+/* The restitution with `part` of the suggested step, if the contact begins at
+ * that phase of a step. */
 static double rebound(const struct contact_law *law, double e, double part,
                       double phase)
 {
@@ -85,9 +85,9 @@ START_TEST(suggested_step_keeps_restitution)
 }
 END_TEST
 
-/* A contact without end must not be given steps without end: at e = 0 what
- * comes back of the speed, within three undamped contacts, is nothing; with
- * 1/25 of the contact time at e = 1e-6 the spheres would shoot apart. */
+/* An infinite contact time must not give an infinite step: at e = 0 there is no
+ * rebound within three undamped contact times; with 1/25 of the contact time at
+ * e = 1e-6 the spheres would shoot apart. */
 START_TEST(ls_4_11_suggested_step_resolves_critical_damping)
 {
     for (int law = 0; law < 2; law++)
@@ -117,7 +117,7 @@ FACTS("limits")
 {
     tcase_set_timeout(facts, 60);
     FACT(ls_5_11_rayleigh_time_of_the_mueller_bed);
-    FACT(linear_contact_time_does_not_know_the_speed);
+    FACT(linear_contact_time_does_not_depend_on_the_speed);
     FACT(hertz_step_grows_with_slowness_up_to_rayleigh);
     FACT_FOR_EACH(suggested_step_keeps_restitution, 20);
     FACT(ls_4_11_suggested_step_resolves_critical_damping);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Flows made for the averaged equations, between walls, with a fluid fraction
- * that varies in space and time: the orders in which they are met. */
+/* Manufactured solutions of the averaged equations, between walls, with a fluid
+ * fraction that varies in space and time: the orders of convergence. */
 #include "facts.h"
 #include "manufactured.h"
 
@@ -63,8 +63,8 @@ START_TEST(so_it_has_in_three_dimensions_graded_and_sheared)
 }
 END_TEST
 
-/* The correctors that it takes to leave 1e-6 of momentum, at the end of five
- * steps in which viscosity crosses a cell. */
+/* The number of correctors that reduce the momentum residual to 1e-6, at the
+ * end of five steps in which viscosity crosses a cell. */
 static int correctors(double shear)
 {
     struct manufactured a = setting(3);
@@ -98,9 +98,9 @@ START_TEST(non_orthogonal_links_need_few_more_correctors)
 }
 END_TEST
 
-/* The oblique part of the viscous stress is taken from what is known. What
- * BDF2 continues to would grow where viscosity crosses cells within a step: by
- * x with x^2 + 2 r x - r = 0, r = 0.71 at 45 degrees. */
+/* The oblique part of the viscous stress is taken from what is known. The
+ * extrapolation of BDF2 would grow where viscosity crosses cells within a step:
+ * by x with x^2 + 2 r x - r = 0, r = 0.71 at 45 degrees. */
 START_TEST(two_step_schemes_are_stable_on_non_orthogonal_links)
 {
     struct manufactured a = setting(3);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Several materials: what a pair of them does follows from both or from what
- * was measured, and one material costs and computes what it always did. */
+/* Several materials: the constants of a pair follow from both or from measured
+ * values, and a single material costs and computes the same as before. */
 #include <omp.h>
 
 #include "dem/materials.h"
@@ -30,7 +30,8 @@ START_TEST(ls_4_9_a_contact_of_two_materials_has_the_moduli_of_both)
 }
 END_TEST
 
-/* 2/(1/1e4 + 1/3e4) = 1.5e4, and two equal springs are what one of them is. */
+/* 2/(1/1e4 + 1/3e4) = 1.5e4, and the value of two equal springs is that of
+ * each. */
 START_TEST(ls_4_4_two_linear_springs_act_in_series)
 {
     ck_assert_double_eq_tol(materials_mixed(&glass, &steel).stiffness, 1.5e4,
@@ -49,7 +50,8 @@ START_TEST(what_is_not_measured_is_the_smaller_one)
 }
 END_TEST
 
-/* Measured for 1 and 0, asked for 0 and 1; only what was given is taken. */
+/* Measured for 1 and 0, looked up for 0 and 1; only the given values are
+ * used. */
 START_TEST(measured_pair_values_are_symmetric)
 {
     const struct materials_measured m = {1, 0, -1.0, -1.0, 0.0, 0.7, -1.0};
@@ -70,7 +72,7 @@ END_TEST
  * is (8/15) E* sqrt(R) delta^(5/2) at the deepest, in closed form. 0.2 % is
  * what a 1000th of the collision leaves; with the modulus of glass alone, 10 %
  * less force, and with that of steel, 65 % more. */
-START_TEST(ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both)
+START_TEST(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli)
 {
     const double R = 0.005, v = 1.0, E = 4.1025641e10;
     const struct materials_measured m = {0, 1, -1.0, -1.0, 1.0, -1.0, -1.0};
@@ -192,7 +194,7 @@ FACTS("materials")
     FACT(ls_4_4_two_linear_springs_act_in_series);
     FACT(what_is_not_measured_is_the_smaller_one);
     FACT(measured_pair_values_are_symmetric);
-    FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_feels_both);
+    FACT(ls_4_7_a_glass_sphere_on_a_steel_wall_has_both_moduli);
     FACT(each_pair_and_the_wall_have_their_own_restitution);
     FACT_FOR_EACH(equal_materials_are_one_material_bit_for_bit, 4);
 }

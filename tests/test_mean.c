@@ -44,7 +44,7 @@ START_TEST(weights_count_as_repetitions)
 END_TEST
 
 /* A stretch of 3 dt weighs three times as much. */
-START_TEST(long_stretches_count_more)
+START_TEST(long_intervals_count_more)
 {
     struct mean *const m = mean_create(1);
 
@@ -97,7 +97,7 @@ FACTS("mean")
 {
     FACT(mean_and_spread_keep_their_digits_far_from_zero);
     FACT(weights_count_as_repetitions);
-    FACT(long_stretches_count_more);
+    FACT(long_intervals_count_more);
     FACT(without_a_weight_nothing_counts);
     FACT(the_state_carries_a_mean_over_an_interruption);
 }

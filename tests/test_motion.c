@@ -124,8 +124,9 @@ END_TEST
 /* --- walls ------------------------------------------------------------------
  */
 
-/* A heavy wall gives (1 + e) V to what it meets; a triangle or a plane. The
- * step is a 1000th of the contact, whose damping costs it 1e-3 of e. */
+/* A moving wall gives (1 + e) V to a sphere that it hits; a triangle or a
+ * plane. The step is a 1000th of the contact, whose damping costs it 1e-3 of
+ * e. */
 START_TEST(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed)
 {
     const struct motion m = {.velocity = {0.0, 0.5, 0.0}};
@@ -146,7 +147,7 @@ START_TEST(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed)
 END_TEST
 
 /* It rests until the clock is started, and before `from`. */
-START_TEST(wall_rests_before_its_time)
+START_TEST(a_moving_wall_is_at_rest_before_its_start)
 {
     const struct motion m = {.from = 1.0, .velocity = {0.0, 0.5, 0.0}};
     struct surface s = plate(&m);
@@ -167,8 +168,9 @@ START_TEST(wall_rests_before_its_time)
 }
 END_TEST
 
-/* A solid sphere that rolls on a plate has 2/7 of its velocity, as its inertia
- * is 2/5 m R^2. The plate swings slowly beside the contact's own frequency. */
+/* A solid sphere that rolls on a moving plate has 2/7 of the velocity of the
+ * plate, as its inertia is 2/5 m R^2. The plate swings slowly beside the
+ * contact's own frequency. */
 START_TEST(sphere_follows_a_swinging_plate_at_two_sevenths)
 {
     const struct motion m = {.amplitude = {0.02, 0.0, 0.0}, .frequency = 1.0};
@@ -275,7 +277,7 @@ START_TEST(surface_accounts_for_force_torque_and_work)
 }
 END_TEST
 
-/* --- driven particles --------------------------------------------------------
+/* --- particles of prescribed motion ------------------------------------------
  */
 
 START_TEST(prescribed_particle_is_free_and_then_circles)
@@ -293,7 +295,7 @@ START_TEST(prescribed_particle_is_free_and_then_circles)
     struct dem *const dem = started(ps, &o);
     dem_run(dem, 500, &r);
     ck_assert_double_eq_tol(ps->x[0], 0.1, 1e-12);
-    ck_assert_double_eq_tol(ps->vx[0] + 1.0, 1.0, 1e-9); /* now driven */
+    ck_assert_double_eq_tol(ps->vx[0] + 1.0, 1.0, 1e-9); /* now prescribed */
     for (int k = 1; k <= 50; k++) {
         dem_run(dem, 37, &r);
         const double a = 4.0 * 0.037 * k;
@@ -310,7 +312,8 @@ START_TEST(prescribed_particle_is_free_and_then_circles)
 }
 END_TEST
 
-/* To the others it is a wall: (1 + e) V, though it weighs no more than they. */
+/* It acts on the others as a wall: (1 + e) V, although its mass is the same as
+ * theirs. */
 START_TEST(prescribed_particle_repels_another_as_a_wall_does)
 {
     const struct prescribed_particle one = {
@@ -333,7 +336,7 @@ START_TEST(prescribed_particle_repels_another_as_a_wall_does)
 END_TEST
 
 /* Of Heun's two halves each would take half of a step with its own velocity. */
-START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
+START_TEST(prescribed_particle_moves_alike_with_every_integrator)
 {
     const double A = 0.1, f = 3.0, dt = 1e-3;
     const struct prescribed_particle one = {
@@ -344,7 +347,7 @@ START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 1; k <= 10; k++) {
         const double phase = 2.0 * M_PI * f * 77.0 * dt * k;
@@ -358,10 +361,10 @@ START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
 }
 END_TEST
 
-/* Led into a plate by delta at V, and let go: it has the energy of its spring
- * and its own, (1/2) k delta^2 + (1/2) m V^2, and what it had not as long as
- * it was as heavy as a wall. A per cent for the way of a last step. */
-START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
+/* Moved into a plate by delta at V, and released: it has the elastic and the
+ * kinetic energy, (1/2) k delta^2 + (1/2) m V^2. A per cent for the way of a
+ * last step. */
+START_TEST(released_prescribed_particle_keeps_its_energy)
 {
     const double V = 0.01, until = 0.1, delta = V * until;
     const struct prescribed_particle one = {
@@ -375,7 +378,7 @@ START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 0; k < 2000; k++) {
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);
@@ -389,11 +392,11 @@ START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
 }
 END_TEST
 
-/* A run that is cut and goes on with a new dem, its clock set: nothing is
- * remembered but particles, springs and the time. The springs are turned into
- * the plane of contact once more, which changes their last bits, and bouncing
- * makes more of them. */
-START_TEST(clock_is_all_that_a_motion_remembers)
+/* A run that is cut and goes on with a new dem, its clock set: the state
+ * consists of particles, tangential displacements and the time. The springs are
+ * turned into the plane of contact once more, which changes their last bits,
+ * and bouncing makes more of them. */
+START_TEST(a_prescribed_motion_depends_on_time_alone)
 {
     const struct motion m = {.centre = {0.1, 0.0, 0.3},
                              .amplitude = {0.0, 0.01, 0.0},
@@ -438,14 +441,14 @@ FACTS("motion")
     FACT(velocity_of_a_motion_is_its_derivative);
     FACT(motion_leaves_distances_and_finds_back);
     FACT_FOR_EACH(moving_wall_throws_a_sphere_at_one_plus_e_times_its_speed, 2);
-    FACT(wall_rests_before_its_time);
+    FACT(a_moving_wall_is_at_rest_before_its_start);
     FACT_FOR_EACH(sphere_follows_a_swinging_plate_at_two_sevenths, 2);
     FACT_FOR_EACH(sphere_on_a_turntable_circles_at_two_sevenths_of_its_rate, 2);
     FACT(sphere_in_a_drum_spins_with_the_wall);
     FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
     FACT(prescribed_particle_is_free_and_then_circles);
     FACT(prescribed_particle_repels_another_as_a_wall_does);
-    FACT_FOR_EACH(driven_particle_goes_the_same_way_by_every_integrator, 3);
-    FACT_FOR_EACH(driven_particle_is_let_go_with_the_energy_that_it_has, 3);
-    FACT(clock_is_all_that_a_motion_remembers);
+    FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3);
+    FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3);
+    FACT(a_prescribed_motion_depends_on_time_alone);
 }

@@ -170,8 +170,8 @@ START_TEST(a_graded_box_costs_little_more)
 }
 END_TEST
 
-/* Measured: 7 to 11 (28 for 128^2): corrections constant on an aggregate know
- * nothing of jumps. */
+/* Measured: 7 to 11 (28 for 128^2): corrections constant on an aggregate do not
+ * follow jumps. */
 START_TEST(jumps_of_1000_converge_within_30_iterations)
 {
     const int sizes[][3] = {
@@ -307,8 +307,8 @@ START_TEST(the_cycle_is_symmetric_and_positive)
 }
 END_TEST
 
-/* The update takes everything over: a matrix before leaves no trace. */
-START_TEST(an_update_forgets_the_matrix_before)
+/* The update replaces all data of the previous matrix. */
+START_TEST(an_update_leaves_nothing_of_the_matrix_before)
 {
     struct cycle c = one_cycle(links_cube(20, 10, 10));
     struct csr *const other = diffusion(&c.b, NULL);
@@ -382,7 +382,7 @@ FACTS("multigrid")
     FACT(cells_in_random_order_converge);
     FACT(unknowns_without_links_are_solved);
     FACT(the_cycle_is_symmetric_and_positive);
-    FACT(an_update_forgets_the_matrix_before);
+    FACT(an_update_leaves_nothing_of_the_matrix_before);
     FACT(units_do_not_matter);
     FACT(threads_do_not_change_a_bit);
 }

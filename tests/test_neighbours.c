@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* That nobody who touches is overlooked, and that what a contact remembers
- * survives when the lists are made anew: seen from outside, through dem_run. */
+/* No contact is missed, and the history of a contact survives when the lists
+ * are rebuilt: tested from outside, through dem_run. */
 #include <omp.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@
 /* --- all pairs -------------------------------------------------------------
  */
 
-/* Touching pairs and walls by asking everybody about everybody. */
+/* Touching pairs and walls by a loop over all pairs. */
 static int count_touching(const struct particles *ps,
                           const struct dem_options *o)
 {
@@ -81,7 +81,7 @@ START_TEST(ls_5_15_every_touching_pair_is_found_among_radii_of_1_to_4)
         met += r.contacts;
         rebuilds += r.rebuilds;
     }
-    ck_assert_int_gt(met, 10 * h->n); /* there was something to find */
+    ck_assert_int_gt(met, 10 * h->n); /* there were contacts */
     ck_assert_int_gt(rebuilds, 5);
     dem_free(dem);
     particles_free(ps);
@@ -143,7 +143,7 @@ START_TEST(ls_5_15_the_skin_changes_nothing_but_the_work)
 }
 END_TEST
 
-/* --- what a contact remembers -----------------------------------------------
+/* --- the history of a contact -----------------------------------------------
  */
 
 /* Two spheres pressed together by P circle round each other, while friction
@@ -322,8 +322,8 @@ END_TEST
 /* --- threads
  * ------------------------------------------------------------------ */
 
-/* 4096 spheres: enough to be cut in four. One run of a handful of steps after
- * the other, as the fluid asks for them. */
+/* 4096 spheres: enough to be cut in four. Several runs of a few steps, as in
+ * the coupling with a fluid. */
 START_TEST(thrown_spheres_have_the_same_bits_with_1_2_and_3_threads)
 {
     struct particles *cloud[3];
@@ -364,12 +364,12 @@ END_TEST
 /* With link cells the pairs are sought in each step, and the springs go from
  * step to step all the same: 216 spheres that collide with friction move alike,
  * up to the order of sums. */
-/* In a lone strip the last particles meet the first ones round a period. With
- * few contacts these are computed with those of the first of its blocks, long
- * before the block of the last ones; what that block clears it may not lose. A
- * cube of 10^3 spheres with gaps, of which some were moved into each other:
- * three pairs round the periods, four inside and at the beginning. Tolerance:
- * rounding. */
+/* In a single chunk the last particles touch the first ones across a period.
+ * With few contacts these are computed with those of the first of its blocks,
+ * long before the block of the last ones; what that block clears it may not
+ * lose. A cube of 10^3 spheres with gaps, of which some were moved into each
+ * other: three pairs round the periods, four inside and at the beginning.
+ * Tolerance: rounding. */
 START_TEST(contacts_round_a_period_push_both_spheres_alike)
 {
     struct dem_options o = spheres_options(&contact_linear, 1e-5, 6.0);
@@ -439,7 +439,7 @@ START_TEST(link_cells_move_particles_as_the_list_does)
 }
 END_TEST
 
-/* Eight strips, of which the upper four have contacts and the lower ones none.
+/* Eight chunks, of which the upper four have contacts and the lower ones none.
  * Of 10, 20, 30 and 40 the middles are at 5, 20, 45 and 80 of 100, and the
  * third ends above the half; of 10, 20, 60 and 10 at 5, 20, 60 and 95, and the
  * third begins below it. */

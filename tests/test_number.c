@@ -84,8 +84,8 @@ START_TEST(a_clamped_number_stays_in_its_range_whatever_comes)
 }
 END_TEST
 
-/* A language that writes 0,5, made by localedef, which complains of all that
- * this one lacks. Where localedef cannot make it, the test shows nothing. */
+/* A locale that writes 0,5, made by localedef, which warns of all that this
+ * locale lacks. Where localedef cannot make it, the test is void. */
 START_TEST(the_decimal_point_is_a_point_in_every_language)
 {
     char dir[64], command[256], text[NUMBER_LENGTH];

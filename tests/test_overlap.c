@@ -114,7 +114,7 @@ END_TEST
 
 /* A ball cut by all cells at once is that cut by each: cells of random widths,
  * wholly inside, beside, across; planes found by two sums that round. More
- * planes than there is room for are refused. */
+ * planes than the grid can hold are refused. */
 START_TEST(corners_that_cells_share_are_found_once)
 {
     struct overlap_grid g;

@@ -101,8 +101,8 @@ START_TEST(the_cap_leaves_the_velocity_as_it_is)
 }
 END_TEST
 
-/* 1 + 4 N on the left, whose cell has room for less than its spheres: what is
- * not cut arrives whole. */
+/* 1 + 4 N on the left, whose cell has less volume than its spheres: amounts
+ * that are not reduced are spread wholly. */
 START_TEST(
     amounts_not_proportional_to_volume_are_spread_wholly_in_a_capped_cell)
 {

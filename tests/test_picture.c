@@ -79,8 +79,8 @@ START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
 END_TEST
 
 /* Whether gnuplot drew it: with and without each panel, in a folder whose name
- * asks for quoting. A machine without gnuplot must say what to install. */
-START_TEST(gnuplot_draws_every_kind_of_scene_or_is_missed_politely)
+ * needs quoting. Without gnuplot the message must name what to install. */
+START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
 {
     struct mesh *const m = box();
     char name[80], png[96];
@@ -176,7 +176,7 @@ FACTS("picture")
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(particles_are_listed_from_back_to_front);
     FACT(the_void_fraction_is_averaged_over_the_depth_by_volume);
-    FACT(gnuplot_draws_every_kind_of_scene_or_is_missed_politely);
+    FACT(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported);
     FACT(without_gnuplot_it_is_said_what_to_install);
     FACT(a_failing_gnuplot_leaves_its_words_and_no_picture);
     FACT(a_picture_that_cannot_be_written_is_reported);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles that come and go: no overlap, the sizes that were asked for, ids
- * that are never given twice, the same bits after a restart. */
+/* Insertion and removal of particles: no overlap, the required size
+ * distribution, ids that are never used twice, the same bits after a
+ * restart. */
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,7 +62,7 @@ static double closest(const struct particles *ps, const struct box_domain *box)
     return least;
 }
 
-/* 400 spheres, a fifth of the region: nobody overlaps, all are inside of it. */
+/* 400 spheres, a fifth of the region: no overlaps, and all are inside of it. */
 START_TEST(inserted_particles_overlap_no_others)
 {
     const struct box_domain box = around(_i);
@@ -69,7 +70,7 @@ START_TEST(inserted_particles_overlap_no_others)
     struct particles *const ps = particles_create(404);
     struct insertion in = source(sizes, 400, 0.0);
 
-    for (int k = 0; k < 4; k++) /* who is there, half of them on a seam */
+    for (int k = 0; k < 4; k++) /* existing particles, half of them on a seam */
         spheres_add(ps, _i ? 0.0199 : 0.0, 0.008 * k + 0.008, 0.0, 8e-3);
     ck_assert_int_eq(insertion_step(&in, ps, &box, 0.0), 400);
     ck_assert_double_ge(closest(ps, &box), -1e-15);
@@ -100,7 +101,7 @@ START_TEST(dense_insertion_does_not_change_the_size_distribution)
 
     insertion_step(&in, ps, &box, 0.0);
     insertion_step(&in, ps, &box, 0.1);
-    ck_assert_int_lt(ps->n, 3000); /* they do not all find room */
+    ck_assert_int_lt(ps->n, 3000); /* not all can be placed */
     ck_assert_int_gt(ps->n, 800);
     for (int i = 0; i < ps->n; i++)
         ck_assert_double_eq(ps->d[i], insertion_diameter(&in.options, i));
@@ -162,7 +163,7 @@ struct run {
     long step;
 };
 
-/* A stream from above; whoever reaches the floor has left. */
+/* A stream from above; particles that reach the floor are removed. */
 static struct run begin(void)
 {
     const struct box_domain box = around(0);
@@ -204,7 +205,8 @@ static void end(struct run *r)
     sizes_free(r->sizes);
 }
 
-/* 0.12 s: the first have left, and as many ids were given as came. */
+/* 0.12 s: the first have been removed, and as many ids were used as particles
+ * were inserted. */
 START_TEST(ids_are_never_given_twice)
 {
     struct run r = begin();
@@ -217,7 +219,7 @@ START_TEST(ids_are_never_given_twice)
         ck_assert_int_eq(r.ps->next_id, (int)a->inserted);
         for (int i = 0; i < r.ps->n; i++) {
             const int id = r.ps->id[i];
-            ck_assert_int_ne(seen[id], 2); /* who was gone stays away */
+            ck_assert_int_ne(seen[id], 2); /* removed particles stay removed */
             ck_assert_double_eq(
                 r.ps->d[i],
                 insertion_diameter(&r.life->sources[0].options, id));
@@ -233,7 +235,8 @@ START_TEST(ids_are_never_given_twice)
 }
 END_TEST
 
-/* What came is there or has gone, in number, mass and by the ledger. */
+/* Every inserted particle is present or removed, in number, in mass and in the
+ * report. */
 START_TEST(inserted_mass_is_present_or_removed)
 {
     struct run r = begin();
@@ -245,7 +248,7 @@ START_TEST(inserted_mass_is_present_or_removed)
         there += r.ps->m[i];
     ck_assert_double_gt(a->mass_out, 0.0);
     ck_assert_double_eq_tol((there + a->mass_out) / a->mass_in, 1.0, 1e-12);
-    ck_assert_double_lt(a->momentum_out[1], 0.0); /* they fell out */
+    ck_assert_double_lt(a->momentum_out[1], 0.0); /* they have been removed */
     for (int i = 0; i < r.ps->n; i++) {
         ck_assert_double_gt(r.ps->y[i] - 0.5 * r.ps->d[i], -0.02);
         ck_assert(r.ps->z[i] < 0.015 + 2e-3 || r.ps->y[i] > 0.02 - 2e-3);
@@ -254,8 +257,8 @@ START_TEST(inserted_mass_is_present_or_removed)
 }
 END_TEST
 
-/* The springs of those that stay do so when another goes: the same force on
- * the same contact, to rounding. */
+/* The tangential displacements of the remaining particles are unchanged when
+ * another is removed: the same force on the same contact, to rounding. */
 START_TEST(remaining_particles_keep_their_tangential_displacements)
 {
     struct particles *const ps = particles_create(4);
@@ -286,9 +289,9 @@ START_TEST(remaining_particles_keep_their_tangential_displacements)
 }
 END_TEST
 
-/* Stopped in the middle of it, with particles, springs and life written and
- * read, the run goes on to the same bits. Both put their springs back, so that
- * both make their lists anew then. */
+/* Stopped in the middle of it, with the state of particles, contacts and
+ * population written and read, the run continues with the same bits. Both runs
+ * restore the state of contacts, so that both rebuild their lists then. */
 START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
 {
     struct run a = begin(), b = begin();
@@ -326,7 +329,7 @@ START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
 }
 END_TEST
 
-/* A new one in the place of one that has left has nothing of it. */
+/* A new particle in the place of a removed one has none of its data. */
 START_TEST(inserted_particles_have_no_data_of_removed_ones)
 {
     struct particles *const ps = particles_create(2);

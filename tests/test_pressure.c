@@ -7,8 +7,8 @@
 #include <string.h>
 #include <stdlib.h>
 
-/* Columns of 16 cells, graded: what a face makes of forces, drag and inertia
- * that jump from cell to cell. */
+/* Columns of 16 cells, graded: the pressure at faces where forces, drag and
+ * inertia jump from cell to cell. */
 enum { N = 16 };
 static const double U = 0.5, zero = 0.0;
 
@@ -31,7 +31,7 @@ static struct fluid *column(struct boundary b[6], int open, double grading,
         .dt = 1e-3,
         .convection = convection_scheme_named(scheme),
         .continuity = CONTINUITY_VOID_RATE,
-        .correctors = 10, /* to be rid of splitting */
+        .correctors = 10, /* to remove the splitting error */
         .tolerance = 1e-12,
         .coupled = 1,
         .pressure_shared = shared,
@@ -105,8 +105,8 @@ START_TEST(a_density_column_in_a_closed_box_stays_at_rest_whatever_eps_is)
 }
 END_TEST
 
-/* The linear mean of the two cells sees nothing of a pressure that alternates
- * from cell to cell, and grad_p is zero inside. The flux sees it. */
+/* The linear mean of the two cells is constant for a pressure that alternates
+ * from cell to cell, and grad_p is zero inside. The flux is not. */
 START_TEST(a_checkerboard_of_pressure_is_gone_after_one_step)
 {
     struct boundary b[6];
@@ -250,8 +250,8 @@ START_TEST(waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme)
 }
 END_TEST
 
-/* Once the solver has stopped early, its residual is a good part of H. A lid
- * drives the fluid; H is asked for again from the product. Terms of a sum of
+/* If the solver has stopped early, its residual is a large part of H. A lid
+ * drives the fluid; H is computed again from the product. Terms of a sum of
  * some ten; without the residual the difference is of the size of H itself. */
 START_TEST(forces_after_the_prediction_are_those_of_the_product)
 {

@@ -49,7 +49,7 @@ static char *text_of(const struct profile *p)
 /* f = 1 + 2 x - 3 y + 5 z, on every pair of directions: linear in the height
  * by construction, and over the depth its mean is the value in the middle.
  * The tolerance is rounding of a sum of 10 terms of size 5. */
-START_TEST(a_linear_field_is_met_exactly_on_a_graded_mesh)
+START_TEST(a_linear_field_is_sampled_exactly_on_a_graded_mesh)
 {
     static const double slope[3] = {2.0, -3.0, 5.0};
     struct mesh *const m = graded_box();
@@ -140,7 +140,7 @@ START_TEST(a_weighted_mean_counts_what_is_there)
 }
 END_TEST
 
-START_TEST(where_nothing_was_met_there_is_no_mean)
+START_TEST(without_a_sample_there_is_no_mean)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0}, none[6 * 9 * 5] = {0.0};
@@ -222,10 +222,10 @@ END_TEST
 FACTS("profile")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
-    FACT(a_linear_field_is_met_exactly_on_a_graded_mesh);
+    FACT(a_linear_field_is_sampled_exactly_on_a_graded_mesh);
     FACT(beyond_the_last_centres_the_nearest_row_counts);
     FACT(a_weighted_mean_counts_what_is_there);
-    FACT(where_nothing_was_met_there_is_no_mean);
+    FACT(without_a_sample_there_is_no_mean);
     FACT(samples_count_from_the_given_time_on);
     FACT(columns_are_named_with_units);
     FACT(a_height_outside_the_box_is_refused);

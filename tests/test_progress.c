@@ -8,7 +8,7 @@
 
 static char said[CAPTURE_TEXT];
 
-/* A run of n steps in the style; what it says goes into said. */
+/* A run of n steps in the style; `said` receives its output. */
 static void run_steps(enum progress_style style, int n)
 {
     struct capture c = capture_begin(2);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/reduce.h"
 
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 #include "facts.h"
 #include "linear_case.h"
 
@@ -36,7 +36,7 @@ static void count_mine(int first, int last, int *done)
     done[omp_get_thread_num()] += last - first;
 }
 
-/* To a strip more and a last one that is short. (Of 64, these fill 15.) */
+/* To one range more and a short last one. (Of 64, these fill 15.) */
 START_TEST(two_threads_share_a_small_mesh_evenly)
 {
     const int n = 3600;

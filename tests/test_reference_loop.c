@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The particles once more, as plainly as it goes: all pairs, one after the
- * other, no lists, no rows, no lanes, no strips. What chapters 2, 3 and 18 do
- * for speed must not change what comes out. */
+/* The motion of the particles once more, as plainly as possible: all pairs, one
+ * after the other, without lists, rows, lanes or chunks. The methods of
+ * chapters 2, 3 and 18 for speed must not change the result. */
 #include <stdlib.h>
 
 #include "dem/materials.h"

@@ -18,8 +18,8 @@ static const struct {
 enum { METHODS = sizeof methods / sizeof *methods };
 static const char *const ways[] = {"nearest", "linear", "same"};
 
-/* 125 spheres in a cube of a light liquid; 20 come and about as many go in a
- * step of 0.2 ms, in the lower 15 % of the cube. */
+/* 125 spheres in a cube of a light liquid; 20 are inserted and about as many
+ * removed in a step of 0.2 ms, in the lower 15 % of the cube. */
 static struct scene busy(int number)
 {
     struct scene s = air;
@@ -42,7 +42,7 @@ static struct scene busy(int number)
     s.model_b = (number & 16) != 0;
     s.pressure_gradient = !(number & 32);
     s.substeps = number & 64 ? 0 : 2;
-    s.time = number & 128 ? &time_schemes[1] : NULL;
+    s.time = number & 128 ? time_schemes[1] : NULL;
     return s;
 }
 
@@ -68,9 +68,9 @@ static double mass(const struct simulation *sim)
 }
 
 /* The tolerances are those of
- * xs11_3_18_total_momentum_is_constant_for_every_combination: a payment that is
- * lost with a removed sphere would show as 1e-2, fluid that is not counted as
- * 1e-1 of the momentum. */
+ * xs11_3_18_total_momentum_is_constant_for_every_combination: an unpaid impulse
+ * that is lost with a removed sphere would show as 1e-2, fluid that is not
+ * counted as 1e-1 of the momentum. */
 static void check(const struct scene *s)
 {
     double before[3], after[3];
@@ -98,8 +98,8 @@ static void check(const struct scene *s)
     discard(sim);
 }
 
-/* Each method with 20 of the 256 choices of busy(), taken with strides that let
- * any two choices meet. */
+/* Each method with 20 of the 256 choices of busy(), taken with strides such
+ * that any two choices occur together. */
 START_TEST(momentum_and_mass_are_conserved_during_insertion_and_removal)
 {
     for (int j = 0; j < 20; j++) {
@@ -137,9 +137,9 @@ START_TEST(a_sphere_that_appears_at_rest_does_not_move_the_fluid)
 END_TEST
 
 /* Spheres at 0.1, -0.4, 0.2 m/s are put into a stream of 0.3, 0, 0 m/s: the
- * friction K that the fluid's next step has is that of this slip, from spheres
- * that the averaging of before did not know, and the force F is K times their
- * velocity [XS11 3.15]. */
+ * friction K that the fluid's next step has is that of this slip, although the
+ * last averaging did not contain these spheres, and the force F is K times
+ * their velocity [XS11 3.15]. */
 START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
 {
     struct scene s = air;
@@ -176,8 +176,8 @@ START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
 }
 END_TEST
 
-/* The last sphere may go, and the fluid goes on alone. */
-START_TEST(the_last_particle_may_go)
+/* The last sphere may be removed, and the fluid continues alone. */
+START_TEST(the_last_particle_may_be_removed)
 {
     struct scene s = busy(_i);
     s.averaging = methods[_i % METHODS].averaging;
@@ -194,7 +194,8 @@ START_TEST(the_last_particle_may_go)
 }
 END_TEST
 
-/* Without two-way coupling no fluid is replaced, and none loses momentum. */
+/* Without two-way coupling no fluid is replaced, and its momentum does not
+ * change. */
 START_TEST(one_way_insertion_and_removal_do_not_change_the_fluid)
 {
     struct scene s = busy(0);
@@ -217,6 +218,6 @@ FACTS("replacement")
                   METHODS);
     FACT_FOR_EACH(a_sphere_that_appears_at_rest_does_not_move_the_fluid, 4);
     FACT(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step);
-    FACT_FOR_EACH(the_last_particle_may_go, METHODS);
+    FACT_FOR_EACH(the_last_particle_may_be_removed, METHODS);
     FACT(one_way_insertion_and_removal_do_not_change_the_fluid);
 }

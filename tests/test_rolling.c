@@ -135,7 +135,7 @@ START_TEST(rolling_friction_keeps_the_angular_momentum_of_a_pair)
         }
         if (k == 0) run(dem, 1e-3, &o);
     }
-    ck_assert_double_gt(fabs(w[1] - w[0]), 1.0); /* something happened */
+    ck_assert_double_gt(fabs(w[1] - w[0]), 1.0); /* the spheres did turn */
     ck_assert_double_eq_tol(L[1] / L[0], 1.0, 1e-12);
     dem_free(dem);
     particles_free(ps);
@@ -209,8 +209,8 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
 END_TEST
 
 /* A roll so fast that the dashpot alone is at the cap winds the spring by what
- * was rolled, no farther; and a spring that bears more than the cap gives way
- * to it. */
+ * was rolled, no farther; and a displacement beyond the cap is reduced to
+ * it. */
 START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
 {
     const double n[3] = {0.0, 1.0, 0.0}, w[3] = {0.0, 3.0, 100.0};

@@ -12,7 +12,7 @@
 #include "cloud.h"
 #include "linear/fast/chebyshev.h"
 
-/* The whole matrix of the mesh, which knows nothing of directions. */
+/* The whole matrix of the mesh, without separation of directions. */
 static struct csr *laplacian(const struct mesh *m)
 {
     struct csr *const K =
@@ -129,8 +129,8 @@ START_TEST(it_is_its_own_adjoint)
 }
 END_TEST
 
-/* Fields are alone, by whatever bundles they go, and so are threads: the same
- * bits. 33 fields do not go into one bundle, or two. */
+/* Fields are independent of each other and of the threads, however they are
+ * bundled: the same bits. 33 fields do not fit into one bundle, or two. */
 START_TEST(fields_and_threads_do_not_change_the_bits)
 {
     enum { MOST = 33 };

@@ -61,8 +61,8 @@ static void write_file(const char *name, const char *text)
     fclose(f);
 }
 
-/* Reads a case text with overrides, ended by NULL; what was said goes into
- * said. */
+/* Reads a case text with overrides, ended by NULL; `said` receives the
+ * messages. */
 static struct settings *read_case(const char *text,
                                   const char *const *overrides, int *code,
                                   char said[CAPTURE_TEXT])

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Case 3 of XS11: one grain that a stream takes along. */
+/* Case 3 of XS11: one grain accelerated by a stream. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
@@ -82,8 +82,9 @@ START_TEST(xs11_4_1_sub_steps_converge_to_the_exact_course)
 }
 END_TEST
 
-/* XS11 Fig. 8: 2.2 tau in one go throws the grain to 2.2 times the velocity of
- * the stream, and on; two sub-steps hold it; so does the exponential course. */
+/* XS11 Fig. 8: one sub-step of 2.2 tau accelerates the grain to 2.2 times the
+ * velocity of the stream, and it diverges; two sub-steps are stable; so is the
+ * exponential integration. */
 START_TEST(xs11_4_1_without_sub_steps_the_grain_overshoots_and_diverges)
 {
     struct scene s = grain(1);

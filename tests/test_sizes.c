@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Distributions of diameters: what is drawn has the moments that are said, and
- * these are the exact ones. */
+/* Distributions of diameters: the drawn diameters have the reported moments,
+ * and these are exact. */
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
@@ -204,7 +204,7 @@ START_TEST(fractions_by_mass_are_fractions_by_number_times_d_cubed)
 END_TEST
 
 /* A sieve analysis by mass comes back as the mass of what is drawn; between
- * two sieves in proportion, and in an empty class there is nobody. */
+ * two sieves in proportion, and an empty class has no particles. */
 START_TEST(a_sieve_analysis_by_mass_is_met_by_the_mass)
 {
     struct sizes *const s = kind(9);

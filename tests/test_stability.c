@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What limits the coupled step: the formulas, and the program beside them. */
+/* The limits of the coupled step: the formulas compared with the program. */
 #include "coupling/stability.h"
 
 #include "facts.h"
 #include "suspension.h"
 
 /* The bed of the chapter's map: eps_f = 0.45, its edge at 0.41 tau_p. */
-START_TEST(a_packed_bed_asks_for_less_than_half_its_relaxation_time)
+START_TEST(a_packed_bed_requires_less_than_half_its_relaxation_time)
 {
     ck_assert_double_eq_tol(stability_longest_step(0.45, 1.0), 0.405, 1e-12);
     ck_assert_double_eq_tol(stability_longest_step(1.0, 3.0), 6.0, 1e-12);
 }
 END_TEST
 
-/* Where (20.9) is 1: half of the room for neutral spheres, with added mass and
- * without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
-START_TEST(the_swing_dies_out_below_the_densest_packing)
+/* Where (20.9) is 1: half of the volume for neutral spheres, with added mass
+ * and without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
+START_TEST(the_oscillation_decays_below_the_densest_packing)
 {
     static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
     static const double C[] = {0.0, 0.5, 0.0, 0.5};
@@ -30,7 +30,7 @@ START_TEST(the_swing_dies_out_below_the_densest_packing)
 }
 END_TEST
 
-/* Sand in air, 0.6 of the room: 1500 kg beside 0.48 kg. */
+/* Sand in air, a solid fraction of 0.6: 1500 kg and 0.48 kg a cubic metre. */
 START_TEST(the_loading_is_mass_beside_mass)
 {
     ck_assert_double_eq_tol(stability_loading(2500.0, 0.6, 1.2), 3125.0, 1e-9);
@@ -61,8 +61,8 @@ static double growth(double ratio, double C)
 }
 
 /* Below 1 nothing grows, though the spheres weigh a fiftieth of the fluid; far
- * above (the mean over 2 cells that a sphere sees takes some of it) the swing
- * runs away, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
+ * above (the interpolation over 2 cells damps some of it) the oscillation
+ * diverges, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
 START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
 {
     const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;
@@ -166,8 +166,8 @@ END_TEST
 FACTS("stability")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT(a_packed_bed_asks_for_less_than_half_its_relaxation_time);
-    FACT(the_swing_dies_out_below_the_densest_packing);
+    FACT(a_packed_bed_requires_less_than_half_its_relaxation_time);
+    FACT(the_oscillation_decays_below_the_densest_packing);
     FACT(the_loading_is_mass_beside_mass);
     FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
                   3);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,15 +10,15 @@
 #include "mesh/poly/poly.h"
 #include "warped.h"
 
-/* Distance along k from the host's cell (its interval) to x. */
+/* Distance along k from the cell (its interval) to x. */
 static double beyond(const struct mesh *m, int k, int at, double x)
 {
     const double *const e = &m->box.edge[k][at];
     return fmax(0.0, fmax(e[0] - x, x - e[1]));
 }
 
-/* Is an image of cell c, shifted by `link`, among the entries of the host?
- * Returns how often. Links are sums of order 1, hence 1e-12. */
+/* The number of times that the image of cell c, shifted by `link`, is among the
+ * entries of the cell. Links are sums of order 1, hence 1e-12. */
 static int listed(const struct stencil *s, int host, int c,
                   const double link[3])
 {
@@ -33,8 +33,8 @@ static int listed(const struct stencil *s, int host, int c,
 }
 
 /* Looks at every image of every cell, two periods around: if it is near the
- * host, it is listed once. Returns how many are; as many entries, no more, may
- * the stencil have. No b below has a cell just at the limit. */
+ * cell, it is listed once. Returns the number of near images, which must be the
+ * number of entries. No b below has a cell just at the limit. */
 static int compare_one_host(const struct mesh *m, const struct stencil *s,
                             const int at[3], double b)
 {
@@ -64,7 +64,7 @@ static int compare_one_host(const struct mesh *m, const struct stencil *s,
     return near;
 }
 
-/* 0.01: within the host. 0.37: across more than a period of those shapes that
+/* 0.01: within the cell. 0.37: across more than a period of those shapes that
  * have two cells or five. */
 START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
 {

@@ -34,7 +34,7 @@ static void leave(void)
     scratch_clear(dir);
 }
 
-/* What stl_read says of this text; it must refuse it. */
+/* The message of stl_read for this text, which must be refused. */
 static void refused(const char *text, const char *said)
 {
     struct stl s;
@@ -127,7 +127,7 @@ START_TEST(binary_file_that_is_cut_off_or_not_there_is_refused)
 
     write_binary(3, 2);
     f = fopen(scratch_path(dir, "a.stl"), "r+b");
-    fputs("xxxxx", f); /* else it would pass for text */
+    fputs("xxxxx", f); /* otherwise the file would be read as text */
     fclose(f);
     ck_assert_int_ne(stl_read(scratch_path(dir, "a.stl"), &s), 0);
     ck_assert_int_ne(stl_read(scratch_path(dir, "absent.stl"), &s), 0);

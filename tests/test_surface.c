@@ -97,7 +97,7 @@ END_TEST
 
 /* A quarter turn about z through (1, 0, 0), and then 0.5 along z: the plane
  * y = 0 has become x = 1, its normal (0, 1, 0) has become (-1, 0, 0). */
-START_TEST(a_plane_that_has_turned_is_met_where_it_is_now)
+START_TEST(a_sphere_touches_a_turned_plane_where_it_is_now)
 {
     const struct surface s = {.shape = SURFACE_PLANE,
                               .normal = {0.0, 1.0, 0.0},
@@ -154,7 +154,7 @@ START_TEST(what_makes_no_surface_is_refused)
 END_TEST
 
 /* A sphere of radius 0.1 m may begin 0.01 m deep in a plane or a sheet, not
- * 0.011 m; and is told where it is. */
+ * 0.011 m; and its position is reported. */
 START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
 {
     double corner[1][3][3] = {{{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}}};
@@ -228,8 +228,8 @@ static void slide(int neighbour, double found[4])
     particles_free(ps);
 }
 
-/* To the last bit: it has nothing of the springs of who has gone. */
-START_TEST(who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves)
+/* To the last bit: it has none of the data of the removed sphere. */
+START_TEST(a_contact_on_a_surface_keeps_its_own_tangential_displacement)
 {
     double with[4], alone[4];
     slide(1, with);
@@ -245,9 +245,9 @@ FACTS("surface")
     FACT_FOR_EACH(a_point_on_the_axis_of_a_cylinder_has_a_normal_across_it, 12);
     FACT_FOR_EACH(a_triangle_has_two_sides_and_a_point_in_it_is_given_one, 3);
     FACT(a_triangle_without_an_area_has_no_normal);
-    FACT(a_plane_that_has_turned_is_met_where_it_is_now);
+    FACT(a_sphere_touches_a_turned_plane_where_it_is_now);
     FACT(a_surface_reaches_to_the_farthest_corner_from_its_centre);
     FACT(what_makes_no_surface_is_refused);
     FACT_FOR_EACH(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin, 2);
-    FACT(who_stays_on_a_surface_does_not_get_the_springs_of_who_leaves);
+    FACT(a_contact_on_a_surface_keeps_its_own_tangential_displacement);
 }

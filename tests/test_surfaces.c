@@ -154,7 +154,7 @@ START_TEST(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum)
 }
 END_TEST
 
-/* The rod answers only from outside. */
+/* The rod has contacts on its outside only. */
 START_TEST(sphere_rebounds_from_a_rod_at_its_radius)
 {
     const struct surface s = {.name = "rod",
@@ -243,7 +243,7 @@ static struct surface floor_of_two(double angle)
 }
 
 /* The same with eight about the origin, or twelve that leave hanging corners:
- * a strip of large ones beside a strip of small ones. */
+ * a row of large ones beside a row of small ones. */
 static struct surface floor_of_eight(void)
 {
     double corner[8][3][3] = {{{0}}};
@@ -396,8 +396,8 @@ END_TEST
 
 /* --- many ----------------------------------------------------------------- */
 
-/* The box of walls and the same box of triangles: a cloud in it goes the same
- * way, until chaos makes 1e-16 visible. */
+/* The box of walls and the same box of triangles: a cloud in it moves in the
+ * same way, until chaos makes 1e-16 visible. */
 static double apart(int threads, struct particles **left)
 {
     const double half = 0.6;
@@ -455,9 +455,9 @@ END_TEST
 
 /* --- springs -------------------------------------------------------------- */
 
-/* A sphere slides and rolls over a floor; the run is cut in the middle and goes
- * on from what dem_springs remembers, after the list was made anew: the same
- * but for the rounding of R omega, which depends on when lists are made. */
+/* A sphere slides and rolls over a floor; the run is interrupted in the middle
+ * and continued from the state of the contacts, with a new list: the same but
+ * for the rounding of R omega, which depends on when lists are made. */
 START_TEST(springs_of_surfaces_are_part_of_the_state)
 {
     struct surface s = floor_of_two(0.5 * M_PI);
@@ -494,7 +494,7 @@ END_TEST
 /* --- through the wall ------------------------------------------------------
  */
 
-/* So fast that no step sees it near the sheet; or pressed through. */
+/* So fast that it is near the sheet in no step; or pressed through. */
 START_TEST(particle_through_a_sheet_is_lost_by_its_id)
 {
     struct surface s[2] = {plane(0, -1.5, 0, 0, 1, 0), floor_of_two(0.3)};

@@ -78,7 +78,7 @@ START_TEST(trials_cost_little)
 }
 END_TEST
 
-/* Its time is not even looked at. */
+/* Its time is not used. */
 START_TEST(one_thread_stays_one)
 {
     struct thread_tuner c;

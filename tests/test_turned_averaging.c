@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Averaging and interpolation, seen in other axes and measured in other units:
- * the same numbers. */
+/* Averaging and interpolation in other axes and other units give the same
+ * numbers. */
 #include "averaging/interpolation.h"
 
 #include <math.h>
@@ -146,7 +146,8 @@ static void assert_fields(const struct scene *a, const struct scene *b,
     }
 }
 
-/* What particles see of the fields, by the adjoint and by each way. */
+/* The fields interpolated to the particles, by the adjoint and by each
+ * interpolation. */
 static void assert_seen(struct scene *a, struct scene *b, const struct frame *t)
 {
     for (int c = 0; c < a->m->n_cells; c++) {
@@ -167,7 +168,7 @@ static void assert_seen(struct scene *a, struct scene *b, const struct frame *t)
     }
 }
 
-START_TEST(averages_do_not_know_the_axes_that_they_are_taken_in)
+START_TEST(averages_do_not_depend_on_the_axes)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     const int frame = shape == 0 ? 4 : 5; /* turned, and mirrored, too */
@@ -184,7 +185,7 @@ START_TEST(averages_do_not_know_the_axes_that_they_are_taken_in)
 END_TEST
 
 /* To the last bit: the unit is a power of two. */
-START_TEST(averages_do_not_know_the_unit_of_length)
+START_TEST(averages_do_not_depend_on_the_unit_of_length)
 {
     const int way = _i % WAYS, shape = _i / WAYS;
     struct scene *const a = create(&turned_frames[0], 1.0, way, shape);
@@ -212,7 +213,6 @@ END_TEST
 FACTS("turned averaging")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(averages_do_not_know_the_axes_that_they_are_taken_in,
-                  WAYS * BOXES);
-    FACT_FOR_EACH(averages_do_not_know_the_unit_of_length, WAYS * BOXES);
+    FACT_FOR_EACH(averages_do_not_depend_on_the_axes, WAYS * BOXES);
+    FACT_FOR_EACH(averages_do_not_depend_on_the_unit_of_length, WAYS * BOXES);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spheres that fly through a fluid, seen in other axes and measured in other
- * units: the same numbers. */
+/* Spheres that move through a fluid, in other axes and other units: the same
+ * numbers. */
 #include "facts.h"
 #include "suspension.h"
 #include "turned.h"
@@ -171,7 +171,7 @@ static void assert_alike(const struct simulation *a, const struct simulation *b,
                             b->coupling->report.seen_lowest, 1e-10);
 }
 
-START_TEST(the_exchange_does_not_know_the_axes)
+START_TEST(the_coupling_does_not_depend_on_the_axes)
 {
     struct mesh *const plain = mesh_in(turned_si);
     struct simulation *const a = moved(_i, plain, &turned_frames[0], turned_si);
@@ -187,7 +187,7 @@ START_TEST(the_exchange_does_not_know_the_axes)
 END_TEST
 
 /* Drag laws take powers of numbers without a unit: to the last bit. */
-START_TEST(the_exchange_does_not_know_the_units)
+START_TEST(the_coupling_does_not_depend_on_the_units)
 {
     const struct units in = turned_units;
     const double speed = in.L / in.T, force = in.M * speed / in.T;
@@ -214,6 +214,6 @@ END_TEST
 FACTS("turned exchange")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(the_exchange_does_not_know_the_axes, VARIANTS);
-    FACT_FOR_EACH(the_exchange_does_not_know_the_units, VARIANTS);
+    FACT_FOR_EACH(the_coupling_does_not_depend_on_the_axes, VARIANTS);
+    FACT_FOR_EACH(the_coupling_does_not_depend_on_the_units, VARIANTS);
 }

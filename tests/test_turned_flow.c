@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A flow with all that it can have, seen in other axes and measured in other
- * units: the same numbers. */
+/* A flow with all its options, in other axes and other units: the same
+ * numbers. */
 #include "fluid/fluid.h"
 
 #include <math.h>
@@ -132,7 +132,8 @@ static double any(int c, int q, int n)
     return sin(7.0 * c + 3.1 * q + 1.7 * n + 0.13 * c * q);
 }
 
-/* What the particles would set. The volume of the solids stays. */
+/* Sets the fields that the particles would set. The volume of the solids is
+ * constant. */
 static void set_particles(struct scene *s, int n)
 {
     const double force = s->pressure / s->in.L; /* [N/m^3] */
@@ -212,8 +213,8 @@ static void discard(struct scene *s)
     free(s);
 }
 
-/* The fields of the second scene back in the cells and axes of the first. A
- * closed flow has no level of pressure: there it is that of cell 0. */
+/* The fields of the second case in the cells and axes of the first. A closed
+ * flow has no level of pressure: there it is that of cell 0. */
 static void assert_alike(const struct scene *a, const struct scene *b)
 {
     const int n = a->m->n_cells, open = !a->v->closed && !a->v->periodic;
@@ -265,7 +266,7 @@ static void assert_sums(const struct scene *a, const struct scene *b)
 /* Velocities are some 0.3 m/s, pressures some 10 Pa over cells of 0.02 m; the
  * solvers leave 1e-13 of their right sides. A term of one component or one side
  * that is wrong shows as 1e-4 and more. */
-START_TEST(a_flow_does_not_know_the_axes_that_it_is_written_in)
+START_TEST(a_flow_does_not_depend_on_the_axes)
 {
     struct scene *const a = create(&variants[_i], &turned_frames[0], turned_si);
     for (int t = 1; t < TURNED; t++) {
@@ -280,7 +281,7 @@ START_TEST(a_flow_does_not_know_the_axes_that_it_is_written_in)
 END_TEST
 
 /* To the last bit: all units are powers of two. */
-START_TEST(a_flow_does_not_know_the_units_that_it_is_measured_in)
+START_TEST(a_flow_does_not_depend_on_the_units)
 {
     const struct frame *const t = &turned_frames[0];
     struct scene *const a = create(&variants[_i], t, turned_si);
@@ -318,8 +319,6 @@ END_TEST
 FACTS("turned flow")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(a_flow_does_not_know_the_axes_that_it_is_written_in,
-                  VARIANTS);
-    FACT_FOR_EACH(a_flow_does_not_know_the_units_that_it_is_measured_in,
-                  VARIANTS);
+    FACT_FOR_EACH(a_flow_does_not_depend_on_the_axes, VARIANTS);
+    FACT_FOR_EACH(a_flow_does_not_depend_on_the_units, VARIANTS);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Grains between walls and surfaces, seen in other axes and measured in other
- * units: the same motion. */
+/* Grains between walls and surfaces, in other axes and other units: the same
+ * motion. */
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
@@ -272,7 +272,7 @@ static void assert_sums(const struct scene *a, const struct scene *b)
     ck_assert_double_eq_tol(e->normal, f->normal, 1e-12);
 }
 
-START_TEST(grains_do_not_know_the_axes_that_they_move_in)
+START_TEST(the_motion_of_particles_does_not_depend_on_the_axes)
 {
     struct scene *const a = create(&variants[_i], &turned_frames[0], turned_si);
     for (int t = 1; t < TURNED; t++) {
@@ -287,7 +287,7 @@ START_TEST(grains_do_not_know_the_axes_that_they_move_in)
 END_TEST
 
 /* To the last bit: all units are powers of two. */
-START_TEST(grains_do_not_know_the_units_that_they_are_measured_in)
+START_TEST(the_motion_of_particles_does_not_depend_on_the_units)
 {
     const struct frame *const t = &turned_frames[0];
     struct scene *const a = create(&variants[_i], t, turned_si);
@@ -324,7 +324,8 @@ END_TEST
 FACTS("turned grains")
 {
     tcase_set_timeout(facts, 60.0);
-    FACT_FOR_EACH(grains_do_not_know_the_axes_that_they_move_in, VARIANTS);
-    FACT_FOR_EACH(grains_do_not_know_the_units_that_they_are_measured_in,
+    FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_axes,
+                  VARIANTS);
+    FACT_FOR_EACH(the_motion_of_particles_does_not_depend_on_the_units,
                   VARIANTS);
 }

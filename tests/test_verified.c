@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fluid against solutions made for it, a published table, and hard cases.
+/* The fluid solver against manufactured solutions, a published table, and hard
+ * cases.
  */
 #include "fluid/fluid.h"
 #include "facts.h"
@@ -18,7 +19,7 @@ static void discard(struct fluid *fl)
     mesh_free(m);
 }
 
-/* --- a solution made for the equations ----------------------------------- */
+/* --- a manufactured solution --------------------------------------------- */
 
 /* u = T (-2 sin^2 pi x sin pi y cos pi y, 2 sin pi x cos pi x sin^2 pi y),
  * p = T sin pi x sin pi y, eps = 0.5 + 0.25 sin pi x sin pi y on [-1, 1]^2: eps
@@ -45,7 +46,7 @@ static double made_eps(double x, double y)
     return 0.5 + 0.25 * sin(M_PI * x) * sin(M_PI * y);
 }
 
-/* The force that makes it a solution: eps (du/dt + u . grad u) + gamma grad p
+/* The force for which it is a solution: eps (du/dt + u . grad u) + gamma grad p
  * - lap u, with differences over 1e-4 (their error is 1e-7). */
 static double made_force(int k, int shared, int unsteady, double x, double y,
                          double t)
@@ -139,7 +140,7 @@ static struct made_error made_run(int n, int shared, int unsteady, double dt,
 }
 
 /* Both forms of the pressure term, steady. */
-START_TEST(a_made_solution_with_eps_has_order_two_in_u_and_p)
+START_TEST(a_manufactured_solution_with_eps_has_order_two_in_u_and_p)
 {
     const struct made_error a = made_run(16, _i, 0, 0.02, 40, "euler");
     const struct made_error b = made_run(32, _i, 0, 0.02, 40, "euler");
@@ -151,7 +152,7 @@ END_TEST
 
 /* Unsteady, on one mesh: what a step of dt adds to the error of the mesh falls
  * by 2 with Euler and by 4 with BDF2 (order 1 and 2). */
-START_TEST(a_made_solution_in_time_has_the_order_of_the_scheme)
+START_TEST(a_manufactured_solution_has_the_order_of_the_scheme_in_time)
 {
     const char *const time = _i ? "bdf2" : "euler";
     double u[3];
@@ -164,7 +165,7 @@ START_TEST(a_made_solution_in_time_has_the_order_of_the_scheme)
 END_TEST
 
 /* A void fraction that travels through a periodic box, eps = 0.5 + 0.2 sin(x -
- * c t), with u = c + q / eps: void-rate continuity to the letter. */
+ * c t), with u = c + q / eps: which satisfies void-rate continuity exactly. */
 static double wave_error(const char *time, int n, double dt)
 {
     const double L = 2.0 * M_PI, speed = 1.0, q = 0.3, mu = 0.05;
@@ -430,7 +431,7 @@ START_TEST(a_cavity_at_courant_number_5_stays_below_its_lid)
 END_TEST
 
 /* Viscosity that crosses many cells within a step: two corrections are not
- * enough and would grow what they leave; they go on by themselves. */
+ * enough and would diverge; further ones are added automatically. */
 START_TEST(corrections_go_on_where_viscosity_is_fast)
 {
     struct boundary b[4];
@@ -454,8 +455,9 @@ END_TEST
 FACTS("verified")
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_made_solution_with_eps_has_order_two_in_u_and_p, 2);
-    FACT_FOR_EACH(a_made_solution_in_time_has_the_order_of_the_scheme, 2);
+    FACT_FOR_EACH(a_manufactured_solution_with_eps_has_order_two_in_u_and_p, 2);
+    FACT_FOR_EACH(a_manufactured_solution_has_the_order_of_the_scheme_in_time,
+                  2);
     FACT(a_travelling_void_has_order_two_in_space_and_time);
     FACT(the_cavity_has_the_profile_of_ghia_at_re_100);
     FACT(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000);

@@ -10,10 +10,10 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
-/* With a folder as argument the program writes samples there, on which
- * vtk_check.py lets the real readers of VTK loose. What a sample holds can be
- * computed from its index alone: number v of an array is (v % 1009) * 0.375
- * - 100, exact in single precision too, or for whole numbers 7 v - 3. */
+/* With a folder as argument the program writes samples there, which
+ * vtk_check.py reads with VTK itself. The values of a sample follow from the
+ * index alone: number v of an array is (v % 1009) * 0.375 - 100, exact in
+ * single precision too, or for whole numbers 7 v - 3. */
 
 static char dir[64];
 static struct vtk_writer *writer;

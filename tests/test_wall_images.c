@@ -11,7 +11,7 @@
 #include "facts.h"
 #include "blocks.h"
 
-/* The mirrors of a mesh, with what they are made of. */
+/* The wall images of a mesh, with the data that they are made from. */
 struct hall {
     struct mesh *mesh;
     struct facets *facets;
@@ -94,7 +94,7 @@ START_TEST(between_two_walls_images_have_images)
 }
 END_TEST
 
-/* A quarter of it is left out: a corner that juts into the room. */
+/* A quarter of it is left out: a corner that juts into the domain. */
 static int step_there(const int at[3])
 {
     return at[0] < 8 || at[1] < 8;
@@ -122,11 +122,11 @@ static const struct {
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
 /* A Gaussian around any place, summed over all cells and all images, is one:
- * the images fill the room behind the walls, and fill it once. b of two cells.
+ * the images fill the space behind the walls exactly once. b of two cells.
  * Where angles are not right ones a cell and its image meet at a wall or at a
  * bisector as no two cells do, and the sum of values at centres is less exact.
  */
-START_TEST(the_images_of_all_cells_fill_the_room_once)
+START_TEST(the_images_of_all_cells_fill_the_space_once)
 {
     const double b = 2.0;
     struct hall h = hall_of(blocks_create(&rooms[_i].blocks), 3.0 * b);
@@ -159,5 +159,5 @@ FACTS("mirrors")
 {
     FACT(ew18_21_a_corner_of_a_box_has_seven_images);
     FACT(between_two_walls_images_have_images);
-    FACT_FOR_EACH(the_images_of_all_cells_fill_the_room_once, ROOMS);
+    FACT_FOR_EACH(the_images_of_all_cells_fill_the_space_once, ROOMS);
 }

@@ -1,10 +1,10 @@
-/* turned.h -- the same scene in other axes, for tests.
+/* turned.h -- the same case in other axes, for tests.
  *
- * Nothing in physics knows x from y or left from right. In a frame, direction k
- * shows what the original has along axis[k], mirrored about the middle of the
- * box if sign[k] is -1. A term that is forgotten, or has a wrong sign or index
- * in one direction, on one side or in one of the two cells of a face, differs
- * between two frames.
+ * The equations do not distinguish x from y or left from right. In a frame,
+ * direction k shows what the original has along axis[k], mirrored about the
+ * middle of the box if sign[k] is -1. A term that is missing, or has a wrong
+ * sign or index in one direction, on one side or in one of the two cells of a
+ * face, differs between two frames.
  */
 #ifndef TURNED_H
 #define TURNED_H
@@ -26,11 +26,11 @@ static const struct frame turned_frames[] = {
     {{2, 0, 1}, {1, -1, 1}}, {{1, 2, 0}, {-1, 1, -1}}};
 enum { TURNED = 6 };
 
-/* The same scene measured in other units: so many of them are a metre, a
- * second, a kilogram. Powers of two round to the same digits; a product where a
- * quotient should be, or a number that should have had a unit, shows at once. L
- * / T and M L^3 / T^2 are squares: drag laws take roots of speeds, and charges
- * are roots of forces times areas. */
+/* The same case in other units; the members are a metre, a second and a
+ * kilogram in these units. Powers of two round to the same digits; a product
+ * where a quotient should be, or a number that should have had a unit, shows at
+ * once. L / T and M L^3 / T^2 are squares: drag laws take roots of speeds, and
+ * charges are roots of forces times areas. */
 struct units {
     double L, T, M;
 };

@@ -66,7 +66,11 @@ end
 local function link(item)
   local target = item.target
   if target:match("^%a+:") then return end
-  if target:match("%.md") then
+  if target:match("steps/README%.md$") then
+    item.target = "steps.html"
+  elseif target:match("^%d%d%-[%w-]+%.c$") then -- beside steps/README.md
+    item.target = "chapters/steps/" .. target .. ".html"
+  elseif target:match("%.md") then
     item.target = target:gsub("^.*/", ""):gsub("README%.md", "index.md")
       :gsub("%.md", ".html")
   elseif target:match("%.patch$") then

@@ -7,6 +7,8 @@ out=${1:-build/book}
 tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
+steps=
+[ ! -d chapters/steps ] || steps=chapters/steps pages="$pages chapters/steps/README.md"
 [ ! -f chapters/course.md ] || pages="$pages chapters/course.md"
 pages="$pages chapters/equations.md chapters/notation.md chapters/references.md"
 
@@ -18,7 +20,7 @@ find figures -name '*.svg' -o -name '*.png' | while read -r figure; do
     cp "$figure" "$out/figures"
 done
 
-name() { basename "$1" .md; }
+name() { case $1 in */steps/README.md) echo steps ;; *) basename "$1" .md ;; esac; }
 title() { sed -n 's/^# //p' "$1" | head -1; }
 
 # What may be linked to by its name, and on which page it is.
@@ -61,6 +63,8 @@ contents() {
                 END { print "" }' chapters/README.md ;;
         esac
     done
+    [ -z "$steps" ] ||
+        printf '\n- [Twelve steps](steps/README.md)<br>How does one write a CFD-DEM program?'
     printf '\n- [Equations](equations.md)<br>Where is it computed and tested?\n'
     [ ! -f chapters/course.md ] ||
         printf -- '- [Course](course.md)<br>How does one teach this in eight weeks?\n'
@@ -82,7 +86,8 @@ while [ $# -gt 0 ]; do
 done
 
 files=$out/files.txt
-find src tests cases figures chapters/solutions -name '*.[ch]' -o -name '*.cfg' \
+# shellcheck disable=SC2086 # none or one
+find src tests cases figures chapters/solutions $steps -name '*.[ch]' -o -name '*.cfg' \
     -o -name '*.sh' -o -name '*.gp' -o -name '*.txt' -o -name '*.py' \
     -o -name '*.patch' >"$files"
 sed "s|^|$out/|; s|/[^/]*\$||" "$files" | sort -u | xargs mkdir -p

@@ -14,7 +14,7 @@ step() { "$@" || failed=1; }
 text() {
     # shellcheck disable=SC2046 # one word a file
     step awk -f "$tools/text.awk" chapters/*.md chapters/solutions/*.md \
-        $(find src tests -name '*.[ch]')
+        $(find src tests chapters/steps -name '*.[ch]')
     step sh "$tools/weave.sh" check
     step sh "$tools/ledger.sh" check
     step sh "$tools/unshown.sh" check

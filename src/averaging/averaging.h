@@ -20,10 +20,10 @@
 #include "mesh/mesh.h"
 #include "dem/particles.h"
 
-/* A box with a bandwidth of its own, see bandwidth.h. */
+/* A box with its own bandwidth, see bandwidth.h. */
 struct averaging_region {
     double low[3], high[3]; /* [m] */
-    double bandwidth;       /* [m] 0: the pcm field stays */
+    double bandwidth;       /* [m] 0: the pcm field is not diffused */
 };
 
 /* Options of a case. 0 or NULL selects the default in brackets. */
@@ -37,7 +37,7 @@ struct averaging_options {
     const struct averaging_region *regions; /* borrowed during create */
     int n_regions;                          /* [-] [0] */
     double cap;                             /* [-] on eps_s, pcm only [none] */
-    int fields; /* [-] most numbers side by side in one call [8] */
+    int fields; /* [-] largest number of fields in one call [8] */
 };
 
 /* lost to lost_volume: of the last bind. alone to negative: of the last spread.
@@ -92,7 +92,7 @@ const int *averaging_cell_of_particle(const struct averaging *a);
 const struct cell_of_particle *averaging_cells(const struct averaging *a);
 const struct averaging_report *averaging_report(const struct averaging *a);
 
-/* For this and the next an outline of the mesh is enough.
+/* This function and the next need only an outline of the mesh.
  *
  * Estimate of the memory for the neighbourhoods of all cells [byte]; d [m] is
  * the largest diameter. */

@@ -1,8 +1,8 @@
 /* interpolation.h -- interpolation of a field to the particles. Chapter 8.
  *
- * nearest  the value of its host cell. Exact for constants; jumps from cell to
+ * nearest  the value of its own cell. Exact for constants; jumps from cell to
  *          cell.
- * linear   the host's value and its Gauss gradient,
+ * linear   the value and the Gauss gradient of that cell,
  *              q_i = f_c + (1 / V_c) sum_f S_f (f_f - f_c) . (x_i - x_c).
  *          Exact for linear fields also on graded
  *          meshes and across a period too; second order for smooth ones; jumps
@@ -21,9 +21,9 @@
 
 #include "averaging/averaging.h"
 
-/* One way. apply takes m fields side by side to the particles of the last
- * bind, and the values on the boundary faces, boundary[m * (f - n_internal) +
- * k], or NULL; only "linear" uses them. */
+/* One interpolation. apply interpolates m interleaved fields to the particles
+ * of the last averaging_bind. The values on the boundary faces, boundary[m * (f
+ * - n_internal) + k], or NULL, are used by "linear" only. */
 struct interpolation {
     const char *name, *cite, *what;
     void (*apply)(struct averaging *a, int m, const double *field,

@@ -11,8 +11,8 @@
 struct pcm {
     const struct cell_of_particle *h; /* borrowed */
     double cap;                       /* [-] on eps_s, 0: none */
-    double
-        *capped_fraction; /* [-] of solids that has room; NULL without a cap */
+    double *capped_fraction; /* [-] fraction of the solids within the cap; NULL
+                                without a cap */
 };
 
 static void *pcm_create(const struct cell_of_particle *h,

@@ -22,7 +22,7 @@ void *alloc_zeroed(size_t n, size_t size)
     return memset(p, 0, bytes);
 }
 
-/* A number below 0 is one above what an int holds. */
+/* A negative number is one that does not fit into an int. */
 static size_t counted(int n)
 {
     if (n >= 0) return (size_t)n;
@@ -41,14 +41,14 @@ int *alloc_ints(int n)
     return alloc_zeroed(counted(n), sizeof(int));
 }
 
-/* The lower of two limits, of which the second may be none. */
+/* The lower of two limits; the second may be absent. */
 static double lower(double most, double limit)
 {
     return limit > 0.0 && limit < most ? limit : most;
 }
 
-/* What the first number in a file says, or 0: a group of processes may have
- * less than the machine. */
+/* The first number in a file, or 0. A group of processes may have less memory
+ * than the machine. */
 static double limit_in(const char *file)
 {
     FILE *const in = fopen(file, "r");

@@ -1,4 +1,4 @@
-/* alloc.h -- memory that is there or the program ends.
+/* alloc.h -- memory, or the end of the program if there is none.
  *
  * Every array of the solver comes from here: zeroed, aligned to 64 bytes for
  * vector loads. If memory is exhausted the program ends with a message and exit
@@ -16,8 +16,8 @@ void *alloc_zeroed(size_t n, size_t size);
 double *alloc_doubles(int n);
 int *alloc_ints(int n);
 
-/* What this program can have at most: the memory of the machine, or a limit
- * that is set for the process [byte]. */
+/* The most memory that this program can have: that of the machine, or the limit
+ * of the process [byte]. */
 double alloc_most(void);
 
 #endif

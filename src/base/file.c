@@ -12,8 +12,8 @@
 
 struct file {
     FILE *stream;
-    char *path;    /* the name it will have */
-    char *partial; /* the name it has until then */
+    char *path;    /* final name */
+    char *partial; /* name until file_commit */
 };
 
 static char *joined(const char *a, const char *b, const char *c)
@@ -41,9 +41,9 @@ static void forget(struct file *f)
     free(f);
 }
 
-/* The reason why the stream failed, or 0 if it did not. A stream remembers
- * that a write failed but not why, so a failed one is asked to write once
- * more: a full disk is still full. Only an unknown reason becomes EIO. */
+/* The reason why the stream failed, or 0 if it did not. A stream records that a
+ * write failed but not why, so the write is tried once more: a full disk is
+ * still full. Only an unknown reason becomes EIO. */
 static int failure(FILE *stream)
 {
     const int failed_before = ferror(stream);
@@ -58,8 +58,8 @@ static int failure(FILE *stream)
     return 0;
 }
 
-/* Opens a file that nobody else has: neither an old one nor what a link of that
- * name points to. */
+/* Opens a new file: neither an existing one nor the target of a link of that
+ * name. */
 static FILE *opened_anew(const char *path)
 {
     unlink(path);
@@ -68,8 +68,8 @@ static FILE *opened_anew(const char *path)
     return file < 0 ? NULL : fdopen(file, "wb");
 }
 
-/* Whose file has the name PATH.partial: another program that began to write the
- * same later takes it from us, and will give it its name. */
+/* 1 if PATH.partial is still this file. A program that began to write the same
+ * path later has replaced it and will rename its own. */
 enum owner { NOBODY, ANOTHER, OURS };
 
 static enum owner owner_of(const struct file *f)

@@ -1,8 +1,8 @@
 /* file.h -- files that are written completely or not at all.
  *
  * Everything is written to PATH.partial and takes its name only when the last
- * byte is on the disk: a reader, a crash or a full disk never meets half a
- * file, and the old file stays until the new one is complete. Every failure
+ * byte is on the disk: neither a crash nor a full disk leaves half a file under
+ * PATH, and the old file stays until the new one is complete. Every failure
  * gives one message on stderr, with the path and the reason.
  */
 #ifndef BASE_FILE_H
@@ -12,22 +12,23 @@
 
 struct file;
 
-/* Opens PATH.partial for writing, anew: what had that name is gone, a link is
- * not followed. NULL after a message if that fails. */
+/* Opens PATH.partial for writing, anew: an older file of that name is removed,
+ * and a link is not followed. NULL after a message if that fails. */
 struct file *file_create(const char *path);
 
-/* Where to write; errors may be left to file_commit, the stream keeps them. */
+/* The stream to write to. Errors need not be checked before file_commit. */
 FILE *file_stream(struct file *f);
 
-/* Flushes to the disk, closes and renames to PATH; f is gone afterwards. If
- * anything failed since file_create: a message, no PATH.partial, non-zero. */
+/* Flushes to the disk, closes and renames to PATH; f is released. If anything
+ * failed since file_create: a message, no PATH.partial, non-zero. */
 int file_commit(struct file *f);
 
-/* Gives the file up: f and PATH.partial are gone. file_discard(NULL) is fine.
+/* Discards the file: removes PATH.partial and releases f. file_discard(NULL) is
+ * fine.
  */
 void file_discard(struct file *f);
 
-/* For a program that ends while PATH may be at work: PATH.partial is gone. */
+/* Removes PATH.partial, for a program that ends while PATH is being written. */
 void file_remove_part(const char *path);
 
 /* Makes a folder and those above it, as mkdir -p; non-zero after a message. */

@@ -11,8 +11,8 @@ static const int asking[] = {SIGINT, SIGTERM, SIGHUP};
 enum { ASKING = sizeof asking / sizeof asking[0] };
 
 /* A blocked signal waits even where it is ignored. A shell makes its background
- * jobs ignore SIGINT, yet whoever sends one by its number means it; SIGHUP is
- * ignored only where somebody asked for that. */
+ * jobs ignore SIGINT, but a SIGINT that is sent to a process by its number is
+ * meant for it; SIGHUP is ignored only on request. */
 static int is_wanted(int number)
 {
     struct sigaction now;

@@ -1,32 +1,31 @@
-/* interrupt.h -- how a run ends when it is asked to.
+/* interrupt.h -- how a run ends on a signal.
  *
  * Ctrl-C, SIGTERM and SIGHUP are held back for the whole program. While the
- * case is read and built there is nothing to save: a thread that does nothing
- * but wait for them ends the program at once, wherever the others are. Once the
- * run has begun, the loop asks after each step whether one has arrived, so that
- * a step is never left half done. No handler and no variable that one would
- * change is needed.
+ * case is read and built there is nothing to save: a thread that only waits for
+ * them ends the program at once. During the run the loop checks for a signal
+ * after each step, so that a step is never left half done. No handler and no
+ * variable that one would change is needed.
  */
 #ifndef BASE_INTERRUPT_H
 #define BASE_INTERRUPT_H
 
 #include <pthread.h>
 
-/* The exit code of a program that was asked to end. */
+/* The exit code of a program that was ended by a signal. */
 enum { INTERRUPT_CODE = 130 };
 
 /* Holds the signals back; before the first thread is started. A SIGHUP that is
- * ignored, as under nohup, stays ignored. So is SIGPIPE from now on: that
- * nobody reads the progress any more does not end a run. */
+ * ignored, as under nohup, stays ignored. SIGPIPE is ignored from now on: a
+ * closed pipe behind the progress bar does not end a run. */
 void interrupt_hold(void);
 
 /* 1 once one of them has arrived. */
 int interrupt_arrived(void);
 
-/* Takes those that have arrived: from now on only another one counts. */
+/* Discards the signals that have arrived; only later ones count. */
 void interrupt_take(void);
 
-/* What the waiting thread needs. */
+/* The state of the waiting thread. */
 struct interrupt_watch {
     pthread_t thread;
     int on;                 /* [-] 1: the thread is there */

@@ -2,8 +2,8 @@
  *
  * The rows are the only place where a key is described: the strict check and
  * its messages, `winnow list` and the reference chapter are all made from
- * them. The rooms that read a key own no second description; an effect brings
- * its own rows in its descriptor.
+ * them. No other file describes a key; the rows of an effect are in its
+ * descriptor.
  */
 #ifndef BASE_KEY_H
 #define BASE_KEY_H
@@ -25,7 +25,7 @@ enum key_type {
     KEY_PATCH   /* one of the words in allowed, or a group with one key */
 };
 
-/* fallback of a key that may be left out and then has no value. */
+/* The fallback of an optional key that has no value if it is left out. */
 #define KEY_OPTIONAL ""
 
 /* A table of keys is an array of rows, ended by one whose path is NULL. */

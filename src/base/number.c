@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whatever is no part of a number in C stands for its decimal point; a point
- * of several bytes becomes one. */
+/* Every character that is no part of a number in C is the decimal sign of the
+ * locale; one of several bytes becomes one point. */
 static void use_decimal_point(char *text)
 {
     char *out = text;
@@ -23,7 +23,8 @@ static void use_decimal_point(char *text)
     *out = '\0';
 }
 
-/* nan and inf without a sign that would only tell how they came about. */
+/* nan and inf are written without a sign, which would depend on how they were
+ * computed. */
 static const char *word_for(double x)
 {
     if (isnan(x)) return "nan";
@@ -35,7 +36,7 @@ const char *number_text(double x, char text[NUMBER_LENGTH])
     if (!isfinite(x)) return strcpy(text, word_for(x));
     for (int digits = 15; digits <= 17; digits++) {
         snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
-        if (strtod(text, NULL) == x) break; /* both in the same language */
+        if (strtod(text, NULL) == x) break; /* both in the same locale */
     }
     use_decimal_point(text);
     return text;

@@ -1,15 +1,14 @@
 /* number.h -- numbers as text that reads back to the same bits, and whole
  * numbers made of real ones.
  *
- * Texts have a decimal point whatever language the machine speaks: VTK reads
- * "0,5" as 0. A real number beyond the range of an int has no int: C leaves
- * open what a cast makes of it, and most machines make -2147483648. So nothing
- * in this program casts a real number; it asks here.
+ * Texts have a decimal point in every locale: VTK reads "0,5" as 0. The cast of
+ * a real number beyond the range of an int is undefined in C, and most machines
+ * give -2147483648. So all conversions of real numbers are done here.
  */
 #ifndef BASE_NUMBER_H
 #define BASE_NUMBER_H
 
-/* Room for any double and its closing zero [bytes]. */
+/* Length of the longest double with its closing zero [bytes]. */
 enum { NUMBER_LENGTH = 32 };
 
 /* Writes x to text and returns text: "0.1", "-1e-300", "nan", "inf", "-inf".
@@ -26,9 +25,9 @@ const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH]);
 int number_int(double x, int *n);
 int number_long(double x, long *n);
 
-/* x without its fraction, but no less than least and no more than most; least
- * if x is no number. For what is in that range but for rounding, and for what
- * is as good beyond the range as at its end. */
+/* x without its fraction, but clamped to least .. most; least if x is not a
+ * number. For values that leave the range by rounding alone, and for values for
+ * which the end of the range serves as well. */
 static inline int number_clamped(double x, int least, int most)
 {
     if (!(x > least)) return least;

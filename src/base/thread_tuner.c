@@ -7,12 +7,12 @@
 
 enum { TRIAL = 3 }; /* [-] steps */
 
-/* Trials come soon at first, and as long as they change something; each that
- * does not doubles the rest until the next. Rests are counted in time, not in
- * steps: steps that became slow are looked into as soon as fast ones. */
+/* Trials are frequent at first, and as long as they change the number; each
+ * that does not doubles the interval to the next. Intervals are measured in
+ * time, not in steps, so that slow steps are tried as soon as fast ones. */
 static const double soon = 1.0, late = 128.0; /* [-] */
 
-/* So much faster the others must be: what steps differ by anyway. */
+/* The gain that a trial must show: more than steps differ by in any case. */
 static const double worth_it = 0.9; /* [-] */
 
 static void measure(struct thread_tuner *c)
@@ -31,7 +31,7 @@ void thread_tuner_init(struct thread_tuner *c, int most)
     measure(c);
 }
 
-/* More and fewer by turns. */
+/* Trials with more and with fewer threads alternate. */
 static void begin_trial(struct thread_tuner *c)
 {
     c->reference_time = c->elapsed;
@@ -43,8 +43,8 @@ static void begin_trial(struct thread_tuner *c)
     c->elapsed = 0.0;
 }
 
-/* A trial that takes longer than what it is held against ends early. After one
- * with more threads in vain, half of them are tried next. */
+/* A trial that takes longer than the reference time ends early. If more threads
+ * were not faster, half of them are tried next. */
 static void end_trial(struct thread_tuner *c)
 {
     const int better =

@@ -10,17 +10,18 @@
 #define BASE_THREAD_TUNER_H
 
 struct thread_tuner {
-    int max_threads;       /* [-] threads that there are */
-    int threads;           /* [-] in use between trials */
-    int trial_threads;     /* [-] in the present trial; 0: no trial */
-    int trial_was_larger;  /* [-] 1: the last trial was with more */
-    int target;            /* [-] the next one with more tries so many */
-    int measuring;         /* [-] 1: measures the reference time for a trial */
-    int steps_left;        /* [-] steps of this trial or measurement */
-    double step_start;     /* [s] when the step at hand began */
-    double elapsed;        /* [s] in this trial, measurement or rest */
-    double reference_time; /* [s] that a trial's steps take with `now` */
-    double trial_interval; /* [-] of the known time, between two trials */
+    int max_threads;      /* [-] threads available */
+    int threads;          /* [-] in use between trials */
+    int trial_threads;    /* [-] in the present trial; 0: no trial */
+    int trial_was_larger; /* [-] 1: the last trial was with more */
+    int target;           /* [-] threads of the next trial with more */
+    int measuring;        /* [-] 1: measures the reference time for a trial */
+    int steps_left;       /* [-] steps of this trial or measurement */
+    double step_start;    /* [s] start of the present step */
+    double elapsed;       /* [s] spent in this trial, measurement or interval */
+    double reference_time; /* [s] reference: time of as many steps with `now`
+                              threads */
+    double trial_interval; /* [-] interval between trials, in reference times */
 };
 
 /* The first steps use one thread. */

@@ -344,6 +344,8 @@ const struct key keys_core[] = {
      "simulated time at which the run ends", "", ""},
     {"output.every", KEY_REAL, "s", "> 0", NULL,
      "time between two pictures of all fields and particles", "", ""},
+    {"output.animation", KEY_BOOL, "", "", "false",
+     "bed.gif, a moving picture of the particles at these times", "", ""},
     {"output.history", KEY_REAL, "s", "> 0", "",
      "time between two rows of history.csv; left out: every fluid step", "",
      ""},

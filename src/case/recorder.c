@@ -13,6 +13,7 @@
 #include "base/version.h"
 #include "coupling/coupling.h"
 #include "output/folder.h"
+#include "output/animation.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
@@ -37,6 +38,7 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
+    struct animation *animation;    /* NULL: off */
     struct surface_table *surfaces; /* NULL without any */
     struct profiles *lines;
     struct probes *probes;
@@ -56,6 +58,7 @@ void recorder_free(struct recorder *r)
     table_free(r->history);
     surface_table_free(r->surfaces);
     field_output_free(r->pictures);
+    animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
     snapshot_free(r->snapshot);
@@ -105,6 +108,31 @@ static int add_row(struct recorder *r)
     return table_add(r->history, row);
 }
 
+/* The present state as a picture (picture.h). */
+static struct picture picture_of(const struct recorder *r)
+{
+    const struct snapshot *const s = r->snapshot;
+
+    return (struct picture){.title = settings_text(r->settings, "title"),
+                            .time = s->t,
+                            .mesh = r->sim->mesh,
+                            .eps = s->eps,
+                            .n = s->n,
+                            .x = {s->x[0], s->x[1], s->x[2]},
+                            .v = {s->v[0], s->v[1], s->v[2]},
+                            .d = s->d,
+                            .pressure = r->sim->fluid != NULL &&
+                                        r->sim->particles != NULL};
+}
+
+static int add_fields(struct recorder *r)
+{
+    const struct picture p = picture_of(r);
+
+    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
+    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+}
+
 int recorder_sample(struct recorder *r)
 {
     const long step = r->sim->steps;
@@ -120,13 +148,13 @@ int recorder_sample(struct recorder *r)
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
-    return field_output_add(r->pictures, r->snapshot);
+    return add_fields(r);
 }
 
 int recorder_last_state(struct recorder *r)
 {
     if (r->snapshot->t <= field_output_last(r->pictures)) return 0;
-    return field_output_add(r->pictures, r->snapshot);
+    return add_fields(r);
 }
 
 /* --- the summary ---------------------------------------------------------- */
@@ -267,6 +295,11 @@ static int create_parts(struct recorder *r)
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);
     if (r->pictures == NULL) return 1;
+    if (settings_bool(r->settings, "output.animation") &&
+        sim->particles != NULL) {
+        r->animation = animation_create(folder);
+        if (r->animation == NULL) return 1;
+    }
     if (sim->n_surfaces > 0) {
         r->surfaces = surface_table_create(sim, folder);
         if (r->surfaces == NULL) return 1;
@@ -300,26 +333,16 @@ struct recorder *recorder_create(const struct settings *s,
 
 /* --- the end -------------------------------------------------------------- */
 
-/* The last state as a picture; drawn only where there is a gnuplot. */
+/* The last state as a picture, and all of them as an animation, drawn only
+ * where there is a gnuplot. */
 static int draw_picture(const struct recorder *r)
 {
-    const struct snapshot *const s = r->snapshot;
-    const struct picture p = {.title = settings_text(r->settings, "title"),
-                              .time = s->t,
-                              .mesh = r->sim->mesh,
-                              .eps = s->eps,
-                              .n = s->n,
-                              .x = {s->x[0], s->x[1], s->x[2]},
-                              .v = {s->v[0], s->v[1], s->v[2]},
-                              .d = s->d,
-                              .pressure = r->sim->fluid != NULL &&
-                                          r->sim->particles != NULL};
-
+    const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
     if (picture_write(r->folder, &p) != 0) return 1;
     if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
-    return 0;
+    return r->animation != NULL && animation_draw(r->animation, &p) != 0;
 }
 
 /* The summary comes last: what it calls done is there. Where writing has failed

@@ -37,7 +37,7 @@ struct coupling_options {
     enum slip_integration slip_integration;
     const struct interpolation *interpolation;
     int substeps; /* [-] drag updates a step; 0: as many as the shortest
-                     relaxation time asks for [XS11 section 3.3] */
+                     relaxation time requires [XS11 section 3.3] */
     int two_way;  /* 0: no force of the particles on the fluid */
 };
 

@@ -14,7 +14,7 @@
 struct simulation;
 struct effect;
 
-/* One effect at work: what it is, and what it remembers. */
+/* An active effect: its descriptor and its state. */
 struct effect_state {
     const struct effect *effect;
     void *memory; /* released by effect->free; may be NULL */
@@ -24,7 +24,7 @@ struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
     const char *equations;  /* keys, such as "SX15 11-14" */
-    const char *function;   /* the one that computes it, for `explain` */
+    const char *function;   /* the function that computes it, for `explain` */
     const struct key *keys; /* ended by a row without a path */
     void *(*create)(struct simulation *sim, const double *parameters);
     /* Any of these may be NULL. */

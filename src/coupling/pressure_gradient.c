@@ -39,9 +39,9 @@ static void pressure_gradient_free(void *memory)
     free(self);
 }
 
-/* Model B: the fluid returns the force. It carries the weight of what eps_s
- * counts, so buoyancy is returned for that much and not for what a cap has left
- * out. */
+/* Model B: the fluid returns the force. The fluid carries the weight of the
+ * solids in eps_s, so buoyancy is returned for these and not for the volume
+ * above a cap. */
 static void charge(struct simulation *sim, int i, double V, double impulse[3])
 {
     const double out = 1.0 - averaging_capped_fraction(sim->averaging, i);
@@ -52,8 +52,8 @@ static void charge(struct simulation *sim, int i, double V, double impulse[3])
     coupling_add_impulse(sim, i, impulse);
 }
 
-/* The part of [LS 5.1, XS11 2.6] that the pressure has. The solved p acts only
- * on the part of a particle that is in eps_s: see averaging_apply_cap. */
+/* The pressure part of [LS 5.1, XS11 2.6]. The solved p acts only on the part
+ * of a particle that is in eps_s: see averaging_apply_cap. */
 static void pressure_gradient_before_particles(void *memory,
                                                struct simulation *sim)
 {

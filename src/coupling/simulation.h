@@ -27,13 +27,14 @@ struct simulation {
     struct fluid *fluid;
     struct particles *particles;
     struct dem *dem;
-    struct surface *surfaces; /* walls besides the box; NULL: none */
+    struct surface *surfaces; /* walls other than the box; NULL: none */
     int n_surfaces;
     struct prescribed_particle
-        *prescribed;               /* particles that move as prescribed; NULL */
+        *prescribed; /* particles of prescribed motion; NULL: none */
     struct population *population; /* NULL: no insertion or removal */
-    struct case_walls *walls;      /* room in a mesh that is no box; or NULL */
-    struct materials *materials;   /* NULL: all are of one */
+    struct case_walls
+        *walls; /* placement region in a polyhedral mesh; or NULL */
+    struct materials *materials;    /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;
     struct coupling *coupling;

@@ -1,4 +1,5 @@
-/* stability.h -- what limits a coupled step beside the particles.  Chapter 20.
+/* stability.h -- limits of a coupled step besides those of the particles.
+ * Chapter 20.
  *
  * The drag on a bed that moves as a whole is 1/eps_f^2 times that on one
  * particle in it, because the fluid is frozen while the particles move; and the
@@ -23,11 +24,12 @@ double stability_frozen_limit(double M);
  * time [XS11 section 3.3]; from that half on at least two. */
 double stability_substeps(double x);
 
-/* Mass of the particles over that of the fluid beside them, M [-]. */
+/* Mass of the particles over that of the fluid in the same volume, M [-]. */
 double stability_loading(double rho_s, double eps_s, double rho_f);
 
-/* How much of a pressure swing is left, turned round, one step later [-]; C is
- * the coefficient of virtual mass, 0 without it. From 1 on it grows. */
+/* Amplification of an oscillation of the pressure in one step, with its sign
+ * reversed [-]; C is the coefficient of virtual mass, 0 without it. From 1 on
+ * the oscillation grows. */
 double stability_amplification(double C, double rho_s, double eps_s,
                                double rho_f);
 

@@ -87,7 +87,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
     dem->expected = dem->most = HUGE_VAL;
-    if (o->integrator == NULL) dem->options.integrator = &integrators[0];
+    if (o->integrator == NULL) dem->options.integrator = integrators[0];
     if (dem->options.integrator->predicts)
         dem->start = integrators_start_create(ps->capacity);
     dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
@@ -99,9 +99,11 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
         dem->neighbours->surfaces = surfaces_create(
             o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
             dem->neighbours->n_chunks);
-    if (o->n_prescribed > 0)
+    if (o->n_prescribed > 0) {
         dem->neighbours->prescribed =
             prescribed_particles_create(o->prescribed, o->n_prescribed);
+        dem->neighbours->bodies->own_inverse_mass = alloc_doubles(ps->capacity);
+    }
     dem->neighbours->rebuild_each_step = o->link_cells;
     dem->neighbours->bodies->n_materials = n;
     dem->neighbours->range = range_of(o);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* box.c -- makes the face list of a box.
  *
- * Every cell offers the faces on its upper sides: those in x first, all over
- * the box, then those that lead round its end; then those in y, then z. So the
- * faces between a row of cells and the next row are numbered in a row, too, and
- * a loop over them reads memory as it lies (linear/fast/contiguous_faces.h).
+ * Each cell owns the faces on its upper sides: first all faces across x, then
+ * the periodic ones across x; then those across y, then z. So the faces between
+ * a row of cells and the next row are numbered in a row, too, and a loop over
+ * them reads memory as it lies (linear/fast/contiguous_faces.h).
  */
 #include "mesh/mesh.h"
 
@@ -76,7 +76,7 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
 {
     const struct box *const b = &m->box;
     int next[3] = {at[0], at[1], at[2]};
-    next[k] = (at[k] + 1) % b->n[k]; /* round the corner where periodic */
+    next[k] = (at[k] + 1) % b->n[k]; /* periodic image */
     const double h0 = width(b, k, at[k]), h1 = width(b, k, next[k]);
 
     m->owner[f] = cell_index(b, at);
@@ -86,8 +86,8 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
     m->w[f] = h1 / (h0 + h1);
 }
 
-/* The faces in direction k within the box, or (round) those that lead round its
- * end, numbered from f on. Returns the next number. */
+/* The inner faces across direction k, or (round) the periodic ones, numbered
+ * from f on. Returns the next number. */
 static int faces_across(struct mesh *m, int f, int k, int round)
 {
     const struct box *const b = &m->box;
@@ -144,7 +144,7 @@ static void boundary_faces(struct mesh *m)
     assert(f == m->n_faces);
 }
 
-/* The inner faces across direction k: between neighbours, and round a period
+/* The inner faces across direction k: between neighbours, and across a period
  * of more than one cell. */
 static int layers(const int n, int periodic)
 {

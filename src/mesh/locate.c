@@ -23,7 +23,7 @@
 #include "base/number.h"
 #include "base/vector.h"
 
-/* A point on its way, and the best cell so far. */
+/* The point of a walk, and the best cell so far. */
 struct walk {
     const struct mesh *m;
     double x[3];      /* [m] relative to the present cell */
@@ -58,8 +58,8 @@ static int way_out(const struct walk *w, int c, double *most)
     return way;
 }
 
-/* The nearest image, where the cell is one of its own neighbours: its faces do
- * not stop the walk there. */
+/* Moves the point to its nearest image where the cell is its own neighbour,
+ * because its periodic faces do not end the walk. */
 static void nearest_image(const struct mesh *m, double o[3])
 {
     for (int i = 0; i < m->n_periods; i++) {
@@ -125,7 +125,7 @@ static int bin_of(const struct mesh *m, const double x[3])
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
 
-/* All cells of the bin of the point as it is, and of its images. */
+/* Tests all cells of the bins of the point and of its images. */
 static int search_bin(struct walk *w, const double x[3])
 {
     const struct mesh *const m = w->m;
@@ -271,8 +271,8 @@ static void fill_bins(const struct mesh *m, int *used)
     }
 }
 
-/* What the product of a place and a normal is off by, and a little more where
- * cells are large beside that [m]. */
+/* The rounding error of the product of a position and a normal, or a little
+ * more where cells are large compared with it [m]. */
 static double rounding(const struct mesh *m)
 {
     double least = INFINITY, farthest = 0.0;

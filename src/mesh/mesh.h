@@ -14,8 +14,8 @@
 #ifndef MESH_MESH_H
 #define MESH_MESH_H
 
-/* No mesh has more faces: then what has four numbers a face, or twelve a cell,
- * is still numbered by an int. */
+/* The largest number of faces: arrays of four numbers a face, or twelve a cell,
+ * can then still be indexed by an int. */
 enum { MESH_MOST_FACES = 536870911 };
 
 /* A named range of boundary faces: first .. first + n - 1. */
@@ -77,10 +77,11 @@ struct mesh {
     int *cell_face;  /* [-] cell_face[cell_start[c]] ..., ascending */
     double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
     struct box box;  /* of a box; else n is 0 */
-    int oblique;     /* 1: some link is not normal to its face */
+    int oblique;     /* 1: some link vector d is not normal to its face */
     double lo[3], hi[3]; /* [m] the smallest box around it */
-    int reference_count; /* [-] further callers that will call mesh_free */
-    /* Of a mesh that is no box; else NULL and 0. */
+    int reference_count; /* [-] number of further owners, each of which calls
+                            mesh_free */
+    /* The following are set for polyhedral meshes only; else NULL and 0. */
     double *face_centre; /* [m] of each face, 3; on the owner's side */
     struct mesh_shape *shape;
     struct mesh_bins *bins;
@@ -103,9 +104,9 @@ struct box_spec {
 
 struct mesh *mesh_create_box(const struct box_spec *spec);
 
-/* Only the outline of it, without the arrays of cells and faces: their numbers,
- * the edges, the patches. It takes no time, whatever the number of cells, and
- * says all that is worth knowing of a box before it is made. */
+/* The outline of such a box without the arrays of cells and faces: their
+ * numbers, the edges, the patches. It takes no time for any number of cells,
+ * and is all that the checks before a run need. */
 struct mesh *mesh_outline_box(const struct box_spec *spec);
 
 /* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
@@ -117,7 +118,7 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
                                  const double shear[3]);
 void mesh_free(struct mesh *m);
 
-/* Returns the same mesh to one more user, who also calls mesh_free. */
+/* Adds an owner, which must also call mesh_free, and returns the mesh. */
 struct mesh *mesh_retain(struct mesh *m);
 
 /* The cell that contains the point, or -1 outside. A point on a face belongs to
@@ -158,7 +159,8 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
                   double *mean);
 
 /* The largest sum of S.S / S.d over the inner faces of a cell, over its volume,
- * also of an outline [1/m^2]: how fast a diffusion with D = 1 m^2/s fades. */
+ * also of an outline [1/m^2]: the rate at which a diffusion with D = 1 m^2/s
+ * decays [1/s]. */
 double mesh_diffusion_rate(const struct mesh *m);
 
 /* The patch of that name, or NULL. */

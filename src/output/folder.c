@@ -18,9 +18,9 @@
 
 static const char manifest[] = "manifest.txt";
 
-/* All that a run may write, as patterns of the shell, by folder. */
-static const char *const below[] = {".",        "fluid",   "particles",
-                                    "surfaces", "picture", "profiles"};
+/* Patterns of all files that a run may write, folder by folder. */
+static const char *const below[] = {
+    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -36,6 +36,10 @@ static const char *const ours[] = {"./summary.json",
                                    "picture/void_fraction.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
+                                   "./bed.gif",
+                                   "frames/frame_*.txt",
+                                   "frames/bed.gp",
+                                   "frames/gnuplot.log",
                                    "profiles/*.csv"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
@@ -60,9 +64,9 @@ static int complaint(const char *what, const char *path)
     return 1;
 }
 
-/* --- whose folder it is --------------------------------------------------- */
+/* --- ownership of the folder ---------------------------------------------- */
 
-/* The length of the part of the path that is there already. */
+/* The length of the part of the path that exists already. */
 static size_t length_there(const char *dir)
 {
     char *const part = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
@@ -124,7 +128,7 @@ static int take(struct folder *f)
     if (f->here < 0) return complaint("open the folder", f->dir);
     for (int turn = 0; turn < 100; turn++) {
         if (open_manifest(f) != 0) return 1;
-        if (f->file < 0) continue; /* removed since it was there */
+        if (f->file < 0) continue; /* removed, since it existed */
         if (lock(f) != 0) return 1;
         if (is_still_there(f)) return 0;
         close(f->file);
@@ -134,7 +138,7 @@ static int take(struct folder *f)
     return complaint("write", f->path);
 }
 
-/* --- what is in it -------------------------------------------------------- */
+/* --- contents of the folder ----------------------------------------------- */
 
 static int is_ours(const char *name)
 {

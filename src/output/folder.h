@@ -1,10 +1,10 @@
 /* folder.h -- the folder of a run, which belongs to it alone.
  *
  * A run takes its folder by a lock on DIR/manifest.txt, which the system
- * releases however the run ends: a second run is refused, a dead one holds
- * nothing. The manifest lists every file before it is made. The next run
- * removes what is listed there and nothing else, so all that a run writes
- * stands beside files of the same run or of the user.
+ * releases however the run ends: a second run is refused, and a run that was
+ * killed leaves no lock. The manifest lists every file before it is made. The
+ * next run removes what is listed there and nothing else, so the files of a run
+ * are mixed only with files of the user.
  *
  *     struct folder *f = folder_take("out/bed");   before the work
  *     if (folder_begin(f) != 0) ...                before the first file
@@ -18,27 +18,28 @@
 
 struct folder;
 
-/* Makes the folder and takes it; what is in it stays as it is. NULL after a
- * message: it cannot be written, another run has it, its manifest is not ours,
- * or a file has a name that the run may want and no run has listed. */
+/* Makes the folder if needed and locks it; its contents stay as they are. NULL
+ * after a message if it cannot be written, if another run has locked it, if its
+ * manifest is from another program, or if an unlisted file has a name that the
+ * run may write. */
 struct folder *folder_take(const char *dir);
 
 /* Releases the folder. */
 void folder_free(struct folder *f);
 
-/* Takes back what folder_take made, if nothing was begun. The folder is still
- * to be freed. */
+/* Removes the folders that folder_take made, if nothing was begun. f must still
+ * be freed. */
 void folder_leave(struct folder *f);
 
 /* Lets folder_begin remove without a word. */
 void folder_be_quiet(struct folder *f);
 
-/* Removes what the run before has left, and says so on stderr. Non-zero after a
- * message. */
+/* Removes the files of the previous run, with a message on stderr. Non-zero
+ * after a message. */
 int folder_begin(struct folder *f);
 
-/* The path DIR/NAME of a file to be made, which is listed from now on; a new
- * string. NULL after a message. */
+/* The path DIR/NAME of a file to be made, as a new string; adds the name to the
+ * manifest. NULL after a message. */
 char *folder_file(struct folder *f, const char *name);
 
 /* Makes the folder DIR/NAME for files of the run; non-zero after a message. */
@@ -52,7 +53,7 @@ int folder_list(struct folder *f, const char *path);
 struct table *folder_table(struct folder *f, const char *name, int n_columns,
                            const char *const *columns);
 
-/* The folder as the user calls it. */
+/* The path of the folder as the user gave it. */
 const char *folder_name(const struct folder *f);
 
 #endif

@@ -17,10 +17,11 @@
 
 extern char **environ; /* POSIX: the program declares it itself */
 
-enum { NO_PROGRAM = 127 }; /* says a started process that could not go on */
+/* The exit code of a child that could not start gnuplot. */
+enum { NO_PROGRAM = 127 };
 
-/* What the child has of signals: all as they were for us before we held some
- * back, so that Ctrl-C ends a gnuplot that hangs. */
+/* Restores the signals of the child to their defaults, so that Ctrl-C ends a
+ * gnuplot that hangs. */
 static void set_signals(posix_spawnattr_t *how)
 {
     sigset_t none, pipe;
@@ -35,7 +36,8 @@ static void set_signals(posix_spawnattr_t *how)
                              POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 }
 
-/* Waits for the end of the child; a signal to us ends it, for it may hang. */
+/* Waits for the end of the child; a signal to this program ends the child,
+ * which may hang. */
 static int status_of(pid_t child)
 {
     const struct timespec nap = {0, 5000000}; /* 5 ms */
@@ -112,7 +114,8 @@ static int drawn(const struct gnuplot *g)
     return failed;
 }
 
-/* gnuplot, and we, see plain names: so for a moment we work in the folder. */
+/* gnuplot is given plain names only, so the folder is the working directory for
+ * the time of the call. */
 int gnuplot_draw(const struct gnuplot *g)
 {
     const int home = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);

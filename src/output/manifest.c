@@ -80,8 +80,8 @@ static int foreign(const char *path, int line)
     return 1;
 }
 
-/* The names behind the head. A last line without its end is where the power
- * failed. */
+/* The names after the head. A last line without a newline was cut off by a
+ * crash and is dropped. */
 static int split(struct manifest *m, size_t length, const char *path)
 {
     const size_t head = strlen(MANIFEST_HEAD);
@@ -142,7 +142,7 @@ static int remove_one(int here, const char *name, int *removed)
     return 0;
 }
 
-/* The file and what was to become it. */
+/* Removes the file and its partial version. */
 static int remove_both(int here, const char *name, int *removed)
 {
     char *const partial = alloc_zeroed(strlen(name) + 9, 1);

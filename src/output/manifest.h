@@ -12,13 +12,13 @@
 
 struct manifest {
     int n;
-    char *text;  /* all of it */
+    char *text;  /* text of the whole list */
     char **name; /* ascending, within text */
 };
 
 /* Reads a list from an open file, called `path` in messages; an empty file is
  * an empty list. Non-zero after a message if a line is no name of a file in
- * this folder or in one just below: then there is no telling what is ours. */
+ * this folder or in one just below: the list is then not from a run. */
 int manifest_read(struct manifest *m, int file, const char *path);
 void manifest_release(struct manifest *m);
 

@@ -1,7 +1,7 @@
 /* mean.h -- running means over time of many numbers at once.
  *
- * With a weight w_k for each sample x_k (its stretch of time, and for phase
- * averages the amount of the phase that was there):
+ * With a weight w_k for each sample x_k (its interval of time, and for phase
+ * averages the amount of the phase present):
  *
  *     mean = sum w x / sum w,   spread = sqrt(sum w (x - mean)^2 / sum w)
  *
@@ -21,14 +21,14 @@ struct mean {
 struct mean *mean_create(int n);
 void mean_free(struct mean *m);
 
-/* Adds x[0 .. n-1] for a stretch of dt [s], each further weighted by w[i] >= 0;
- * w NULL weights all alike. A weight of 0 leaves its mean as it is. */
+/* Adds x[0 .. n-1] for an interval of dt [s], each further weighted by w[i] >=
+ * 0; NULL for equal weights. A weight of 0 leaves its mean as it is. */
 void mean_add(struct mean *m, double dt, const double *x, const double *w);
 
 /* Spread over time of number i; nan where weight is 0. */
 double mean_spread(const struct mean *m, int i);
 
-/* All that is remembered, 3 n doubles in one piece, for a checkpoint. */
+/* The whole state, 3 n doubles in one array, for a checkpoint. */
 double *mean_state(struct mean *m);
 
 #endif

@@ -56,7 +56,7 @@ static void add(struct outline *o, int surface, int n, double (*x)[3])
     o->end[o->n_polygons++] = o->n_points;
 }
 
-/* Two unit vectors across a third and across each other. */
+/* Two unit vectors normal to a third and to each other. */
 static void frame(const double n[3], double e[3], double f[3])
 {
     const double other[3] = {fabs(n[0]) < 0.5, fabs(n[0]) >= 0.5, 0.0};
@@ -68,8 +68,8 @@ static void frame(const double n[3], double e[3], double f[3])
     vector_cross(n, e, f);
 }
 
-/* What of a polygon has sign (x_k - bound) >= 0: a corner stays or goes, and a
- * side that is cut gets a corner there [Sutherland74]. */
+/* Clips a polygon to sign (x_k - bound) >= 0: corners outside are removed, and
+ * each side that crosses the bound gets a corner there [Sutherland74]. */
 static int clip(int n, double (*x)[3], int k, double sign, double bound)
 {
     double kept[MOST_CORNERS][3];
@@ -88,7 +88,8 @@ static int clip(int n, double (*x)[3], int k, double sign, double bound)
     return m;
 }
 
-/* A square that covers the box from wherever the plane is, cut to the box. */
+/* A square in the plane that is large enough to cover the box, clipped to the
+ * box. */
 static void draw_plane(struct outline *o, int surface, const double at[3],
                        const double n[3], const double lo[3],
                        const double hi[3])
@@ -176,7 +177,7 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
             continue;
         }
         frame(one->normal, e, f);
-        motion_turn(&p, e, turned); /* so that one sees it turn */
+        motion_turn(&p, e, turned); /* makes its rotation visible */
         draw_cylinder(o, s, one->radius, at, normal, turned, lo, hi);
     }
 }

@@ -12,26 +12,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A particle as it is drawn. */
+/* A particle to be drawn. */
 struct disc {
     double x, y, z; /* [m] centre */
     double r;       /* [m] */
     double speed;   /* [m/s] */
 };
 
-/* More would not be seen. */
+/* Largest number of points; more would not be visible. */
 static const int most_squares[3] = {200, 400, 50}; /* [-] */
-
-static int by_depth(const void *a, const void *b)
-{
-    const struct disc *const p = a, *const q = b;
-    return (p->z > q->z) - (p->z < q->z);
-}
 
 static int by_speed(const void *a, const void *b)
 {
     const struct disc *const p = a, *const q = b;
     return (p->speed > q->speed) - (p->speed < q->speed);
+}
+
+static int by_depth(const void *a, const void *b)
+{
+    const struct disc *const p = a, *const q = b;
+    const int order = (p->z > q->z) - (p->z < q->z);
+
+    return order != 0 ? order : by_speed(a, b);
 }
 
 static void put_row(FILE *out, int n, const double *row)
@@ -43,8 +45,22 @@ static void put_row(FILE *out, int n, const double *row)
                 i < n - 1 ? ' ' : '\n');
 }
 
-/* A file of the folder; NULL after a message. */
-static struct file *opened(struct folder *folder, const char *name)
+static struct disc *discs_of(const struct picture *p)
+{
+    struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
+
+    for (int i = 0; i < p->n; i++)
+        discs[i] = (struct disc){.x = p->x[0][i],
+                                 .y = p->x[1][i],
+                                 .z = p->x[2][i],
+                                 .r = 0.5 * p->d[i],
+                                 .speed = sqrt(p->v[0][i] * p->v[0][i] +
+                                               p->v[1][i] * p->v[1][i] +
+                                               p->v[2][i] * p->v[2][i])};
+    return discs;
+}
+
+struct file *picture_open(struct folder *folder, const char *name)
 {
     char *const path = folder_file(folder, name);
     struct file *const f = path == NULL ? NULL : file_create(path);
@@ -53,22 +69,38 @@ static struct file *opened(struct folder *folder, const char *name)
     return f;
 }
 
-/* Farthest first, so that the nearer ones cover them. */
-static int put_particles(struct folder *folder, struct disc *discs, int n)
+/* The nearer particles cover the farther ones. */
+int picture_write_particles(struct folder *folder, const char *name,
+                            const struct picture *p)
 {
-    struct file *const f = opened(folder, "picture/particles.txt");
+    struct file *const f = picture_open(folder, name);
     if (f == NULL) return 1;
+    struct disc *const discs = discs_of(p);
 
-    qsort(discs, (size_t)n, sizeof discs[0], by_depth);
+    qsort(discs, (size_t)p->n, sizeof discs[0], by_depth);
     fprintf(file_stream(f), "# x [m]  y [m]  radius [m]  speed [m/s]\n");
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < p->n; i++) {
         const struct disc *const s = &discs[i];
         put_row(file_stream(f), 4, (double[4]){s->x, s->y, s->r, s->speed});
     }
+    free(discs);
     return file_commit(f);
 }
 
-/* Mean over the cells behind each other, by their volumes. */
+/* With 99 % of the particles a single fast one does not make all others dark.
+ */
+double picture_usual_speed(const struct picture *p)
+{
+    if (p->n == 0) return 0.0;
+    struct disc *const discs = discs_of(p);
+    qsort(discs, (size_t)p->n, sizeof discs[0], by_speed);
+    const int i = number_clamped(0.99 * (p->n - 1), 0, p->n - 1);
+    const double speed = discs[i].speed;
+    free(discs);
+    return speed;
+}
+
+/* Mean over the cells along the depth, weighted by their volumes. */
 static double depth_average(const struct mesh *m, const double *eps, int i,
                             int j)
 {
@@ -95,8 +127,8 @@ static void put_columns(FILE *out, const struct picture *p)
         }
 }
 
-/* Mean of the cells met at n points behind each other, which begin at x; 0 if
- * there are none. */
+/* Mean of the cells at n points along the depth from x on; 0 if all points are
+ * outside the mesh. */
 static double sampled(const struct picture *p, double x[3], double step, int n)
 {
     double sum = 0.0, offset[3];
@@ -111,8 +143,8 @@ static double sampled(const struct picture *p, double x[3], double step, int n)
     return met > 0 ? sum / met : 0.0;
 }
 
-/* A mesh that is no box has no columns: points in squares half as wide as a
- * mean cell stand for them. */
+/* A polyhedral mesh has no columns of cells; squares half as wide as a mean
+ * cell are used instead. */
 static void put_squares(FILE *out, const struct picture *p)
 {
     const struct mesh *const m = p->mesh;
@@ -142,7 +174,7 @@ static void put_squares(FILE *out, const struct picture *p)
 
 static int put_void_fraction(struct folder *folder, const struct picture *p)
 {
-    struct file *const f = opened(folder, "picture/void_fraction.txt");
+    struct file *const f = picture_open(folder, "picture/void_fraction.txt");
     if (f == NULL) return 1;
 
     fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
@@ -154,16 +186,6 @@ static int put_void_fraction(struct folder *folder, const struct picture *p)
     return file_commit(f);
 }
 
-/* The speed that all but one particle in a hundred keep below [m/s]: one fast
- * grain shall not make all others dark. */
-static double usual_speed(struct disc *discs, int n)
-{
-    if (n == 0) return 1.0;
-    qsort(discs, (size_t)n, sizeof discs[0], by_speed);
-    const double speed = discs[number_clamped(0.99 * (n - 1), 0, n - 1)].speed;
-    return speed > 0.0 ? speed : 1.0;
-}
-
 static void put_definition(FILE *out, const char *name, double value,
                            const char *unit)
 {
@@ -173,9 +195,8 @@ static void put_definition(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-/* A title within double quotes, in which gnuplot takes quotes, backslashes and
- * backquotes for more than letters: all that might mean something to it is
- * written by its number. */
+/* A title within double quotes. Quotes, backslashes and backquotes have a
+ * meaning to gnuplot there, so they are written as octal codes. */
 static void put_title(FILE *out, const char *title)
 {
     fputs("title = \"", out);
@@ -192,13 +213,8 @@ static void put_title(FILE *out, const char *title)
     fputs("\"\n", out);
 }
 
-static int put_script(struct folder *folder, const struct picture *p,
-                      double speed)
+void picture_put_box(FILE *out, const struct picture *p, double fast)
 {
-    struct file *const f = opened(folder, "picture/bed.gp");
-    if (f == NULL) return 1;
-
-    FILE *const out = file_stream(f);
     const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
 
     fprintf(out, "# The numbers of this run.\n");
@@ -208,7 +224,17 @@ static int put_script(struct folder *folder, const struct picture *p,
     put_definition(out, "x1", hi[0], "m");
     put_definition(out, "y0", lo[1], "m");
     put_definition(out, "y1", hi[1], "m");
-    put_definition(out, "fast", speed, "m/s, which 99 of 100 keep below");
+    put_definition(out, "fast", fast, "m/s, which 99 of 100 keep below");
+}
+
+static int put_script(struct folder *folder, const struct picture *p)
+{
+    struct file *const f = picture_open(folder, "picture/bed.gp");
+    const double speed = picture_usual_speed(p);
+    if (f == NULL) return 1;
+
+    FILE *const out = file_stream(f);
+    picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
             p->eps != NULL, p->pressure);
     for (const char *const *line = picture_script; *line; line++)
@@ -216,34 +242,15 @@ static int put_script(struct folder *folder, const struct picture *p,
     return file_commit(f);
 }
 
-static struct disc *discs_of(const struct picture *p)
-{
-    struct disc *const discs = alloc_zeroed((size_t)p->n, sizeof discs[0]);
-
-    for (int i = 0; i < p->n; i++)
-        discs[i] = (struct disc){.x = p->x[0][i],
-                                 .y = p->x[1][i],
-                                 .z = p->x[2][i],
-                                 .r = 0.5 * p->d[i],
-                                 .speed = sqrt(p->v[0][i] * p->v[0][i] +
-                                               p->v[1][i] * p->v[1][i] +
-                                               p->v[2][i] * p->v[2][i])};
-    return discs;
-}
-
 int picture_write(struct folder *folder, const struct picture *p)
 {
-    struct disc *const discs = discs_of(p);
-    const double speed = usual_speed(discs, p->n);
-    const int failed =
-        folder_make(folder, "picture") || put_particles(folder, discs, p->n) ||
-        put_void_fraction(folder, p) || put_script(folder, p, speed);
-
-    free(discs);
-    return failed;
+    return folder_make(folder, "picture") ||
+           picture_write_particles(folder, "picture/particles.txt", p) ||
+           put_void_fraction(folder, p) || put_script(folder, p);
 }
 
-/* Lists what gnuplot is going to write; non-zero after a message. */
+/* Adds the files that gnuplot will write to the manifest; non-zero after a
+ * message. */
 static int list_drawn(struct folder *folder)
 {
     char *const png = folder_file(folder, "bed.png");

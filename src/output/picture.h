@@ -2,8 +2,8 @@
  *
  * DIR/bed.png shows, at one scale, the particles coloured by speed and the void
  * fraction averaged over the depth, both as seen along z, and beside them the
- * pressure drop in time with the weight of the bed. gnuplot reads no VTK, so
- * what it needs is left in DIR/picture: particles.txt, void_fraction.txt, and
+ * pressure drop in time with the weight of the bed. gnuplot does not read VTK,
+ * so its data are written to DIR/picture: particles.txt, void_fraction.txt, and
  * bed.gp, which may be changed and run again:
  *
  *     cd DIR/picture && gnuplot bed.gp
@@ -16,6 +16,10 @@
 
 #include "mesh/mesh.h"
 #include "output/folder.h"
+
+#include <stdio.h>
+
+struct file;
 
 /* The data of a picture; all borrowed. */
 struct picture {
@@ -30,12 +34,29 @@ struct picture {
     int pressure;       /* [-] 1: history.csv has the columns above */
 };
 
+/* Parts of a picture that an animation has as well (animation.h).
+ *
+ * A file of the folder; NULL after a message. */
+struct file *picture_open(struct folder *folder, const char *name);
+
+/* Writes x, y, radius [m] and speed [m/s] of the particles, the farthest first;
+ * non-zero after a message. */
+int picture_write_particles(struct folder *folder, const char *name,
+                            const struct picture *p);
+
+/* The speed that 99 of 100 particles keep below [m/s]; 0 without any. */
+double picture_usual_speed(const struct picture *p);
+
+/* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
+ * variables. */
+void picture_put_box(FILE *out, const struct picture *p, double fast);
+
 /* Writes the three files; non-zero after a message. */
 int picture_write(struct folder *folder, const struct picture *p);
 
-/* Lets gnuplot draw DIR/bed.png from them, which appears whole. Without gnuplot
- * or when it fails: a message that says what to do, and non-zero; a run that
- * got so far is done all the same. */
+/* Draws DIR/bed.png from them with gnuplot; the file appears when it is
+ * complete. Non-zero after a message that says what to do if gnuplot is missing
+ * or fails; the run itself is complete all the same. */
 int picture_draw(struct folder *folder);
 
 #endif

@@ -1,7 +1,7 @@
 /* picture_script.h -- the gnuplot script of a bed's picture, line by line.
  *
- * Goes behind the numbers of a run (picture.c), which it names without
- * defining. Ended by NULL.
+ * It follows the definitions of the numbers of a run (picture.c) that it uses.
+ * Ended by NULL.
  */
 #ifndef OUTPUT_PICTURE_SCRIPT_H
 #define OUTPUT_PICTURE_SCRIPT_H

@@ -3,7 +3,6 @@
 
 #include <stddef.h>
 
-#include "averaging/more/kernel_gradient.h"
 #include "base/vector.h"
 
 static double middle(const struct box *b, int k, int i)
@@ -11,8 +10,8 @@ static double middle(const struct box *b, int k, int i)
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
 
-/* The row of centres below x in direction k, or the first; *upper is what the
- * row above it counts. */
+/* The row of centres below x in direction k, or the first; *upper is the weight
+ * of the row above it. */
 static int row_below(const struct box *b, int k, double x, double *upper)
 {
     int i = 0;
@@ -42,15 +41,15 @@ static struct probe in_box(const struct mesh *m, const double x[3])
         for (int k = 0; k < 3; k++) {
             const int high = corner >> k & 1;
             p.share[corner] *= high ? upper[k] : 1.0 - upper[k];
-            /* without a row above, that share is 0 */
+            /* without a row above, that weight is 0 */
             if (high && upper[k] > 0.0) p.cell[corner] += stride[k];
         }
     }
     return p;
 }
 
-/* The links of cell c to its neighbours, and who they are: at most as many as
- * a probe has room for beside the cell. */
+/* The neighbours of cell c and the links to them, at most as many as a probe
+ * can hold besides the cell itself. */
 static int links_of(const struct mesh *m, int c, int *cell, double (*link)[3])
 {
     int n = 0;
@@ -66,9 +65,10 @@ static int links_of(const struct mesh *m, int c, int *cell, double (*link)[3])
     return n;
 }
 
-/* The slope g that fits best has A g = sum of d (f_n - f_c) / d^2. So with
- * y from A y = o, for the way o from the centre, neighbour n counts y . d / d^2
- * and the cell itself what is left of 1. */
+/* The least-squares gradient g satisfies A g = sum of d (f_n - f_c) / d^2. With
+ * y from A y = o, where o leads from the centre to the point, the weight of
+ * neighbour n is therefore y . d / d^2, and that of the cell is 1 minus the sum
+ * of these. */
 static struct probe in_mesh(const struct mesh *m, const double x[3])
 {
     struct probe p = {.n = 0};
@@ -84,7 +84,7 @@ static struct probe in_mesh(const struct mesh *m, const double x[3])
         for (int j = 0; j < 6; j++)
             A[j] += w * dd[j];
     }
-    kernel_gradient_solve(A, o, y);
+    vector_solve(A, o, y);
     p.n = n + 1;
     p.weighted = 1;
     p.cell[0] = c;

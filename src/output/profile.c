@@ -15,18 +15,18 @@ enum { MOST_POINTS = 20000 }; /* of a line, along it and across */
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers are kept field by field, and within a field along the line. */
+/* Numbers are stored field by field, and within a field along the line. */
 struct profile {
     struct profile_line line;
     int n_fields, n; /* n points on the line */
     struct profile_field *fields;
-    double *x;           /* [m] of each point */
-    int row[2];          /* [-] rows of cells below and above the line */
-    double share[2];     /* [-] what each counts */
-    int n_deep;          /* [-] cells in the depth */
-    double *dz;          /* [-] width of each over the whole depth */
-    int step[3];         /* [-] from a cell to the next along, up, deep */
-    struct probe *probe; /* n times n_deep, of a mesh that is no box */
+    double *x;       /* [m] of each point */
+    int row[2];      /* [-] rows of cells below and above the line */
+    double share[2]; /* [-] weight of each */
+    int n_deep;      /* [-] cells in the depth */
+    double *dz;      /* [-] width of each over the whole depth */
+    int step[3];     /* [-] from a cell to the next along, up and in depth */
+    struct probe *probe; /* n times n_deep, of a polyhedral mesh */
     double *sample, *weight;
     struct mean *mean;
 };
@@ -36,7 +36,7 @@ static double middle(const struct box *b, int k, int i)
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
 
-/* The two rows of centres around the height, and their linear shares. */
+/* The two rows of centres around the height, and their linear weights. */
 static void find_rows(struct profile *p, const struct box *b)
 {
     const int k = p->line.up;
@@ -148,7 +148,7 @@ void profile_free(struct profile *p)
     free(p);
 }
 
-/* The same through the probes; nothing weighs where all are outside. */
+/* The same with probes; the weight is 0 where all of them are outside. */
 static double seen(const struct profile *p, const struct profile_field *f,
                    int i, double *weight)
 {
@@ -162,7 +162,7 @@ static double seen(const struct profile *p, const struct profile_field *f,
     return amount;
 }
 
-/* One field at point i of the line: its sample, and how much it weighs. */
+/* The sample of one field at point i of the line, and its weight. */
 static double sampled(const struct profile *p, const struct profile_field *f,
                       int i, double *weight)
 {

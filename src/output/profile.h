@@ -3,9 +3,9 @@
  * The line runs along one direction (x) at a given height in a second (y); the
  * third (z), the depth, is averaged over. Between the rows of cell centres the
  * values are linear in the height; below the first and above the last row they
- * are those of that row. One point for each column of cells. A mesh that is no
- * box is looked at through probes half a mean cell apart, along the line and in
- * the depth.
+ * are those of that row. One point for each column of cells. In a polyhedral
+ * mesh the line is sampled by probes half a mean cell apart, along the line and
+ * in the depth.
  *
  * A field may be weighted by another: a particle velocity by the solids
  * fraction, so that cells without particles do not count:
@@ -26,13 +26,13 @@ struct profile_line {
     double from;   /* [s] samples from this time on count */
 };
 
-/* What is averaged. The arrays are borrowed and must stay where they are. */
+/* A field to be averaged. The arrays are borrowed and must not be moved. */
 struct profile_field {
     const char *name;     /* "void_fraction", "particle_velocity_y" */
     const char *unit;     /* "-", "m/s" */
     const double *values; /* [components * cell + component] */
     int components, component;
-    const double *weight; /* [-] a number a cell, >= 0; NULL: all alike */
+    const double *weight; /* [-] a number a cell, >= 0; NULL: equal weights */
 };
 
 struct profile;
@@ -43,15 +43,15 @@ struct profile *profile_create(const struct mesh *m,
                                const struct profile_field *fields);
 void profile_free(struct profile *p);
 
-/* Takes a sample of the fields as they are now, at `time`, standing for a
- * stretch of dt [s]. */
+/* Takes a sample of the present fields at `time`; it represents an interval of
+ * dt [s]. */
 void profile_add(struct profile *p, double time, double dt);
 
 /* Columns: x [m], then NAME_mean and NAME_std (over time) of each field, nan
- * where nothing was met. Non-zero after a message. */
+ * where the weight was always 0. Non-zero after a message. */
 int profile_write(const struct profile *p, const char *path);
 
-/* All that is remembered, *n doubles in one piece, for a checkpoint. */
+/* The whole state, *n doubles in one array, for a checkpoint. */
 double *profile_state(struct profile *p, int *n);
 
 #endif

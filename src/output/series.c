@@ -15,13 +15,13 @@
 struct series {
     char *name, *suffix;
     char *pvd;    /* DIR/NAME.pvd */
-    char *file;   /* NAME/NAME_000000.SUFFIX, as the collection names it */
+    char *file;   /* NAME/NAME_000000.SUFFIX, as listed in the collection */
     char *path;   /* DIR/NAME/NAME_000000.SUFFIX */
-    int n, room;  /* files listed; room in time */
+    int n, room;  /* files listed; capacity of time */
     double *time; /* [s] of each file, ascending */
 };
 
-/* A copy of text with `extra` bytes of room behind it. */
+/* A copy of text with `extra` unused bytes after it. */
 static char *copied(const char *text, size_t extra)
 {
     const size_t length = strlen(text);
@@ -29,7 +29,7 @@ static char *copied(const char *text, size_t extra)
     return memcpy(alloc_zeroed(length + extra + 1, 1), text, length);
 }
 
-/* Room for NAME/NAME_<number>.SUFFIX behind DIR/. */
+/* Allocates the path DIR/NAME/NAME_<number>.SUFFIX. */
 static size_t file_room(const struct series *s)
 {
     return 2 * strlen(s->name) + strlen(s->suffix) + 16;
@@ -128,8 +128,8 @@ int series_add(struct series *s, double time)
     return file_commit(f);
 }
 
-/* One line of a collection; non-zero if it lists what we would not have
- * written. `found` has file_room bytes. */
+/* Reads one line of a collection; non-zero if it lists a file that this program
+ * would not have written. `found` has file_room bytes. */
 static int read_entry(struct series *s, const char *line, double before,
                       char *found)
 {

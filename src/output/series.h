@@ -1,8 +1,8 @@
 /* series.h -- the .pvd collection: which file shows which time.
  *
  * DIR/fluid.pvd lists fluid/fluid_000000.vtr, fluid/fluid_000001.vtr, ... each
- * with its time. It is written anew, whole, for each added file, so that it can
- * be opened while the run goes on and never names a file that is not there.
+ * with its time. The collection is rewritten for each added file, so that it
+ * can be opened during the run and never lists a file that does not exist.
  */
 #ifndef OUTPUT_SERIES_H
 #define OUTPUT_SERIES_H
@@ -15,9 +15,9 @@ struct series *series_create(const char *dir, const char *name,
                              const char *suffix);
 void series_free(struct series *s);
 
-/* For a run that goes on from `time` [s]: takes over what DIR/NAME.pvd lists
- * from before that time. Non-zero after a message if there is no such
- * collection, or one that this program did not write. */
+/* For a run that goes on from `time` [s]: keeps the entries of DIR/NAME.pvd
+ * before that time. Non-zero after a message if there is no such collection, or
+ * one that this program did not write. */
 int series_resume(struct series *s, double time);
 
 /* How many files it lists. */
@@ -26,7 +26,7 @@ int series_count(const struct series *s);
 /* The path of the file to write next; valid until series_add. */
 const char *series_next(struct series *s);
 
-/* Lists that file, now written, under its time [s], which must come after all
+/* Adds that file, now written, with its time [s], which must be later than all
  * others. Non-zero after a message if the collection could not be written. */
 int series_add(struct series *s, double time);
 

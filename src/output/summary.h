@@ -9,8 +9,8 @@
  *     summary_end(s);
  *     if (summary_commit(s) != 0) ...
  *
- * Numbers read back to the same bits; what is no number (nan, inf) is null,
- * for JSON has no word for it.
+ * Numbers read back to the same bits; nan and inf are written as null, because
+ * JSON has no notation for them.
  */
 #ifndef OUTPUT_SUMMARY_H
 #define OUTPUT_SUMMARY_H
@@ -25,12 +25,12 @@ void summary_count(struct summary *s, const char *key, long long value);
 void summary_truth(struct summary *s, const char *key, int value);
 void summary_text(struct summary *s, const char *key, const char *value);
 
-/* Opens a group of entries, which may hold groups; closes the last one. */
+/* Begin a group of entries, which may contain groups, and end the last one. */
 void summary_begin(struct summary *s, const char *key);
 void summary_end(struct summary *s);
 
-/* Ends the file, which then appears whole; s is gone. Non-zero after a message,
- * also for NULL. */
+/* Ends the file, which appears when it is complete, and releases s. Non-zero
+ * after a message, also for NULL. */
 int summary_commit(struct summary *s);
 
 #endif

@@ -17,7 +17,7 @@ struct table {
     int file; /* descriptor: each row is one write */
     int n_columns;
     off_t length; /* [bytes] of head and whole rows */
-    char *row;    /* room for the text of one row */
+    char *row;    /* buffer for the text of one row */
 };
 
 static int complaint(const char *what, const char *path)
@@ -26,7 +26,7 @@ static int complaint(const char *what, const char *path)
     return 1;
 }
 
-/* A name as CSV wants it: in quotes if it holds a comma or a quote. */
+/* Writes a name for CSV: in quotes if it contains a comma or a quote. */
 static void put_name(FILE *out, const char *name)
 {
     if (strpbrk(name, ",\"\n") == NULL) {
@@ -83,7 +83,7 @@ int table_write(const char *path, int n_columns, const char *const *names,
     return file_commit(f);
 }
 
-/* The table that stands in the file, ready for its next row. */
+/* The table in an open file, positioned after its last row. */
 static struct table *opened(const char *path, int n_columns)
 {
     const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
@@ -108,7 +108,7 @@ struct table *table_create(const char *path, int n_columns,
     return opened(path, n_columns);
 }
 
-/* The head as it should stand in the file, as a new string. */
+/* The expected head line, as a new string. */
 static char *head_text(int n, const char *const *names)
 {
     char *text = NULL;
@@ -180,7 +180,7 @@ int table_add(struct table *t, const double *row)
         return 0;
     }
     if (errno == 0)
-        errno = ENOSPC; /* a part was written and then there was no room */
+        errno = ENOSPC; /* a part was written before the disk was full */
     complaint("write", t->path);
     if (written > 0 && ftruncate(t->file, t->length) != 0)
         complaint("take half a row off", t->path);

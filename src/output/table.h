@@ -1,8 +1,8 @@
 /* table.h -- tables as CSV: a head line, then rows of numbers.
  *
  * The head names each column with its unit, "pressure_drop [Pa]". A history
- * grows by a row at a time; a row reaches the file in one piece or not at all,
- * so the file can be read while the run goes on and is valid after any end.
+ * grows by a row at a time; each row is written completely or not at all, so
+ * the file can be read during the run and is valid however the run ends.
  */
 #ifndef OUTPUT_TABLE_H
 #define OUTPUT_TABLE_H
@@ -14,8 +14,8 @@ struct table;
 struct table *table_create(const char *path, int n_columns,
                            const char *const *names);
 
-/* Goes on with a table: keeps the whole rows whose first number, the time, is
- * below `time`. NULL after a message, also if the columns are others. */
+/* Continues a table: keeps the complete rows whose first number, the time, is
+ * below `time`. NULL after a message, also if the columns differ. */
 struct table *table_resume(const char *path, int n_columns,
                            const char *const *names, double time);
 void table_free(struct table *t);

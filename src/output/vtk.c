@@ -71,7 +71,7 @@ int vtk_write_cells(struct vtk_writer *w, const char *path,
     return vtk_file_end(f);
 }
 
-/* A point that no cell names is not drawn, so each is a cell of its own. */
+/* Points without a cell are not drawn, so each point is a cell. */
 static void put_verts(struct vtk_file *f, int n)
 {
     const struct vtk_array verts[2] = {
@@ -86,7 +86,7 @@ int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
                         const struct vtk_array *arrays)
 {
     struct vtk_file *const f = w->file;
-    /* n = 0 may come without arrays; the numbers are real all the same. */
+    /* with n = 0 there may be no arrays; the type is real all the same */
     static const double none;
     const struct vtk_array centres = {
         .name = "position",

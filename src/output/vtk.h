@@ -1,12 +1,12 @@
 /* vtk.h -- the files that ParaView opens: cells, particles, walls.
  *
  * .vtr: the cells of a box, with values a cell; .vtu: those of any mesh. .vtp:
- * a point a particle, with values a particle; or polygons with values each. XML
- * with the numbers behind it, compressed by zlib; the time of the state is in
- * the file. Which values, says the caller.
+ * a point a particle, with values a particle; or polygons with values each. The
+ * files are XML followed by binary data compressed by zlib, and contain the
+ * time of the state. The caller chooses the values.
  *
- * Nothing is allocated by a write, but for the file's own stream and once more
- * when an array is larger than any before.
+ * A write allocates nothing but the stream of the file, and buffers when an
+ * array is larger than any before.
  */
 #ifndef OUTPUT_VTK_H
 #define OUTPUT_VTK_H
@@ -14,19 +14,19 @@
 #include "mesh/mesh.h"
 #include "output/vtk_array.h"
 
-/* What all writes share: one for a whole run. */
+/* Buffers that all writes of a run use. */
 struct vtk_writer;
 
 struct vtk_writer *vtk_writer_create(void);
 void vtk_writer_free(struct vtk_writer *w);
 
-/* Both return non-zero after a message if the file could not be written whole;
- * then it is not there at all. Time in s; names must differ. */
+/* Both return non-zero after a message if the file could not be written
+ * completely; it then does not exist. Time in s; names must differ. */
 int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays);
 
-/* The same for a mesh that is no box, .vtu: hexahedra and tetrahedra as such,
- * all other cells as polyhedra. */
+/* The same for a mesh that is no box, .vtu: hexahedra and tetrahedra with these
+ * types, all other cells as polyhedra. */
 struct vtk_cells;
 struct vtk_cells *vtk_cells_create(const struct mesh *m);
 void vtk_cells_free(struct vtk_cells *c);
@@ -40,7 +40,8 @@ int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
                         const struct vtk_array *arrays);
 
 /* Polygons with values a polygon: point k is at x[3 k], x[3 k + 1], x[3 k + 2]
- * [m]; corner has the points of all polygons, end where those of each end. */
+ * [m]; corner lists the points of all polygons one after the other, end the end
+ * of each. */
 struct vtk_polygons {
     int n_points, n_polygons;
     const double *x;

@@ -2,9 +2,10 @@
  *
  * The numbers are not copied: they may be interleaved, in one array a
  * component, or integers. They are Float64 in the file, bit for bit what was
- * computed, unless `single` asks for Float32: seven digits at half the size,
- * enough for what is only looked at (velocities), not for positions, whose
- * differences are overlaps of 1e-4 d, nor for what somebody will sum.
+ * computed, or Float32 if `single` is set: seven digits at half the size,
+ * enough for values that are only displayed (velocities), but not for
+ * positions, whose differences are overlaps of 1e-4 d, nor for values that will
+ * be summed.
  *
  * Fill it by name: {.name = "velocity", .components = 3, .split = {vx, vy, vz}}
  */
@@ -30,7 +31,7 @@ const char *vtk_array_type(const struct vtk_array *a);
 /* Bytes of one number in the file. */
 size_t vtk_array_width(const struct vtk_array *a);
 
-/* Copies n numbers from number `first` on, as the file wants them. */
+/* Copies n numbers from number `first` on, in the type of the file. */
 void vtk_array_copy(const struct vtk_array *a, size_t first, size_t n,
                     void *bytes);
 

@@ -16,7 +16,7 @@ struct vtk_blocks {
     unsigned char plain[VTK_BLOCK];
     unsigned char packed[PACKED_ROOM];
     uint64_t *size; /* [bytes] of each block of the array, compressed */
-    size_t n_size;  /* room in size; grows with the largest array */
+    size_t n_size;  /* capacity of size; grows with the largest array */
     z_stream light, stored;
 };
 
@@ -80,7 +80,7 @@ static size_t pack(struct vtk_blocks *b, z_stream *z, size_t bytes)
     z->next_out = b->packed;
     z->avail_out = PACKED_ROOM;
     const int done = deflate(z, Z_FINISH) == Z_STREAM_END;
-    assert(done); /* there was room for it */
+    assert(done); /* the buffer was large enough */
     return done ? (size_t)z->total_out : 0;
 }
 

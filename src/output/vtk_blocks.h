@@ -1,6 +1,6 @@
 /* vtk_blocks.h -- the bytes of one array, compressed by zlib in blocks.
  *
- * As VTK reads them behind <AppendedData> (every word a UInt64):
+ * The format that VTK reads after <AppendedData> (every word a UInt64):
  *
  *     number of blocks
  *     size of a full block, before compression
@@ -28,8 +28,8 @@ struct vtk_blocks;
 struct vtk_blocks *vtk_blocks_create(void);
 void vtk_blocks_free(struct vtk_blocks *b);
 
-/* Writes the array for n points or cells where the stream stands. Failures of
- * the stream are left to the stream. */
+/* Writes the array for n points or cells at the present position. Write errors
+ * are not returned; they remain set in the stream. */
 void vtk_blocks_write(struct vtk_blocks *b, FILE *out,
                       const struct vtk_array *a, int n);
 

@@ -14,7 +14,7 @@
 struct announced {
     struct vtk_array array;
     int n;    /* [-] points or cells */
-    off_t at; /* [bytes] where the file keeps its offset */
+    off_t at; /* [bytes] position of its offset in the file */
 };
 
 struct vtk_file {

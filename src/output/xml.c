@@ -26,7 +26,7 @@ void xml_put(FILE *out, const char *text)
         put_letter(out, *p);
 }
 
-/* One letter from *p on, which then stands behind it. */
+/* Reads one character at *p and moves *p past it. */
 static char read_letter(const char **p)
 {
     for (int i = 0; i < N_ENTITIES; i++) {

@@ -8,9 +8,9 @@
  *   regions  boxes with a bandwidth of their own; where boxes overlap the last
  *            one applies; 0 leaves the pcm field unchanged
  *   cells    b(x)^2 = b^2 - dx^2 / 3, at least 0, with the distance dx of the
- *            two centres at a face: what has gone to the host and is shown as
- *            even in it is smeared over a cell already, which counts dx^2 / 6
- *            of variance beside the b^2 / 2 of the Gaussian. Where cells are
+ *            two centres at a face: the pcm field of a particle is already
+ *            even over its cell, which has a variance of dx^2 / 6 besides the
+ *            b^2 / 2 of the Gaussian. Where cells are
  *            larger than 1.7 b it leaves the pcm field [SX15 section 2.2.3]
  *   grains   b(x) = b d(x) / d_mean, with the mean diameters by volume of the
  *            cell and of all; d_mean where a cell has no particles [SX15

@@ -20,7 +20,7 @@
 
 static const double images_reach = 3.0; /* [-] of b, in each direction */
 enum { CHUNKS = 16 };
-enum { MOST_TURNS = 10000 }; /* the scene allows no more */
+enum { MOST_TURNS = 10000 }; /* the case allows no more */
 
 struct images {
     const struct cell_of_particle *h; /* borrowed */
@@ -31,23 +31,13 @@ struct images {
     double *share;      /* [-] `wide` a direction, 3 a particle */
 };
 
-double images_sigma(double delta_05)
-{
-    return delta_05 / (2.0 * sqrt(2.0 * log(2.0))); /* [EW18 20] */
-}
-
-double images_bandwidth(double delta_05)
-{
-    return sqrt(2.0) * images_sigma(delta_05);
-}
-
 double images_kernel(double r, double sigma)
 {
     const double s = sigma * sqrt(2.0 * M_PI);
     return exp(-r * r / (2.0 * sigma * sigma)) / (s * s * s); /* [EW18 19] */
 }
 
-/* Edge j of direction k, counted on round the period. */
+/* Edge j of direction k, continued across the period. */
 static double edge(const struct box *b, int k, int j)
 {
     const int n = b->n[k];
@@ -58,15 +48,15 @@ static double edge(const struct box *b, int k, int j)
     return b->edge[k][j - turns * n] + turns * L;
 }
 
-/* What of a Gaussian of width b is below z, less a half. */
+/* The integral of a Gaussian of width b up to z, minus 1/2. */
 static double below(double z, double b)
 {
     return z > 6.0 * b ? 0.5 : z < -6.0 * b ? -0.5 : 0.5 * erf(z / b);
 }
 
-/* What of the Gaussian around x and of all its images is below edge j, up to a
- * constant, as far as images matter: in two walls every second one is mirrored
- * [EW18 21], round a period none is. */
+/* The integral of the Gaussian around x and of all its images up to edge j, up
+ * to a constant. Between two walls every second image is mirrored [EW18 21];
+ * across a period none is. */
 static double below_edge(const struct images *s, int k, int j, double x)
 {
     const struct box *const b = &s->h->mesh->box;

@@ -6,8 +6,9 @@
  * theorem of Gauss and Bonnet leaves of 2 pi: the angles at the corners, and
  * the bend of the circles between them.
  *
- * All angles are taken as atan2 of lengths that come from one root: near the
- * touching of sphere and edge, where terms cancel, they then err together.
+ * All angles are taken as atan2 of lengths that come from one root: where the
+ * sphere nearly touches an edge and terms cancel, their errors then cancel,
+ * too.
  */
 #include "averaging/more/overlap.h"
 
@@ -28,7 +29,7 @@ static double wedge(double a, double b)
     if (a >= 1.0 || b >= 1.0) return 0.0;
     if (a <= -1.0) return cap(b);
     if (b <= -1.0) return cap(a);
-    if (a < 0.0) return cap(b) - wedge(-a, b); /* what x < a leaves */
+    if (a < 0.0) return cap(b) - wedge(-a, b); /* complement of x < a */
     if (b < 0.0) return cap(a) - wedge(a, -b);
     const double w2 = 1.0 - a * a - b * b;
     if (w2 <= 0.0) return 0.0;

@@ -1,4 +1,4 @@
-/* overlap.h -- how much of a sphere is in a box.  Chapter 8.
+/* overlap.h -- the volume of a sphere in a box.  Chapter 8.
  *
  * Exact, in closed form. What is common to a ball and a box is a sum over the
  * corners of the box, with alternating signs, of what is common to the ball
@@ -14,9 +14,9 @@ double overlap_octant(double a, double b, double c);
  * to the origin. The ends of a box may be infinite. */
 double overlap_sphere(double R, const double lo[3], const double hi[3]);
 
-/* The cells of one mesh of boxes have their corners in common. What an octant
- * that begins at a corner has of the ball is found once here, not for each of
- * the eight cells around it. */
+/* The cells of one mesh of boxes have their corners in common. The volume of
+ * the ball in an octant that begins at a corner is computed once here, not for
+ * each of the eight cells around it. */
 enum { OVERLAP_PLANES = 16 };
 struct overlap_grid {
     double R;                            /* [m] */

@@ -23,7 +23,7 @@ enum {
  * microseconds of one thread. */
 static const long worth_a_thread = 100000;
 
-/* How exactly the weights themselves are found. */
+/* Tolerance of the weights themselves. */
 static const double exact = 1e-17; /* [-] */
 
 /* The weights of one direction. Row i goes over the places i - reach .. i +
@@ -89,7 +89,7 @@ static int apart(const struct direction *d, int i, int j)
                                                      : straight;
 }
 
-/* What row i has beyond the reach. */
+/* The weight of row i beyond the reach. */
 static double beyond(const struct direction *d, const double *all, int i,
                      int reach)
 {
@@ -157,7 +157,8 @@ struct separable *separable_create(const struct box *box, double T, double b,
 
     for (int k = 0; k < 3; k++) {
         struct direction *const d = &s->direction[k];
-        /* what is left away counts twice: there, and where it stays */
+        /* a dropped weight counts twice: where it is missing, and on the
+         * diagonal */
         find_direction(d, box, k, T, b, tail / 6.0);
         const long places = d->n + (d->whole ? 0 : 2 * d->reach);
         if (WIDTH * places > s->size) s->size = WIDTH * places;
@@ -246,8 +247,8 @@ static void continue_lines(const struct direction *d, double *line)
     }
 }
 
-/* sum = the weighted sum of n places: four at a time, for the sums to be
- * touched less often (half the time). */
+/* sum = the weighted sum of n places: four at a time, so that the sums are read
+ * and written less often (half the time). */
 static inline void weighted(int n, const double *restrict w,
                             const double *restrict x, double *restrict sum)
 {

@@ -1,7 +1,7 @@
 /* separable.h -- diffusion in a box, direction by direction. Chapter 8.
  *
- * The Laplacian of a box of cells is a sum of three, each of which knows one
- * direction only, and these commute. So the exponential is a product:
+ * The Laplacian of a box of cells is a sum of three, one for each direction,
+ * and these commute. So the exponential is a product:
  *
  *     exp(-T L) = exp(-T L_x) exp(-T L_y) exp(-T L_z)
  *
@@ -22,11 +22,11 @@
 
 struct separable;
 
-/* b [m]: 0, or the bandwidth that T belongs to, off which is taken what the
- * cells smear by themselves (bandwidth.h, "cells"). The sum of the dropped
- * weights of a cell is less than tail [-] and is added to its own weight. NULL
- * if the mesh is not a box, or has a direction of more than SEPARABLE_MOST
- * cells, for which computing the weights would take long. */
+/* b [m]: 0, or the bandwidth of T, from which the variance of the cells is
+ * subtracted (bandwidth.h, "cells"). The sum of the dropped weights of a cell
+ * is less than tail [-] and is added to its own weight. NULL if the mesh is not
+ * a box, or has a direction of more than SEPARABLE_MOST cells, for which
+ * computing the weights would take long. */
 enum { SEPARABLE_MOST = 1024 };
 struct separable *separable_create(const struct box *box, double T /* [m^2] */,
                                    double b, double tail /* [-] */);
@@ -36,7 +36,7 @@ void separable_free(struct separable *s);
  * not depend on the number of threads. */
 void separable_apply(struct separable *s, int m, double *u);
 
-/* The weights [-] that a cell is given in direction k, at most. */
+/* The largest number of weights of a cell in direction k [-]. */
 int separable_reach(const struct separable *s, int k);
 
 #endif

@@ -9,7 +9,7 @@
 #include "averaging/averaging.h"
 #include "averaging/poly/facets.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 #include "base/alloc.h"
 #include "base/number.h"
 
@@ -81,8 +81,8 @@ static double common(const struct two_grid *g, int c, const double lo[3],
     return g->facets != NULL ? facets_in_box(g->facets, c, begin, end) : V;
 }
 
-/* The coarse cells that fine cell c can overlap: their number; and, if there is
- * room for them, which, and |c and C|. */
+/* The coarse cells that fine cell c can overlap: their number; and, unless the
+ * arrays are NULL, which they are, and |c and C|. */
 static int overlap_cell(const struct two_grid *g, int c, int *other,
                         double *volume)
 {

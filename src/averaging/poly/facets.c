@@ -10,7 +10,7 @@
 #include "base/vector.h"
 
 enum { FLAT_MOST = 8 };     /* corners of a facet, see facets_box.c */
-enum { MOST_TURNS = 1000 }; /* a body is no wider than that many periods */
+enum { MOST_TURNS = 1000 }; /* a body may be as wide as this many periods */
 
 /* A polygon whose corners are off its plane by less than this fraction of its
  * width counts as flat [-]. */

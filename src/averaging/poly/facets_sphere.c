@@ -22,7 +22,8 @@ static const double nothing = 1e-14;
 struct plane {
     double h; /* [m] from the centre to the plane, along its normal */
     double R; /* [m] */
-    double K; /* [m^3] flux for each radian that is outside, but for the bend */
+    double K; /* [m^3] flux per radian of the part outside, without its curved
+                 part */
 };
 
 /* From t1 to t2 along an edge that passes the foot at the distance g [m], all

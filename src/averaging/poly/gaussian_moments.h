@@ -1,8 +1,9 @@
 /* gaussian_moments.h -- cells, and their images, as normal densities.
  * Chapter 21.
  *
- * What a Gaussian of bandwidth b has in a cell is, to fourth order in the width
- * of the cell over b (to third where it is not its own image about its centre),
+ * The integral of a Gaussian of bandwidth b over a cell is, to fourth order in
+ * the width of the cell over b (to third where it is not its own image about
+ * its centre),
  *
  *     V N(x - x_c; b^2 / 2 + M)                                        (21.6)
  *

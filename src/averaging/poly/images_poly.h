@@ -5,12 +5,12 @@
  *         V_c N(x_i - x_c; b^2 / 2 + M_c) over the sum of that      (21.6)
  *
  * N is the normal density of that covariance and M_c that of the cell itself,
- * the mean of r r^T over it (gaussian_moments.h). What a wall shows is in
- * wall_images.h.
+ * the mean of r r^T over it (gaussian_moments.h). The images themselves are
+ * described in wall_images.h.
  *
- * Where walls are flat an even bed is then even up to them. Where they are not,
- * the heights of the cells are scaled until it is: a cell has one height, and
- * each particle still adds up to one, so nothing else changes.
+ * Near flat walls the field of a uniform bed is then uniform. Near other walls
+ * the heights of the cells are scaled until it is: each cell has one height,
+ * and the weights of each particle still add up to one.
  */
 #ifndef AVERAGING_POLY_IMAGES_POLY_H
 #define AVERAGING_POLY_IMAGES_POLY_H

@@ -17,7 +17,7 @@
 #include "base/number.h"
 #include "base/vector.h"
 
-enum { MOST_TURNS = 10000 }; /* the scene allows no more */
+enum { MOST_TURNS = 10000 }; /* the case allows no more */
 
 /* Planes, positions and distances closer than this are treated as equal,
  * because files give coordinates with six digits. */
@@ -30,7 +30,7 @@ struct mirror_wall {
     double mid[3], radius; /* [m] a ball that holds it */
 };
 
-/* The same from a cell. */
+/* A facet of a wall, relative to a cell. */
 struct mirror_image {
     const struct mirror_wall *wall;
     int plane;       /* [-] which one it lies on */
@@ -57,7 +57,7 @@ struct mirror_search {
     int image_capacity, plane_capacity, place_capacity;
 };
 
-/* One more at the end of an array. */
+/* Appends one element to an array. */
 static void *one_more(void *array, int *n, int *room, size_t size)
 {
     if (*n < *room) {

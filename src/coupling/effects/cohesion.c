@@ -8,7 +8,7 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
 
-/* The particles have it already. */
+/* The attraction is already part of the particles. */
 static void *create(struct simulation *sim, const double *parameters)
 {
     (void)sim, (void)parameters;

@@ -1,8 +1,8 @@
-/* cohesion.h -- the attractions of particles/ as effects.  Chapter 17.
+/* cohesion.h -- the attractions of dem/cohesion as effects.  Chapter 17.
  *
- * They act within the steps of the particles, and while a bed settles: so the
- * particles are created with them, and the loop over the effects has nothing
- * left to do.
+ * They act within the steps of the particles, and while a bed settles:
+ * therefore the particles are created with them, and the hooks of these effects
+ * do nothing.
  */
 #ifndef COUPLING_EFFECTS_COHESION_H
 #define COUPLING_EFFECTS_COHESION_H
@@ -17,8 +17,8 @@ extern const struct effect cohesion_capillary;
 /* All of them, ended by NULL. */
 extern const struct effect *const cohesion_all[];
 
-/* One at work with these parameters; charges (by material, borrowed) are for
- * the electrostatic one. */
+/* The attraction with these parameters; the electrostatic one uses charges (by
+ * material, borrowed). */
 struct attraction cohesion_attraction(const struct effect *e,
                                       const double *parameters,
                                       const double *charge);

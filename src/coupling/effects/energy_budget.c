@@ -2,7 +2,8 @@
 /* energy_budget.c -- the energy budget of the particles, in history.csv.
  *
  * Without it the contact loops are compiled without any of its code; with it
- * they take half as long again, and the particles move to the same bits.
+ * they take half as long again. The motion of the particles has the same bits
+ * with and without it.
  */
 #include "coupling/effects.h"
 

@@ -4,10 +4,10 @@
  *   f_i = V_p div tau,   div tau = mu lap u       [LS 5.1, XS11 2.6, second
  * term]
  *
- * what the stress around a particle would do to the fluid in its place. The
- * fluid's equation contains all of div tau, so the reaction of the force on a
- * particle acts on the fluid in its next step. This is stable for any step: the
- * part of the fluid is implicit, and that of the particles is smaller.
+ * the force of the surrounding stress on the fluid that would be in its place.
+ * The fluid's equation contains all of div tau, so the reaction of the force on
+ * a particle acts on the fluid in its next step. This is stable for any step:
+ * the part of the fluid is implicit, and that of the particles is smaller.
  *
  * lap u of a cell from its faces as in momentum.c, (1/V) sum (S/d) (u_N - u);
  * at a boundary u_N is the velocity there, which on a slip wall and an outlet

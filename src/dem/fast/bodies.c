@@ -43,6 +43,7 @@ void bodies_free(struct bodies *b)
     free(b->acceleration);
     free(b->position_at_rebuild);
     free(b->implicit_drag);
+    free(b->own_inverse_mass);
     free(b);
 }
 
@@ -67,6 +68,7 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
         v[0] = ps->vx[i], v[1] = ps->vy[i], v[2] = ps->vz[i], v[3] = 1.0 / R;
         v[4] = R * ps->wx[i], v[5] = R * ps->wy[i], v[6] = R * ps->wz[i];
         v[7] = per_mass;
+        if (b->own_inverse_mass != NULL) b->own_inverse_mass[i] = 0.0;
         a[0] = ps->ex[i] * per_mass;
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;

@@ -35,13 +35,15 @@ struct bodies {
         *position_at_rebuild)[3]; /* [m] x, y, z when the list was last made */
     /* Of particles with an implicit drag (implicit_drag.h); else NULL. */
     double (*implicit_drag)[4];
-    double *drag_impulse; /* [N s] the particles' own */
-    double step;          /* [s] that the rows are for */
-    const int *id;        /* [-] the particles' own */
-    const int *material;  /* [-] of each, in the particles' own array; NULL if
-                             all are of material 0 */
-    int n_materials;      /* [-] */
-    int wall_material;    /* [-] of the box */
+    double *drag_impulse;     /* [N s] the particles' own */
+    double *own_inverse_mass; /* [1/kg] 1/m of those that move as prescribed,
+                                 else 0; NULL if none ever does */
+    double step;              /* [s] that the rows are for */
+    const int *id;            /* [-] the particles' own */
+    const int *material; /* [-] of each, in the particles' own array; NULL if
+                            all are of material 0 */
+    int n_materials;     /* [-] */
+    int wall_material;   /* [-] of the box */
 };
 
 struct bodies *bodies_create(int capacity, const struct box_domain *box);

@@ -197,6 +197,8 @@ SWEEP_INLINE void sweep_contacts(struct chunk *s, const struct bodies *b,
             if (short_of) sweep_copy(xi[a], s->contacts.xi[a] + first, count);
         }
         sweep_gather(&c, s, b, first, count);
+        if (b->own_inverse_mass != NULL)
+            sweep_prescribed(&c, s, b, first, count);
         sweep_into_columns(&c);
         sweep_frames(&c, &b->box, loop & CONTACT_PERIODIC);
         if (many) sweep_material_pairs(&c, s, b, first, count);

@@ -58,12 +58,12 @@ static inline void sweep_roll(double M[3], double theta[3], const double w[3],
 static inline double sweep_roll_one(const struct sweep_buffers *c, int p,
                                     struct chunk *s, int slot,
                                     const double mine[8], const double other[8],
-                                    double own[8], double theirs[8],
-                                    double mu_r, double dt)
+                                    const double per_mass[2], double own[8],
+                                    double theirs[8], double mu_r, double dt)
 {
     const double R = 1.0 / (mine[3] + other[3]), k_r = c->k_t[p] * R * R;
     const double per_I =
-        (mine[7] * mine[3] * mine[3] + other[7] * other[3] * other[3]) /
+        (per_mass[0] * mine[3] * mine[3] + per_mass[1] * other[3] * other[3]) /
         1.4; /* I + m R^2 = (7/5) m R^2 */
     const double C_r = 2.0 * sweep_rolling_damping_ratio * sqrt(k_r / per_I);
     double n[3], w[3], theta[3], M[3];
@@ -104,9 +104,11 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
                 s->contacts.roll_angle[a][slot] = 0.0;
             continue;
         }
+        double per_mass[2];
+        sweep_inverse_masses(b, i, pair ? j : -1, per_mass);
         const double power = sweep_roll_one(
             c, p, s, slot, b->velocity[i], pair ? b->velocity[j] : wall,
-            s->load[i - s->begin],
+            per_mass, s->load[i - s->begin],
             pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r, dt);
         if (budget) s->energy.rolled -= power * dt;
     }

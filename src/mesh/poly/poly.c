@@ -50,7 +50,7 @@ static void shift_of(const struct poly_raw *r, const struct poly_part *part,
 }
 
 /* The number, from 1, of the period that is P, negative if minus P; a new one
- * where there is none yet, 0 without room for it. */
+ * if there is none yet, 0 if there are too many. */
 static int periodic_index_of(struct mesh *m, const double P[3])
 {
     for (int i = 0; i < m->n_periods; i++)
@@ -143,14 +143,14 @@ static void set_outer(struct mesh *m, const struct poly_raw *r, int to, int f)
     }
 }
 
-/* A cell that is its own neighbour round a period has no face there: what
- * leaves would enter it again. */
+/* A cell that is its own neighbour across a period has no face there, because
+ * the flux through it would enter the same cell. */
 static int joins(const struct poly_raw *r, int f, int far)
 {
     return r->owner[f] != r->owner[far];
 }
 
-/* An inner face to be: two of the files, or one twice. */
+/* An inner face of the mesh: two faces of the files, or one of them twice. */
 struct join {
     int f, far, lap;
 };

@@ -27,8 +27,8 @@ void poly_file_close(struct poly_file *p);
 void poly_file_word(struct poly_file *p, char word[POLY_WORD]);
 void poly_file_expect(struct poly_file *p, const char *word);
 int poly_file_int(struct poly_file *p);
-/* The number of entries of a list: no more than find room in the file, where
- * one has `least` characters or more, and four times it is an int. */
+/* The number of entries of a list: no more than the file can contain with
+ * `least` characters or more each, and such that four times it is an int. */
 int poly_file_count(struct poly_file *p, int least);
 double poly_file_real(struct poly_file *p);
 

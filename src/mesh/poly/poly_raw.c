@@ -351,7 +351,8 @@ static int wrong_cell(const struct poly_raw *r, const char *dir)
     return 0;
 }
 
-/* The link from centre to centre goes with the face, not against it. */
+/* The link from centre to centre points in the direction of S, not against
+ * it. */
 static int wrong_link(const struct poly_raw *r, const char *dir)
 {
     for (int f = 0; f < r->n_inner; f++) {

@@ -6,12 +6,13 @@
 
 enum { POLY_RAW_PATCHES = 64 };
 
-/* A patch as the file has it. */
+/* A patch as it stands in the file. */
 struct poly_part {
     char name[64], type[64], other[64];
     int first, n;
     int line;           /* [-] of the file */
-    int periodic_index; /* [-] of a cyclic one: as mesh.h has it */
+    int periodic_index; /* [-] of a cyclic patch: its period as in mesh.h, else
+                           0 */
 };
 
 /* The contents of the files, and the quantities derived from them. */

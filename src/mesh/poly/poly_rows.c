@@ -64,8 +64,8 @@ static int find(const struct walk *w, int c, int f, int g, int corners)
     return -1;
 }
 
-/* The faces of cell c in their order: `first` is number s, and where it meets
- * face 2 k of the cell before lies face 2 k of this one. 0 if it is none. */
+/* The faces of cell c in order: `first` is number s, and face 2 k of this cell
+ * shares an edge with face 2 k of the previous one. 0 if it is none. */
 static int turn(struct walk *w, int c, int first, int s, const int before[6])
 {
     int face[6];

@@ -11,8 +11,8 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The link leaves the owner's centre for the neighbour's and crosses the plane
- * of the face after a share 1 - w of it. */
+/* The link leads from the owner's centre to the neighbour's and crosses the
+ * plane of the face at the fraction 1 - w of its length. */
 static double skewness(const struct mesh *m, int f)
 {
     const double *const d = &m->d[3 * f];
@@ -81,7 +81,7 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
     }
 }
 
-/* The share of direction k in the rate of a box, where it is largest. */
+/* The contribution of direction k to the rate of a box, where it is largest. */
 static double rate_along(const struct box *b, int k)
 {
     const double *const e = b->edge[k];

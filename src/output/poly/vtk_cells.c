@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* vtk_cells.c -- hexahedra, tetrahedra and polyhedra.
  *
- * VTK knows a cell by the list of its points. A hexahedron has those of one
- * face, turned so that its normal by the right hand points inward, and then
- * those across; a tetrahedron likewise, and then its apex. Of a polyhedron the
- * list is in any order, and its faces stand in a second list: how many there
- * are, and for each how many points it has and which.
+ * In VTK a cell is a list of points. The list of a hexahedron has the points of
+ * one face, in the order that gives an inward normal by the right-hand rule,
+ * and then the points of the opposite face; that of a tetrahedron likewise, and
+ * then its apex. The list of a polyhedron is in any order; a second list has
+ * the number of its faces, and for each face the number of its points and the
+ * points.
  */
 #include "output/poly/vtk_cells.h"
 
@@ -17,7 +18,7 @@
 
 enum { TETRAHEDRON = 10, HEXAHEDRON = 12, POLYHEDRON = 42 };
 
-/* Numbers, and room for more. */
+/* A growable array of integers. */
 struct list {
     int n, room;
     int *value;
@@ -97,8 +98,8 @@ static void base_of(const struct mesh *m, int c, int n, int *base)
         base[i] = corner[inward > 0.0 ? i : n - 1 - i];
 }
 
-/* The point that an edge outside of the base joins to a point of it; -1: the
- * cell has no such edge, or not one. */
+/* The point that is joined to a point of the base by an edge outside the base;
+ * -1 if there is no such edge, or more than one. */
 static int across(const struct mesh_shape *s, int c, int n, const int *base,
                   int point)
 {

@@ -1,4 +1,4 @@
-/* vtk_cells.h -- the cells of any mesh as VTK lists them. */
+/* vtk_cells.h -- the cells of any mesh as lists of points for VTK. */
 #ifndef OUTPUT_POLY_VTK_CELLS_H
 #define OUTPUT_POLY_VTK_CELLS_H
 
@@ -7,7 +7,7 @@
 
 int vtk_cells_number(const struct vtk_cells *c);
 
-/* Opens the <Piece> and announces its points and cells. */
+/* Opens the <Piece> and declares its points and cells. */
 void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *c);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -59,7 +59,7 @@ double *stencil_extents(const struct mesh *m)
 struct walk {
     const struct mesh *m;
     double b;     /* [m] */
-    double alike; /* [m] no farther apart are two ways to one place */
+    double alike; /* [m] links closer than this lead to the same position */
     double *half; /* [m] half extents of each cell, 3 */
     enum stencil_to to;
     int n, room;
@@ -99,7 +99,7 @@ static void walk_add(struct walk *w, int c, const double link[3])
     w->latest[c] = w->n++;
 }
 
-/* Is cell c, with its centre at the link, nearer than b to the cell? */
+/* 1 if cell c, with its centre at the link, is nearer than b to the cell. */
 static int is_near(const struct walk *w, int c, const double link[3])
 {
     double r2 = 0.0;
@@ -172,8 +172,9 @@ static int known_shape(const struct stencil *s, const struct walk *w)
     return -1;
 }
 
-/* Appends the walk as a shape; room is that of the entries. There are never
- * more shapes than cells, so start has its room from the beginning. */
+/* Appends the walk as a shape; `room` is the capacity of the entries. There are
+ * never more shapes than cells, so start is allocated for all cells from the
+ * beginning. */
 static void add_shape(struct stencil *s, const struct walk *w, int *room)
 {
     const int first = s->start[s->n_shapes];
@@ -239,8 +240,8 @@ static int has_equal_cells(const struct mesh *m)
     return m->shape == NULL;
 }
 
-/* As many cells as the room nearer than b to a cube is large: to that of the
- * cell for their centres, to one twice as wide for any of them. */
+/* The number of cells in the volume nearer than b to a cube: to the cell itself
+ * for their centres, to a cube twice as wide for any part of them. */
 double stencil_bytes(const struct mesh *m, double b, enum stencil_to to)
 {
     const double entry = sizeof(int) + 3.0 * sizeof(double);

@@ -8,7 +8,7 @@
  * window of cells, and each cell then sums the windows that contain it, in
  * order.
  */
-#include "averaging/more/weights.h"
+#include "averaging/weights.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +64,7 @@ struct neighbourhood weights_around(const struct weights *s, int c)
                                   &near->dz[first]};
 }
 
-/* The weights of one particle and where they go. */
+/* The weights of one particle and the cells that they belong to. */
 struct weight_list {
     int n;
     const int *step;
@@ -129,7 +129,7 @@ static int weigh(const struct weights *s, int i,
     return 1;
 }
 
-/* Of place a of the members, either kept or found now. */
+/* The weights of member a, cached or computed now. */
 static struct weight_list list_of(const struct weights *s,
                                   const struct cell_range *t, int a,
                                   const struct neighbourhood *near, int *alone)
@@ -168,7 +168,7 @@ static void gather_range(const struct weights *s, const struct cell_range *t,
                          int m, const double *field, double *q)
 {
     const struct cell_of_particle *const h = s->h;
-    int alone = 0; /* not asked for */
+    int alone = 0; /* not cached */
 
     for (int c = t->first; c < t->last; c++) {
         const struct neighbourhood near = weights_around(s, c);
@@ -224,7 +224,7 @@ void weights_gather(const struct weights *s, int m, const double *field,
         gather_range(s, &s->ranges[t], m, field, q);
 }
 
-/* Strip k of the cells, with the window that its stencils reach. */
+/* Range k of the cells, with the window of cells that its stencils reach. */
 static void set_range(struct weights *s, int k)
 {
     struct cell_range *const t = &s->ranges[k];
@@ -291,7 +291,7 @@ void weights_extend(struct weights *s, double reach)
     find_neighbourhoods(s);
 }
 
-/* Room for n weights more after the first `used`. */
+/* Makes room for n more weights after the first `used`. */
 static void make_room(struct kept *k, int used, int n)
 {
     if (used + n <= k->capacity) return;
