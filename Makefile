@@ -105,6 +105,9 @@ weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
 
+figures: $B/winnow $B/tests/test_impacts $(BENCH) ## remake slow results and figures, and say what moved (an hour or two)
+	@sh chapters/tools/figures.sh $B/winnow
+
 bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour)
 	sh .ci/install run
 	$(MAKE) $(CORES) $(BENCH) WERROR=
@@ -155,6 +158,6 @@ $B/tests/%.facts: $B/tests/% always
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
         steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow sanitized-slow style-slow solutions results \
-        text pages validate bench weave book help clean tests always
+        text pages validate bench figures weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

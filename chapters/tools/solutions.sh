@@ -41,7 +41,7 @@ wanted() { # program, holds or fails
 
 try() { # program
     # No dependencies are written, for they would be written through the links.
-    MAKEFLAGS= make -s -C "$tree" B=build WERROR='-Werror -MF /dev/null' \
+    MAKEFLAGS= make -s -C "$tree" B=build WERROR='-Werror -MMD -MF /dev/null' \
         "build/tests/$1" >"$facts.make" 2>&1 || {
         tail -5 "$facts.make"
         echo "$patch: $1 does not build"

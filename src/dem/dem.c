@@ -90,7 +90,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     if (o->integrator == NULL) dem->options.integrator = integrators[0];
     if (dem->options.integrator->predicts)
         dem->start = integrators_start_create(ps->capacity);
-    dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
+    dem->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
     dem->sweep = o->law->sweep[loop];
     dem->neighbours = neighbours_create(ps, &box);
