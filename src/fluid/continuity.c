@@ -123,3 +123,19 @@ double continuity_residual(struct fluid *fl)
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
     return all.through > 0.0 ? all.rest / all.through : 0.0;
 }
+
+const struct model fluid_continuity_mixture = {
+    .name = "mixture",
+    .what = "the volume fluxes of both phases have no divergence",
+    .equations = "XS11 2.7",
+    .function = "continuity_source",
+    .value = CONTINUITY_MIXTURE,
+};
+
+const struct model fluid_continuity_void_rate = {
+    .name = "void-rate",
+    .what = "the fluid flows out of where the void shrinks",
+    .equations = "XS11 2.3",
+    .function = "continuity_source",
+    .value = CONTINUITY_VOID_RATE,
+};

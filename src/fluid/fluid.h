@@ -22,6 +22,7 @@
 #ifndef FLUID_FLUID_H
 #define FLUID_FLUID_H
 
+#include "base/model.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
 #include "fluid/velocity_gradient.h"
@@ -30,6 +31,7 @@
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
+extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
 struct fluid_options {
     double rho;                     /* [kg/m^3] */
