@@ -257,9 +257,6 @@ START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
 }
 END_TEST
 
-<<<<<<< HEAD
-/* Two unlike charges fall towards each other: their kinetic energy is the work
-=======
 /* A sphere that is pushed with V against a wall, a plate, or a sphere that
  * stays in its place by prescription: its dashpot is that of a free sphere of
  * its mass there, which takes eta V^2 a second, eta = 2 zeta sqrt(k m*). Made
@@ -301,8 +298,7 @@ START_TEST(dashpots_of_prescribed_spheres_know_their_own_mass)
 }
 END_TEST
 
-/* Two unlike charges fall towards each other: what they move with is the work
->>>>>>> hunt
+/* Two unlike charges fall towards each other: their kinetic energy is the work
  * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
 START_TEST(attractions_do_the_work_that_comes_out_as_motion)
 {
@@ -418,12 +414,8 @@ FACTS("energy")
     FACT(the_work_of_gravity_is_the_height_lost);
     FACT(sliding_takes_two_sevenths_until_it_rolls);
     FACT(rolling_friction_takes_what_a_rolling_sphere_has);
-<<<<<<< HEAD
     FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4);
-=======
-    FACT_FOR_EACH(a_driven_sphere_does_the_work_that_it_gives, 4);
     FACT_FOR_EACH(dashpots_of_prescribed_spheres_know_their_own_mass, 3);
->>>>>>> hunt
     FACT(a_wall_that_moves_does_the_work_that_it_gives);
     FACT(attractions_do_the_work_that_comes_out_as_motion);
     FACT(energy_added_between_runs_is_counted);
