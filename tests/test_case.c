@@ -184,7 +184,18 @@ START_TEST(numbers_have_magnitudes_that_their_units_can_have)
     refused("fluid.bottom.inlet=((0.0,0.0),(1e300,1e9))", "[m/s], found 1e+09");
     refused("fluid.density=1e300", "between 1e-12 and 1e+20 [kg/m^3]");
     refused("effects.gravity=[0.0,-1e200,0.0]", "found -1e+200");
+    refused("mesh.size=[1.0,1e-300,1.0]", "[m], found 1e-300");
     refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
+}
+END_TEST
+
+/* As scripts write them: the cosine of a right angle. */
+START_TEST(what_rounding_leaves_of_a_0_is_a_direction_still)
+{
+    int code;
+    settings_free(read_case("cases/mueller-bed.cfg",
+                            "effects.gravity=[6e-317,-9.81,6e-17]", &code));
+    ck_assert_int_eq(code, 0);
 }
 END_TEST
 
@@ -493,6 +504,7 @@ FACTS("scene")
     FACT(whole_number_is_written_without_point_or_exponent);
     FACT(cells_are_of_a_size_that_can_be_computed);
     FACT(numbers_have_magnitudes_that_their_units_can_have);
+    FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(contact_law_requires_its_constants);

@@ -21,7 +21,7 @@ struct overlap {
     double depth; /* [-] over the mean diameter of the two */
 };
 
-/* The deepest of all pairs, nearest images. Looks at every pair. */
+/* The deepest of all pairs, nearest images. */
 struct overlap overlaps_deepest(const struct particles *ps,
                                 const struct box_domain *box);
 
