@@ -14,8 +14,14 @@ OPT      = $(FAST)
 B        = build
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
-SRC   := $(wildcard src/*/*.c src/*/*/*.c)
-OBJ   := $(SRC:%.c=$B/%.o) $B/src/case/report/equation_index_rows.o
+# What is built: the rooms' own files, and the folders in them that are named
+# here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
+FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+# Each folder lists its models in models.txt; models.awk joins the lists of what
+# is built into the arrays drag_laws[], averaging_methods[], ...
+MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
@@ -118,6 +124,11 @@ $B/%.o: %.c
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = -O1
 $B/tests/bench/%.o: LIGHT =
+$B/src/models.c: $(MODELS) src/models.awk
+	@mkdir -p $(@D)
+	@awk -f src/models.awk $(MODELS) >$@.new && mv $@.new $@
+$B/src/models.o: $B/src/models.c
+	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # The book's table of equations, for `winnow explain KEY`.
 $B/src/case/report/equation_index_rows.c: chapters/equations.md chapters/tools/rows.awk
 	@mkdir -p $(@D)

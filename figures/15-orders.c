@@ -84,7 +84,7 @@ int main(void)
         for (int n = 4; n <= 256; n *= 2) {
             printf("%.1f", n * M_PI / 1.2);
             for (int i = 0; i < 3; i++)
-                printf(" %.3e", error(&integrators[i], e[c], n));
+                printf(" %.3e", error(integrators[i], e[c], n));
             printf("\n");
         }
         printf("\n\n");
@@ -93,7 +93,7 @@ int main(void)
     for (int p = 0; p <= 200; p += 10) {
         printf("%d", p);
         for (int i = 0; i < 3; i++)
-            printf(" %.5f", energy(&integrators[i], p));
+            printf(" %.5f", energy(integrators[i], p));
         printf("\n");
     }
     return 0;

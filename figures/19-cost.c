@@ -136,9 +136,9 @@ static void ask_convection_and_time(void)
     static const char *const times[] = {"euler", "bdf2"};
 
     for (int n = 16; n <= 64; n *= 2)
-        for (int i = 0; convection_schemes[i].name != NULL; i++)
-            run("convection", convection_schemes[i].name, n, 0.25,
-                options("bdf2", convection_schemes[i].name));
+        for (int i = 0; convection_schemes[i] != NULL; i++)
+            run("convection", convection_schemes[i]->name, n, 0.25,
+                options("bdf2", convection_schemes[i]->name));
     for (double cfl = 4.0; cfl > 0.2; cfl *= 0.5)
         for (int i = 0; i < 2; i++)
             run("time", times[i], 64, cfl, options(times[i], "linear"));

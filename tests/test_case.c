@@ -143,9 +143,23 @@ START_TEST(cells_are_of_a_size_that_can_be_computed)
 {
     refused("mesh.grading=[1.0,1e-12,1.0]",
             "the widest cell is 1e+12 times the narrowest in y; at most 1e+06");
-    refused("mesh.grading=[1.0,1e-300,1.0]", "times the narrowest in y");
-    refused("mesh.size=[1e300,1e300,1e300]", "the cells have inf to inf m^3");
-    refused("mesh.size=[1e-60,1.0,1.0]", "expected between 1e-60 and 1e+60");
+    refused("mesh.grading=[1.0,1e-300,1.0]", "between 1e-30 and 1e+30 [-]");
+    refused("mesh.size=[1e300,1e300,1e300]", "between 1e-12 and 1e+12 [m]");
+    refused("mesh.size=[1e-60,1.0,1.0]", "between 1e-12 and 1e+12 [m]");
+}
+END_TEST
+
+/* Half of the smallest double has no square and no reciprocal. */
+START_TEST(numbers_have_magnitudes_that_their_units_can_have)
+{
+    refused("particles.bed.diameter=4.9e-324",
+            "particles.bed.diameter: expected 0 or a magnitude between 1e-12 "
+            "and 1e+12 [m], found 4.94066e-324");
+    refused("fluid.bottom.inlet=4.9e-324", "between 1e-20 and 3e+08 [m/s]");
+    refused("fluid.bottom.inlet=((0.0,0.0),(1e300,1e9))", "[m/s], found 1e+09");
+    refused("fluid.density=1e300", "between 1e-12 and 1e+20 [kg/m^3]");
+    refused("effects.gravity=[0.0,-1e200,0.0]", "found -1e+200");
+    refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
 }
 END_TEST
 
@@ -429,6 +443,7 @@ FACTS("scene")
     FACT(average_is_no_wider_than_the_mesh_by_far);
     FACT(whole_number_is_written_without_point_or_exponent);
     FACT(cells_are_of_a_size_that_can_be_computed);
+    FACT(numbers_have_magnitudes_that_their_units_can_have);
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(contact_law_requires_its_constants);

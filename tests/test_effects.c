@@ -41,7 +41,7 @@ int *__wrap_alloc_ints(int n)
 }
 
 /* A small bed with these effects; the file is made and removed here. */
-static struct simulation *build(const char *effects)
+static struct simulation *build(const char *named)
 {
     static const char *const rest =
         "mesh = { size = [0.012, 0.024, 0.006]; cells = [4, 8, 2]; };\n"
@@ -60,7 +60,7 @@ static struct simulation *build(const char *effects)
     FILE *const f = fdopen(fd, "w");
     int code;
 
-    fprintf(f, "%s%s", rest, effects);
+    fprintf(f, "%s%s", rest, named);
     fclose(f);
     struct settings *const s = case_file_read(path, 0, NULL, &code);
     remove(path);
@@ -72,9 +72,9 @@ static struct simulation *build(const char *effects)
     return sim;
 }
 
-static long allocations_with(const char *effects)
+static long allocations_with(const char *named)
 {
-    struct simulation *const sim = build(effects);
+    struct simulation *const sim = build(named);
     const long n = allocations;
     build_free(sim);
     return n;
@@ -169,11 +169,11 @@ END_TEST
 
 START_TEST(every_effect_is_known_by_its_name_and_has_a_row)
 {
-    for (int i = 0; effects_all[i] != NULL; i++) {
+    for (int i = 0; effects[i] != NULL; i++) {
         char path[64];
-        snprintf(path, sizeof path, "effects.%s", effects_all[i]->name);
-        ck_assert_ptr_eq(effects_named(effects_all[i]->name), effects_all[i]);
-        ck_assert_str_eq(effects_all[i]->keys[0].path, path);
+        snprintf(path, sizeof path, "effects.%s", effects[i]->name);
+        ck_assert_ptr_eq(effects_named(effects[i]->name), effects[i]);
+        ck_assert_str_eq(effects[i]->keys[0].path, path);
     }
     ck_assert_ptr_null(effects_named("magnetism"));
 }

@@ -124,7 +124,7 @@ static double blown(const struct blow *w, int component)
 START_TEST(a_bed_of_random_cells_stays_bounded_by_any_scheme)
 {
     struct blow w = {.bed = EACH_CELL_ANY, .depth = 1, .steps = 150};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 8; i++) {
         w.shared = i & 1;
         w.mixture = i >> 1 & 1;
@@ -145,7 +145,7 @@ START_TEST(so_does_one_of_full_and_empty_cells_between_walls)
                      .depth = 6,
                      .walls = 1,
                      .steps = 60};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 2; i++) {
         w.cfl = i ? 2.0 : 0.5;
         ck_assert_double_lt(blown(&w, -1), 2.0 * 2.5);
@@ -164,7 +164,7 @@ START_TEST(waves_along_the_surface_of_a_bed_die_out_or_stay_bounded)
                      .mixture = 1,
                      .depth = 1,
                      .steps = 300};
-    w.convection = convection_schemes[_i].name;
+    w.convection = convection_schemes[_i]->name;
     for (int i = 0; i < 2; i++) {
         w.cfl = i ? 2.0 : 0.5;
         ck_assert_double_lt(blown(&w, 0), _i == 1 ? 5.0 * 2.5 : 5e-3);

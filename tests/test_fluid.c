@@ -259,9 +259,9 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     struct fluid_options o = options(NULL);
     o.coupled = 1;
     o.continuity = _i % 2 ? CONTINUITY_VOID_RATE : CONTINUITY_MIXTURE;
-    o.convection = &convection_schemes[_i / 2 % 2];
+    o.convection = convection_schemes[_i / 2 % 2];
     const int changes = _i >= 4; /* of the step */
-    o.time = &time_schemes[_i / 4 % 2];
+    o.time = time_schemes[_i / 4 % 2];
     if (changes) o.u_tolerance = 0.1;
     struct fluid *const fl = fluid_create(m, &o);
     const double swing =
@@ -519,9 +519,9 @@ START_TEST(convection_schemes_are_known_by_name)
     const double phi = -1.0, w = 0.3;
     const struct convection_faces face = {1, &phi, &w, 0.5};
     const double expected[] = {0.0, 0.3, 0.15, 0.0, 0.0};
-    for (int i = 0; convection_schemes[i].name != NULL; i++) {
+    for (int i = 0; convection_schemes[i] != NULL; i++) {
         double share;
-        convection_schemes[i].owner_weights(&face, &share);
+        convection_schemes[i]->owner_weights(&face, &share);
         ck_assert_double_eq(share, expected[i]);
     }
 }

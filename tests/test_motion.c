@@ -347,7 +347,7 @@ START_TEST(prescribed_particle_moves_alike_with_every_integrator)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 1; k <= 10; k++) {
         const double phase = 2.0 * M_PI * f * 77.0 * dt * k;
@@ -378,7 +378,7 @@ START_TEST(released_prescribed_particle_keeps_its_energy)
 
     o.prescribed = &one;
     o.n_prescribed = 1;
-    o.integrator = &integrators[_i];
+    o.integrator = integrators[_i];
     struct dem *const dem = started(ps, &o);
     for (int k = 0; k < 2000; k++) {
         ck_assert_int_eq(dem_run(dem, 1, &r), 0);

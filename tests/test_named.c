@@ -35,21 +35,20 @@ START_TEST(each_name_finds_its_own_row)
         CHECK_ROW(interpolation_named, interpolations[i]);
     for (int i = 0; contact_laws[i] != NULL; i++)
         CHECK_ROW(contact_law_named, contact_laws[i]);
-    for (int i = 0; drag_laws[i].name != NULL; i++)
-        CHECK_ROW(drag_law_named, &drag_laws[i]);
-    for (int i = 0; convection_schemes[i].name != NULL; i++)
-        CHECK_ROW(convection_scheme_named, &convection_schemes[i]);
-    for (int i = 0; velocity_gradient_schemes[i].name != NULL; i++)
-        CHECK_ROW(velocity_gradient_scheme_named,
-                  &velocity_gradient_schemes[i]);
-    for (int i = 0; time_schemes[i].name != NULL; i++)
-        CHECK_ROW(time_scheme_named, &time_schemes[i]);
-    for (int i = 0; integrators[i].name != NULL; i++)
-        CHECK_ROW(integrators_named, &integrators[i]);
-    for (int i = 0; effects_all[i] != NULL; i++)
-        CHECK_ROW(effects_named, effects_all[i]);
-    for (int i = 0; sizes_laws[i].name != NULL; i++)
-        CHECK_ROW(sizes_law_named, &sizes_laws[i]);
+    for (int i = 0; drag_laws[i] != NULL; i++)
+        CHECK_ROW(drag_law_named, drag_laws[i]);
+    for (int i = 0; convection_schemes[i] != NULL; i++)
+        CHECK_ROW(convection_scheme_named, convection_schemes[i]);
+    for (int i = 0; velocity_gradient_schemes[i] != NULL; i++)
+        CHECK_ROW(velocity_gradient_scheme_named, velocity_gradient_schemes[i]);
+    for (int i = 0; time_schemes[i] != NULL; i++)
+        CHECK_ROW(time_scheme_named, time_schemes[i]);
+    for (int i = 0; integrators[i] != NULL; i++)
+        CHECK_ROW(integrators_named, integrators[i]);
+    for (int i = 0; effects[i] != NULL; i++)
+        CHECK_ROW(effects_named, effects[i]);
+    for (int i = 0; sizes_laws[i] != NULL; i++)
+        CHECK_ROW(sizes_law_named, sizes_laws[i]);
 }
 END_TEST
 

@@ -42,7 +42,7 @@ static struct scene busy(int number)
     s.model_b = (number & 16) != 0;
     s.pressure_gradient = !(number & 32);
     s.substeps = number & 64 ? 0 : 2;
-    s.time = number & 128 ? &time_schemes[1] : NULL;
+    s.time = number & 128 ? time_schemes[1] : NULL;
     return s;
 }
 

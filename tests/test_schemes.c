@@ -13,7 +13,7 @@
  * with 1 + 2 r in place of (1 + 2 r)/(1 + r) it would be wrong by far. */
 START_TEST(time_weights_give_the_slope_of_a_line_or_of_a_parabola)
 {
-    const struct time_scheme *const s = &time_schemes[_i % 2];
+    const struct time_scheme *const s = time_schemes[_i % 2];
     const double dt = 0.3, ratios[] = {1.0, 0.5, 3.0}, r = ratios[_i / 2];
     const double t = 2.0, t1 = t - dt, t2 = t1 - dt / r;
     const double curve = s->time_levels > 1 ? 0.7 : 0.0;
@@ -240,7 +240,7 @@ START_TEST(upwind_and_van_leer_stay_within_bounds_and_others_do_not)
 {
     double beyond[5], left[5];
     for (int i = 0; i < 5; i++)
-        band(convection_schemes[i].name, &beyond[i], &left[i]);
+        band(convection_schemes[i]->name, &beyond[i], &left[i]);
     ck_assert_double_lt(beyond[0], 1e-9); /* upwind */
     ck_assert_double_lt(left[0], 0.9);
     ck_assert_double_gt(beyond[1], 0.1);  /* linear */
@@ -275,7 +275,7 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
                                              m->d[3 * f + j]);
             }
         }
-    velocity_gradient_schemes[_i % 2].fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i % 2]->fill(m, u, u_b, slope);
     for (int i = 0; i < 9 * m->n_cells; i++)
         ck_assert_double_eq_tol(slope[i], G[i % 9 / 3][i % 3], 1e-12);
     free(u);
@@ -301,7 +301,7 @@ START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
         u_b[3 * (f - m->n_internal) + 1] = u[3 * m->owner[f] + 1];
     const double below = (2.0 * 0.25 + 1.0 * 4.0) / 3.0; /* at x = 1 */
     const double above = (2.0 * 4.0 + 1.0 * 25.0) / 3.0; /* at x = 3 */
-    velocity_gradient_schemes[_i].fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i]->fill(m, u, u_b, slope);
     ck_assert_double_eq_tol(
         slope[9 + 3], _i ? 0.5 * (2.5 + 7.0) : 0.5 * (above - below), 1e-12);
     for (int i = 0; i < 9; i++)

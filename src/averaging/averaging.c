@@ -10,13 +10,8 @@
 
 #include "averaging/more/bandwidth.h"
 #include "averaging/diffusion.h"
-#include "averaging/more/dpvm.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/images.h"
-#include "averaging/kernel.h"
-#include "averaging/pcm.h"
-#include "averaging/more/stencil.h"
-#include "averaging/more/two_grid.h"
+#include "averaging/stencil.h"
 #include "base/alloc.h"
 #include "base/number.h"
 
@@ -27,11 +22,6 @@ struct averaging {
     int fields;  /* [-] largest number in one call */
     struct averaging_report report;
 };
-
-const struct averaging_method *const averaging_methods[] = {
-    &pcm_method,      &dpvm_method,      &dpvm_cube_method,
-    &two_grid_method, &kernel_method,    &kernel_gaussian_method,
-    &images_method,   &diffusion_method, NULL};
 
 const struct averaging_method *averaging_method_named(const char *name)
 {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/kernel_gradient.h"
+#include "base/vector.h"
 
 static void nearest(struct averaging *a, int m, const double *field,
                     const double *boundary, double *q)
@@ -50,7 +50,7 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
         for (int j = 0; j < 3; j++)
             b[j] += above * d[j];
     }
-    kernel_gradient_solve(A, b, g);
+    vector_solve(A, b, g);
 }
 
 /* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell
@@ -106,15 +106,12 @@ static void same(struct averaging *a, int m, const double *field,
     averaging_gather(a, m, field, q);
 }
 
-static const struct interpolation interpolation_nearest = {
+const struct interpolation interpolation_nearest = {
     "nearest", "XS11 3.1", "the value of the host cell", nearest};
-static const struct interpolation interpolation_linear = {
+const struct interpolation interpolation_linear = {
     "linear", "Gauss", "value and Gauss gradient of the host cell", linear};
-static const struct interpolation interpolation_same = {
+const struct interpolation interpolation_same = {
     "same", "XS11 3.9", "weighed as the averaging does", same};
-
-const struct interpolation *const interpolations[] = {
-    &interpolation_nearest, &interpolation_linear, &interpolation_same, NULL};
 
 const struct interpolation *interpolation_named(const char *name)
 {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "averaging/more/images.h"
+#include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
@@ -36,7 +36,7 @@ int build_gravity(const struct settings *s, double g[3])
 static double bandwidth_of(const struct settings *s)
 {
     if (settings_has(s, "averaging.delta_05"))
-        return images_bandwidth(settings_real(s, "averaging.delta_05"));
+        return kernel_bandwidth(settings_real(s, "averaging.delta_05"));
     return settings_has(s, "averaging.bandwidth")
                ? settings_real(s, "averaging.bandwidth")
                : 0.0;
@@ -102,8 +102,8 @@ static void create_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
-    for (int i = 0; effects_all[i] != NULL; i++) {
-        const struct effect *const e = effects_all[i];
+    for (int i = 0; effects[i] != NULL; i++) {
+        const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
         case_file_parameters(s, e->keys, numbers, 16);
         sim->effects[sim->n_effects].effect = e;
@@ -117,8 +117,8 @@ static void count_and_create_effects(const struct settings *s,
 {
     int n = 0;
 
-    for (int i = 0; effects_all[i] != NULL; i++)
-        n += settings_has(s, effects_all[i]->keys[0].path);
+    for (int i = 0; effects[i] != NULL; i++)
+        n += settings_has(s, effects[i]->keys[0].path);
     if (n == 0) return;
     sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
     create_effects(s, sim);

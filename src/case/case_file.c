@@ -16,9 +16,9 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 
     tables[n++] = keys_core;
     tables[n++] = keys_surfaces;
-    for (int i = 0; effects_all[i] != NULL; i++) {
+    for (int i = 0; effects[i] != NULL; i++) {
         assert(n < CASE_FILE_TABLES - 1);
-        tables[n++] = effects_all[i]->keys;
+        tables[n++] = effects[i]->keys;
     }
     tables[n] = NULL;
 }

@@ -39,12 +39,12 @@ static int contact(int i, struct model *m)
 
 static int integrator(int i, struct model *m)
 {
-    const struct integrator *const all = integrators;
+    const struct integrator *const *const all = integrators;
 
     for (int k = 0; k <= i; k++)
-        if (all[k].name == NULL) return 0;
-    *m = (struct model){all[i].name, all[i].what, all[i].cite, "", ""};
-    m->function = all[i].predicts ? "integrators_correct" : "bodies_advance";
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
+    m->function = all[i]->predicts ? "integrators_correct" : "bodies_advance";
     return 1;
 }
 
@@ -76,12 +76,12 @@ static const char *sizes_keys(const char *law)
 
 static int sizes(int i, struct model *m)
 {
-    const struct sizes_law *const all = sizes_laws;
+    const struct sizes_law *const *const all = sizes_laws;
 
     for (int k = 0; k <= i; k++)
-        if (all[k].name == NULL) return 0;
-    *m = (struct model){all[i].name, all[i].what, all[i].cite, "sizes_quantile",
-                        sizes_keys(all[i].name)};
+        if (all[k] == NULL) return 0;
+    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
+                        "sizes_quantile", sizes_keys(all[i]->name)};
     return 1;
 }
 
@@ -146,10 +146,10 @@ static const char *drag_function(const char *law)
 
 static int drag(int i, struct model *m)
 {
-    const struct drag_law *const law = &drag_laws[i];
+    const struct drag_law *const law = drag_laws[i];
 
     for (int k = 0; k <= i; k++)
-        if (drag_laws[k].name == NULL) return 0;
+        if (drag_laws[k] == NULL) return 0;
     *m = (struct model){law->name, law->what, law->cite,
                         drag_function(law->name), ""};
     return 1;
@@ -201,20 +201,20 @@ static int coupling(int i, struct model *m)
 
 static int time_scheme(int i, struct model *m)
 {
-    const struct time_scheme *const s = &time_schemes[i];
+    const struct time_scheme *const s = time_schemes[i];
 
     for (int k = 0; k <= i; k++)
-        if (time_schemes[k].name == NULL) return 0;
+        if (time_schemes[k] == NULL) return 0;
     *m = (struct model){s->name, s->what, s->cite, s->function, ""};
     return 1;
 }
 
 static int convection(int i, struct model *m)
 {
-    const struct convection_scheme *const s = &convection_schemes[i];
+    const struct convection_scheme *const s = convection_schemes[i];
 
     for (int k = 0; k <= i; k++)
-        if (convection_schemes[k].name == NULL) return 0;
+        if (convection_schemes[k] == NULL) return 0;
     *m = (struct model){s->name, s->what, s->cite, s->function, ""};
     if (strcmp(s->name, "blended") == 0) m->keys = "fluid.blend";
     if (s->deferred != NULL) m->keys = "fluid.gradient";
@@ -224,10 +224,10 @@ static int convection(int i, struct model *m)
 static int gradient(int i, struct model *m)
 {
     const struct velocity_gradient_scheme *const s =
-        &velocity_gradient_schemes[i];
+        velocity_gradient_schemes[i];
 
     for (int k = 0; k <= i; k++)
-        if (velocity_gradient_schemes[k].name == NULL) return 0;
+        if (velocity_gradient_schemes[k] == NULL) return 0;
     *m = (struct model){s->name, s->what, s->cite, s->function, ""};
     return 1;
 }
@@ -279,10 +279,10 @@ static int surface(int i, struct model *m)
 
 static int effect(int i, struct model *m)
 {
-    const struct effect *const e = effects_all[i];
+    const struct effect *const e = effects[i];
 
     for (int k = 0; k <= i; k++)
-        if (effects_all[k] == NULL) return 0;
+        if (effects[k] == NULL) return 0;
     *m = (struct model){e->name, e->what, e->equations, e->function, ""};
     return 1;
 }

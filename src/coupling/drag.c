@@ -81,19 +81,31 @@ static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
     return 18.0 * mu / (d * d) * stokes_correction(Re);
 }
 
-const struct drag_law drag_laws[] = {
-    {"syamlal-obrien", "XS11 2.11-2.14",
-     "settling data of suspensions; the law of XS11 and SX15", syamlal_obrien},
-    {"gidaspow", "LS 5.25-5.27",
-     "Ergun's packed bed below eps_f = 0.8, Wen and Yu above", gidaspow},
-    {"schiller-naumann", "LS 5.2, 5.13",
-     "one sphere in an unbounded stream, neighbours ignored", schiller_naumann},
-    {NULL, NULL, NULL, NULL}};
+const struct drag_law drag_syamlal_obrien = {
+    .name = "syamlal-obrien",
+    .cite = "XS11 2.11-2.14",
+    .what = "settling data of suspensions; the law of XS11 and SX15",
+    .resistance = syamlal_obrien,
+};
+
+const struct drag_law drag_gidaspow = {
+    .name = "gidaspow",
+    .cite = "LS 5.25-5.27",
+    .what = "Ergun's packed bed below eps_f = 0.8, Wen and Yu above",
+    .resistance = gidaspow,
+};
+
+const struct drag_law drag_schiller_naumann = {
+    .name = "schiller-naumann",
+    .cite = "LS 5.2, 5.13",
+    .what = "one sphere in an unbounded stream, neighbours ignored",
+    .resistance = schiller_naumann,
+};
 
 const struct drag_law *drag_law_named(const char *name)
 {
-    for (const struct drag_law *law = drag_laws; law->name != NULL; law++)
-        if (strcmp(law->name, name) == 0) return law;
+    for (int i = 0; drag_laws[i] != NULL; i++)
+        if (strcmp(drag_laws[i]->name, name) == 0) return drag_laws[i];
     return NULL;
 }
 

@@ -22,8 +22,8 @@ struct drag_law {
                          double u_r);
 };
 
-/* All laws, ended by a row without a name; drag_law_named: NULL if unknown. */
-extern const struct drag_law drag_laws[];
+/* All laws, ended by NULL; drag_law_named: NULL if unknown. */
+extern const struct drag_law *const drag_laws[];
 const struct drag_law *drag_law_named(const char *name);
 
 /* beta [kg/(m^3 s)] of a mixture of one size [XS11 2.11, LS 5.27]. */

@@ -12,7 +12,7 @@ extern const struct effect viscous_stress_effect;
 extern const struct effect time_average_effect;
 
 /* All of them, ended by NULL, and the one of that name or NULL. */
-extern const struct effect *const effects_all[];
+extern const struct effect *const effects[];
 const struct effect *effects_named(const char *name);
 
 #endif

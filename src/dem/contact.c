@@ -8,9 +8,6 @@
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
 
-const struct contact_law *const contact_laws[] = {&contact_hertz,
-                                                  &contact_linear, NULL};
-
 const struct contact_law *contact_law_named(const char *name)
 {
     for (int i = 0; contact_laws[i] != NULL; i++)

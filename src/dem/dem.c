@@ -87,7 +87,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
     dem->expected = dem->most = HUGE_VAL;
-    if (o->integrator == NULL) dem->options.integrator = &integrators[0];
+    if (o->integrator == NULL) dem->options.integrator = integrators[0];
     if (dem->options.integrator->predicts)
         dem->start = integrators_start_create(ps->capacity);
     dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);

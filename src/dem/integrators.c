@@ -7,19 +7,32 @@
 
 #include "base/alloc.h"
 
-const struct integrator integrators[] = {
-    {"velocity-verlet", "second order where nothing damps; one evaluation",
-     "LS section 4.2", 0.5, 0.5, 0},
-    {"symplectic-euler", "first order, never gains energy for long",
-     "LS section 4.2", 1.0, 0.0, 0},
-    {"heun", "second order, damped or not; gains energy", "LS section 4.2", 0.0,
-     0.0, 1},
-    {NULL, NULL, NULL, 0.0, 0.0, 0}};
+const struct integrator integrators_velocity_verlet = {
+    .name = "velocity-verlet",
+    .what = "second order where nothing damps; one evaluation",
+    .cite = "LS section 4.2",
+    .first = 0.5,
+    .last = 0.5,
+};
+
+const struct integrator integrators_symplectic_euler = {
+    .name = "symplectic-euler",
+    .what = "first order, never gains energy for long",
+    .cite = "LS section 4.2",
+    .first = 1.0,
+};
+
+const struct integrator integrators_heun = {
+    .name = "heun",
+    .what = "second order, damped or not; gains energy",
+    .cite = "LS section 4.2",
+    .predicts = 1,
+};
 
 const struct integrator *integrators_named(const char *name)
 {
-    for (const struct integrator *i = integrators; i->name != NULL; i++)
-        if (strcmp(i->name, name) == 0) return i;
+    for (int i = 0; integrators[i] != NULL; i++)
+        if (strcmp(integrators[i]->name, name) == 0) return integrators[i];
     return NULL;
 }
 

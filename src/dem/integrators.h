@@ -24,9 +24,9 @@ struct integrator {
     int predicts;       /* [-] 1: Heun */
 };
 
-/* All of them, ended by one without a name, the default first; NULL for an
+/* All of them, ended by NULL, the default first; NULL for an
  * unknown name. */
-extern const struct integrator integrators[];
+extern const struct integrator *const integrators[];
 const struct integrator *integrators_named(const char *name);
 
 /* The state at the beginning of a step of Heun's method. */

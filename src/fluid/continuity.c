@@ -17,15 +17,6 @@ FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
               (w * a[2] + (1.0 - w) * b[2]) * S[2];
 }
 
-static void solid_fluxes(int first, int last, const struct fluid *fl,
-                         double *flux)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  solid_flux, fl, flux);
-}
-
 /* dt d eps/dt by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
@@ -50,13 +41,11 @@ static void void_rate_rows(int first, int last, const struct fluid *fl)
 static void mixture_rows(int first, int last, const struct fluid *fl,
                          const double *flux)
 {
-    const struct mesh *const m = fl->mesh;
     double *const source = fl->piso->source;
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, source, outflow, flux);
+    SUM_OVER_FACES(fl->faces, first, last, source, outflow, flux);
 }
 
 void continuity_source(struct fluid *fl)
@@ -70,7 +59,7 @@ void continuity_source(struct fluid *fl)
         PARALLEL_RANGES(m->n_cells, 8, void_rate_rows, fl);
         return;
     }
-    PARALLEL_RANGES(m->n_internal, 8, solid_fluxes, fl, flux); /* [XS11 2.7] */
+    FOR_EACH_FACE(fl->faces, 8, solid_flux, fl, flux); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
         flux[f] = 0.0;
     PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
@@ -105,10 +94,8 @@ static void residual_rows(int first, int last, const struct fluid *fl,
         rest[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, rest, outflow, fl->phi);
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, through, half_size, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, rest, outflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
         l.rest = larger(l.rest, fabs(rest[c]));
         l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));

@@ -43,24 +43,53 @@ static double beyond_van_leer(double step, double rise, double reach)
     return reach * 2.0 * back * step / (back + step);
 }
 
-const struct convection_scheme convection_schemes[] = {
-    {"upwind", "XS11", "first order, bounded at any step", "weights_upwind",
-     weights_upwind, NULL, 1},
-    {"linear", "XS11", "second order (central), may overshoot",
-     "weights_linear", weights_linear, NULL, 0},
-    {"blended", "", "fluid.blend of linear, the rest upwind", "weights_blended",
-     weights_blended, NULL, 0},
-    {"second-upwind", "SX15",
-     "second order, looks upstream only; may overshoot", "beyond_second_upwind",
-     weights_upwind, beyond_second_upwind, 0},
-    {"van-leer", "VanLeer74", "second order where smooth, bounded where not",
-     "beyond_van_leer", weights_upwind, beyond_van_leer, 0},
-    {NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+const struct convection_scheme convection_upwind = {
+    .name = "upwind",
+    .cite = "XS11",
+    .what = "first order, bounded at any step",
+    .function = "weights_upwind",
+    .owner_weights = weights_upwind,
+    .damps = 1,
+};
+
+const struct convection_scheme convection_linear = {
+    .name = "linear",
+    .cite = "XS11",
+    .what = "second order (central), may overshoot",
+    .function = "weights_linear",
+    .owner_weights = weights_linear,
+};
+
+const struct convection_scheme convection_blended = {
+    .name = "blended",
+    .cite = "",
+    .what = "fluid.blend of linear, the rest upwind",
+    .function = "weights_blended",
+    .owner_weights = weights_blended,
+};
+
+const struct convection_scheme convection_second_upwind = {
+    .name = "second-upwind",
+    .cite = "SX15",
+    .what = "second order, looks upstream only; may overshoot",
+    .function = "beyond_second_upwind",
+    .owner_weights = weights_upwind,
+    .deferred = beyond_second_upwind,
+};
+
+const struct convection_scheme convection_van_leer = {
+    .name = "van-leer",
+    .cite = "VanLeer74",
+    .what = "second order where smooth, bounded where not",
+    .function = "beyond_van_leer",
+    .owner_weights = weights_upwind,
+    .deferred = beyond_van_leer,
+};
 
 const struct convection_scheme *convection_scheme_named(const char *name)
 {
-    for (const struct convection_scheme *s = convection_schemes;
-         s->name != NULL; s++)
-        if (strcmp(s->name, name) == 0) return s;
+    for (int i = 0; convection_schemes[i] != NULL; i++)
+        if (strcmp(convection_schemes[i]->name, name) == 0)
+            return convection_schemes[i];
     return NULL;
 }

@@ -34,8 +34,8 @@ struct convection_scheme {
                   cell to cell */
 };
 
-/* All schemes, ended by a row without a name; NULL for an unknown name. */
-extern const struct convection_scheme convection_schemes[];
+/* All schemes, ended by NULL; NULL for an unknown name. */
+extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 
 #endif

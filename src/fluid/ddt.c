@@ -14,7 +14,7 @@
 
 static const struct time_scheme *scheme(const struct fluid_options *o)
 {
-    return o->time != NULL ? o->time : &time_schemes[0];
+    return o->time != NULL ? o->time : time_schemes[0];
 }
 
 int ddt_uses_new_time(const struct fluid_options *o)

@@ -25,7 +25,7 @@ static void fill_velocity_gradients(struct fluid *fl, const double *u)
     const struct mesh *const m = fl->mesh;
     const struct velocity_gradient_scheme *const s =
         fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
-                                              : &velocity_gradient_schemes[0];
+                                              : velocity_gradient_schemes[0];
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];

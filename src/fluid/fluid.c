@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "fluid/piso.h"
-#include "linear/fast/vec3.h"
+#include "linear/vec3.h"
 
 static double *filled(int n, double value)
 {
@@ -15,6 +15,21 @@ static double *filled(int n, double value)
     for (int i = 0; i < n; i++)
         x[i] = value;
     return x;
+}
+
+static struct faces *faces_of(const struct mesh *m)
+{
+    struct faces *const f = alloc_zeroed(1, sizeof *f);
+
+    *f = (struct faces){.n_inner = m->n_internal,
+                        .n = m->n_faces,
+                        .owner = m->owner,
+                        .neighbour = m->neighbour,
+                        .cell_start = m->cell_start,
+                        .cell_face = m->cell_face,
+                        .out = m->out};
+    faces_divide(f);
+    return f;
 }
 
 struct fluid *fluid_create(const struct mesh *mesh,
@@ -25,6 +40,7 @@ struct fluid *fluid_create(const struct mesh *mesh,
 
     fl->mesh = mesh;
     fl->options = *options;
+    fl->faces = faces_of(mesh);
     fl->u = alloc_doubles(3 * n);
     fl->p = alloc_doubles(n);
     fl->p_face = alloc_doubles(mesh->n_faces);
@@ -51,6 +67,8 @@ void fluid_free(struct fluid *fl)
 {
     if (fl == NULL) return;
     piso_free(fl->piso);
+    faces_release(fl->faces);
+    free(fl->faces);
     free(fl->u);
     free(fl->p);
     free(fl->p_face);

@@ -83,12 +83,13 @@ struct fluid_report {
 struct fluid {
     const struct mesh *mesh;
     struct fluid_options options;
-    double t;       /* [s] */
-    double *u;      /* [m/s] interstitial velocity, 3 a cell */
-    double *p;      /* [Pa] without the hydrostatic part */
-    double *p_face; /* [Pa] at the faces */
-    double *grad_p; /* [Pa/m] 3 a cell */
-    double *phi;    /* [m^3/s] superficial flux, owner to neighbour */
+    struct faces *faces; /* of the mesh, for loops over them */
+    double t;            /* [s] */
+    double *u;           /* [m/s] interstitial velocity, 3 a cell */
+    double *p;           /* [Pa] without the hydrostatic part */
+    double *p_face;      /* [Pa] at the faces */
+    double *grad_p;      /* [Pa/m] 3 a cell */
+    double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
     double
         *eps; /* [-] fluid fraction at the new time; written by the coupling */
     double *eps_n;   /* [-] fluid fraction at the end of the last step */

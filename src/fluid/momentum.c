@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "linear/fast/vec3.h"
+#include "linear/vec3.h"
 
 /* The two coefficients of each face. */
 static void face_coefficients(int first, int last, struct fluid *fl)
@@ -67,8 +67,8 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
         diag[c] = ps->ddt[c] - diag[c];
         defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt;
     }
-    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
-                   m->out, defect, outflow, ps->convecting_flux);
+    SUM_OVER_FACES(fl->faces, first, last, defect, outflow,
+                   ps->convecting_flux);
     for (int c = first; c < last && ps->ddt_older != NULL; c++)
         diag[c] += ps->ddt_older[c];
     for (int i = 3 * first; i < 3 * last; i++)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "linear/fast/vec3.h"
+#include "linear/vec3.h"
 
 static struct multigrid *pressure_hierarchy(const struct mesh *m)
 {
@@ -106,10 +106,8 @@ struct piso *piso_create(const struct fluid *fl)
     const int n = m->n_cells;
     struct piso *const ps = alloc_zeroed(1, sizeof *ps);
 
-    ps->contiguous = contiguous_faces_create(m->n_internal, m->n_faces,
-                                             m->owner, m->neighbour);
     ps->momentum =
-        ldu_create(n, m->n_internal, m->owner, m->neighbour, ps->contiguous);
+        ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     ps->diag = alloc_doubles(n);
     ps->diag3 = alloc_doubles(3 * n);
     ps->b = alloc_doubles(3 * n);
@@ -143,7 +141,6 @@ struct piso *piso_create(const struct fluid *fl)
 void piso_free(struct piso *ps)
 {
     if (ps == NULL) return;
-    contiguous_faces_free(ps->contiguous);
     ldu_free(ps->momentum);
     free(ps->diag);
     free(ps->boundary_conductance);

@@ -11,14 +11,11 @@
 #include "fluid/fluid.h"
 #include "linear/bicgstab.h"
 #include "linear/cg.h"
-#include "linear/fast/ldu.h"
+#include "linear/ldu.h"
 #include "linear/multigrid.h"
-#include "linear/fast/contiguous_faces.h"
-#include "linear/fast/parallel_ranges.h"
+#include "linear/face_loops.h"
 
 struct piso {
-    struct contiguous_faces
-        *contiguous;      /* of the mesh's faces; NULL: loops use the lists */
     struct ldu *momentum; /* [kg/s] */
     double *diag;         /* [kg/s] a_P */
     double *diag3;        /* [kg/s] a_P and, on slip walls, their stress */
@@ -179,12 +176,11 @@ double continuity_residual(struct fluid *fl);
  * faces first .. last - 1 upwind. */
 void face_jump_update(struct fluid *fl);
 void face_jump_bias_upwind(int first, int last, struct fluid *fl);
-/* Computes the smooth force per volume from the present H and u; its
- * contribution to p_N - p_O across face f where gamma changes, and to p_f [Pa].
- */
-void face_jump_smooth_force(struct fluid *fl);
-double face_jump_gamma_difference(const struct fluid *fl, int f);
-double face_jump_gamma_at_face(const struct fluid *fl, int f);
+/* Where gamma changes: computes the smooth force per volume from the present H
+ * and u, and adds the fluxes that it drives to phi; adds its contribution to
+ * p_face. */
+void face_jump_add_gamma_fluxes(struct fluid *fl);
+void face_jump_add_gamma_pressures(struct fluid *fl);
 
 /* momentum_balance.c: change of the fluid's momentum from `before` the step to
  * now minus the impulse of the forces, over the sum of their magnitudes [-].

@@ -89,14 +89,6 @@ FACE_KERNEL inner_mobility(int f, int o, int n, const double *w,
         m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) * ps->phi_old[f];
 }
 
-static void inner_mobilities(int first, int last, const struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  inner_mobility, m->w, fl->piso);
-}
-
 /* The inertia at jumps of eps acts as a jump of the pressure and not as a
  * gradient: it is subtracted from H, the forces of the cells. */
 FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
@@ -111,20 +103,12 @@ FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
         ps->conductance[f] * piso_jump(fl, f, o, n) - ps->m_face[f] * slope;
 }
 
-static void inner_jumps(int first, int last, const struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  inner_jump, fl);
-}
-
 static void store_jump_fluxes(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
-    PARALLEL_RANGES(m->n_internal, 8, inner_jumps, fl);
+    FOR_EACH_FACE(fl->faces, 8, inner_jump, fl);
     for (int f = m->n_internal; f < m->n_faces;
          f++) { /* m_face: outlets only */
         const int o = m->owner[f];
@@ -139,7 +123,7 @@ static void face_mobilities(struct fluid *fl)
     struct piso *const ps = fl->piso;
 
     PARALLEL_RANGES(m->n_cells, 12, cell_resistances, fl);
-    PARALLEL_RANGES(m->n_internal, 4, inner_mobilities, fl);
+    FOR_EACH_FACE(fl->faces, 4, inner_mobility, m->w, ps);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++) {
@@ -196,21 +180,6 @@ FACE_KERNEL inner_flux(int f, int o, int n, const struct mesh *m,
              ps->m_face[f] * (from_o * dot3(a, S) + from_n * dot3(b, S));
 }
 
-static void inner_fluxes(int first, int last, struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  inner_flux, m, fl->piso, fl->phi);
-}
-
-static void add_gamma_jumps(int first, int last, struct fluid *fl)
-{
-    for (int f = first; f < last; f++)
-        fl->phi[f] +=
-            fl->piso->conductance[f] * face_jump_gamma_difference(fl, f);
-}
-
 /* The pressure gradient that balances the momentum equation of a cell [Pa/m]
  * with the present velocities of its neighbours. */
 static void asked_gradient(const struct fluid *fl, int c, double slope[3])
@@ -231,19 +200,16 @@ static void asked_gradient(const struct fluid *fl, int c, double slope[3])
  * correctors would diverge for a shear above 1/sqrt(8): their factor solves x^2
  * + 2 r x - r = 0, with r the fraction of the non-orthogonal part. With the
  * gradient that balances the momentum equation the factor is -r. */
-static void add_non_orthogonal(int first, int last, struct fluid *fl)
+FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
+    const double w = fl->mesh->w[f];
+    double rest[3], a[3], b[3];
 
-    for (int f = first; f < last; f++) {
-        const double w = m->w[f];
-        double rest[3], a[3], b[3];
-        mesh_oblique_part(m, f, rest);
-        asked_gradient(fl, m->owner[f], a);
-        asked_gradient(fl, m->neighbour[f], b);
-        fl->phi[f] -= fl->piso->m_face[f] *
-                      (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
-    }
+    mesh_oblique_part(fl->mesh, f, rest);
+    asked_gradient(fl, o, a);
+    asked_gradient(fl, n, b);
+    fl->phi[f] -=
+        fl->piso->m_face[f] * (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
 }
 
 /* phi without the part of the pressure. The fluxes of walls and inlets are
@@ -253,12 +219,9 @@ static void predicted_fluxes(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     struct piso *const ps = fl->piso;
 
-    PARALLEL_RANGES(m->n_internal, 8, inner_fluxes, fl);
-    if (ps->smooth_force != NULL) {
-        face_jump_smooth_force(fl);
-        PARALLEL_RANGES(m->n_internal, 8, add_gamma_jumps, fl);
-    }
-    if (m->oblique) PARALLEL_RANGES(m->n_internal, 16, add_non_orthogonal, fl);
+    FOR_EACH_FACE(fl->faces, 8, inner_flux, m, ps, fl->phi);
+    if (ps->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
+    if (m->oblique) FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
@@ -278,13 +241,11 @@ FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
 /* The residual of continuity of these fluxes, to be corrected by p. */
 static void rhs_rows(int first, int last, const struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
     for (int c = first; c < last; c++)
         ps->divergence[c] = -ps->source[c];
-    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
-                   m->out, ps->divergence, inflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, ps->divergence, inflow, fl->phi);
 }
 
 FACE_SUM_KERNEL size(int f, double out, const double *phi,
@@ -298,13 +259,12 @@ FACE_SUM_KERNEL size(int f, double out, const double *phi,
  * [(m^3/s)^2]; the array of the divergence serves as work space. */
 static double scale_rows(int first, int last, const struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
     for (int c = first; c < last; c++)
         ps->divergence[c] = fabs(ps->source[c]);
-    SUM_OVER_FACES(ps->contiguous, first, last, m->cell_start, m->cell_face,
-                   m->out, ps->divergence, size, fl->phi, ps->phi_old);
+    SUM_OVER_FACES(fl->faces, first, last, ps->divergence, size, fl->phi,
+                   ps->phi_old);
     return reduce_range(first, last, ps->divergence, ps->divergence);
 }
 
@@ -337,20 +297,13 @@ FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
     phi[f] -= conductance[f] * (p[n] - p[o]);
 }
 
-static void subtract_pressure(int first, int last, struct fluid *fl)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  inner_pressure_flux, fl->piso->conductance, fl->p, fl->phi);
-}
-
 static void add_pressure_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const struct piso *const ps = fl->piso;
 
-    PARALLEL_RANGES(m->n_internal, 4, subtract_pressure, fl);
+    FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, ps->conductance, fl->p,
+                  fl->phi);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         const double outside = fl->options.boundaries[i].pressure;

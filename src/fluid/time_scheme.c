@@ -19,16 +19,27 @@ static struct time_weights weights_bdf2(double r)
                                  r * r / (1.0 + r), r};
 }
 
-const struct time_scheme time_schemes[] = {
-    {"euler", "XS11", "implicit Euler: first order, never rings",
-     "weights_euler", 1, weights_euler},
-    {"bdf2", "Curtiss52", "backward differences over two steps: second order",
-     "weights_bdf2", 2, weights_bdf2},
-    {NULL, NULL, NULL, NULL, 0, NULL}};
+const struct time_scheme time_scheme_euler = {
+    .name = "euler",
+    .cite = "XS11",
+    .what = "implicit Euler: first order, never rings",
+    .function = "weights_euler",
+    .time_levels = 1,
+    .weights = weights_euler,
+};
+
+const struct time_scheme time_scheme_bdf2 = {
+    .name = "bdf2",
+    .cite = "Curtiss52",
+    .what = "backward differences over two steps: second order",
+    .function = "weights_bdf2",
+    .time_levels = 2,
+    .weights = weights_bdf2,
+};
 
 const struct time_scheme *time_scheme_named(const char *name)
 {
-    for (const struct time_scheme *s = time_schemes; s->name != NULL; s++)
-        if (strcmp(s->name, name) == 0) return s;
+    for (int i = 0; time_schemes[i] != NULL; i++)
+        if (strcmp(time_schemes[i]->name, name) == 0) return time_schemes[i];
     return NULL;
 }

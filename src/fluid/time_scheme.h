@@ -25,8 +25,8 @@ struct time_scheme {
     struct time_weights (*weights)(double r /* [-] */);
 };
 
-/* All schemes, ended by a row without a name; NULL for an unknown name. */
-extern const struct time_scheme time_schemes[];
+/* All schemes, ended by NULL; NULL for an unknown name. */
+extern const struct time_scheme *const time_schemes[];
 const struct time_scheme *time_scheme_named(const char *name);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "linear/fast/vec3.h"
+#include "linear/vec3.h"
 
 /* The remaining part of the wall force, -D n_k (n . u - n_k u_k) at a wall that
  * is not normal to an axis, is explicit, with the present velocity. */

@@ -92,17 +92,27 @@ static void least_squares(const struct mesh *m, const double *u,
     }
 }
 
-const struct velocity_gradient_scheme velocity_gradient_schemes[] = {
-    {"gauss", "", "by the theorem of Gauss; conserves", "gauss", gauss},
-    {"least-squares", "", "exact for a linear field on any mesh",
-     "least_squares", least_squares},
-    {NULL, NULL, NULL, NULL, NULL}};
+const struct velocity_gradient_scheme velocity_gradient_gauss = {
+    .name = "gauss",
+    .cite = "",
+    .what = "by the theorem of Gauss; conserves",
+    .function = "gauss",
+    .fill = gauss,
+};
+
+const struct velocity_gradient_scheme velocity_gradient_least_squares = {
+    .name = "least-squares",
+    .cite = "",
+    .what = "exact for a linear field on any mesh",
+    .function = "least_squares",
+    .fill = least_squares,
+};
 
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name)
 {
-    for (const struct velocity_gradient_scheme *s = velocity_gradient_schemes;
-         s->name != NULL; s++)
-        if (strcmp(s->name, name) == 0) return s;
+    for (int i = 0; velocity_gradient_schemes[i] != NULL; i++)
+        if (strcmp(velocity_gradient_schemes[i]->name, name) == 0)
+            return velocity_gradient_schemes[i];
     return NULL;
 }

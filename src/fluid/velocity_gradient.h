@@ -21,8 +21,8 @@ struct velocity_gradient_scheme {
                  double *slope);
 };
 
-/* All schemes, ended by a row without a name; NULL for an unknown name. */
-extern const struct velocity_gradient_scheme velocity_gradient_schemes[];
+/* All schemes, ended by NULL; NULL for an unknown name. */
+extern const struct velocity_gradient_scheme *const velocity_gradient_schemes[];
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name);
 

@@ -9,7 +9,7 @@
 #ifndef LINEAR_BICGSTAB_H
 #define LINEAR_BICGSTAB_H
 
-#include "linear/fast/ldu.h"
+#include "linear/ldu.h"
 #include "linear/report.h"
 
 struct bicgstab_work;

@@ -17,10 +17,10 @@ BEGIN {
     choice("cfm", "gradient", "gauss least-squares")
     choice("cfm", "continuity", "mixture void-rate")
     choice("cfm", "correctors", "1 2 4")
-    choice("cfm", "splitting", "1e-3 0.0")
-    choice("cfm", "repeats", "0 2")
-    choice("cfm", "predictor", "0.0 0.1")
-    choice("cfm", "enough", "0.0 0.1")
+    choice("cfm", "piso_tolerance", "1e-3 0.0")
+    choice("cfm", "outer_correctors", "0 2")
+    choice("cfm", "u_tolerance", "0.0 0.1")
+    choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
     choice("cpm", "contact", "hertz linear")
     choice("cpm", "count", "none one few sixty settled crowd")
@@ -46,7 +46,7 @@ BEGIN {
     choice("cm", "interpolation", "nearest linear same")
     choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann")
     choice("cm", "treatment", "semi-implicit explicit")
-    choice("cm", "relaxation", "frozen exponential")
+    choice("cm", "slip_integration", "frozen exponential")
     choice("cm", "substeps", "auto 1 3 1000")
     choice("cm", "model", "A B")
     choice("c", "coupling", "two-way one-way")
@@ -92,7 +92,8 @@ BEGIN {
     apart("surface", "plane cylinder stl moving turning", "cohesion",
           "van_der_waals capillary all", "not on surfaces")
     # Who goes out below comes in above, behind this plane.
-    apart("surface", "plane", "periodic", "y xyz", "")
+    apart("surface", "plane", "periodic", "y xyz",
+          "not parallel to y, which is periodic")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.

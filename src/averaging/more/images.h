@@ -23,12 +23,6 @@
 
 extern const struct averaging_method images_method;
 
-/* sigma [unit of delta_05] [EW18 20]. */
-double images_sigma(double delta_05);
-
-/* The bandwidth b that belongs to delta_05, both in [m]. */
-double images_bandwidth(double delta_05);
-
 /* [EW18 19] at the distance r [m]: W [1/m^3]. */
 double images_kernel(double r, double sigma);
 

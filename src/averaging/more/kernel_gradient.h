@@ -30,8 +30,4 @@ void kernel_gradient_free(struct kernel_gradient *s);
 void kernel_gradient_find(const struct kernel_gradient *s, int m,
                           const double *field, double *X);
 
-/* Solves A x = b for a symmetric A that may have rows of zeros, where x is 0:
- * so far below its largest entry counts as zero. */
-void kernel_gradient_solve(const double A[6], const double b[3], double x[3]);
-
 #endif

@@ -180,23 +180,50 @@ static void shape_bell(struct sizes *s, const struct sizes_options *o)
 
 /* --- all ----------------------------------------------------------------- */
 
-const struct sizes_law sizes_laws[] = {
-    {"uniform", "every diameter between two as often", "", pieces_quantile,
-     pieces_moment},
-    {"normal", "Gauss's bell between two cut-offs", "XS11 section 4.4",
-     normal_quantile, normal_moment},
-    {"lognormal", "a bell in the logarithm of the diameter", "",
-     lognormal_quantile, lognormal_moment},
-    {"discrete", "some diameters, each with its share", "", pieces_quantile,
-     pieces_moment},
-    {"table", "the share below a diameter, linear between points", "",
-     pieces_quantile, pieces_moment},
-    {NULL, NULL, NULL, NULL, NULL}};
+const struct sizes_law sizes_uniform = {
+    .name = "uniform",
+    .what = "every diameter between two as often",
+    .cite = "",
+    .quantile = pieces_quantile,
+    .moment = pieces_moment,
+};
+
+const struct sizes_law sizes_normal = {
+    .name = "normal",
+    .what = "Gauss's bell between two cut-offs",
+    .cite = "XS11 section 4.4",
+    .quantile = normal_quantile,
+    .moment = normal_moment,
+};
+
+const struct sizes_law sizes_lognormal = {
+    .name = "lognormal",
+    .what = "a bell in the logarithm of the diameter",
+    .cite = "",
+    .quantile = lognormal_quantile,
+    .moment = lognormal_moment,
+};
+
+const struct sizes_law sizes_discrete = {
+    .name = "discrete",
+    .what = "some diameters, each with its share",
+    .cite = "",
+    .quantile = pieces_quantile,
+    .moment = pieces_moment,
+};
+
+const struct sizes_law sizes_table = {
+    .name = "table",
+    .what = "the share below a diameter, linear between points",
+    .cite = "",
+    .quantile = pieces_quantile,
+    .moment = pieces_moment,
+};
 
 const struct sizes_law *sizes_law_named(const char *name)
 {
-    for (const struct sizes_law *l = sizes_laws; l->name != NULL; l++)
-        if (strcmp(l->name, name) == 0) return l;
+    for (int i = 0; sizes_laws[i] != NULL; i++)
+        if (strcmp(sizes_laws[i]->name, name) == 0) return sizes_laws[i];
     return NULL;
 }
 

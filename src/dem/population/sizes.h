@@ -22,8 +22,8 @@ struct sizes_law {
     double (*moment)(const struct sizes *s, int k, double x);
 };
 
-/* All of them, ended by one without a name; NULL for an unknown name. */
-extern const struct sizes_law sizes_laws[];
+/* All of them, ended by NULL; NULL for an unknown name. */
+extern const struct sizes_law *const sizes_laws[];
 const struct sizes_law *sizes_law_named(const char *name);
 
 /* The options of a case; 0 if not set. */

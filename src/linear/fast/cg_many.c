@@ -2,9 +2,9 @@
 #include "linear/fast/cg_many.h"
 
 #include "base/alloc.h"
-#include "linear/fast/field_groups.h"
+#include "base/field_groups.h"
 #include "linear/reduce.h"
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 
 #include <assert.h>
 #include <math.h>

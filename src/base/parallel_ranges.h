@@ -7,8 +7,8 @@
  * called once without OpenMP, because even a parallel region of one thread
  * costs more (measured: 0.3 microseconds) than a coarse level of multigrid.
  */
-#ifndef LINEAR_FAST_PARALLEL_RANGES_H
-#define LINEAR_FAST_PARALLEL_RANGES_H
+#ifndef BASE_PARALLEL_RANGES_H
+#define BASE_PARALLEL_RANGES_H
 
 enum {
     PARALLEL_RANGES_COUNT = 64,

@@ -7,8 +7,8 @@
  * (measured: 1.6 times for a product, more where several numbers of a cell are
  * used).
  */
-#ifndef LINEAR_FAST_VEC3_H
-#define LINEAR_FAST_VEC3_H
+#ifndef LINEAR_VEC3_H
+#define LINEAR_VEC3_H
 
 #include "linear/reduce.h"
 

@@ -12,24 +12,22 @@
  * Each component k has its own diagonal. The order of the terms in a row is
  * fixed, so the result has the same bits for any number of threads.
  */
-#ifndef LINEAR_FAST_LDU_H
-#define LINEAR_FAST_LDU_H
+#ifndef LINEAR_LDU_H
+#define LINEAR_LDU_H
 
 #include "linear/csr.h"
-#include "linear/fast/contiguous_faces.h"
+#include "linear/faces.h"
 
 struct ldu {
     int n, n_links;
-    double *upper, *lower;                     /* n_links */
-    const struct contiguous_faces *contiguous; /* borrowed; NULL: go by rows */
-    struct csr *rows;                          /* if so; else NULL */
+    double *upper, *lower;            /* n_links */
+    const struct face_pieces *pieces; /* borrowed; NULL: products by rows */
+    struct csr *rows;                 /* if so; else NULL */
 };
 
-/* contiguous ranges: the contiguous ranges of these links, possibly followed by
- * further ranges; or NULL. */
+/* pieces: those of these links, possibly followed by further ones; or NULL. */
 struct ldu *ldu_create(int n, int n_links, const int *owner,
-                       const int *neighbour,
-                       const struct contiguous_faces *runs);
+                       const int *neighbour, const struct face_pieces *pieces);
 void ldu_free(struct ldu *A);
 
 /* The caller calls this after writing upper and lower. */

@@ -8,7 +8,7 @@
  * window of cells, and each cell then sums the windows that contain it, in
  * order.
  */
-#include "averaging/more/weights.h"
+#include "averaging/weights.h"
 
 #include <stdlib.h>
 #include <string.h>

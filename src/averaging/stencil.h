@@ -12,8 +12,8 @@
  * common stencil, which reduces the memory a hundredfold and makes the kernel
  * method fast.
  */
-#ifndef AVERAGING_MORE_STENCIL_H
-#define AVERAGING_MORE_STENCIL_H
+#ifndef AVERAGING_STENCIL_H
+#define AVERAGING_STENCIL_H
 
 #include "mesh/mesh.h"
 

@@ -7,11 +7,11 @@
  * [XS11 3.4]; the loops over particles and cells are common to all methods and
  * are in this module. The result does not depend on the number of threads.
  */
-#ifndef AVERAGING_MORE_WEIGHTS_H
-#define AVERAGING_MORE_WEIGHTS_H
+#ifndef AVERAGING_WEIGHTS_H
+#define AVERAGING_WEIGHTS_H
 
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 
 /* The cells near a cell: cell cell + step[e], with its centre at (dx[e], dy[e],
  * dz[e]) from the cell's. Entry 0 is the cell itself. */

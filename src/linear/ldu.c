@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/fast/ldu.h"
+#include "linear/ldu.h"
 
 #include "base/alloc.h"
-#include "linear/fast/parallel_ranges.h"
-#include "linear/fast/vec3.h"
+#include "base/parallel_ranges.h"
+#include "linear/vec3.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct ldu *ldu_create(int n, int n_links, const int *owner,
-                       const int *neighbour,
-                       const struct contiguous_faces *runs)
+                       const int *neighbour, const struct face_pieces *pieces)
 {
     struct ldu *const A = alloc_zeroed(1, sizeof *A);
 
@@ -18,8 +17,8 @@ struct ldu *ldu_create(int n, int n_links, const int *owner,
     A->n_links = n_links;
     A->upper = alloc_doubles(n_links);
     A->lower = alloc_doubles(n_links);
-    A->contiguous = runs;
-    if (runs == NULL) A->rows = csr_create(n, n_links, owner, neighbour);
+    A->pieces = pieces;
+    if (pieces == NULL) A->rows = csr_create(n, n_links, owner, neighbour);
     return A;
 }
 
@@ -48,30 +47,29 @@ void ldu_update(struct ldu *A)
 }
 
 /* The entries of a piece's rows, as they lie. */
-static const double *entries(const struct ldu *A,
-                             const struct contiguous_piece *p)
+static const double *entries(const struct ldu *A, const struct face_piece *p)
 {
-    return (p->out > 0.0 ? A->upper : A->lower) + p->link;
+    return (p->out > 0.0 ? A->upper : A->lower) + p->face;
 }
 
-static int is_inner(const struct ldu *A, const struct contiguous_piece *p)
+static int is_inner(const struct ldu *A, const struct face_piece *p)
 {
-    return p->link < A->n_links;
+    return p->face < A->n_links;
 }
 
 void ldu_row_sums(int first, int last, const struct ldu *A, double *sum)
 {
-    struct contiguous_piece p = {0};
+    struct face_piece p = {0};
 
     for (int i = first; i < last; i++)
         sum[i] = 0.0;
-    if (A->contiguous == NULL) {
+    if (A->pieces == NULL) {
         for (int i = first; i < last; i++)
             for (int e = A->rows->start[i]; e < A->rows->start[i + 1]; e++)
                 sum[i] += A->rows->a[e];
         return;
     }
-    while (contiguous_faces_next_of_cells(A->contiguous, first, last, &p) &&
+    while (A->pieces->next_of_cells(A->pieces, first, last, &p) &&
            is_inner(A, &p)) {
         const double *restrict a = entries(A, &p);
         double *restrict s = sum + p.cell;
@@ -84,9 +82,9 @@ void ldu_row_sums(int first, int last, const struct ldu *A, double *sum)
 void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
               const double *x, double *y)
 {
-    struct contiguous_piece p = {0};
+    struct face_piece p = {0};
 
-    if (A->contiguous == NULL) {
+    if (A->pieces == NULL) {
         csr_rows_each(first, last, A->rows, 3, diag3, x, y);
         return;
     }
@@ -95,7 +93,7 @@ void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
     else
         for (long i = 3L * first; i < 3L * last; i++)
             y[i] = diag3[i] * x[i];
-    while (contiguous_faces_next_of_cells(A->contiguous, first, last, &p) &&
+    while (A->pieces->next_of_cells(A->pieces, first, last, &p) &&
            is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
 }

@@ -1,0 +1,52 @@
+# Joins the lists of models, one models.txt in each folder that has any, into
+# the arrays that the code looks models up in, written as C:
+#
+#   awk -f src/models.awk src/*/models.txt src/*/*/models.txt
+#
+# A row names a kind and a descriptor of that kind. `struct drag_law` and the
+# descriptor gidaspow_law make the row
+#
+#   drag_law  gidaspow_law
+#
+# and the array drag_laws[], of pointers, ended by NULL. The order is that of
+# the rows, the first being the default; `after NAME` at the end of a row puts
+# the model right behind another one. A kind alone makes an array that may be
+# empty. `needs FOLDER` is for tests/core.sh: the folder does not work without
+# that other one.
+
+function wrong(what) {
+    print FILENAME ":" FNR ": " what >"/dev/stderr"
+    failed = 1
+    exit 2
+}
+
+{ sub(/#.*/, "") }
+NF == 0 || $1 == "needs" { next }
+!($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0 }
+NF == 1 { next }
+NF == 4 && $3 == "after" {
+    for (at = n[$1]; at > 0 && model[$1, at] != $4; at--) continue
+    if (at == 0) wrong("there is no " $1 " " $4 " before this row")
+    for (i = n[$1]++; i > at; i--) model[$1, i + 1] = model[$1, i]
+    model[$1, at + 1] = $2
+    next
+}
+NF != 2 { wrong("expected a kind, a descriptor, and perhaps: after NAME") }
+{ model[$1, ++n[$1]] = $2 }
+
+END {
+    if (failed) exit 2
+    print "/* Written by models.awk from the lists of the folders. */"
+    print "#include <stddef.h>"
+    for (k = 1; k <= n_kinds; k++) {
+        kind = kinds[k]
+        type = "const struct " kind
+        print "\nstruct " kind ";"
+        for (i = 1; i <= n[kind]; i++)
+            print "extern " type " " model[kind, i] ";"
+        print "extern " type " *const " kind "s[];"
+        print type " *const " kind "s[] = {"
+        for (i = 1; i <= n[kind]; i++) print "    &" model[kind, i] ","
+        print "    NULL};"
+    }
+}
