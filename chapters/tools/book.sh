@@ -28,8 +28,9 @@ for page in $pages; do
     html=$(name "$page").html
     sed -n "s/.*\\\\tag{\\([0-9a-z.]*\\)}.*/(\\1) $html/p" "$page"
     sed -n "s/.*<a id=\"\\([A-Za-z0-9-]*\\)\">.*/\\1 $html/p" "$page"
-    case $html in [0-9]*) # 09-drag is Chapter 9
-        echo "$html" | sed 's/^0*\([0-9]*\)-.*/Chapter-\1 &/' ;;
+    case $html in [0-9]*) # 09-drag is Chapter 9, and Chapter "Drag"
+        echo "$html" | sed 's/^0*\([0-9]*\)-.*/Chapter-\1 &/'
+        title "$page" | sed "s/^[0-9]* //; s/:.*//; s/ /-/g; s/.*/Chapter-& $html/" ;;
     esac
 done >"$anchors"
 

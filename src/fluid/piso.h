@@ -1,4 +1,5 @@
-/* piso.h -- matrices and work space of one step of the flow solver. Chapter 6.
+/* piso.h -- matrices and work space of one step of the flow solver.
+ * Chapter "Pressure".
  *
  * The momentum equation of cell P, in newtons:
  *

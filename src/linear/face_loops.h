@@ -1,4 +1,4 @@
-/* face_loops.h -- the loops of faces.h, as macros. Chapter 7. */
+/* face_loops.h -- the loops of faces.h, as macros. Chapter "Linear solvers". */
 #ifndef LINEAR_FACE_LOOPS_H
 #define LINEAR_FACE_LOOPS_H
 
@@ -17,8 +17,7 @@
 /* each(f, owner, neighbour, ...) for all inner faces, whose loop handles m
  * numbers a face. */
 #define FOR_EACH_FACE(of, m, each, ...)                                        \
-    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each,                \
-                    __VA_ARGS__)
+    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each, __VA_ARGS__)
 
 /* The same for the inner faces first .. last - 1. */
 #define FACES_OF_RANGE(first, last, of, each, ...)                             \

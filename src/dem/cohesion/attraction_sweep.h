@@ -1,4 +1,5 @@
-/* attraction_sweep.h -- the loop over all pairs within a range.  Chapter 17.
+/* attraction_sweep.h -- the loop over all pairs within a range.
+ * Chapter "Materials, rolling and cohesion".
  *
  * As in contact_sweep.h a law is two inlined functions, so that each law has a
  * loop of its own without a call in it. Forces are along n, from j to i or

@@ -1,4 +1,5 @@
-/* sweep_rolling.h -- rolling friction in the contact loop. Chapter 17.
+/* sweep_rolling.h -- rolling friction in the contact loop.
+ * Chapter "Materials, rolling and cohesion".
  *
  * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring theta
  * that is wound up by the relative rotation of the two, and slips like the
