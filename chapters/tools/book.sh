@@ -53,12 +53,12 @@ render() { # page, page before, page after
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
 }
 
-# The contents: README.md up to its commands, each row of a table as a link to a
+# The contents: README.md up to what is for authors, each row of a table as a link to a
 # page, with its question and the times to read and to run; then all other pages.
 contents() {
     echo "# Winnow"
     echo
-    sed '/^## Commands/,$d; /^# /d' chapters/README.md >"$out/contents"
+    sed '/^## Models/,$d; /^## Commands/,$d; /^# /d' chapters/README.md >"$out/contents"
     while IFS= read -r line; do
         case $line in '|'*) ;; *) printf '%s\n' "$line"; continue ;; esac
         for page in $pages; do

@@ -19,7 +19,11 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
+#include "averaging/diffusion.h"
 #include "mesh/mesh.h"
+
+/* All of this, for the diffusion. */
+extern const struct diffusion_exponential separable_exponential;
 
 struct separable;
 

@@ -14,8 +14,8 @@
  * that the c_k sum to one: then sum_i V_i u_i is kept to rounding. An
  * undershoot is at most the tail times the largest |u|.
  */
-#ifndef LINEAR_FAST_CHEBYSHEV_H
-#define LINEAR_FAST_CHEBYSHEV_H
+#ifndef LINEAR_CHEBYSHEV_H
+#define LINEAR_CHEBYSHEV_H
 
 #include "linear/csr.h"
 
