@@ -1,4 +1,5 @@
-/* contact.h -- the force between two touching spheres.  Chapter 2.
+/* contact.h -- the force between two touching spheres.
+ * Chapter "Particles and contact".
  *
  * n points from particle j to particle i, delta = R_i + R_j - |x_i - x_j| is
  * the overlap. On particle i act

@@ -1,4 +1,5 @@
-/* integrators.h -- time integrators of the particles. Chapter 15.
+/* integrators.h -- time integrators of the particles.
+ * Chapter "Insertion, removal and energy".
  *
  * With a(x, v) the acceleration by all forces:
  *
