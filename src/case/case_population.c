@@ -182,7 +182,7 @@ static int check_list(const struct settings *s, int i,
                     s, sources, "source %d: sphere %ld is not inside the box",
                     i, q);
         }
-    const struct box_domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
     return check_apart(s, i, o, &box);
 }
 
