@@ -26,7 +26,7 @@ struct diffusion {
     int fields;       /* [-] fields for which the arrays below are allocated */
     double tolerance; /* [-] */
     double dtau;      /* [m^2] T / steps */
-    const struct diffusion_exponential *direct;
+    const struct diffusion_operator *direct;
     void *exponential; /* state of direct; NULL: the series is used */
     struct csr *K;     /* [m] -V times div (D grad) */
     double max_fields; /* [-] largest D for which the series holds */
@@ -186,10 +186,6 @@ static const struct scheme schemes[] = {
     {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
 };
 
-const char *const diffusion_schemes[] = {"exponential",    "series",
-                                         "crank-nicolson", "implicit-euler",
-                                         "sdirk2",         NULL};
-
 static void smooth(struct diffusion *d, int m, double *u,
                    struct averaging_report *r)
 {
@@ -207,9 +203,16 @@ static const struct scheme *scheme_named(const char *name)
     return NULL;
 }
 
+const struct model bandwidth_uniform = {
+    .name = "uniform",
+    .what = "the same everywhere, but for regions",
+    .equations = "",
+    .function = "diffusion_method",
+};
+
 static int is_uniform(const struct averaging_options *o)
 {
-    return strcmp(o->vary, "uniform") == 0 && o->n_regions == 0;
+    return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->n_regions == 0;
 }
 
 /* The variation that has the rule of the options, or NULL. */
@@ -292,8 +295,8 @@ static void find_direct(struct diffusion *d, const struct averaging_options *o)
 
     if (d->scheme != &schemes[0]) return;
     if (d->vary != NULL && !d->variation->is_by_lines(o)) return;
-    for (int i = 0; diffusion_exponentials[i] != NULL; i++) {
-        d->direct = diffusion_exponentials[i];
+    for (int i = 0; diffusion_operators[i] != NULL; i++) {
+        d->direct = diffusion_operators[i];
         d->exponential =
             d->direct->create(d->h->mesh, d->dtau * o->steps, b, o->tolerance);
         if (d->exponential != NULL) return;
@@ -381,9 +384,10 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method diffusion_method = {
     .name = "diffusion",
-    .cite = "SX15 5, 6, 9",
     .what = "the pcm field, smoothed by diffusion",
+    .equations = "SX15 5, 6, 9",
     .function = "diffusion_spread",
+    .keys = {averaging_bandwidth_keys, averaging_delta_keys, diffusion_keys},
     .needs_bandwidth = 1,
     .create = diffusion_create,
     .free = diffusion_free,

@@ -21,6 +21,7 @@
 #define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 extern const struct averaging_method diffusion_method;
@@ -33,7 +34,7 @@ struct cell_of_particle;
  * create returns NULL where it does not hold; b [m] is 0, or the bandwidth that
  * T [m^2] belongs to, from which the width of the cells is subtracted; tail [-]
  * is the error. apply: u becomes exp(-T L) u, for m fields side by side. */
-struct diffusion_exponential {
+struct diffusion_operator {
     const char *name;
     void *(*create)(const struct mesh *mesh, double T, double b, double tail);
     void (*free)(void *state);
@@ -54,11 +55,17 @@ struct diffusion_variation {
 };
 
 /* Those that are built in, ended by NULL. */
-extern const struct diffusion_exponential *const diffusion_exponentials[];
+extern const struct diffusion_operator *const diffusion_operators[];
 extern const struct diffusion_variation *const diffusion_variations[];
 
-/* The names of the schemes, ended by NULL; the first is the default. */
-extern const char *const diffusion_schemes[];
+/* Names for options.vary, ended by NULL; the first is the default: uniform. */
+extern const struct model *const bandwidth_rules[];
+
+/* The schemes, ended by NULL; the first is the default. */
+extern const struct model *const diffusion_schemes[];
+
+/* The keys that the method reads besides the bandwidth. */
+extern const struct key diffusion_keys[];
 
 /* [SX15 6]: h = exp(-r^2 / b^2) / (b^2 pi)^(3/2) [1/m^3]. r, b in [m]. */
 double diffusion_kernel(double r, double b);

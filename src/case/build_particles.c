@@ -17,6 +17,7 @@
 #include "case/case_overlap.h"
 #include "case/case_walls.h"
 #include "case/case_mesh.h"
+#include "case/models.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
 {
@@ -31,7 +32,7 @@ struct dem_options build_dem_options(const struct settings *s, double step)
         .integrator =
             integrators_named(settings_text(s, "particles.integrator")),
         .link_cells =
-            strcmp(settings_text(s, "particles.list"), "link-cells") == 0,
+            models_value(dem_options_lists, settings_text(s, "particles.list")),
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
 

@@ -290,7 +290,7 @@ static void fill_group(const struct key *const *tables, const char *path,
     for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
         const char *const name = schema_member(k, path);
 
-        if (name != NULL && k->fallback != NULL && k->fallback[0] != '\0' &&
+        if (name != NULL && schema_has_default(k) &&
             config_setting_get_member(group, name) == NULL)
             override_default(group, name, k->fallback);
     }

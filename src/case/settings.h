@@ -50,7 +50,9 @@ int settings_points(const struct settings *s, const char *path);
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value);
 
-/* The groups of a list. 0 for a list that is left out. */
+/* 1 if the path is that of a list. The groups of one; 0 for a list that is left
+ * out. */
+int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
 int settings_item_has(const struct settings *s, const char *list, int i,
                       const char *key);

@@ -15,6 +15,8 @@
 #ifndef DEM_CONTACT_H
 #define DEM_CONTACT_H
 
+#include "base/key.h"
+
 struct bodies;
 struct chunk;
 
@@ -70,13 +72,19 @@ enum {
 };
 
 struct contact_law {
-    const char *name; /* as a case spells it */
-    const char *cite; /* keys in chapters/references.md */
-    const char *what; /* one line */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     struct contact_constants (*constants)(const struct material_pair *p);
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,
                        double v);
+    /* Rayleigh's time [s] of a sphere of radius r [m] and density rho [kg/m^3],
+     * in which a wave goes round it [LS 5.11]; HUGE_VAL for a law that has no
+     * elastic waves. */
+    double (*wave_time)(const struct material *m, double r, double rho);
     double stored; /* [-] elastic energy over elastic(delta) delta */
     contact_sweep *sweep[CONTACT_LOOPS];
 };

@@ -5,11 +5,15 @@
 #ifndef DEM_DEM_OPTIONS_H
 #define DEM_DEM_OPTIONS_H
 
+#include "base/model.h"
 #include "dem/cohesion/attraction.h"
 #include "dem/surfaces/prescribed_particles.h"
 #include "dem/integrators.h"
 #include "dem/materials.h"
 #include "dem/surfaces/surface.h"
+
+/* Ways to find the pairs; the value is link_cells. Ended by NULL. */
+extern const struct model *const dem_options_lists[];
 
 struct dem_options {
     const struct contact_law *law;

@@ -8,12 +8,18 @@
 #ifndef FLUID_BOUNDARY_H
 #define FLUID_BOUNDARY_H
 
+#include "base/model.h"
+
 enum boundary_kind {
     BOUNDARY_NO_SLIP,
     BOUNDARY_SLIP,
     BOUNDARY_INLET,
     BOUNDARY_OUTLET
 };
+
+/* What a case can write for a side or a patch: a word, or, where there are
+ * keys, a group with the first of them. Ended by NULL. */
+extern const struct model *const boundary_kinds[];
 
 struct boundary {
     enum boundary_kind kind;

@@ -11,6 +11,8 @@
 #ifndef FLUID_CONVECTION_H
 #define FLUID_CONVECTION_H
 
+#include "base/key.h"
+
 /* The input of a scheme for faces 0 .. n - 1. */
 struct convection_faces {
     int n;
@@ -20,10 +22,11 @@ struct convection_faces {
 };
 
 struct convection_scheme {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
-    const char *function; /* the function that computes it, for `explain` */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     void (*owner_weights)(const struct convection_faces *faces,
                           double *share /* [-] */);
     /* What a face has beyond the velocity of the cell C upstream. step: u_D -
@@ -34,7 +37,7 @@ struct convection_scheme {
                   cell to cell */
 };
 
-/* All schemes, ended by NULL; NULL for an unknown name. */
+/* All schemes, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 

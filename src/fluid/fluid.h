@@ -22,6 +22,7 @@
 #ifndef FLUID_FLUID_H
 #define FLUID_FLUID_H
 
+#include "base/model.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
 #include "fluid/velocity_gradient.h"
@@ -30,6 +31,7 @@
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
+extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
 struct fluid_options {
     double rho;                     /* [kg/m^3] */
@@ -109,7 +111,11 @@ struct fluid {
                         minus that which replaced removed ones: fluid_replace */
     double replaced_momentum[3]; /* [N s] and its momentum */
     struct fluid_report report;
-    struct piso *piso; /* matrices and work space */
+    struct momentum_system *momentum; /* matrices and work space */
+    struct pressure_system *pressure;
+    struct face_jump *jump;
+    struct time_levels *levels;
+    struct face_geometry *geometry;
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */

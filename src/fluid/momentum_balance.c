@@ -7,9 +7,12 @@
  * matrix, so it also detects a coefficient that differs between the two sides
  * of a face.
  */
-#include "fluid/piso.h"
+#include "fluid/momentum_system.h"
 
 #include <math.h>
+
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 struct sum {
     double impulse[3]; /* [N s] */
@@ -28,11 +31,11 @@ static void add_face(const struct fluid *fl, const struct boundary *b, int f,
                      struct sum *s)
 {
     const double dt = fl->options.dt,
-                 flow = fl->options.rho * fl->piso->convecting_flux[f];
+                 flow = fl->options.rho * fl->levels->convecting_flux[f];
     const double *const u = &fl->u[3 * fl->mesh->owner[f]];
     const double D = b->kind == BOUNDARY_OUTLET
                          ? 0.0
-                         : fl->options.mu * fl->piso->face_coefficient[f];
+                         : fl->options.mu * fl->geometry->face_coefficient[f];
     double edge[3];
 
     boundary_face_velocity(fl, b, f, edge);

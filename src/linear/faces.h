@@ -39,12 +39,12 @@ struct face_pieces {
 
 /* A way to find the pieces: create returns NULL if there are none that are
  * worth it. All ways, ended by NULL. */
-struct face_order {
+struct faces_order {
     const char *name;
     struct face_pieces *(*create)(int n_inner, int n, const int *owner,
                                   const int *neighbour);
 };
-extern const struct face_order *const face_orders[];
+extern const struct faces_order *const faces_orders[];
 
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {

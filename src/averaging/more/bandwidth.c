@@ -17,6 +17,20 @@ struct bandwidth {
     double *D;     /* [-] of each internal face */
 };
 
+const struct model bandwidth_cells = {
+    .name = "cells",
+    .what = "less what a cell smears by its width",
+    .equations = "SX15 section 2.2.3",
+    .function = "bandwidth_minus_cell",
+};
+
+const struct model bandwidth_grains = {
+    .name = "grains",
+    .what = "as the mean diameter of the grains in a cell",
+    .equations = "SX15 section 2.2.3",
+    .function = "follow_grains",
+};
+
 static int is_in(const struct averaging_region *r, const double x[3])
 {
     for (int k = 0; k < 3; k++)

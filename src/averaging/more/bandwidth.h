@@ -25,6 +25,7 @@
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
+#include "base/model.h"
 
 /* All of this, for the diffusion. */
 extern const struct diffusion_variation bandwidth_variation;

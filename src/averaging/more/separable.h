@@ -22,7 +22,7 @@
 #include "mesh/mesh.h"
 
 /* All of this, for the diffusion. */
-extern const struct diffusion_exponential separable_exponential;
+extern const struct diffusion_operator separable_exponential;
 
 struct separable;
 

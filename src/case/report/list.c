@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/list.h"
 
-#include "coupling/effects.h"
 #include "case/models.h"
 #include "case/nearest.h"
 #include "case/schema.h"
@@ -36,31 +35,20 @@ static void print_key(const struct key *key, const char *indent)
 
     schema_expected(key, expected);
     printf("%s%s = %s", indent, key->path, expected);
-    if (key->fallback == NULL)
+    if (schema_is_required(key))
         printf("; required");
-    else if (key->fallback[0] != '\0')
+    else if (schema_has_default(key))
         printf("; default %s", key->fallback);
     if (key->needs[0] != '\0') printf("; needs %s", key->needs);
     printf("\n%s    %s", indent, key->what);
     print_source(key->source);
 }
 
-static void print_keys_named(const char *paths)
+static void print_keys_of(const struct model *m)
 {
-    const struct key *tables[CASE_FILE_TABLES];
-    char path[SCHEMA_TEXT];
-    int used;
-
-    case_file_tables(tables);
-    for (; sscanf(paths, "%255s%n", path, &used) == 1; paths += used)
-        if (schema_find(tables, path) != NULL)
-            print_key(schema_find(tables, path), "        ");
-}
-
-static void print_keys_of_effect(const char *name)
-{
-    for (const struct key *k = effects_named(name)->keys; k->path != NULL; k++)
-        print_key(k, "        ");
+    for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
+        for (const struct key *k = m->keys[t]; k->path != NULL; k++)
+            print_key(k, "        ");
 }
 
 static void print_all_keys(void)
@@ -103,9 +91,8 @@ int list_models(const char *name)
     printf("%s, chosen by %s\n", kind->what, kind->key);
     for (int i = 0; kind->model(i, &m); i++) {
         printf("    %s: %s", m.name, m.what);
-        print_source(m.source);
-        print_keys_named(m.keys);
-        if (strcmp(name, "effect") == 0) print_keys_of_effect(m.name);
+        print_source(m.equations);
+        print_keys_of(&m);
     }
     return 0;
 }

@@ -81,4 +81,5 @@ const struct effect time_average_effect = {
     .create = time_average_create,
     .after_step = time_average_after_step,
     .fields = time_average_fields,
-    .free = time_average_free};
+    .free = time_average_free,
+};

@@ -7,10 +7,12 @@
 #ifndef DEM_SURFACES_SURFACE_H
 #define DEM_SURFACES_SURFACE_H
 
+#include "base/model.h"
 #include "dem/surfaces/motion.h"
 #include "dem/surfaces/triangles.h"
 
 enum surface_shape { SURFACE_PLANE, SURFACE_CYLINDER, SURFACE_TRIANGLES };
+extern const struct model *const surface_shapes[]; /* ended by NULL */
 
 struct surface {
     const char *name; /* borrowed */

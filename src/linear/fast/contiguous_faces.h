@@ -36,6 +36,6 @@ struct contiguous_faces {
 /* Finds the ranges of the n_inner faces that have neighbours and of the
  * boundary faces after them; creates nothing if the ranges are too short on
  * average. */
-extern const struct face_order contiguous_faces_order;
+extern const struct faces_order contiguous_faces_order;
 
 #endif
