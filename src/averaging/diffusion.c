@@ -10,6 +10,7 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
+#include "averaging/diffusion_parts.h"
 #include "base/alloc.h"
 #include "linear/cg_many.h"
 #include "linear/chebyshev.h"

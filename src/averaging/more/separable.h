@@ -19,7 +19,7 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
-#include "averaging/diffusion.h"
+#include "averaging/diffusion_parts.h"
 #include "mesh/mesh.h"
 
 /* All of this, for the diffusion. */
