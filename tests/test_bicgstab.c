@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/bicgstab.h"
+#include "linear/fast/contiguous_faces.h"
 
 #include "facts.h"
 #include "linear_case.h"
@@ -12,7 +13,7 @@
 struct setting {
     struct links b;
     struct csr *A; /* the same as rows, to compare with */
-    struct contiguous_faces *runs;
+    struct face_pieces *runs;
     struct ldu *M;
     double *diag, *rhs, *x;
 };
@@ -27,8 +28,8 @@ static struct setting convection(int nx, int ny, int nz, double flux)
         s.A->a[s.A->lower[l]] -= flux; /* what comes from the owner */
         s.A->diag[s.b.owner[l]] += flux;
     }
-    s.runs = contiguous_faces_create(s.b.n_links, s.b.n_links, s.b.owner,
-                                     s.b.neighbour);
+    s.runs = contiguous_faces_order.create(s.b.n_links, s.b.n_links, s.b.owner,
+                                           s.b.neighbour);
     s.M = ldu_create(n, s.b.n_links, s.b.owner, s.b.neighbour, s.runs);
     for (int l = 0; l < s.b.n_links; l++) {
         s.M->upper[l] = s.A->a[s.A->upper[l]];
@@ -50,7 +51,7 @@ static void release(struct setting *s)
     free(s->x);
     csr_free(s->A);
     ldu_free(s->M);
-    contiguous_faces_free(s->runs);
+    if (s->runs != NULL) s->runs->free(s->runs);
     links_free(&s->b);
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/piso.h"
-#include "linear/fast/ldu.h"
+#include "fluid/fluid.h"
+#include "linear/ldu.h"
 #include "linear/fast/contiguous_faces.h"
-#include "linear/fast/vec3.h"
+#include "linear/vec3.h"
 
 #include "facts.h"
 #include "linear_case.h"
@@ -18,10 +18,10 @@ static struct mesh *box(int nx, int ny, int nz, int periodic)
     return mesh_create_box(&spec);
 }
 
-static struct contiguous_faces *runs_of(const struct mesh *m)
+static struct face_pieces *runs_of(const struct mesh *m)
 {
-    return contiguous_faces_create(m->n_internal, m->n_faces, m->owner,
-                                   m->neighbour);
+    return contiguous_faces_order.create(m->n_internal, m->n_faces, m->owner,
+                                         m->neighbour);
 }
 
 /* Odd sizes, so that rows end anywhere in a range; and one cell thick. */
@@ -33,26 +33,26 @@ START_TEST(each_face_occurs_once_from_its_owner)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
-    struct contiguous_faces *const r = runs_of(m);
+    struct face_pieces *const r = runs_of(m);
     int *const met = alloc_ints(m->n_internal);
 
     ck_assert_ptr_nonnull(r);
     for (int first = 0; first < m->n_internal; first += 50) {
         const int last =
             first + 50 < m->n_internal ? first + 50 : m->n_internal;
-        struct contiguous_piece p = {0};
-        while (contiguous_faces_next_of_faces(r, first, last, &p))
+        struct face_piece p = {0};
+        while (r->next_of_faces(r, first, last, &p))
             for (int j = 0; j < p.n; j++) {
-                ck_assert(p.link + j >= first && p.link + j < last);
-                ck_assert_int_eq(p.cell + j, m->owner[p.link + j]);
-                ck_assert_int_eq(p.other + j, m->neighbour[p.link + j]);
-                met[p.link + j]++;
+                ck_assert(p.face + j >= first && p.face + j < last);
+                ck_assert_int_eq(p.cell + j, m->owner[p.face + j]);
+                ck_assert_int_eq(p.other + j, m->neighbour[p.face + j]);
+                met[p.face + j]++;
             }
     }
     for (int f = 0; f < m->n_internal; f++)
         ck_assert_int_eq(met[f], 1);
     free(met);
-    contiguous_faces_free(r);
+    r->free(r);
     mesh_free(m);
 }
 END_TEST
@@ -62,7 +62,7 @@ START_TEST(each_cell_has_its_faces_in_one_order)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
-    struct contiguous_faces *const r = runs_of(m);
+    struct face_pieces *const r = runs_of(m);
     const int n = m->n_cells, lengths[] = {n, 100, 7};
     int *const seen = alloc_ints(n * 8), *const of = alloc_ints(n);
 
@@ -70,10 +70,10 @@ START_TEST(each_cell_has_its_faces_in_one_order)
         memset(of, 0, (size_t)n * sizeof *of);
         for (int first = 0; first < n; first += lengths[a]) {
             const int last = first + lengths[a] < n ? first + lengths[a] : n;
-            struct contiguous_piece p = {0};
-            while (contiguous_faces_next_of_cells(r, first, last, &p))
+            struct face_piece p = {0};
+            while (r->next_of_cells(r, first, last, &p))
                 for (int j = 0; j < p.n; j++) {
-                    const int c = p.cell + j, f = p.link + j;
+                    const int c = p.cell + j, f = p.face + j;
                     const int own = p.out > 0.0;
                     ck_assert(c >= first && c < last);
                     ck_assert_int_eq(c, own ? m->owner[f] : m->neighbour[f]);
@@ -90,7 +90,7 @@ START_TEST(each_cell_has_its_faces_in_one_order)
     }
     free(seen);
     free(of);
-    contiguous_faces_free(r);
+    r->free(r);
     mesh_free(m);
 }
 END_TEST
@@ -100,8 +100,8 @@ START_TEST(faces_in_disorder_have_no_contiguous_ranges)
     struct links b = links_cube(12, 12, 12);
 
     links_shuffle(&b, 3);
-    ck_assert_ptr_null(
-        contiguous_faces_create(b.n_links, b.n_links, b.owner, b.neighbour));
+    ck_assert_ptr_null(contiguous_faces_order.create(b.n_links, b.n_links,
+                                                     b.owner, b.neighbour));
     links_free(&b);
 }
 END_TEST
@@ -111,7 +111,7 @@ START_TEST(product_by_contiguous_faces_is_that_by_rows)
 {
     struct mesh *const m =
         box(boxes[_i].n[0], boxes[_i].n[1], boxes[_i].n[2], boxes[_i].periodic);
-    struct contiguous_faces *const r = runs_of(m);
+    struct face_pieces *const r = runs_of(m);
     const int n = m->n_cells, links = m->n_internal;
     struct ldu *const fast = ldu_create(n, links, m->owner, m->neighbour, r);
     struct ldu *const rows = ldu_create(n, links, m->owner, m->neighbour, NULL);
@@ -157,7 +157,7 @@ START_TEST(product_by_contiguous_faces_is_that_by_rows)
     free(plain);
     ldu_free(fast);
     ldu_free(rows);
-    contiguous_faces_free(r);
+    r->free(r);
     mesh_free(m);
 }
 END_TEST
@@ -209,10 +209,10 @@ static struct fluid *flow(const struct mesh *m, const struct boundary *b,
         .pressure_shared = shared,
         .boundaries = b};
     struct fluid *const fl = fluid_create(m, &o);
-    struct contiguous_faces *const runs = fl->piso->contiguous;
+    struct face_pieces *const runs = fl->faces->pieces;
 
     ck_assert_ptr_nonnull(runs);
-    if (by_lists) fl->piso->contiguous = NULL;
+    if (by_lists) fl->faces->pieces = NULL;
     for (int c = 0; c < m->n_cells; c++)
         fl->eps[c] = 0.7 + 0.2 * any(c);
     fluid_reset_eps_history(fl);
@@ -227,7 +227,7 @@ static struct fluid *flow(const struct mesh *m, const struct boundary *b,
         }
         ck_assert_int_eq(fluid_step(fl), 0);
     }
-    fl->piso->contiguous = runs;
+    fl->faces->pieces = runs;
     return fl;
 }
 

@@ -6,6 +6,8 @@
 
 #include "dem/cohesion/electrostatic.h"
 #include "dem/energy.h"
+#include "dem/surfaces/surface.h"
+#include "dem/surfaces/prescribed_particles.h"
 #include "facts.h"
 #include "spheres.h"
 
@@ -257,6 +259,47 @@ START_TEST(a_prescribed_sphere_does_the_work_that_it_gives)
 }
 END_TEST
 
+/* A sphere that is pushed with V against a wall, a plate, or a sphere that
+ * stays in its place by prescription: its dashpot is that of a free sphere of
+ * its mass there, which takes eta V^2 a second, eta = 2 zeta sqrt(k m*). Made
+ * for the mass of what nothing moves it took a million times as much. The
+ * tolerance is the part of the first and the last step. */
+START_TEST(dashpots_of_prescribed_spheres_know_their_own_mass)
+{
+    const double V = 0.01, span = 0.1;
+    const struct prescribed_particle two[] = {
+        {.id = 0, .motion = {.velocity = {-V, 0.0, 0.0}}},
+        {.id = 1, .motion = {.velocity = {0.0, 1e-12, 0.0}}}};
+    struct particles *const ps = particles_create(2);
+    struct dem_options o = spheres_options(&contact_linear, 2e-5, 0.1);
+    const struct surface plate = {.name = "plate",
+                                  .shape = SURFACE_PLANE,
+                                  .point = {-0.006, 0.0, 0.0},
+                                  .normal = {1.0, 0.0, 0.0}};
+    const double m_star[] = {1.0, 1.0, 0.5};
+    struct dem_report r;
+
+    o.prescribed = two;
+    o.n_prescribed = 2;
+    o.material.restitution = 0.5;
+    o.surfaces = &plate;
+    o.n_surfaces = _i == 1;
+    spheres_add(ps, _i == 0 ? -0.095 : _i == 1 ? -0.001 : 0.01, 0.0, 0.0, 0.01);
+    spheres_add(ps, _i == 2 ? 0.0 : 0.05, 0.0, 0.0, 0.01);
+    struct dem *const dem = dem_create(ps, &o);
+    dem_start_energy_budget(dem);
+    dem_clock(dem, 0);
+    ck_assert_int_eq(dem_run(dem, (int)lrint(span / o.step), &r), 0);
+    const double eta =
+        contact_linear_dashpot(contact_damping_ratio(0.5), o.material.stiffness,
+                               m_star[_i] * ps->m[0]);
+    const double damped = dem_energy(dem)->damped_n;
+    ck_assert_double_eq_tol(damped / (eta * V * V * span), 1.0, 0.01);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* Two unlike charges fall towards each other: their kinetic energy is the work
  * of Coulomb's force, q^2/(4 pi eps_0) (1/l - 1/l_0). */
 START_TEST(attractions_do_the_work_that_comes_out_as_motion)
@@ -374,6 +417,7 @@ FACTS("energy")
     FACT(sliding_takes_two_sevenths_until_it_rolls);
     FACT(rolling_friction_takes_what_a_rolling_sphere_has);
     FACT_FOR_EACH(a_prescribed_sphere_does_the_work_that_it_gives, 4);
+    FACT_FOR_EACH(dashpots_of_prescribed_spheres_know_their_own_mass, 3);
     FACT(a_wall_that_moves_does_the_work_that_it_gives);
     FACT(attractions_do_the_work_that_comes_out_as_motion);
     FACT(energy_added_between_runs_is_counted);

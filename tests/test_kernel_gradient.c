@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/more/kernel_gradient.h"
+#include "base/vector.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
@@ -137,12 +138,12 @@ START_TEST(ew18_b_8_the_small_system_is_solved)
     const double b[3] = {A[0] * known[0] + A[1] * known[1] + A[2] * known[2],
                          A[1] * known[0] + A[3] * known[1] + A[4] * known[2],
                          A[2] * known[0] + A[4] * known[1] + A[5] * known[2]};
-    kernel_gradient_solve(A, b, x);
+    vector_solve(A, b, x);
     for (int j = 0; j < 3; j++)
         ck_assert_double_eq_tol(x[j], known[j], 1e-11);
     const double flat[6] = {2.0, 0.0, 0.0, 0.0, 0.0, 4.0};
     const double c[3] = {1.0, 0.0, 1.0};
-    kernel_gradient_solve(flat, c, x);
+    vector_solve(flat, c, x);
     ck_assert(x[0] == 0.5 && x[1] == 0.0 && x[2] == 0.25);
 }
 END_TEST

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/reduce.h"
 
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 #include "facts.h"
 #include "linear_case.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 
 #include <math.h>
 #include <stdlib.h>

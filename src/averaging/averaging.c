@@ -8,15 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/more/bandwidth.h"
 #include "averaging/diffusion.h"
-#include "averaging/more/dpvm.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/images.h"
-#include "averaging/kernel.h"
-#include "averaging/pcm.h"
-#include "averaging/more/stencil.h"
-#include "averaging/more/two_grid.h"
+#include "averaging/stencil.h"
 #include "base/alloc.h"
 #include "base/number.h"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/kernel_gradient.h"
+#include "base/vector.h"
 
 static void nearest(struct averaging *a, int m, const double *field,
                     const double *boundary, double *q)
@@ -50,7 +50,7 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
         for (int j = 0; j < 3; j++)
             b[j] += above * d[j];
     }
-    kernel_gradient_solve(A, b, g);
+    vector_solve(A, b, g);
 }
 
 /* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell

@@ -1,4 +1,5 @@
-/* kernel.h -- a particle spread over the cells around it.  Chapter 8.
+/* kernel.h -- a particle spread over the cells around it.
+ * Chapter "Averaging".
  *
  *     w_ic = K(|x_i - x_c| / b) V_c / sum_m K(|x_i - x_m| / b) V_m       (8.7)
  *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]
@@ -26,5 +27,10 @@ extern const struct averaging_method kernel_gaussian_method;
 
 /* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
 double kernel_bell(double zeta);
+
+/* A Gaussian that has half its height at delta_05 / 2: its sigma [unit of
+ * delta_05] [EW18 20], and its b, both in [m]. */
+double kernel_sigma(double delta_05);
+double kernel_bandwidth(double delta_05);
 
 #endif

@@ -38,4 +38,9 @@ static inline void vector_between(const double a[3], const double b[3],
     vector_along(a, -1.0, b, c);
 }
 
+/* Solves A x = b for a symmetric positive semidefinite A, stored as xx, xy, xz,
+ * yy, yz, zz. It may have rows of zeros, where x is 0; entries far below the
+ * largest count as zero. */
+void vector_solve(const double A[6], const double b[3], double x[3]);
+
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <stdio.h>
 
-#include "averaging/more/images.h"
+#include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
@@ -36,7 +36,7 @@ int build_gravity(const struct settings *s, double g[3])
 static double bandwidth_of(const struct settings *s)
 {
     if (settings_has(s, "averaging.delta_05"))
-        return images_bandwidth(settings_real(s, "averaging.delta_05"));
+        return kernel_bandwidth(settings_real(s, "averaging.delta_05"));
     return settings_has(s, "averaging.bandwidth")
                ? settings_real(s, "averaging.bandwidth")
                : 0.0;

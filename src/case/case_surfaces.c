@@ -216,6 +216,26 @@ static int check_shape(const struct settings *s, int i)
     return 0;
 }
 
+/* Particles that pass the end of a period would come back behind it. */
+static int check_plane(const struct settings *s, int i)
+{
+    static const char axes[] = "xyz";
+    int periodic[3];
+    double n[3];
+
+    if (shape_of(s, i) != SURFACE_PLANE) return 0;
+    case_mesh_periodic(s, periodic);
+    direction(s, i, "normal", n);
+    for (int k = 0; k < 3; k++)
+        if (periodic[k] && fabs(n[k]) > 1e-9)
+            return settings_wrong(
+                s, list,
+                "the plane %s is not parallel to %c, which is periodic: "
+                "particles would come back behind it; make %c not periodic",
+                settings_item_text(s, list, i, "name"), axes[k], axes[k]);
+    return 0;
+}
+
 static int check_motion(const struct settings *s, const char *of, int i)
 {
     const struct motion m = motion_of(s, of, i);
@@ -274,6 +294,7 @@ int case_surfaces_check(const struct settings *s)
     for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
         code = check_name(s, i);
         if (code == 0) code = check_shape(s, i);
+        if (code == 0) code = check_plane(s, i);
         if (code == 0) code = check_motion(s, list, i);
     }
     for (int i = 0; i < settings_length(s, driven) && code == 0; i++)

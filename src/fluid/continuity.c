@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* continuity.c -- the two forms of the mass balance, and its residual. */
-#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 
 #include <math.h>
+
+#include "linear/face_loops.h"
+#include "fluid/time_levels.h"
 
 /* Flux of solid volume through a face by linear interpolation; zero at the
  * boundary, which particles do not cross [m^3/s]. */
@@ -17,19 +20,10 @@ FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
               (w * a[2] + (1.0 - w) * b[2]) * S[2];
 }
 
-static void solid_fluxes(int first, int last, const struct fluid *fl,
-                         double *flux)
-{
-    const struct mesh *const m = fl->mesh;
-
-    FOR_EACH_FACE(fl->piso->contiguous, first, last, m->owner, m->neighbour,
-                  solid_flux, fl, flux);
-}
-
 /* dt d eps/dt by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
-    const struct time_weights *const w = &fl->piso->weights;
+    const struct time_weights *const w = &fl->levels->weights;
     const double change = w->now * fl->eps[c] - w->old * fl->eps_n[c];
 
     return w->older == 0.0 ? change : change + w->older * fl->eps_nm1[c];
@@ -43,20 +37,18 @@ FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
 static void void_rate_rows(int first, int last, const struct fluid *fl)
 {
     for (int c = first; c < last; c++)
-        fl->piso->source[c] =
+        fl->pressure->source[c] =
             void_change(fl, c) * fl->mesh->V[c] / fl->options.dt;
 }
 
 static void mixture_rows(int first, int last, const struct fluid *fl,
                          const double *flux)
 {
-    const struct mesh *const m = fl->mesh;
-    double *const source = fl->piso->source;
+    double *const source = fl->pressure->source;
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, source, outflow, flux);
+    SUM_OVER_FACES(fl->faces, first, last, source, outflow, flux);
 }
 
 void continuity_source(struct fluid *fl)
@@ -70,7 +62,7 @@ void continuity_source(struct fluid *fl)
         PARALLEL_RANGES(m->n_cells, 8, void_rate_rows, fl);
         return;
     }
-    PARALLEL_RANGES(m->n_internal, 8, solid_fluxes, fl, flux); /* [XS11 2.7] */
+    FOR_EACH_FACE(fl->faces, 8, solid_flux, fl, flux); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
         flux[f] = 0.0;
     PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
@@ -96,19 +88,18 @@ static void residual_rows(int first, int last, const struct fluid *fl,
                           struct largest *partial)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict source = fl->piso->source, *restrict V = m->V;
-    double *restrict rest = fl->piso->divergence; /* room that is free now */
-    double *restrict through = fl->piso->resistance;
+    const double *restrict source = fl->pressure->source, *restrict V = m->V;
+    double *restrict rest =
+        fl->pressure->divergence; /* room that is free now */
+    double *restrict through = fl->pressure->resistance;
     struct largest l = {0.0, 0.0, 0.0};
 
     for (int c = first; c < last; c++) {
         rest[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, rest, outflow, fl->phi);
-    SUM_OVER_FACES(fl->piso->contiguous, first, last, m->cell_start,
-                   m->cell_face, m->out, through, half_size, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, rest, outflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
         l.rest = larger(l.rest, fabs(rest[c]));
         l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));

@@ -1,4 +1,5 @@
-/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 5.
+/* fluid.h -- the locally averaged Navier-Stokes equations.
+ * Chapter "Averaged flow".
  *
  *   d(eps rho u)/dt + div(eps rho u u) = -gamma grad p + mu lap u + F - K u
  *
@@ -85,12 +86,13 @@ struct fluid_report {
 struct fluid {
     const struct mesh *mesh;
     struct fluid_options options;
-    double t;       /* [s] */
-    double *u;      /* [m/s] interstitial velocity, 3 a cell */
-    double *p;      /* [Pa] without the hydrostatic part */
-    double *p_face; /* [Pa] at the faces */
-    double *grad_p; /* [Pa/m] 3 a cell */
-    double *phi;    /* [m^3/s] superficial flux, owner to neighbour */
+    struct faces *faces; /* of the mesh, for loops over them */
+    double t;            /* [s] */
+    double *u;           /* [m/s] interstitial velocity, 3 a cell */
+    double *p;           /* [Pa] without the hydrostatic part */
+    double *p_face;      /* [Pa] at the faces */
+    double *grad_p;      /* [Pa/m] 3 a cell */
+    double *phi;         /* [m^3/s] superficial flux, owner to neighbour */
     double
         *eps; /* [-] fluid fraction at the new time; written by the coupling */
     double *eps_n;   /* [-] fluid fraction at the end of the last step */
@@ -110,7 +112,11 @@ struct fluid {
                         minus that which replaced removed ones: fluid_replace */
     double replaced_momentum[3]; /* [N s] and its momentum */
     struct fluid_report report;
-    struct piso *piso; /* matrices and work space */
+    struct momentum_system *momentum; /* matrices and work space */
+    struct pressure_system *pressure;
+    struct face_jump *jump;
+    struct time_levels *levels;
+    struct face_geometry *geometry;
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */
@@ -138,10 +144,15 @@ int fluid_step(struct fluid *fl);
 int fluid_advance(struct fluid *fl, double dt);
 
 /* Momentum of the fluid [N s], including the residual of the last step, which
- * is added to the next one. With the void-rate form it changes only by forces
- * and boundary fluxes; with the mixture form also by `relabelled`. (BDF2
- * distributes an impulse over several steps; the part still to come is
- * included.) */
+ * is added to the next one. It changes by forces, boundary fluxes and
+ * `relabelled`: rho dt sum u (d(eps V)/dt + sum phi), with the masses and the
+ * flux that the momentum equation uses. In the void-rate form `relabelled` is
+ * zero to solver tolerance if these are of the same step: with outer iterations
+ * always, without them for implicit Euler at a constant step. Where the step
+ * changes, the flux of the last step does not bring the mass of this one; and
+ * the flux that BDF2 extrapolates does not follow a change of eps that varies
+ * from step to step. (BDF2 distributes an impulse over several steps; the part
+ * still to come is included.) */
 void fluid_momentum(const struct fluid *fl, double momentum[3]);
 
 /* Mean superficial velocity [m/s], over all of the mesh. */

@@ -2,8 +2,8 @@
 #include "linear/csr.h"
 
 #include "base/alloc.h"
-#include "linear/fast/field_groups.h"
-#include "linear/fast/parallel_ranges.h"
+#include "base/field_groups.h"
+#include "base/parallel_ranges.h"
 
 #include <assert.h>
 #include <stdlib.h>

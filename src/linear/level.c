@@ -2,7 +2,7 @@
 #include "linear/level.h"
 
 #include "base/alloc.h"
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 
 #include <math.h>
 #include <stdlib.h>

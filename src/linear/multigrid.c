@@ -6,7 +6,7 @@
 #include "linear/level.h"
 #include "linear/pairwise_aggregation.h"
 #include "linear/reduce.h"
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 
 #include <stdlib.h>
 

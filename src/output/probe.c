@@ -3,7 +3,6 @@
 
 #include <stddef.h>
 
-#include "averaging/more/kernel_gradient.h"
 #include "base/vector.h"
 
 static double middle(const struct box *b, int k, int i)
@@ -85,7 +84,7 @@ static struct probe in_mesh(const struct mesh *m, const double x[3])
         for (int j = 0; j < 6; j++)
             A[j] += w * dd[j];
     }
-    kernel_gradient_solve(A, o, y);
+    vector_solve(A, o, y);
     p.n = n + 1;
     p.weighted = 1;
     p.cell[0] = c;

@@ -80,7 +80,7 @@ function put_fluid(    i, d) {
     put("  step = " step ";")
     split("time convection gradient continuity", word, " ")
     for (i = 1; i <= 4; i++) put("  " word[i] " = \"" v[word[i]] "\";")
-    split("correctors splitting repeats predictor enough", word, " ")
+    split("correctors piso_tolerance outer_correctors u_tolerance p_relative_tolerance", word, " ")
     for (i = 1; i <= 5; i++) put("  " word[i] " = " v[word[i]] ";")
     if (on("cfl")) put("  cfl = " v["cfl"] ";")
     for (i = 1; i <= 3; i++) d[i] = 0
@@ -250,7 +250,7 @@ function put_averaging(    b) {
 }
 
 function put_exchange(    i) {
-    split("drag treatment relaxation model coupling", word, " ")
+    split("drag treatment slip_integration model coupling", word, " ")
     put("exchange = {")
     for (i = 1; i <= 5; i++) put("  " word[i] " = \"" v[word[i]] "\";")
     put("  substeps = " (is("substeps", "auto") ? "\"auto\"" : v["substeps"]) ";")

@@ -17,10 +17,10 @@ BEGIN {
     choice("cfm", "gradient", "gauss least-squares")
     choice("cfm", "continuity", "mixture void-rate")
     choice("cfm", "correctors", "1 2 4")
-    choice("cfm", "splitting", "1e-3 0.0")
-    choice("cfm", "repeats", "0 2")
-    choice("cfm", "predictor", "0.0 0.1")
-    choice("cfm", "enough", "0.0 0.1")
+    choice("cfm", "piso_tolerance", "1e-3 0.0")
+    choice("cfm", "outer_correctors", "0 2")
+    choice("cfm", "u_tolerance", "0.0 0.1")
+    choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
     choice("cpm", "contact", "hertz linear")
     choice("cpm", "count", "none one few sixty settled crowd")
@@ -35,7 +35,7 @@ BEGIN {
     choice("cp", "surface", "none plane cylinder stl moving turning")
     choice("cm", "integrator", "velocity-verlet symplectic-euler")
     choice("p", "integrator", "velocity-verlet symplectic-euler heun")
-    choice("cpm", "list", "verlet link-cells")
+    choice("cpm", "list", "verlet link-cells all-pairs")
     choice("cp", "gravity", "down none oblique")
     choice("cpm", "budget", "off on")
     choice("cm", "averaging", "pcm dpvm cube two-grid kernel gaussian images diffusion")
@@ -46,7 +46,7 @@ BEGIN {
     choice("cm", "interpolation", "nearest linear same")
     choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann")
     choice("cm", "treatment", "semi-implicit explicit")
-    choice("cm", "relaxation", "frozen exponential")
+    choice("cm", "slip_integration", "frozen exponential")
     choice("cm", "substeps", "auto 1 3 1000")
     choice("cm", "model", "A B")
     choice("c", "coupling", "two-way one-way")
@@ -92,7 +92,17 @@ BEGIN {
     apart("surface", "plane cylinder stl moving turning", "cohesion",
           "van_der_waals capillary all", "not on surfaces")
     # Who goes out below comes in above, behind this plane.
-    apart("surface", "plane", "periodic", "y xyz", "")
+    apart("surface", "plane", "periodic", "y xyz",
+          "not parallel to y, which is periodic")
+    # The reference loop knows the sides of a box.
+    apart("list", "link-cells all-pairs", "integrator", "heun",
+          "knows no integrator that")
+    apart("list", "link-cells all-pairs", "driven", "line swing circle",
+          "knows no prescribed particles")
+    apart("list", "link-cells all-pairs", "surface",
+          "plane cylinder stl moving turning", "knows no surfaces")
+    apart("list", "link-cells all-pairs", "mesh",
+          "sheared dual cyclic slanted", "knows no surfaces")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.

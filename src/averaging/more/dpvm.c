@@ -7,7 +7,7 @@
 #include "averaging/averaging.h"
 #include "averaging/poly/facets.h"
 #include "averaging/more/overlap.h"
-#include "averaging/more/weights.h"
+#include "averaging/weights.h"
 #include "base/alloc.h"
 
 struct dpvm;

@@ -31,16 +31,6 @@ struct images {
     double *share;      /* [-] `wide` a direction, 3 a particle */
 };
 
-double images_sigma(double delta_05)
-{
-    return delta_05 / (2.0 * sqrt(2.0 * log(2.0))); /* [EW18 20] */
-}
-
-double images_bandwidth(double delta_05)
-{
-    return sqrt(2.0) * images_sigma(delta_05);
-}
-
 double images_kernel(double r, double sigma)
 {
     const double s = sigma * sqrt(2.0 * M_PI);

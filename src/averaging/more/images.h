@@ -1,5 +1,6 @@
 /* images.h -- a Gaussian around each particle, with mirror images behind the
- * walls.  Chapter 8.
+ * walls.
+ * Chapter "Averaging".
  *
  *     W(r) = exp(-r^2 / 2 sigma^2) / (sigma sqrt(2 pi))^3            [EW18 19]
  *     sigma = delta_05 / (2 sqrt(2 ln 2)),  b = sqrt(2) sigma        [EW18 20]
@@ -22,12 +23,6 @@
 #include "averaging/averaging_method.h"
 
 extern const struct averaging_method images_method;
-
-/* sigma [unit of delta_05] [EW18 20]. */
-double images_sigma(double delta_05);
-
-/* The bandwidth b that belongs to delta_05, both in [m]. */
-double images_bandwidth(double delta_05);
 
 /* [EW18 19] at the distance r [m]: W [1/m^3]. */
 double images_kernel(double r, double sigma);

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "averaging/more/stencil.h"
+#include "averaging/stencil.h"
 #include "base/alloc.h"
+#include "base/vector.h"
 
 static const double kernel_gradient_reach = 3.0; /* [-] of b */
 
@@ -21,32 +22,6 @@ static int place(int j, int k)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     return at[j][k];
-}
-
-/* Elimination without pivoting: A is a sum of squares, r r^T. A pivot far below
- * the largest entry is a direction that no cell lies in. */
-void kernel_gradient_solve(const double A[6], const double b[3], double x[3])
-{
-    const double tiny = 1e-10 * fmax(A[0], fmax(A[3], A[5]));
-    double a[3][4];
-
-    for (int j = 0; j < 3; j++) {
-        for (int k = 0; k < 3; k++)
-            a[j][k] = A[place(j, k)];
-        a[j][3] = b[j];
-    }
-    for (int j = 0; j < 3; j++)
-        for (int i = j + 1; i < 3 && a[j][j] > tiny; i++) {
-            const double factor = a[i][j] / a[j][j];
-            for (int k = j; k < 4; k++)
-                a[i][k] -= factor * a[j][k];
-        }
-    for (int j = 2; j >= 0; j--) {
-        x[j] = a[j][3];
-        for (int k = j + 1; k < 3; k++)
-            x[j] -= a[j][k] * x[k];
-        x[j] = a[j][j] > tiny ? x[j] / a[j][j] : 0.0;
-    }
 }
 
 /* The neighbouring cells of a particle and their kernel weights. */
@@ -117,7 +92,7 @@ static void find_one(const struct kernel_weights *v, const double A[6], int m,
         for (int j = 0; j < 3; j++)
             B[j] += v->w[e] * above * v->r[3 * e + j];
     }
-    kernel_gradient_solve(A, B, X);
+    vector_solve(A, B, X);
 }
 
 /* 1 if no link leads along direction k. */

@@ -1,5 +1,6 @@
 /* kernel_gradient.h -- the gradient of a field at a particle, by a kernel.
- * Chapter 21.
+ *
+ * Chapter "Averaging, compared".
  *
  *     phi_i = int phi W dx / int W dx                         [EW18 B.1-B.3]
  *     sum_n X_n int (x_n - x_i,n) dW/dx_m dx =
@@ -29,9 +30,5 @@ void kernel_gradient_free(struct kernel_gradient *s);
  * particle i. */
 void kernel_gradient_find(const struct kernel_gradient *s, int m,
                           const double *field, double *X);
-
-/* Solves A x = b for a symmetric A that may have rows of zeros, where x is 0:
- * so far below its largest entry counts as zero. */
-void kernel_gradient_solve(const double A[6], const double b[3], double x[3]);
 
 #endif

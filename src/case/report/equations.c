@@ -56,9 +56,9 @@ static double gauss(const double *x)
     return diffusion_kernel(x[0], x[1]);
 }
 
-static double images_sigma_of(const double *x)
+static double kernel_sigma_of(const double *x)
 {
-    return images_sigma(x[0]);
+    return kernel_sigma(x[0]);
 }
 
 static double gauss_sigma(const double *x)
@@ -249,7 +249,7 @@ const struct equation equations_all[] = {
      "r [m], sigma_k [m]", "W", "1/m^3", "images_kernel", gauss_sigma},
     {"EW18:20", "its width from that at half its height",
      "sigma_k = delta_05 / (2 sqrt(2 ln 2))", "delta_05 [m]", "sigma_k", "m",
-     "images_sigma", images_sigma_of},
+     "kernel_sigma", kernel_sigma_of},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
 
 const struct equation *equations_named(const char *key)

@@ -1,4 +1,5 @@
-/* bodies.h -- the particles in the layout of the contact loop. Chapter 2.
+/* bodies.h -- the particles in the layout of the contact loop.
+ * Chapter "Particles and contact".
  *
  * Outside a run the particles are a structure of arrays (particles.h). During a
  * run each particle has two short rows of 32 and 64 bytes: the difference of
@@ -8,26 +9,14 @@
 #ifndef DEM_FAST_BODIES_H
 #define DEM_FAST_BODIES_H
 
+#include "dem/box_domain.h"
+#include "dem/contact.h"
 #include "dem/particles.h"
-
-/* The box of the particles: six walls, or fewer where a direction is periodic.
- */
-struct box_domain {
-    double lo[3], hi[3]; /* [m] */
-    int periodic[3];     /* [-] 1 where hi is lo again */
-    double length[3];    /* [m] hi - lo if periodic, else 0 */
-    double inverse[3];   /* [1/m] 1 / (hi - lo) if periodic, else 0 */
-};
-
-struct box_domain bodies_domain(const double lo[3], const double hi[3],
-                                const int periodic[3]);
-
-/* x in a periodic direction k, brought back between lo and hi; in others x. */
-double bodies_inside(const struct box_domain *box, int k, double x);
 
 struct bodies {
     int n;
     struct box_domain box;
+    const struct contact_law *law;
     double (*position_radius)[4]; /* [m] x, y, z, R */
     double (*velocity)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
     double (*acceleration)[4]; /* [m/s^2] of the outside force; 0 */
@@ -35,13 +24,15 @@ struct bodies {
         *position_at_rebuild)[3]; /* [m] x, y, z when the list was last made */
     /* Of particles with an implicit drag (implicit_drag.h); else NULL. */
     double (*implicit_drag)[4];
-    double *drag_impulse; /* [N s] the particles' own */
-    double step;          /* [s] that the rows are for */
-    const int *id;        /* [-] the particles' own */
-    const int *material;  /* [-] of each, in the particles' own array; NULL if
-                             all are of material 0 */
-    int n_materials;      /* [-] */
-    int wall_material;    /* [-] of the box */
+    double *drag_impulse;     /* [N s] the particles' own */
+    double *own_inverse_mass; /* [1/kg] 1/m of those that move as prescribed,
+                                 else 0; NULL if none ever does */
+    double step;              /* [s] that the rows are for */
+    const int *id;            /* [-] the particles' own */
+    const int *material; /* [-] of each, in the particles' own array; NULL if
+                            all are of material 0 */
+    int n_materials;     /* [-] */
+    int wall_material;   /* [-] of the box */
 };
 
 struct bodies *bodies_create(int capacity, const struct box_domain *box);

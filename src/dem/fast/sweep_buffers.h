@@ -120,6 +120,34 @@ SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
         sweep_spare_rows(c, p, &b->box);
 }
 
+/* 1/m of both spheres of a contact, for its dashpots; of a wall, j = -1, it is
+ * 0. Where both move as prescribed, or one touches a wall, no mass is free to
+ * move: the dashpots are those of spheres that are. */
+static inline void sweep_inverse_masses(const struct bodies *b, int i, int j,
+                                        double per_mass[2])
+{
+    const double *const own = b->own_inverse_mass;
+    const int fixed = own != NULL && own[i] > 0.0 && (j < 0 || own[j] > 0.0);
+
+    per_mass[0] = fixed ? own[i] : b->velocity[i][7];
+    per_mass[1] = j < 0 ? 0.0 : fixed ? own[j] : b->velocity[j][7];
+}
+
+SWEEP_STAGE void sweep_prescribed(struct sweep_buffers *restrict c,
+                                  const struct chunk *s, const struct bodies *b,
+                                  int first, int count)
+{
+    const int pairs = sweep_pairs(s, first, count);
+    double per_mass[2];
+
+    for (int p = 0; p < count; p++) {
+        sweep_inverse_masses(b, s->contacts.owner[first + p],
+                             p < pairs ? s->contacts.partner[first + p] : -1,
+                             per_mass);
+        c->row[p][7] = per_mass[0] + per_mass[1];
+    }
+}
+
 SWEEP_STAGE void sweep_into_columns(struct sweep_buffers *restrict c)
 {
 #pragma omp simd

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/implicit_drag.h"
+#include "dem/fast/drag_rows.h"
 
 /* [-] factor of 1/m for a prescribed particle: with 0, a contact of two of them
  * would divide 0 by 0. */
@@ -47,6 +47,7 @@ static void set_inverse_mass(struct bodies *b, const struct particles *ps,
                              int i)
 {
     b->velocity[i][7] = fraction_within / ps->m[i];
+    b->own_inverse_mass[i] = 1.0 / ps->m[i];
     memset(b->acceleration[i], 0, sizeof b->acceleration[i]);
     if (b->implicit_drag == NULL) return;
     const double per_mass = fraction_within / (ps->m[i] + ps->added_mass[i]);
@@ -65,10 +66,11 @@ static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
     const double per_mass = 1.0 / ps->m[i];
 
     b->velocity[i][7] = per_mass;
+    b->own_inverse_mass[i] = 0.0;
     b->acceleration[i][0] = ps->ex[i] * per_mass;
     b->acceleration[i][1] = ps->ey[i] * per_mass;
     b->acceleration[i][2] = ps->ez[i] * per_mass;
-    if (b->implicit_drag != NULL) implicit_drag_load(b, ps, i, i + 1);
+    if (b->implicit_drag != NULL) drag_rows_load(b, ps, i, i + 1);
 }
 
 static void set_velocity_of(const struct motion *m, struct bodies *b, int i,

@@ -112,6 +112,8 @@ static void put_spheres(struct surface_contacts *c,
     }
     mine[3] = mirror[3] = R;
     memcpy(c->velocity[2 * q], b->velocity[t->owner], 8 * sizeof(double));
+    if (b->own_inverse_mass != NULL && b->own_inverse_mass[t->owner] > 0.0)
+        c->velocity[2 * q][7] = b->own_inverse_mass[t->owner];
     memset(moves, 0, 8 * sizeof(double));
     memcpy(moves, t->v, sizeof t->v);
     c->material[2 * q] = b->material != NULL ? b->material[t->owner] : 0;
@@ -223,6 +225,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     two.position_radius = c->position_radius;
     two.velocity = c->velocity;
     two.material = c->material;
+    two.own_inverse_mass = NULL; /* put_spheres has regarded it */
     chunk_begin_budget(&c->pairs.energy);
     if (n > 0) {
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);

@@ -5,17 +5,17 @@
 
 #include <stdlib.h>
 
-/* What two links must share to lie in the same group. */
+/* What two faces must share to lie in the same group. */
 struct kind {
     int boundary, distance;
 };
 
-static struct kind kind_of(int l, int n_inner, const int *owner,
+static struct kind kind_of(int f, int n_inner, const int *owner,
                            const int *neighbour)
 {
-    const int boundary = l >= n_inner;
+    const int boundary = f >= n_inner;
 
-    return (struct kind){boundary, boundary ? 0 : neighbour[l] - owner[l]};
+    return (struct kind){boundary, boundary ? 0 : neighbour[f] - owner[f]};
 }
 
 /* Begins a group with the next run; 0 if there are too many. */
@@ -29,9 +29,9 @@ static int begin_group(struct contiguous_faces *r, struct kind k, int next)
     return 1;
 }
 
-/* Link l after those before it: one more of the last run, or the first of a new
- * one, perhaps of a new group. Returns 0 if there are too many groups. */
-static int add_link(struct contiguous_faces *r, int *n_runs, int l, int owner,
+/* Adds face f after those before it: one more of the last run, or the first of
+ * a new one, perhaps of a new group. Returns 0 if there are too many groups. */
+static int add_face(struct contiguous_faces *r, int *n_runs, int f, int owner,
                     struct kind k)
 {
     struct contiguous_range *const last =
@@ -46,43 +46,26 @@ static int add_link(struct contiguous_faces *r, int *n_runs, int l, int owner,
     }
     if (!(same && owner > last->owner + last->n) && !begin_group(r, k, *n_runs))
         return 0;
-    r->range[(*n_runs)++] = (struct contiguous_range){l, owner, 1};
+    r->range[(*n_runs)++] = (struct contiguous_range){f, owner, 1};
     r->group[r->n_groups - 1].end = *n_runs;
     return 1;
 }
 
-struct contiguous_faces *contiguous_faces_create(int n_inner, int n_links,
-                                                 const int *owner,
-                                                 const int *neighbour)
+/* `pieces` is the first member of the ranges. */
+static const struct contiguous_faces *contiguous(const struct face_pieces *p)
 {
-    struct contiguous_faces *const r = alloc_zeroed(1, sizeof *r);
-    int n_runs = 0, fits = 1;
-
-    r->range = alloc_zeroed((size_t)n_links, sizeof *r->range);
-    for (int l = 0; l < n_links && fits; l++)
-        fits = add_link(r, &n_runs, l, owner[l],
-                        kind_of(l, n_inner, owner, neighbour));
-    if (fits && (long)n_runs * CONTIGUOUS_FACES_MIN_LENGTH <= n_links) return r;
-    contiguous_faces_free(r);
-    return NULL;
+    return (const struct contiguous_faces *)p;
 }
 
-void contiguous_faces_free(struct contiguous_faces *r)
-{
-    if (r == NULL) return;
-    free(r->range);
-    free(r);
-}
-
-/* The first run of [begin, end) that reaches beyond an owner or a link. */
+/* The first run of [begin, end) that reaches beyond an owner or a face. */
 static int first_beyond(const struct contiguous_range *run, int begin, int end,
-                        int at, int by_link)
+                        int at, int by_face)
 {
     while (begin < end) {
         const int middle = begin + (end - begin) / 2;
         const struct contiguous_range *const m = &run[middle];
 
-        if ((by_link ? m->link : m->owner) + m->n > at)
+        if ((by_face ? m->face : m->owner) + m->n > at)
             end = middle;
         else
             begin = middle + 1;
@@ -90,25 +73,27 @@ static int first_beyond(const struct contiguous_range *run, int begin, int end,
     return begin;
 }
 
-/* The part of the run whose links (by_link) or owners lie within [first, last).
+/* The part of the run whose faces (by_face) or owners lie within [first, last).
  */
 static void cut(const struct contiguous_range *run, int first, int last,
-                int by_link, struct contiguous_piece *p)
+                int by_face, struct face_piece *p)
 {
-    const int begin = by_link ? run->link : run->owner;
+    const int begin = by_face ? run->face : run->owner;
     const int skip = first > begin ? first - begin : 0;
     const int end = begin + run->n < last ? begin + run->n : last;
 
-    p->link = run->link + skip;
+    p->face = run->face + skip;
     p->cell = run->owner + skip;
     p->n = end - begin - skip;
 }
 
 /* p->group counts the sides of the groups: 2 g from the owner, 2 g + 1 from the
  * neighbour; p->run is the run to look at next, 0 until it has been found. */
-int contiguous_faces_next_of_cells(const struct contiguous_faces *r, int first,
-                                   int last, struct contiguous_piece *p)
+static int next_of_cells(const struct face_pieces *pieces, int first, int last,
+                         struct face_piece *p)
 {
+    const struct contiguous_faces *const r = contiguous(pieces);
+
     for (; p->group < 2 * r->n_groups; p->group++, p->range = 0) {
         const int g = p->group / 2, inward = p->group % 2;
         const int d = r->group[g].distance, shift = inward ? d : 0;
@@ -129,16 +114,18 @@ int contiguous_faces_next_of_cells(const struct contiguous_faces *r, int first,
     return 0;
 }
 
-int contiguous_faces_next_of_faces(const struct contiguous_faces *r, int first,
-                                   int last, struct contiguous_piece *p)
+static int next_of_faces(const struct face_pieces *pieces, int first, int last,
+                         struct face_piece *p)
 {
+    const struct contiguous_faces *const r = contiguous(pieces);
+
     for (; p->group < r->n_groups; p->group++, p->range = 0) {
         const int g = p->group;
 
         if (p->range == 0)
             p->range = first_beyond(r->range, r->group[g].first,
                                     r->group[g].end, first, 1);
-        if (p->range == r->group[g].end || r->range[p->range].link >= last)
+        if (p->range == r->group[g].end || r->range[p->range].face >= last)
             continue;
         cut(&r->range[p->range++], first, last, 1, p);
         p->other = p->cell + r->group[g].distance;
@@ -147,3 +134,30 @@ int contiguous_faces_next_of_faces(const struct contiguous_faces *r, int first,
     }
     return 0;
 }
+
+static void free_ranges(struct face_pieces *p)
+{
+    struct contiguous_faces *const r = (struct contiguous_faces *)p;
+
+    free(r->range);
+    free(r);
+}
+
+static struct face_pieces *find_ranges(int n_inner, int n, const int *owner,
+                                       const int *neighbour)
+{
+    struct contiguous_faces *const r = alloc_zeroed(1, sizeof *r);
+    int n_runs = 0, fits = 1;
+
+    r->pieces = (struct face_pieces){next_of_faces, next_of_cells, free_ranges};
+    r->range = alloc_zeroed((size_t)n, sizeof *r->range);
+    for (int f = 0; f < n && fits; f++)
+        fits = add_face(r, &n_runs, f, owner[f],
+                        kind_of(f, n_inner, owner, neighbour));
+    if (fits && (long)n_runs * CONTIGUOUS_FACES_MIN_LENGTH <= n)
+        return &r->pieces;
+    free_ranges(&r->pieces);
+    return NULL;
+}
+
+const struct faces_order contiguous_faces_order = {"contiguous", find_ranges};

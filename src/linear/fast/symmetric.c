@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "linear/reduce.h"
-#include "linear/fast/parallel_ranges.h"
+#include "base/parallel_ranges.h"
 
 #include <stdlib.h>
 

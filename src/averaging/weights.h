@@ -1,0 +1,67 @@
+/* weights.h -- weights of particles in the cells around them.
+ * Chapter "Averaging".
+ *
+ *     field_c = (1 / V_c) sum_i w_ic q_i      [XS11 3.2, 3.5a, 3.7, 3.8, 3.12]
+ *     q_i = sum_c w_ic field_c                [XS11 3.9, 3.12]
+ *
+ * A method provides a rule for the weights of one particle, which add up to one
+ * [XS11 3.4]; the loops over particles and cells are common to all methods and
+ * are in this module. The result does not depend on the number of threads.
+ */
+#ifndef AVERAGING_WEIGHTS_H
+#define AVERAGING_WEIGHTS_H
+
+#include "averaging/cell_of_particle.h"
+#include "averaging/stencil.h"
+
+/* The cells near a cell: cell cell + step[e], with its centre at (dx[e], dy[e],
+ * dz[e]) from the cell's. Entry 0 is the cell itself. */
+struct neighbourhood {
+    int cell, n;
+    int first; /* [-] entry 0 among those of the stencil */
+    const int *index_offset;
+    const double *dx, *dy, *dz; /* [m] */
+};
+
+/* The rule of a method. weigh writes the weights [-] of particle i, whose
+ * offset from the centre of its cell is h->offset[3 * i], for all entries and
+ * returns 1; or it returns 0, and the whole particle is assigned to its own
+ * cell. */
+struct weights_rule {
+    int (*weigh)(const void *state, int i, const struct neighbourhood *near,
+                 double *w);
+    const void *state; /* borrowed */
+    int cache; /* 1: the weights are few and expensive; they are computed once
+                  for each weights_bind, and the non-zero ones are stored */
+};
+
+struct weights;
+
+/* reach [m] and to: which cells are near, see stencil.h. The cells are
+ * borrowed; at most so many fields in a call. */
+struct weights *weights_create(const struct cell_of_particle *h, double reach,
+                               enum stencil_to to, int fields,
+                               struct weights_rule rule);
+void weights_free(struct weights *s);
+
+/* Computes larger neighbourhoods if the reach has become too small for a new,
+ * larger particle. */
+void weights_extend(struct weights *s, double reach);
+
+/* Computes cached weights again; to be called when particles have moved. */
+void weights_bind(struct weights *s);
+
+/* The cells near cell c. */
+struct neighbourhood weights_around(const struct weights *s, int c);
+
+/* Borrowed; another one after weights_extend. */
+const struct stencil *weights_stencil(const struct weights *s);
+
+/* Returns the number of particles that were assigned to their own cell alone.
+ */
+int weights_spread(const struct weights *s, int m, const double *q,
+                   double *field);
+void weights_gather(const struct weights *s, int m, const double *field,
+                    double *q);
+
+#endif

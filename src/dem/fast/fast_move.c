@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/fast_internal.h"
+
+#include <math.h>
+#include <omp.h>
+
+#include "dem/fast/budget.h"
+#include "dem/fast/chunk_step.h"
+#include "dem/surfaces/prescribed_motion.h"
+
+/* Number of steps for which contacts are chosen ahead. */
+static const double steps_ahead = 12.0;
+
+/* All functions here are called by every thread of the team. Each thread has
+ * its own copy of the margin [m] by which gaps may decrease before the contacts
+ * are chosen again, and of the part of it that is used. */
+struct contact_margin {
+    double margin, used;
+};
+
+/* The time after k steps of this run, for the prescribed motions. */
+static double time_after(const struct dem *dem, int k)
+{
+    return (double)(dem->motion_steps + (dem->motion_on ? k : 0)) *
+           dem->options.step;
+}
+
+static struct step_parameters step_parameters(const struct dem *dem, double dt,
+                                              double kick, double drift)
+{
+    return (struct step_parameters){.sweep = fast_of(dem)->sweep,
+                                    .constants = dem->constants,
+                                    .attractions = dem->options.attractions,
+                                    .n_attractions = dem->options.n_attractions,
+                                    .budget = dem->energy != NULL,
+                                    .prescribed = dem->motion_on,
+                                    .t = time_after(dem, 0),
+                                    .dt = dt,
+                                    .kick = kick,
+                                    .drift = drift};
+}
+
+/* Computes the loads alone; the tangential displacements advance by dt.
+ * Prescribed velocities are not set. */
+static void compute_loads(const struct dem *dem, double dt)
+{
+    struct step_parameters still = step_parameters(dem, dt, 0.0, 0.0);
+
+    still.prescribed = 0;
+    chunk_step_load_and_move(fast_of(dem)->neighbours, &still);
+}
+
+/* Sets whether the budget counts the energy lost by springs since the last
+ * sweep. */
+static void set_skip_release(const struct dem *dem, int looks)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    if (dem->energy == NULL) return;
+    for (int s = mine.first; s < mine.last; s++) {
+        nb->chunks[s].energy.skip_release = looks;
+        if (nb->surfaces != NULL)
+            surfaces_energy(nb->surfaces, s)->skip_release = looks;
+    }
+    neighbours_barrier(nb);
+}
+
+/* Rebuilds lists and forces after particles were changed between runs; the time
+ * does not advance. */
+static int start(struct dem *dem, double *margin)
+{
+    *margin =
+        neighbours_refresh(fast_of(dem)->neighbours, fast_of(dem)->min_margin);
+    if (*margin < 0.0) return 1;
+    set_skip_release(dem, 1);
+    compute_loads(dem, 0.0);
+    set_skip_release(dem, 0);
+    return 0;
+}
+
+static void measure(struct dem *dem)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        if (nb->prescribed != NULL)
+            prescribed_particles_restore_mass(nb->prescribed, nb->bodies,
+                                              nb->ps, own->begin, own->end);
+        chunk_measure(own, nb->bodies);
+    }
+}
+
+/* Computes the present energy, and the energy added since the last run. */
+static void begin_budget(struct dem *dem)
+{
+    struct energy *const e = dem->energy;
+
+    measure(dem);
+    neighbours_barrier(fast_of(dem)->neighbours);
+    if (omp_get_thread_num() == 0) {
+        const struct energy before = *e;
+        *e = budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
+        e->added = before.added;
+        e->added += energy_residual(e) - energy_residual(&before);
+    }
+    neighbours_barrier(fast_of(dem)->neighbours);
+}
+
+static void choose_contacts(struct dem *dem, struct contact_margin *r,
+                            double closer)
+{
+    r->margin = neighbours_refresh(
+        fast_of(dem)->neighbours,
+        fmax(fast_of(dem)->min_margin, steps_ahead * closer));
+    r->used = 0.0;
+}
+
+/* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
+ * kick, each later one a whole kick, and after the last kick velocities and
+ * positions are at the same time. Returns the number of steps done. */
+static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
+{
+    const struct integrator *const by = dem->options.integrator;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const double dt = dem->options.step;
+    const struct step_parameters first =
+        step_parameters(dem, 0.0, by->first * dt, dt);
+    const struct step_parameters whole = step_parameters(dem, dt, dt, dt);
+    const struct step_parameters last =
+        step_parameters(dem, dt, by->last * dt, 0.0);
+
+    if (steps > 0) chunk_step_move(nb, &first);
+    for (int k = 0; k < steps; k++) {
+        prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
+        const double closer = 2.0 * neighbours_speed(nb) * dt; /* [LS 5.16] */
+        r->used += closer;
+        if (r->used > r->margin) choose_contacts(dem, r, closer);
+        if (r->margin < 0.0) return k;
+        struct step_parameters now = k + 1 < steps ? whole : last;
+        now.t = time_after(dem, k + 1);
+        chunk_step_load_and_move(nb, &now);
+    }
+    return steps;
+}
+
+static void predict(struct dem *dem, double dt)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        if (dem->energy != NULL)
+            chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
+        heun_predict(fast_of(dem)->heun, own, nb->bodies, dt);
+    }
+}
+
+static void correct(struct dem *dem, double dt)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    for (int s = mine.first; s < mine.last; s++) {
+        struct chunk *const own = &nb->chunks[s];
+        if (dem->energy != NULL)
+            chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
+        heun_correct(fast_of(dem)->heun, own, nb->bodies, dt);
+    }
+}
+
+/* Computes a(x, v) without changing the tangential displacements, and stores
+ * it. */
+static void force_at_start(struct dem *dem)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+
+    compute_loads(dem, 0.0);
+    for (int s = mine.first; s < mine.last; s++)
+        heun_save_start(fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
+    neighbours_barrier(nb);
+}
+
+/* Driven particles keep the velocity of a whole step through both of Heun's
+ * halves, and so end where they should; dt = 0: the velocity of that time. */
+static void steer(struct dem *dem, int k, double dt)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+
+    if (nb->prescribed == NULL || !dem->motion_on) return;
+    prescribed_motion_set_velocities(nb, time_after(dem, k), dt);
+    neighbours_barrier(nb);
+}
+
+/* Heun's method. The tangential displacements advance by half a step with the
+ * slip at the start, for which the contacts are computed once more, and by half
+ * a step with the slip at x*, v*. The lists contain the pairs that are near at
+ * the start. The contact forces at the end of a run are those at x*, v*,
+ * because computing them again would reduce sliding springs once more. */
+static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct step_parameters still = step_parameters(dem, 0.0, 0.0, 0.0);
+    const double dt = dem->options.step;
+    int k = 0;
+
+    chunk_step_move(nb, &still); /* for the speeds */
+    for (; k < steps; k++) {
+        const double closer = 2.0 * neighbours_speed(nb) * dt;
+        if (r->used + closer > r->margin) choose_contacts(dem, r, closer);
+        if (r->margin < 0.0) return k;
+        steer(dem, k, dt);
+        force_at_start(dem);
+        compute_loads(dem, 0.5 * dt);
+        predict(dem, dt);
+        neighbours_barrier(nb);
+        prescribed_motion_move_surfaces(nb, time_after(dem, k + 1));
+        compute_loads(dem, 0.5 * dt);
+        correct(dem, dt);
+        neighbours_barrier(nb);
+        r->used += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
+    }
+    steer(dem, steps, 0.0);
+    return steps;
+}
+
+/* Returns the number of steps done, or -1 if a particle was lost before. */
+static int move(struct dem *dem, int steps, struct contact_margin *r)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+
+    prescribed_motion_move_surfaces(nb, time_after(dem, 0));
+    if (dem->motion_on)
+        prescribed_motion_set_velocities(nb, time_after(dem, 0), 0.0);
+    if (nb->stale && start(dem, &r->margin) != 0) return -1;
+    if (dem->energy != NULL) begin_budget(dem);
+    return dem->options.integrator->predicts ? heun_steps(dem, steps, r)
+                                             : verlet_steps(dem, steps, r);
+}
+
+void fast_move(struct dem *dem, int steps)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    struct contact_margin r = {nb->margin, nb->margin_used};
+
+    neighbours_load(nb);
+    const int done = move(dem, steps, &r);
+    if (done >= 0) {
+        neighbours_check_lost(nb);
+        measure(dem);
+    }
+    neighbours_store(nb);
+    neighbours_barrier(nb);
+    if (omp_get_thread_num() == 0 && done >= 0) {
+        nb->margin = r.margin;
+        nb->margin_used = r.used;
+        fast_of(dem)->steps_done = done;
+        dem->motion_steps += dem->motion_on ? done : 0;
+    }
+}

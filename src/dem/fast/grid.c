@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/grid.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+
+struct grid {
+    struct box_domain box;
+    int capacity;
+    int axis[3];       /* [-] fastest, middle, slowest direction */
+    int cells[3];      /* [-] along x, y, z */
+    double origin[3];  /* [m] */
+    double inverse[3]; /* [1/m] of the cell width */
+    int *cell;         /* [-] of each particle, before the sort */
+    int *start;        /* [-] first particle of each cell, after it */
+    int *order;
+};
+
+/* A box may have far more cells than particles; then the cells are widened. */
+static int most_cells(const struct grid *g)
+{
+    return 4 * g->capacity + 64;
+}
+
+struct grid *grid_create(int capacity, const struct box_domain *box)
+{
+    struct grid *const g = alloc_zeroed(1, sizeof *g);
+    int *const axis = g->axis;
+
+    g->box = *box;
+    g->capacity = capacity;
+    for (int k = 0; k < 3; k++)
+        axis[k] = k;
+    for (int a = 0; a < 2; a++)
+        for (int c = 0; c < 2 - a; c++)
+            if (box->hi[axis[c]] - box->lo[axis[c]] >
+                box->hi[axis[c + 1]] - box->lo[axis[c + 1]]) {
+                const int swap = axis[c];
+                axis[c] = axis[c + 1];
+                axis[c + 1] = swap;
+            }
+    g->cell = alloc_ints(capacity);
+    g->order = alloc_ints(capacity);
+    g->start = alloc_ints(most_cells(g) + 1);
+    return g;
+}
+
+void grid_free(struct grid *g)
+{
+    if (g == NULL) return;
+    free(g->cell);
+    free(g->order);
+    free(g->start);
+    free(g);
+}
+
+/* Cells over the box where it is periodic, else over the particles. */
+static void span(struct grid *g, const struct particles *ps, int k,
+                 double *length)
+{
+    const double *const x = k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
+    double lo = g->box.lo[k], hi = g->box.hi[k];
+
+    if (!g->box.periodic[k] && ps->n > 0) {
+        lo = hi = x[0];
+        for (int i = 1; i < ps->n; i++) {
+            lo = x[i] < lo ? x[i] : lo;
+            hi = x[i] > hi ? x[i] : hi;
+        }
+    }
+    g->origin[k] = lo;
+    *length = hi - lo;
+}
+
+/* Cells of at least `reach`, at most so many that the arrays hold them. */
+static void divide(struct grid *g, const struct particles *ps, double reach)
+{
+    double length[3], total = HUGE_VAL;
+
+    if (ps->n == 0) reach = HUGE_VAL;
+    for (int k = 0; k < 3; k++)
+        span(g, ps, k, &length[k]);
+    for (double width = reach; total > most_cells(g); width *= 1.25) {
+        total = 1.0;
+        for (int k = 0; k < 3; k++) {
+            g->cells[k] = number_clamped(length[k] / width, 1, 1000000);
+            g->inverse[k] = length[k] > 0.0 ? g->cells[k] / length[k] : 0.0;
+            total *= g->cells[k];
+        }
+    }
+}
+
+static int coordinate(const struct grid *g, int k, double x)
+{
+    return number_clamped((x - g->origin[k]) * g->inverse[k], 0,
+                          g->cells[k] - 1);
+}
+
+static int cell_number(const struct grid *g, const int c[3])
+{
+    const int *const a = g->axis;
+    return (c[a[2]] * g->cells[a[1]] + c[a[1]]) * g->cells[a[0]] + c[a[0]];
+}
+
+/* Counting sort; particles of one cell stay in their order. */
+const int *grid_order(struct grid *g, const struct particles *ps, double reach)
+{
+    divide(g, ps, reach);
+
+    const int n = g->cells[0] * g->cells[1] * g->cells[2];
+    for (int c = 0; c <= n; c++)
+        g->start[c] = 0;
+    for (int i = 0; i < ps->n; i++) {
+        const int c[3] = {coordinate(g, 0, ps->x[i]),
+                          coordinate(g, 1, ps->y[i]),
+                          coordinate(g, 2, ps->z[i])};
+        g->cell[i] = cell_number(g, c);
+        g->start[g->cell[i]]++;
+    }
+    for (int c = 0, sum = 0; c <= n; c++) {
+        sum += g->start[c];
+        g->start[c] = sum; /* the end of the cell; becomes its start */
+    }
+    for (int i = ps->n - 1; i >= 0; i--)
+        g->order[--g->start[g->cell[i]]] = i;
+    return g->order;
+}
+
+int grid_owns(const struct grid *g, int i, int j, int n)
+{
+    const int ahead = j > i ? j - i : j - i + n;
+
+    if (!g->box.periodic[g->axis[2]]) return j > i;
+    return 2 * ahead < n || (2 * ahead == n && i < j);
+}
+
+/* The cells at and beside c along one direction, each once: of two cells in a
+ * periodic direction, each is beside the other anyway. */
+static int beside(const struct grid *g, int k, int c, int found[3])
+{
+    const int m = g->cells[k];
+    int n = 0;
+
+    for (int d = c - 1; d <= c + 1; d++)
+        if (d >= 0 && d < m)
+            found[n++] = d;
+        else if (g->box.periodic[k] && m > 2)
+            found[n++] = (d + m) % m;
+    return n;
+}
+
+/* Is the gap of i and j, nearest image, less than the skin? */
+static inline int close_by(const struct bodies *b, int i, int j, double skin)
+{
+    const double *const x = b->position_radius[i], *const y =
+                                                       b->position_radius[j];
+    const double reach = x[3] + y[3] + skin;
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        const double dx = x[k] - y[k];
+        const double near =
+            dx - b->box.length[k] * rint(dx * b->box.inverse[k]);
+        r2 += near * near;
+    }
+    return r2 <= reach * reach; /* [LS 5.15] */
+}
+
+/* The same where there are no images. */
+static inline int close_inside(const struct bodies *b, int i, int j,
+                               double skin)
+{
+    const double *const x = b->position_radius[i], *const y =
+                                                       b->position_radius[j];
+    const double reach = x[3] + y[3] + skin;
+    double r2 = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        r2 += (x[k] - y[k]) * (x[k] - y[k]);
+    return r2 <= reach * reach;
+}
+
+/* Partners of i among the particles from ... to - 1, all of which it would own,
+ * in a box without images. Every one is written down and kept if it is close:
+ * to guess beforehand whether it is, as a processor does at a branch, fails for
+ * every third. */
+static void find_inside(int from, int to, struct chunk *s,
+                        const struct bodies *b, int i, double skin)
+{
+    enum { MOST = 64 };
+
+    for (int begin = from; begin < to; begin += MOST) {
+        const int end = begin + MOST < to ? begin + MOST : to;
+        int close[MOST], n = 0;
+        for (int j = begin; j < end; j++) {
+            close[n] = j;
+            n += close_inside(b, i, j, skin);
+        }
+        chunk_add_pairs(s, n, close);
+    }
+}
+
+/* Partners of i among the particles from ... to - 1. */
+static void find_among(const struct grid *g, int from, int to, struct chunk *s,
+                       const struct bodies *b, int i, double skin)
+{
+    const int *const around = b->box.periodic;
+    const int ring = around[g->axis[2]];
+    const int first = !ring && from <= i ? i + 1 : from;
+
+    if (!around[0] && !around[1] && !around[2]) {
+        find_inside(first, to, s, b, i, skin);
+        return;
+    }
+    for (int j = first; j < to; j++)
+        if (j != i && grid_owns(g, i, j, b->n) && close_by(b, i, j, skin))
+            chunk_add_pairs(s, 1, &j);
+}
+
+/* Cells that follow each other in the fastest direction are one stretch of
+ * particles. */
+static void find_pairs(const struct grid *g, struct chunk *s,
+                       const struct bodies *b, int i, double skin)
+{
+    const int *const a = g->axis;
+    int at[3][3], count[3], c[3];
+
+    for (int k = 0; k < 3; k++)
+        count[k] =
+            beside(g, k, coordinate(g, k, b->position_radius[i][k]), at[k]);
+    for (int p = 0; p < count[a[2]]; p++)
+        for (int q = 0; q < count[a[1]]; q++)
+            for (int r = 0, next; r < count[a[0]]; r = next) {
+                const int *const row = at[a[0]];
+                for (next = r + 1; next < count[a[0]]; next++)
+                    if (row[next] != row[next - 1] + 1) break;
+                c[a[2]] = at[a[2]][p];
+                c[a[1]] = at[a[1]][q];
+                c[a[0]] = row[r];
+                const int cell = cell_number(g, c);
+                find_among(g, g->start[cell], g->start[cell + next - r], s, b,
+                           i, skin);
+            }
+}
+
+static void find_walls(struct chunk *s, const struct bodies *b, int i,
+                       double skin)
+{
+    const double *const x = b->position_radius[i];
+
+    for (int k = 0; k < 3; k++) {
+        if (b->box.periodic[k]) continue;
+        if (x[k] - b->box.lo[k] - x[3] <= skin) chunk_add_wall(s, 2 * k);
+        if (b->box.hi[k] - x[k] - x[3] <= skin) chunk_add_wall(s, 2 * k + 1);
+    }
+}
+
+void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
+               double skin)
+{
+    chunk_clear_lists(s);
+    for (int i = s->begin; i < s->end; i++) {
+        chunk_begin_owner(s, i);
+        find_pairs(g, s, b, i, skin);
+        find_walls(s, b, i, skin);
+    }
+    chunk_finish_lists(s, b->n);
+}

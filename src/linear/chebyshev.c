@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/chebyshev.h"
+
+#include "base/alloc.h"
+#include "base/field_groups.h"
+#include "base/parallel_ranges.h"
+
+#include <assert.h>
+#include <gsl/gsl_sf_bessel.h>
+#include <math.h>
+#include <stdlib.h>
+
+struct chebyshev {
+    const struct csr *K; /* borrowed */
+    double *factor;      /* [1/m] 2 / (lambda V) of each row */
+    int products;
+    double *c;          /* [-] products + 1 coefficients */
+    int m;              /* fields there is room for */
+    double *y[2], *sum; /* two terms y_k, and the series so far */
+};
+
+/* c_k = (2 - [k = 0]) exp(-z/2) I_k(z/2); positive, and all together 1. */
+static double coefficient(int k, double z)
+{
+    return (k == 0 ? 1.0 : 2.0) * gsl_sf_bessel_In_scaled(k, 0.5 * z);
+}
+
+/* Number of coefficients above rounding: they decrease faster than
+ * geometrically once k exceeds about sqrt(z). */
+static int all_terms(double z)
+{
+    int k = 1;
+
+    while (coefficient(k, z) > 1e-18)
+        k++;
+    return k;
+}
+
+/* The coefficients up to where the rest of them adds up to less than tail. */
+static void find_coefficients(struct chebyshev *s, double z, double tail)
+{
+    const int terms = all_terms(z);
+    double left = 0.0, sum = 0.0;
+    int last = terms;
+
+    for (; last > 1 && left + coefficient(last, z) < tail; last--)
+        left += coefficient(last, z);
+    s->products = last;
+    s->c = alloc_doubles(last + 1);
+    for (int k = last; k > 0; k--)
+        sum += s->c[k] = coefficient(k, z);
+    s->c[0] = 1.0 - sum; /* so that a constant stays as it is */
+}
+
+/* Number of fields for which m fields are allocated: a multiple of the group
+ * width, because a partial group takes as long as a whole one. */
+static int padded(int m)
+{
+    return m == 1 ? 1
+                  : (m + FIELD_GROUPS_WIDTH - 1) / FIELD_GROUPS_WIDTH *
+                        FIELD_GROUPS_WIDTH;
+}
+
+struct chebyshev *chebyshev_create(const struct csr *K, const double *V,
+                                   double T, double tail, int m)
+{
+    struct chebyshev *const s = alloc_zeroed(1, sizeof *s);
+    double lambda = 0.0; /* [1/m^2] Gershgorin's bound */
+
+    assert(m >= 1 && T >= 0.0 && tail > 0.0);
+    s->K = K;
+    s->m = m;
+    for (int i = 0; i < K->n; i++)
+        lambda = fmax(lambda, 2.0 * K->diag[i] / V[i]);
+    s->factor = alloc_doubles(K->n);
+    for (int i = 0; i < K->n; i++)
+        s->factor[i] = lambda > 0.0 ? 2.0 / (lambda * V[i]) : 0.0;
+    find_coefficients(s, lambda * T, tail);
+    for (int j = 0; j < 2; j++)
+        s->y[j] = alloc_doubles(K->n * padded(m));
+    s->sum = alloc_doubles(K->n * padded(m));
+    return s;
+}
+
+void chebyshev_free(struct chebyshev *s)
+{
+    if (s == NULL) return;
+    free(s->factor);
+    free(s->c);
+    free(s->y[0]);
+    free(s->y[1]);
+    free(s->sum);
+    free(s);
+}
+
+int chebyshev_products(const struct chebyshev *s)
+{
+    return s->products;
+}
+
+/* Ly = (2 / lambda) L y in row i, for width fields from the g-th of m on. */
+FIELD_GROUPS_KERNEL row(int width, int g, int i, int m,
+                        const struct chebyshev *s, const double *y, double *Ly)
+{
+    const struct csr *const K = s->K;
+    const double diag = K->diag[i], factor = s->factor[i];
+    const double *const yi = y + (long)m * i + g;
+
+    for (int f = 0; f < width; f++)
+        Ly[f] = diag * yi[f];
+    for (int e = K->start[i]; e < K->start[i + 1]; e++) {
+        const double a = K->a[e];
+        const double *const yj = y + (long)m * K->col[e] + g;
+
+        for (int f = 0; f < width; f++)
+            Ly[f] += a * yj[f];
+    }
+    for (int f = 0; f < width; f++)
+        Ly[f] *= factor;
+}
+
+/* y_1 = u - Ly and the first two terms of the sum. */
+FIELD_GROUPS_KERNEL begin_rows(int width, int g, int first, int last, int m,
+                               const struct chebyshev *s, const double *u,
+                               double *restrict next)
+{
+    const double c0 = s->c[0], c1 = s->c[1];
+    double *restrict sum = s->sum;
+
+    for (int i = first; i < last; i++) {
+        const long at = (long)m * i + g;
+        double Ly[FIELD_GROUPS_WIDTH], n[FIELD_GROUPS_WIDTH],
+            S[FIELD_GROUPS_WIDTH];
+
+        row(width, g, i, m, s, u, Ly);
+        for (int f = 0; f < width; f++) {
+            n[f] = u[at + f] - Ly[f];
+            S[f] = c0 * u[at + f] + c1 * n[f];
+        }
+        for (int f = 0; f < width; f++)
+            next[at + f] = n[f];
+        for (int f = 0; f < width; f++)
+            sum[at + f] = S[f];
+    }
+}
+
+/* y_(k+1) = 2 (y_k - Ly) - y_(k-1), in the place of y_(k-1), and its term. */
+FIELD_GROUPS_KERNEL term_rows(int width, int g, int first, int last, int m,
+                              const struct chebyshev *s, double c,
+                              const double *y, double *restrict next)
+{
+    double *restrict sum = s->sum;
+
+    for (int i = first; i < last; i++) {
+        const long at = (long)m * i + g;
+        double Ly[FIELD_GROUPS_WIDTH], n[FIELD_GROUPS_WIDTH],
+            S[FIELD_GROUPS_WIDTH];
+
+        row(width, g, i, m, s, y, Ly);
+        for (int f = 0; f < width; f++) {
+            n[f] = 2.0 * (y[at + f] - Ly[f]) - next[at + f];
+            S[f] = sum[at + f] + c * n[f];
+        }
+        for (int f = 0; f < width; f++)
+            next[at + f] = n[f];
+        for (int f = 0; f < width; f++)
+            sum[at + f] = S[f];
+    }
+}
+
+static void begin(int first, int last, int m, const struct chebyshev *s,
+                  const double *u, double *next)
+{
+    FOR_FIELD_GROUPS(m, begin_rows, first, last, m, s, u, next);
+}
+
+static void term(int first, int last, int m, const struct chebyshev *s,
+                 double c, const double *y, double *next)
+{
+    FOR_FIELD_GROUPS(m, term_rows, first, last, m, s, c, y, next);
+}
+
+/* Copies m fields of each row from rows of one length to rows of another. */
+static void copy(int first, int last, int m, const double *from,
+                 int from_length, double *to, int to_length)
+{
+    for (int i = first; i < last; i++)
+        for (int f = 0; f < m; f++)
+            to[(long)to_length * i + f] = from[(long)from_length * i + f];
+}
+
+void chebyshev_apply(struct chebyshev *s, int m, double *u)
+{
+    const int n = s->K->n, length = padded(m);
+    double *y = s->y[0], *next = s->y[1];
+
+    assert(m >= 1 && m <= s->m);
+    PARALLEL_RANGES(n, m, copy, m, u, m, y, length);
+    PARALLEL_RANGES(n, 4 * length, begin, length, s, y, next);
+    for (int k = 2; k <= s->products; k++) {
+        double *const newest = next;
+
+        next = y;
+        y = newest;
+        PARALLEL_RANGES(n, 4 * length, term, length, s, s->c[k], y, next);
+    }
+    PARALLEL_RANGES(n, m, copy, m, s->sum, length, u, m);
+}
