@@ -196,7 +196,7 @@ static void table_of(const struct scene *s)
     struct averaging_report r;
 
     diffuse(s, "exponential", 0, 1e-12, exact, &r);
-    for (int w = 1; diffusion_schemes[w]->name != NULL; w++) { /* with products */
+    for (int w = 1; diffusion_schemes[w] != NULL; w++) { /* with products */
         printf("# %s: steps, products, error, lowest over highest, share "
                "below zero\n",
                diffusion_schemes[w]->name);
