@@ -114,6 +114,31 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
 }
 END_TEST
 
+/* What the reference loop does not know is refused before a run. */
+START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
+{
+    static const char *const methods[2] = {"particles.list=all-pairs",
+                                           "particles.list=link-cells"};
+    static const char *const asked[2] = {
+        "particles.surfaces=({name=\"floor\";shape=\"plane\";"
+        "point=[0.0,0.01,0.0];normal=[0.0,1.0,0.0];})",
+        "particles.prescribed=({id=0;velocity=[0.1,0.0,0.0];})"};
+    static const char *const why[2] = {"knows no surfaces; verlet does",
+                                       "knows no prescribed particles"};
+
+    for (int k = 0; k < 2; k++) {
+        const char *const overrides[] = {methods[_i], asked[k]};
+        struct capture c = capture_begin(2);
+        int code;
+        ck_assert_ptr_null(
+            case_file_read("cases/small-bed.cfg", 2, overrides, &code));
+        capture_end(&c, said);
+        ck_assert_int_eq(code, 2);
+        ck_assert_msg(strstr(said, why[k]) != NULL, "%s", said);
+    }
+}
+END_TEST
+
 START_TEST(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
@@ -159,7 +184,18 @@ START_TEST(numbers_have_magnitudes_that_their_units_can_have)
     refused("fluid.bottom.inlet=((0.0,0.0),(1e300,1e9))", "[m/s], found 1e+09");
     refused("fluid.density=1e300", "between 1e-12 and 1e+20 [kg/m^3]");
     refused("effects.gravity=[0.0,-1e200,0.0]", "found -1e+200");
+    refused("mesh.size=[1.0,1e-300,1.0]", "[m], found 1e-300");
     refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
+}
+END_TEST
+
+/* As scripts write them: the cosine of a right angle. */
+START_TEST(what_rounding_leaves_of_a_0_is_a_direction_still)
+{
+    int code;
+    settings_free(read_case("cases/mueller-bed.cfg",
+                            "effects.gravity=[6e-317,-9.81,6e-17]", &code));
+    ck_assert_int_eq(code, 0);
 }
 END_TEST
 
@@ -462,11 +498,13 @@ FACTS("scene")
     FACT(something_must_be_there_to_compute);
     FACT(each_side_of_the_box_is_described_once);
     FACT(sizes_are_possible_and_known_by_their_names);
+    FACT_FOR_EACH(the_reference_loop_is_refused_what_it_does_not_know, 2);
     FACT(what_flows_in_must_be_able_to_flow_out);
     FACT(average_is_no_wider_than_the_mesh_by_far);
     FACT(whole_number_is_written_without_point_or_exponent);
     FACT(cells_are_of_a_size_that_can_be_computed);
     FACT(numbers_have_magnitudes_that_their_units_can_have);
+    FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(contact_law_requires_its_constants);

@@ -39,7 +39,7 @@ static struct box_domain around(int periodic)
 {
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.04, 0.02};
     const int flags[3] = {periodic, 0, 0};
-    return bodies_domain(lo, hi, flags);
+    return box_domain_of(lo, hi, flags);
 }
 
 /* The smallest gap of any two, across the seams of a periodic box [m]. */
@@ -388,6 +388,8 @@ START_TEST(a_file_brings_its_spheres_in_its_order)
     ck_assert_ptr_null(read_text("0 0 0 1e-3\n0 0 0\n", &n));
     ck_assert_ptr_null(read_text("0 0 0 -1e-3\n", &n));
     ck_assert_ptr_null(read_text("0 0 0 1e-3 5\n", &n));
+    ck_assert_ptr_null(read_text("0 0 0 4.9e-324\n", &n)); /* no volume */
+    ck_assert_ptr_null(read_text("0 1e300 0 1e-3\n", &n));
     ck_assert_ptr_null(read_text("# nothing\n", &n));
     particles_free(ps);
 }

@@ -1,4 +1,5 @@
-/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 5.
+/* fluid.h -- the locally averaged Navier-Stokes equations.
+ * Chapter "Averaged flow".
  *
  *   d(eps rho u)/dt + div(eps rho u u) = -gamma grad p + mu lap u + F - K u
  *

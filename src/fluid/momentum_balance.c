@@ -82,6 +82,25 @@ static void add_mean_gradient(const struct fluid *fl, struct sum *s)
     }
 }
 
+/* The sizes of the momenta of all cells [N s]. */
+static double cells_gross(const struct fluid *fl)
+{
+    double gross = 0.0;
+
+    for (int i = 0; i < 3 * fl->mesh->n_cells; i++)
+        gross += fl->eps[i / 3] * fl->mesh->V[i / 3] * fabs(fl->u[i]);
+    return fl->options.rho * gross;
+}
+
+/* Where the momenta of the cells cancel and nothing acts on the fluid, the sum
+ * is what their rounding leaves; it is measured by their sizes. */
+static double scale_of(const struct fluid *fl, double worst, double gross)
+{
+    if (worst <= 1e-10 * gross) return gross;
+    const double cells = cells_gross(fl);
+    return gross < 1e-8 * cells ? cells : gross;
+}
+
 double momentum_balance_residual(const struct fluid *fl, const double before[3],
                                  const double relabelled[3])
 {
@@ -97,5 +116,5 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
         worst = fmax(worst, fabs(after[k] - before[k] - known));
         s.gross += fabs(before[k]) + fabs(after[k]);
     }
-    return s.gross > 0.0 ? worst / s.gross : 0.0;
+    return worst > 0.0 ? worst / scale_of(fl, worst, s.gross) : 0.0;
 }
