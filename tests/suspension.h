@@ -136,7 +136,7 @@ static inline void create_coupling(struct simulation *sim,
 static inline void create_life(struct simulation *sim, const struct scene *s,
                                const struct dem_options *o)
 {
-    const struct box_domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const double L = s->size;
 
     sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);

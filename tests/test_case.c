@@ -114,6 +114,31 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
 }
 END_TEST
 
+/* What the reference loop does not know is refused before a run. */
+START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
+{
+    static const char *const methods[2] = {"particles.list=all-pairs",
+                                           "particles.list=link-cells"};
+    static const char *const asked[2] = {
+        "particles.surfaces=({name=\"floor\";shape=\"plane\";"
+        "point=[0.0,0.01,0.0];normal=[0.0,1.0,0.0];})",
+        "particles.prescribed=({id=0;velocity=[0.1,0.0,0.0];})"};
+    static const char *const why[2] = {"knows no surfaces; verlet does",
+                                       "knows no prescribed particles"};
+
+    for (int k = 0; k < 2; k++) {
+        const char *const overrides[] = {methods[_i], asked[k]};
+        struct capture c = capture_begin(2);
+        int code;
+        ck_assert_ptr_null(
+            case_file_read("cases/small-bed.cfg", 2, overrides, &code));
+        capture_end(&c, said);
+        ck_assert_int_eq(code, 2);
+        ck_assert_msg(strstr(said, why[k]) != NULL, "%s", said);
+    }
+}
+END_TEST
+
 START_TEST(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
@@ -473,6 +498,7 @@ FACTS("scene")
     FACT(something_must_be_there_to_compute);
     FACT(each_side_of_the_box_is_described_once);
     FACT(sizes_are_possible_and_known_by_their_names);
+    FACT_FOR_EACH(the_reference_loop_is_refused_what_it_does_not_know, 2);
     FACT(what_flows_in_must_be_able_to_flow_out);
     FACT(average_is_no_wider_than_the_mesh_by_far);
     FACT(whole_number_is_written_without_point_or_exponent);

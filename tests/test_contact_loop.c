@@ -1,162 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loop over the contacts, with all its lanes, blocks and chunks, against a
- * loop over all pairs: in boxes of all kinds, every result. */
+/* The fast loop over the contacts, with all its lanes, blocks and chunks,
+ * against the reference loop over all pairs: in boxes of all kinds, every
+ * number that a few steps give. */
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
 #include "dem/cohesion/capillary.h"
-#include "dem/dem_internal.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
+#include "dem/energy.h"
+#include "dem/fast/fast.h"
+#include "dem/fast/fast_internal.h"
+#include "dem/reference.h"
 #include "facts.h"
-#include "plain_contacts.h"
-
-/* --- all pairs ------------------------------------------------------------ */
-
-/* From particle j to particle i, nearest image. */
-static void between(const struct plain *p, int i, int j, double x[3])
-{
-    vector_between(p->body[i].x, p->body[j].x, x);
-    for (int k = 0; k < 3; k++) {
-        const double L = p->o->hi[k] - p->o->lo[k];
-        if (p->o->periodic[k]) x[k] -= L * rint(x[k] / L);
-    }
-}
-
-/* [N] of one attraction; b = NULL: of a wall. Positive pushes apart. */
-static double attraction(const struct attraction *a,
-                         const struct plain_body *one,
-                         const struct plain_body *b, double gap)
-{
-    const double R = one->R, other = b != NULL ? b->R : 0.0;
-
-    if (gap > a->range) return 0.0;
-    if (a->law == &electrostatic)
-        return b == NULL ? 0.0
-                         : electrostatic_force(a->charge[0], a->charge[0],
-                                               a->strength, R + other + gap);
-    if (a->law == &capillary)
-        return capillary_force(a->strength,
-                               b == NULL ? 2.0 * R : capillary_mean(R, other));
-    return -van_der_waals_force(
-        a->strength,
-        b == NULL ? 2.0 * R : van_der_waals_diameter(2.0 * R, 2.0 * other),
-        fmax(gap, a->closest));
-}
-
-static void attract(struct plain *p, struct plain_body *a, struct plain_body *b,
-                    const double x[3], double gap, double dt)
-{
-    double F = 0.0;
-
-    for (int k = 0; k < p->o->n_attractions; k++)
-        F += attraction(&p->o->attractions[k], a, b, gap);
-    for (int k = 0; k < 3; k++) {
-        const double part = F * x[k] / vector_length(x);
-        const double v = a->v[k] - (b != NULL ? b->v[k] : 0.0);
-        a->pull[k] += part;
-        if (b != NULL) b->pull[k] -= part;
-        p->e.attracted += dt * part * v;
-    }
-}
-
-/* The sphere behind wall w is the mirror image that touches it, as in
- * sweep_buffers.h. */
-static void meet_wall(struct plain *p, struct plain_body *a, int w, double dt)
-{
-    const int k = w / 2, upper = w % 2;
-    const double gap = upper ? p->o->hi[k] - a->x[k] : a->x[k] - p->o->lo[k];
-    double x[3] = {0.0, 0.0, 0.0};
-
-    x[k] = (upper ? -1.0 : 1.0) * (gap + a->R);
-    plain_touch(p, a, NULL, -1 - w, x, dt);
-    attract(p, a, NULL, x, gap - a->R, dt);
-}
-
-static void forget_those_that_parted(struct plain_body *b)
-{
-    int n = 0;
-
-    for (int q = 0; q < b->n_springs; q++)
-        if (b->spring[q].seen) b->spring[n++] = b->spring[q];
-    b->n_springs = n;
-    for (int q = 0; q < n; q++)
-        b->spring[q].seen = 0;
-}
-
-static void sweep(struct plain *p, double dt)
-{
-    const double stored = p->e.tangential;
-
-    p->contacts = 0;
-    p->e.normal = p->e.tangential = 0.0;
-    if (dt > 0.0) p->e.released += stored;
-    for (int i = 0; i < p->n; i++)
-        for (int k = 0; k < 3; k++)
-            p->body[i].F[k] = p->body[i].T[k] = p->body[i].pull[k] = 0.0;
-    for (int i = 0; i < p->n; i++) {
-        struct plain_body *const a = &p->body[i];
-        for (int w = 0; w < 6; w++)
-            if (!p->o->periodic[w / 2]) meet_wall(p, a, w, dt);
-        for (int j = i + 1; j < p->n; j++) {
-            struct plain_body *const b = &p->body[j];
-            double x[3];
-            between(p, i, j, x);
-            plain_touch(p, a, b, j, x, dt);
-            attract(p, a, b, x, vector_length(x) - a->R - b->R, dt);
-        }
-        forget_those_that_parted(a);
-    }
-}
-
-static void move(struct plain *p, double kick, double drift)
-{
-    for (int i = 0; i < p->n; i++) {
-        struct plain_body *const b = &p->body[i];
-        const double I = 0.4 * b->m * b->R * b->R;
-        for (int k = 0; k < 3; k++) {
-            b->v[k] += kick * (b->F[k] + b->pull[k] + b->push[k]) / b->m;
-            b->w[k] += kick * b->T[k] / I;
-            b->x[k] += drift * b->v[k];
-            p->e.work += drift * b->push[k] * b->v[k];
-        }
-    }
-}
-
-static double kinetic(const struct plain *p)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < p->n; i++) {
-        const struct plain_body *const b = &p->body[i];
-        sum += 0.5 * b->m * vector_dot(b->v, b->v) +
-               0.2 * b->m * b->R * b->R * vector_dot(b->w, b->w);
-    }
-    return sum;
-}
-
-/* Velocity Verlet, as in dem_run with new lists. */
-static void run_plain(struct plain *p, int steps)
-{
-    const double dt = p->o->step;
-
-    sweep(p, 0.0);
-    p->e.released = 0.0;
-    p->e.added = kinetic(p) + p->e.normal;
-    for (int k = 0; k < steps; k++) {
-        move(p, k == 0 ? 0.5 * dt : dt, dt);
-        sweep(p, dt);
-    }
-    move(p, 0.5 * dt, 0.0);
-    p->e.kinetic = kinetic(p);
-}
+#include "same_motion.h"
 
 enum { STEPS = 3 };
 
-/* --- the cases ------------------------------------------------------------ */
+/* --- the scenes ----------------------------------------------------------- */
 
-/* Spheres at random, many of which overlap; the box has the side L, and `room`
- * more spheres fit in the arrays. */
+/* Spheres at random, many of which overlap; the box has the side L, and there
+ * is room for so many more. */
 static struct particles *swarm(int n, int room, double L, uint64_t seed)
 {
     struct particles *const ps = particles_create(n + room);
@@ -180,7 +44,7 @@ static struct particles *swarm(int n, int room, double L, uint64_t seed)
 struct scene {
     int n, periodic; /* bit k: direction k */
     double L;        /* [m] */
-    int room;        /* [-] capacity for further spheres */
+    int room;        /* [-] for spheres that are not there */
     int law, cohesion, rolling, budget;
 };
 
@@ -219,53 +83,35 @@ static struct dem_options options_of(const struct scene *s,
 
 /* --- comparing ------------------------------------------------------------ */
 
+/* What a method gives. */
+struct outcome {
+    struct particles *ps;
+    struct dem_report report;
+    struct energy energy;
+};
+
+static struct outcome outcome_of(const struct scene *s,
+                                 const struct dem_method *method)
+{
+    struct attraction pull[3];
+    double charge;
+    struct dem_options o = options_of(s, pull, &charge);
+    struct outcome out = {.ps = swarm(s->n, s->room, s->L, (uint64_t)s->n + 5)};
+
+    o.method = method;
+    struct dem *const dem = dem_create(out.ps, &o);
+    ck_assert_ptr_nonnull(dem);
+    if (s->budget) dem_start_energy_budget(dem);
+    ck_assert_int_eq(dem_run(dem, STEPS, &out.report), 0);
+    if (s->budget) out.energy = *dem_energy(dem);
+    dem_free(dem);
+    return out;
+}
+
 /* Of the largest of its kind: the sums are of a few terms in another order,
  * 1e-15 each, in a handful of steps that amplify it little. A lane too many or
  * an image too far is of the size of the whole. */
 static const double rounding = 1e-10;
-
-static void assert_close(const double got[3], const double want[3],
-                         double scale)
-{
-    for (int k = 0; k < 3; k++)
-        ck_assert_double_eq_tol(got[k], want[k], rounding * scale);
-}
-
-/* Largest component of a member of all bodies. */
-static double largest(const struct plain *p, size_t member)
-{
-    double most = 1e-300;
-
-    for (int i = 0; i < p->n; i++) {
-        const double *const a =
-            (const double *)(const void *)((const char *)&p->body[i] + member);
-        for (int k = 0; k < 3; k++)
-            most = fmax(most, fabs(a[k]));
-    }
-    return most;
-}
-
-static void compare_bodies(const struct particles *ps, const struct plain *p)
-{
-    const double F = largest(p, offsetof(struct plain_body, F)) +
-                     largest(p, offsetof(struct plain_body, pull));
-    const double v = largest(p, offsetof(struct plain_body, v));
-    const double w = largest(p, offsetof(struct plain_body, w));
-
-    for (int i = 0; i < ps->n; i++) {
-        const struct plain_body *const b = &p->body[ps->id[i]];
-        double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, all[3];
-        vector_along(b->F, 1.0, b->pull, all);
-        for (int k = 0; k < 3; k++) {
-            const double L = p->o->hi[k] - p->o->lo[k];
-            if (p->o->periodic[k]) x[k] += L * rint((b->x[k] - x[k]) / L);
-        }
-        assert_close((double[3]){ps->cfx[i], ps->cfy[i], ps->cfz[i]}, all, F);
-        assert_close((double[3]){ps->vx[i], ps->vy[i], ps->vz[i]}, b->v, v);
-        assert_close((double[3]){ps->wx[i], ps->wy[i], ps->wz[i]}, b->w, w);
-        assert_close(x, b->x, p->o->hi[0]);
-    }
-}
 
 static void compare_budget(const struct energy *got, const struct energy *want)
 {
@@ -283,52 +129,28 @@ static void compare_budget(const struct energy *got, const struct energy *want)
             g[k], w[k], 100.0 * rounding * fabs(w[k]) + 1e-14 * want->added);
 }
 
-static void compare_run(const struct scene *s, const struct dem_options *o,
-                        const struct plain *p, struct particles *ps)
-{
-    struct dem *const dem = dem_create(ps, o);
-    struct dem_report r;
-
-    ck_assert_ptr_nonnull(dem);
-    if (s->budget) dem_start_energy_budget(dem);
-    ck_assert_int_eq(dem_run(dem, STEPS, &r), 0);
-    ck_assert_int_eq(r.contacts, p->contacts);
-    ck_assert_double_eq_tol(r.max_overlap, p->deepest, rounding);
-    ck_assert_double_eq_tol(r.translation + r.rotation, p->e.kinetic,
-                            rounding * p->e.kinetic);
-    compare_bodies(ps, p);
-    if (s->budget) compare_budget(dem_energy(dem), &p->e);
-    dem_free(dem);
-}
-
-/* The same case with both loops and this number of threads; returns the number
- * of contacts. */
+/* The same scene by both methods, the fast one with 1 to `threads` threads;
+ * gives the contacts. */
 static int compare(const struct scene *s, int threads)
 {
-    struct attraction pull[3];
-    double charge;
-    const struct dem_options o = options_of(s, pull, &charge);
-    struct plain p = {.contacts = 0};
+    const struct outcome want = outcome_of(s, &reference_all_pairs);
 
     for (int t = 1; t <= threads; t++) {
-        struct particles *const ps =
-            swarm(s->n, s->room, s->L, (uint64_t)s->n + 5);
-        if (t == 1) {
-            p = plain_of(ps, &o);
-            run_plain(&p, STEPS);
-        }
         omp_set_num_threads(t);
-        compare_run(s, &o, &p, ps);
-        particles_free(ps);
+        const struct outcome got = outcome_of(s, &fast_verlet);
+        same_report(&got.report, &want.report, rounding);
+        same_motion(got.ps, want.ps, s->L, s->periodic, rounding);
+        if (s->budget) compare_budget(&got.energy, &want.energy);
+        particles_free(got.ps);
     }
-    free(p.body);
-    return p.contacts;
+    particles_free(want.ps);
+    return want.report.contacts;
 }
 
 /* Boxes periodic in no direction, in x, y, z, in two of them and in all three;
  * smaller and larger than 2 m, and of 2 m; fewer contacts than the loop has
- * lanes and more, a sphere alone, and odd numbers of them; in one chunk, or a
- * few in the chunks of the full capacity. */
+ * lanes and more, a sphere alone, and odd numbers of them; in one chunk, or
+ * those few in the chunks of as many as there is room for. */
 START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
 {
     static const double sides[] = {0.01, 0.9, 2.0, 7.0};
@@ -351,10 +173,9 @@ START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_any_box)
 }
 END_TEST
 
-/* Enough for two chunks of several blocks each: contacts that a block omits or
- * computes too late, or loads that one chunk adds to another, would be
- * missing. */
-START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks)
+/* So many that there are two chunks, of several blocks each: what a block
+ * leaves out or does too late, or a chunk adds to another, would be missing. */
+START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips)
 {
     static const int periodic[] = {0, 7};
     const struct scene s = {.n = 2101,
@@ -380,9 +201,9 @@ static int whole_lanes(const struct chunk_contacts *c, int first, int n,
     return (int)fmin(64.0 * ceil(own / 64.0), n);
 }
 
-/* A contact computed after its block would be too late for the motion of its
- * owner; one computed before would do no harm, but leave lanes of the next
- * block empty. Walls begin new lanes. */
+/* A contact done after its block would come too late for its owner's motion;
+ * one done before would be of no harm, but the lanes of the next block would be
+ * empty. Walls begin lanes of their own. */
 START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
 {
     const struct scene s = {.n = 1901, .L = 0.9};
@@ -394,9 +215,9 @@ START_TEST(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes)
     struct dem_report r;
 
     ck_assert_int_eq(dem_run(dem, 1, &r), 0);
-    const struct chunk *const one = &dem->neighbours->chunks[0];
+    const struct chunk *const one = &fast_of(dem)->neighbours->chunks[0];
     const struct chunk_contacts *const c = &one->contacts;
-    ck_assert_int_eq(dem->neighbours->n_chunks, 1);
+    ck_assert_int_eq(fast_of(dem)->neighbours->n_chunks, 1);
     ck_assert_int_ge(one->n_blocks, 3);
     ck_assert_int_gt(c->n_walls, 64);
     for (int k = 0; k < one->n_blocks; k++) {
@@ -414,6 +235,6 @@ FACTS("contact_loop")
 {
     FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8);
     FACT_FOR_EACH(
-        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks, 2);
+        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 2);
     FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "dem/surfaces/surface.h"
 #include "facts.h"
 #include "capture.h"
 #include "spheres.h"

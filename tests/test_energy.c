@@ -6,6 +6,8 @@
 
 #include "dem/cohesion/electrostatic.h"
 #include "dem/energy.h"
+#include "dem/surfaces/surface.h"
+#include "dem/surfaces/prescribed_particles.h"
 #include "facts.h"
 #include "spheres.h"
 

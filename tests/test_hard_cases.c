@@ -4,7 +4,7 @@
 #include <gsl/gsl_math.h>
 #include <omp.h>
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/fast/neighbours.h"
 #include "facts.h"
@@ -19,7 +19,7 @@ START_TEST(ls_5_15_a_sphere_among_others_of_a_30th_finds_all_of_them)
     const double D = 0.03, d = 1e-3, skin = 2e-4;
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.02, 0.02};
     const int periodic[3] = {_i, _i, 0};
-    const struct box_domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
     struct particles *const ps = particles_create(401);
     uint64_t seed = 11;
     int expected = 0, found = 0;

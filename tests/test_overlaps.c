@@ -8,7 +8,7 @@ static struct box_domain box_of(double half, int periodic)
 {
     const double lo[3] = {-half, -half, -half}, hi[3] = {half, half, half};
     const int flags[3] = {periodic, 0, 0};
-    return bodies_domain(lo, hi, flags);
+    return box_domain_of(lo, hi, flags);
 }
 
 START_TEST(the_deepest_pair_is_found_also_across_a_seam)

@@ -39,7 +39,7 @@ static struct box_domain around(int periodic)
 {
     const double lo[3] = {-0.02, -0.02, -0.02}, hi[3] = {0.02, 0.04, 0.02};
     const int flags[3] = {periodic, 0, 0};
-    return bodies_domain(lo, hi, flags);
+    return box_domain_of(lo, hi, flags);
 }
 
 /* The smallest gap of any two, across the seams of a periodic box [m]. */

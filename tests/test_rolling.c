@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "dem/fast/neighbours.h"
-#include "dem/fast/sweep_rolling.h"
+#include "dem/rolling.h"
 #include "facts.h"
 #include "spheres.h"
 
@@ -188,7 +188,7 @@ START_TEST(without_rolling_friction_there_is_no_array_for_it)
     struct particles *const ps = particles_create(2);
     const double half[3] = {1.0, 1.0, 1.0}, minus[3] = {-1.0, -1.0, -1.0};
     const int walls[3] = {0, 0, 0};
-    const struct box_domain box = bodies_domain(minus, half, walls);
+    const struct box_domain box = box_domain_of(minus, half, walls);
 
     for (int k = 0; k < 2; k++)
         spheres_add(ps, 0.009 * k, 0.0, 0.0, 0.01);
@@ -217,11 +217,11 @@ START_TEST(a_rolling_spring_is_wound_by_rolling_alone)
     const double k_r = 2.0, C_r = 0.1, most = 0.01, dt = 1e-5;
     double M[3], theta[3] = {0.0, 0.0, 0.0};
 
-    sweep_roll(M, theta, w, n, k_r, C_r, most, dt);
+    rolling_moment(M, theta, w, n, k_r, C_r, most, dt);
     ck_assert_double_eq_tol(M[2], -most, 1e-16);
     ck_assert_double_eq_tol(theta[2], 100.0 * dt, 1e-16);
     for (int k = 0; k < 100; k++)
-        sweep_roll(M, theta, w, n, k_r, C_r, most, dt);
+        rolling_moment(M, theta, w, n, k_r, C_r, most, dt);
     ck_assert_double_eq_tol(M[2], -most, 1e-16);
     ck_assert_double_eq_tol(theta[2], most / k_r, 1e-16);
 }

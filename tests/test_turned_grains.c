@@ -8,6 +8,8 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/energy.h"
 #include "dem/cohesion/van_der_waals.h"
+#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surface.h"
 #include "facts.h"
 #include "spheres.h"
 #include "turned.h"

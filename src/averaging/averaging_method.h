@@ -1,4 +1,5 @@
-/* averaging_method.h -- the descriptor of an averaging method. Chapter 8.
+/* averaging_method.h -- the descriptor of an averaging method.
+ * Chapter "Averaging".
  *
  * It is included by the methods (pcm.c, kernel.c, ...) and by the list of them;
  * all other files include averaging.h.

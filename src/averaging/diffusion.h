@@ -1,5 +1,6 @@
 /* diffusion.h -- the particle-centroid field, smoothed by diffusion.
- * Chapter 8.
+ *
+ * Chapter "Averaging".
  *
  *     d phi / d tau = lap phi,  phi(0) = the field of pcm,  tau = 0 .. T
  *     no flux through the boundary,  T = b^2 / 4            [SX15 5a-c]

@@ -1,4 +1,4 @@
-/* diffusion_matrix.h -- the Laplacian of the diffusion. Chapter 8. */
+/* diffusion_matrix.h -- the Laplacian of the diffusion. Chapter "Averaging". */
 #ifndef AVERAGING_DIFFUSION_MATRIX_H
 #define AVERAGING_DIFFUSION_MATRIX_H
 

@@ -1,4 +1,5 @@
-/* interpolation.h -- interpolation of a field to the particles. Chapter 8.
+/* interpolation.h -- interpolation of a field to the particles.
+ * Chapter "Averaging".
  *
  * nearest  the value of its own cell. Exact for constants; jumps from cell to
  *          cell.

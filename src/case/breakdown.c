@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "dem/surfaces/surface.h"
 #include "coupling/coupling.h"
 #include "case/case_overlap.h"
 

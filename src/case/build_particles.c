@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "dem/dem_method.h"
 #include "dem/population/overlaps.h"
 #include "dem/surfaces/surface_start.h"
 #include "case/build.h"
@@ -31,8 +32,7 @@ struct dem_options build_dem_options(const struct settings *s, double step)
         .material = case_materials_one(s, 0),
         .integrator =
             integrators_named(settings_text(s, "particles.integrator")),
-        .link_cells =
-            models_value(dem_options_lists, settings_text(s, "particles.list")),
+        .method = dem_method_named(settings_text(s, "particles.list")),
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
 
@@ -94,11 +94,12 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     sizes_free(sizes);
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
-    if (r.steps > 0 && sim->walls != NULL)
+    if (r.steps == 0 || settings_quiet(s)) return 0;
+    if (sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
                 r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
-    else if (r.steps > 0)
+    else
         fprintf(stderr,
                 "settled in %.3g s: height %.4g m, solid fraction %.3f, "
                 "kinetic energy %.1g m g d%s\n",
@@ -121,7 +122,7 @@ static int part_spheres(const struct settings *s, struct particles *ps,
                         const struct dem_options *o)
 {
     const char *const what = settings_text(s, "particles.overlaps");
-    const struct box_domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const struct overlap deep = overlaps_deepest(ps, &box);
 
     if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
@@ -269,7 +270,7 @@ int build_particles(const struct settings *s, struct simulation *sim)
     case_overlap_limit(s, sim);
     double lo[3], hi[3];
     case_mesh_ends(s, lo, hi);
-    const struct box_domain box = bodies_domain(lo, hi, o.periodic);
+    const struct box_domain box = box_domain_of(lo, hi, o.periodic);
     sim->population = case_population_create(s, &box, &code);
     if (code != 0) return code;
     for (int i = 0; sim->population != NULL && i < sim->population->n_sources;

@@ -2,7 +2,7 @@
 #ifndef CASE_CASE_COHESION_H
 #define CASE_CASE_COHESION_H
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 #include "case/settings.h"
 
 /* All of them, to be released with free(), and how many; NULL if none. */

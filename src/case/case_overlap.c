@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "dem/surfaces/surface.h"
+
 static const char expected[] = "particles.expected_overlap";
 
 void case_overlap_limit(const struct settings *s, struct simulation *sim)

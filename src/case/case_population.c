@@ -182,7 +182,7 @@ static int check_list(const struct settings *s, int i,
                     s, sources, "source %d: sphere %ld is not inside the box",
                     i, q);
         }
-    const struct box_domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
     return check_apart(s, i, o, &box);
 }
 
@@ -227,7 +227,7 @@ static int check_source(const struct settings *s, int i)
 static int check_sink(const struct settings *s, int i)
 {
     const int side = settings_item_has(s, sinks, i, "side") &&
-                     strcmp(settings_item_text(s, sinks, i, "side"), "none");
+                     strcmp(settings_item_text(s, sinks, i, "side"), "none") != 0;
     const int box = settings_item_has(s, sinks, i, "from") +
                     settings_item_has(s, sinks, i, "to");
 

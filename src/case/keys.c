@@ -89,7 +89,7 @@ const struct key keys_core[] = {
     {"particles.integrator", KEY_NAME, "", "", "velocity-verlet",
      "how the particles step through time", "LS section 4.2", ""},
     {"particles.list", KEY_NAME, "", "", "verlet",
-     "how pairs are found: from a list that lasts, or in each step anew",
+     "how pairs are found: fast from a list that lasts, or in each step anew",
      "LS 5.15", ""},
     {"particles.grains", KEY_GROUP, "", "", NULL,
      "material of the spheres, and of the walls unless they have their own",

@@ -7,8 +7,9 @@
 #include "averaging/more/bandwidth.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
-#include "dem/dem_options.h"
+#include "dem/dem_method.h"
 #include "dem/population/sizes.h"
+#include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
 
 #include <assert.h>
@@ -31,7 +32,7 @@
 
 DESCRIPTORS(contact, contact_laws)
 DESCRIPTORS(integrator, integrators)
-DESCRIPTORS(list, dem_options_lists)
+DESCRIPTORS(list, dem_methods)
 DESCRIPTORS(sizes, sizes_laws)
 DESCRIPTORS(surface, surface_shapes)
 DESCRIPTORS(averaging, averaging_methods)

@@ -23,6 +23,7 @@ struct settings {
                              the list; NULL without a mesh from files */
     char *file;
     struct mesh *mesh; /* NULL for a box */
+    int quiet;         /* [-] 1: no progress is told */
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
@@ -32,22 +33,6 @@ void settings_beside(const struct settings *s, const char *file, char *path,
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
     snprintf(path, room, "%.*s%s", folder, at, file);
-}
-
-/* 1 after a message if a case could not name one of the patches. */
-static int unnameable(const struct settings *s, const config_setting_t *at,
-                      int n, const struct poly_patch *patch)
-{
-    for (int i = 0; i < n; i++) {
-        const char *const why = patch_schema_wrong(s->tables, patch[i].name);
-        if (why == NULL) continue;
-        source_wrong(at,
-                     "mesh.polymesh: the patch %s cannot be named in a case: "
-                     "%s; rename it in the file boundary",
-                     patch[i].name, why);
-        return 1;
-    }
-    return 0;
 }
 
 /* Where the mesh comes from files, its patches take the place of the sides. */
@@ -67,7 +52,7 @@ static int take_patches(struct settings *s)
                             dir);
     const int n = poly_patches(dir, &patch);
     if (n < 0) return 2;
-    if (unnameable(s, at, n, patch)) {
+    if (patch_schema_check(s->tables, at, n, patch) != 0) {
         free(patch);
         return 2;
     }
@@ -120,6 +105,16 @@ void settings_free(struct settings *s)
 const char *settings_file(const struct settings *s)
 {
     return s->file;
+}
+
+void settings_be_quiet(struct settings *s)
+{
+    s->quiet = 1;
+}
+
+int settings_quiet(const struct settings *s)
+{
+    return s->quiet;
 }
 
 /* A name may be one of the row's words, any text, or the name of a file. */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surface.h"
 #include "output/table.h"
 
 enum { EACH = 7, NAME = 128 }; /* columns a surface; length of one's name */

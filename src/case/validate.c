@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "dem/dem_method.h"
 #include "dem/integrators.h"
 #include "case/build.h"
 #include "case/build_fluid.h"
@@ -242,6 +243,20 @@ static int check_integrator(const struct settings *s)
                           name);
 }
 
+/* A method that finds the pairs may not know all that a case asks for. */
+static int check_list(const struct settings *s)
+{
+    struct dem_options o = build_dem_options(s, 1.0);
+
+    o.n_surfaces =
+        settings_length(s, "particles.surfaces") + case_walls_count(s);
+    o.n_prescribed = settings_length(s, "particles.prescribed");
+    const char *const unknown = o.method->unknown(&o);
+    if (unknown == NULL) return 0;
+    return settings_wrong(s, "particles.list", "%s knows no %s; %s does",
+                          o.method->name, unknown, dem_methods[0]->name);
+}
+
 static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
@@ -254,6 +269,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = case_surfaces_check(s);
     if (code == 0) code = case_walls_check(s);
+    if (code == 0) code = check_list(s);
     if (code != 0) return code;
     if (code == 0) code = case_population_check(s);
     if (code != 0) return code;

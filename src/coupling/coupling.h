@@ -1,4 +1,5 @@
-/* coupling.h -- momentum between fluid and particles.  Chapter 10.
+/* coupling.h -- momentum between fluid and particles.
+ * Chapter "The coupled loop".
  *
  * The force of the fluid on particle i is k_i (u_f - u_p), k_i = eps_f B_i =
  * V_p beta / eps_s [XS11 2.9, 2.10]. The impulse on the particles is taken from

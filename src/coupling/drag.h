@@ -1,4 +1,5 @@
-/* drag.h -- the steady force of the fluid on one particle.  Chapter 9.
+/* drag.h -- the steady force of the fluid on one particle.
+ * Chapter "Drag".
  *
  * The documents write the force as (V_p beta / eps_s) (u_f - u_p), with beta a
  * correlation proportional to eps_s [XS11 2.9-2.11]. We work with

@@ -1,4 +1,5 @@
-/* contact.h -- the force between two touching spheres.  Chapter 2.
+/* contact.h -- the force between two touching spheres.
+ * Chapter "Particles and contact".
  *
  * n points from particle j to particle i, delta = R_i + R_j - |x_i - x_j| is
  * the overlap. On particle i act
@@ -9,16 +10,13 @@
  * and on particle j their negatives. v is the relative velocity of the two
  * surfaces at the contact, xi the spring that v_t has drawn since they first
  * touched. A law defines elastic, eta_n, k_t and eta_t; everything else is the
- * same for all laws (contact_sweep.h). A wall is a sphere of infinite mass and
+ * same for all laws (reference.c). A wall is a sphere of infinite mass and
  * radius, of the same material.
  */
 #ifndef DEM_CONTACT_H
 #define DEM_CONTACT_H
 
 #include "base/key.h"
-
-struct bodies;
-struct chunk;
 
 /* The material of grains and walls. */
 struct material {
@@ -52,24 +50,20 @@ struct contact_constants {
     double rolling;    /* [-] mu_r */
 };
 
-/* Adds the forces of contacts first ... last - 1 of a chunk of particles to its
- * loads; the springs move on by dt [s]. There is no function call for each
- * contact. With several materials k is a table: row a, column b for materials a
- * and b. */
-typedef void contact_sweep(struct chunk *s, const struct bodies *b,
-                           const struct contact_constants *k, double dt,
-                           int first, int last);
-
-/* Options of a contact loop; each law has a compiled loop for every
- * combination, so that unused options cost nothing. */
-enum {
-    CONTACT_PERIODIC = 1,       /* directions that are */
-    CONTACT_MULTI_MATERIAL = 2, /* materials */
-    CONTACT_ROLLING =
-        4, /* friction; only with the table of CONTACT_MULTI_MATERIAL */
-    CONTACT_BUDGET = 8, /* of energy; only with that table, too */
-    CONTACT_LOOPS = 16
+/* What a law says of one contact. */
+struct contact_response {
+    double elastic;      /* [N] */
+    double eta_n, eta_t; /* [kg/s] */
+    double k_t;          /* [N/m] */
 };
+
+/* A law is one function of the overlap delta [m], R* [m] and m* [kg]. The
+ * vector loops inline it (fast/contact_loops.c), and the reference loop calls
+ * it (reference.c). */
+typedef struct contact_response
+contact_respond(const struct contact_constants *k, double delta, double R_star,
+                double m_star);
+#define CONTACT_INLINE static inline __attribute__((always_inline, unused))
 
 struct contact_law {
     const char *name;                   /* as a case spells it */
@@ -86,7 +80,7 @@ struct contact_law {
      * elastic waves. */
     double (*wave_time)(const struct material *m, double r, double rho);
     double stored; /* [-] elastic energy over elastic(delta) delta */
-    contact_sweep *sweep[CONTACT_LOOPS];
+    contact_respond *respond;
 };
 
 /* All laws, ended by NULL; contact_law_named: NULL for an unknown name. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/contact_hertz.h"
 
-#include "dem/fast/contact_sweep.h"
 #include "dem/limits.h"
 
 double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
@@ -69,24 +68,6 @@ static double wave_time(const struct material *m, double r, double rho)
     return limits_rayleigh(r, rho, G, m->poisson);
 }
 
-SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
-                                           double delta, double inverse_R,
-                                           double inverse_m)
-{
-    const double R_star = 1.0 / inverse_R, m_star = 1.0 / inverse_m;
-    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
-    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
-
-    return (struct sweep_response){
-        .elastic = contact_hertz_force(k->normal, R_star, delta),
-        .eta_n = eta,
-        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
-        .eta_t = k->damping_t * eta,
-    };
-}
-
-SWEEP_LOOPS(respond)
-
 /* What Hertz's law asks of each material. */
 static const struct key elastic_keys[] = {
     {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
@@ -109,5 +90,5 @@ const struct contact_law contact_hertz = {
     .duration = duration,
     .wave_time = wave_time,
     .stored = 0.4,
-    .sweep = SWEEP_LOOPS_TABLE,
+    .respond = contact_hertz_respond,
 };

@@ -1,4 +1,5 @@
-/* contact_hertz.h -- elastic spheres after Hertz and Mindlin.  Chapter 2.
+/* contact_hertz.h -- elastic spheres after Hertz and Mindlin.
+ * Chapter "Particles and contact".
  *
  *   F_n = (4/3) E* sqrt(R*) delta^(3/2)                        [LS 4.7, 4.9]
  *   k_t = 8 G* sqrt(R*) sqrt(delta)                            [LS 4.10]
@@ -61,6 +62,21 @@ static inline double contact_hertz_damping(double zeta, double S, double m_star)
 {
     const double root = 0.91287092917527685576; /* sqrt(5/6) */
     return 2.0 * root * zeta * sqrt(S * m_star);
+}
+
+CONTACT_INLINE struct contact_response
+contact_hertz_respond(const struct contact_constants *k, double delta,
+                      double R_star, double m_star)
+{
+    const double S_n = contact_hertz_slope(k->normal, R_star, delta);
+    const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
+
+    return (struct contact_response){
+        .elastic = contact_hertz_force(k->normal, R_star, delta),
+        .eta_n = eta,
+        .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
+        .eta_t = k->damping_t * eta,
+    };
 }
 
 #endif

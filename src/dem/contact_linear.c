@@ -3,8 +3,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "dem/fast/contact_sweep.h"
-
 static const double sticking_mass = 2.0 / 7.0; /* [-] of m*, for a sphere */
 
 double contact_linear_damping(double k, double e, double m_i, double m_j)
@@ -49,24 +47,6 @@ static double wave_time(const struct material *m, double r, double rho)
     return HUGE_VAL;
 }
 
-SWEEP_INLINE struct sweep_response respond(const struct contact_constants *k,
-                                           double delta, double inverse_R,
-                                           double inverse_m)
-{
-    const double eta =
-        contact_linear_dashpot(k->damping_n, k->normal, 1.0 / inverse_m);
-
-    (void)inverse_R;
-    return (struct sweep_response){
-        .elastic = contact_linear_force(k->normal, delta),
-        .eta_n = eta,
-        .k_t = k->tangential,
-        .eta_t = k->damping_t * eta,
-    };
-}
-
-SWEEP_LOOPS(respond)
-
 /* Its constants; without a ratio the tangential spring is 2/7 of the normal
  * one. A pair of materials may have constants of its own. */
 static const struct key spring_keys[] = {
@@ -94,5 +74,5 @@ const struct contact_law contact_linear = {
     .duration = duration,
     .wave_time = wave_time,
     .stored = 0.5,
-    .sweep = SWEEP_LOOPS_TABLE,
+    .respond = contact_linear_respond,
 };

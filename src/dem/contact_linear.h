@@ -1,4 +1,5 @@
-/* contact_linear.h -- spring and dashpot.  Chapter 2.
+/* contact_linear.h -- spring and dashpot.
+ * Chapter "Particles and contact".
  *
  *   m* delta'' + eta delta' + k delta = 0                           [LS 4.4]
  *   eta = -2 ln e sqrt(m* k) / sqrt(pi^2 + ln^2 e)
@@ -38,6 +39,21 @@ static inline double contact_linear_force(double k, double delta)
 static inline double contact_linear_dashpot(double zeta, double k, double m)
 {
     return 2.0 * zeta * sqrt(k * m);
+}
+
+CONTACT_INLINE struct contact_response
+contact_linear_respond(const struct contact_constants *k, double delta,
+                       double R_star, double m_star)
+{
+    const double eta = contact_linear_dashpot(k->damping_n, k->normal, m_star);
+
+    (void)R_star;
+    return (struct contact_response){
+        .elastic = contact_linear_force(k->normal, delta),
+        .eta_n = eta,
+        .k_t = k->tangential,
+        .eta_t = k->damping_t * eta,
+    };
 }
 
 /* [kg/s] eta of [LS 4.4]. */

@@ -2,17 +2,13 @@
 #include "dem/dem_internal.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 
-/* The contacts are chosen with a margin of at least d / MARGIN_PARTS: the
- * optimum is flat. */
-enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
-
-static double mean_diameter(const struct particles *ps)
+double dem_mean_diameter(const struct particles *ps)
 {
     double sum = 0.0;
 
@@ -21,15 +17,7 @@ static double mean_diameter(const struct particles *ps)
     return ps->n > 0 ? sum / ps->n : 0.0;
 }
 
-/* `mean` is the mean diameter. */
-static double skin_of(const struct dem_options *o, double mean)
-{
-    if (o->link_cells) return mean / MARGIN_PARTS;
-    return o->skin > 0.0 ? o->skin : mean / SKIN_PARTS;
-}
-
-/* Largest gap at which a force acts. */
-static double range_of(const struct dem_options *o)
+double dem_range(const struct dem_options *o)
 {
     double range = 0.0;
 
@@ -38,9 +26,21 @@ static double range_of(const struct dem_options *o)
     return range;
 }
 
+const struct dem_method *dem_method_named(const char *name)
+{
+    for (int i = 0; dem_methods[i] != NULL; i++)
+        if (strcmp(dem_methods[i]->name, name) == 0) return dem_methods[i];
+    return NULL;
+}
+
+static const struct dem_method *method_of(const struct dem_options *o)
+{
+    return o->method != NULL ? o->method : dem_methods[0];
+}
+
 int dem_period_wrong(const struct dem_options *o, double widest, double mean)
 {
-    const double skin = skin_of(o, mean) + range_of(o);
+    const double skin = method_of(o)->skin(o, mean) + dem_range(o);
 
     for (int k = 0; k < 3; k++)
         if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {
@@ -58,79 +58,61 @@ int dem_period_wrong(const struct dem_options *o, double widest, double mean)
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
+    const char *const unknown = method_of(o)->unknown(o);
     double widest = 0.0;
 
+    if (unknown != NULL) {
+        fprintf(stderr, "winnow: particles.list = \"%s\" knows no %s\n",
+                method_of(o)->name, unknown);
+        return 1;
+    }
     for (int i = 0; i < ps->n; i++)
         widest = fmax(widest, ps->d[i]);
-    return dem_period_wrong(o, widest, mean_diameter(ps));
-}
-
-/* Selects the variant of the contact loop (contact.h). */
-static int loop_of(const struct dem_options *o)
-{
-    const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
-    const int rolls = materials_have_rolling(&o->material, o->materials);
-    const int many = materials_count(o->materials) > 1 || rolls;
-
-    return periodic * CONTACT_PERIODIC + many * CONTACT_MULTI_MATERIAL +
-           rolls * CONTACT_ROLLING;
+    return dem_period_wrong(o, widest, dem_mean_diameter(ps));
 }
 
 struct dem *dem_create(struct particles *ps, const struct dem_options *o)
 {
-    const int loop = loop_of(o), n = materials_count(o->materials);
-    const struct box_domain box = bodies_domain(o->lo, o->hi, o->periodic);
+    const int n = materials_count(o->materials);
 
-    for (int s = 0; s < o->n_surfaces; s++)
-        if (surface_wrong(&o->surfaces[s])) return NULL;
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
-    dem->expected = dem->most = HUGE_VAL;
+    dem->ps = ps;
+    dem->method = method_of(o);
+    dem->deepest = (struct dem_overlap){
+        .id = -1, .other = -1, .expected = HUGE_VAL, .most = HUGE_VAL};
     if (o->integrator == NULL) dem->options.integrator = integrators[0];
-    if (dem->options.integrator->predicts)
-        dem->start = integrators_start_create(ps->capacity);
-    dem->constants = alloc_zeroed((size_t)(n * n), sizeof *dem->constants);
+    dem->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
-    dem->sweep = o->law->sweep[loop];
-    dem->neighbours = neighbours_create(ps, &box);
-    dem->neighbours->bodies->step = o->step;
-    if (o->n_surfaces > 0)
-        dem->neighbours->surfaces = surfaces_create(
-            o->surfaces, o->n_surfaces, &dem->neighbours->bodies->box,
-            dem->neighbours->n_chunks);
-    if (o->n_prescribed > 0) {
-        dem->neighbours->prescribed =
-            prescribed_particles_create(o->prescribed, o->n_prescribed);
-        dem->neighbours->bodies->own_inverse_mass = alloc_doubles(ps->capacity);
-    }
-    dem->neighbours->rebuild_each_step = o->link_cells;
-    dem->neighbours->bodies->n_materials = n;
-    dem->neighbours->range = range_of(o);
-    if (o->materials != NULL)
-        dem->neighbours->bodies->wall_material = o->materials->wall;
-    if (loop & CONTACT_ROLLING) neighbours_add_rolling(dem->neighbours);
-    return dem;
+    if (dem->method->create(dem) == 0) return dem;
+    dem_free(dem);
+    return NULL;
 }
 
 void dem_free(struct dem *dem)
 {
     if (dem == NULL) return;
-    neighbours_free(dem->neighbours);
+    dem->method->free(dem);
     free(dem->constants);
     free(dem->energy);
-    integrators_start_free(dem->start);
     free(dem);
+}
+
+int dem_run(struct dem *dem, int steps, struct dem_report *r)
+{
+    dem->method->run(dem, steps, r);
+    /* a lost particle had too deep an overlap before this run */
+    const double now = r->max_overlap;
+    if (r->lost > 0) r->max_overlap = fmax(now, dem->max_overlap);
+    dem->max_overlap = now;
+    return r->lost > 0 || r->max_overlap > dem->deepest.most;
 }
 
 void dem_start_energy_budget(struct dem *dem)
 {
-    const int loop =
-        loop_of(&dem->options) | CONTACT_MULTI_MATERIAL | CONTACT_BUDGET;
-
-    dem->sweep = dem->options.law->sweep[loop];
     if (dem->energy == NULL) dem->energy = alloc_zeroed(1, sizeof *dem->energy);
-    dem->neighbours->stale = 1; /* what the contacts store is to be seen */
+    dem->method->changed(dem); /* what the contacts store is summed anew */
 }
 
 const struct energy *dem_energy(const struct dem *dem)
@@ -140,7 +122,7 @@ const struct energy *dem_energy(const struct dem *dem)
 
 void dem_changed(struct dem *dem)
 {
-    dem->neighbours->stale = 1;
+    dem->method->changed(dem);
 }
 
 void dem_change_material(struct dem *dem, const struct material *m)
@@ -152,95 +134,63 @@ void dem_change_material(struct dem *dem, const struct material *m)
 
 void dem_limit_overlap(struct dem *dem, double expected, double most)
 {
-    dem->expected = expected;
-    dem->most = most;
-    neighbours_watch(dem->neighbours, expected);
+    dem->deepest = (struct dem_overlap){
+        .id = -1, .other = -1, .expected = expected, .most = most};
+    dem->method->limit_overlap(dem);
 }
 
 struct dem_overlap dem_deepest(const struct dem *dem)
 {
-    const struct neighbours *const nb = dem->neighbours;
-    struct dem_overlap deep = {0.0, -1, -1, {0.0}, dem->expected, dem->most};
-
-    for (int s = 0; s < nb->n_chunks; s++) {
-        const struct chunk_deep *const own = &nb->chunks[s].deep;
-        if (own->id < 0 || own->overlap <= deep.depth) continue;
-        deep.depth = own->overlap;
-        deep.id = own->id;
-        deep.other = own->other;
-        for (int k = 0; k < 3; k++)
-            deep.at[k] = bodies_inside(&nb->bodies->box, k, own->at[k]);
-    }
-    return deep;
+    return dem->deepest;
 }
 
-static void report_lost(const struct neighbours *nb, struct dem_report *r)
+void dem_clock(struct dem *dem, long steps)
 {
-    r->lost_id = r->lost_through = -1;
-    for (int s = 0; s < nb->n_chunks; s++) {
-        const struct bodies_survey *const found = &nb->chunks[s].survey;
-        if (found->lost > 0 && r->lost == 0) {
-            r->lost_id = nb->ps->id[found->first_lost];
-            r->lost_through = found->lost_through;
-            for (int k = 0; k < 3; k++)
-                r->lost_at[k] =
-                    nb->bodies->position_radius[found->first_lost][k];
-        }
-        r->lost += found->lost;
-    }
+    dem->motion_steps = steps;
+    dem->motion_on = 1;
 }
 
-static void close_budget(struct dem *dem)
+struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
-    const double brought = dem->energy->added;
-
-    *dem->energy = energy_collect(dem->neighbours, dem->options.law->stored);
-    dem->energy->added = brought;
+    return dem->method->springs(dem, n);
 }
 
-static void report(struct dem *dem, long rebuilds, struct dem_report *r)
+/* The index of each id; -1: there is no such particle. */
+static int *indices(const struct particles *ps)
 {
-    const struct neighbours *const nb = dem->neighbours;
+    int *const index = alloc_ints(ps->next_id);
 
-    *r = (struct dem_report){.steps = dem->steps_done, .rebuilds = rebuilds};
-    for (int s = 0; s < nb->n_chunks; s++) {
-        const struct chunk *const own = &nb->chunks[s];
-        r->contacts += own->measures.contacts;
-        r->max_overlap = fmax(r->max_overlap, own->max_overlap);
-        r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
-        r->translation += own->measures.translation;
-        r->rotation += own->measures.rotation;
-    }
-    if (nb->surfaces != NULL) {
-        r->contacts += surfaces_contacts(nb->surfaces);
-        r->max_overlap = fmax(r->max_overlap, surfaces_deepest(nb->surfaces));
-    }
-    if (dem->energy != NULL) close_budget(dem);
-    report_lost(nb, r);
-    /* who is lost was too deep in something before this run saw it */
-    const double now = r->max_overlap;
-    if (r->lost > 0) r->max_overlap = fmax(now, dem->max_overlap);
-    dem->max_overlap = now;
+    for (int id = 0; id < ps->next_id; id++)
+        index[id] = -1;
+    for (int i = 0; i < ps->n; i++)
+        index[ps->id[i]] = i;
+    return index;
 }
 
-static int team_size(const struct neighbours *nb)
+static int exists(const struct dem_spring *s, const int *index)
 {
-    const int most = omp_get_max_threads();
-    return most < nb->n_chunks ? most : nb->n_chunks;
+    return index[s->id] >= 0 && (s->other < 0 || index[s->other] >= 0);
 }
 
-int dem_run(struct dem *dem, int steps, struct dem_report *r)
+void dem_restore_springs(struct dem *dem, const struct dem_spring *all, int n)
 {
-    struct neighbours *const nb = dem->neighbours;
-    const long before = nb->rebuilds;
+    struct dem_spring *const list = alloc_zeroed((size_t)n, sizeof *list);
+    int *const index = indices(dem->ps);
+    int count = 0;
 
-    if (nb->stale) {
-        nb->skin = skin_of(&dem->options, mean_diameter(nb->ps));
-        dem->min_margin = mean_diameter(nb->ps) / MARGIN_PARTS;
-    }
-    neighbours_begin_run(nb);
-#pragma omp parallel num_threads(team_size(nb))
-    dem_move(dem, steps);
-    report(dem, nb->rebuilds - before, r);
-    return r->lost > 0 || r->max_overlap > dem->most;
+    for (int q = 0; q < n; q++)
+        if (exists(&all[q], index)) list[count++] = all[q];
+    dem->method->restore_springs(dem, list, count, index);
+    free(list);
+    free(index);
+}
+
+void dem_remove(struct dem *dem, const int *gone)
+{
+    int n;
+    struct dem_spring *const springs = dem_springs(dem, &n);
+
+    particles_remove(dem->ps, gone);
+    dem_restore_springs(dem, springs, n);
+    free(springs);
 }

@@ -1,4 +1,5 @@
-/* dem.h -- the motion of the particles.  Chapter 2.
+/* dem.h -- the motion of the particles.
+ * Chapter "Particles and contact".
  *
  *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
  *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]
@@ -9,15 +10,15 @@
  * force is evaluated with the velocity half a step earlier, which needs one
  * evaluation a step and is of second order for forces without damping.
  *
- * The result has the same bits for any number of threads. During a run only
- * lists that have become too short are allocated again.
+ * How the pairs are found, and by which loop the forces are computed, is the
+ * method of the options (dem_method.h). The result has the same bits for any
+ * number of threads.
  */
 #ifndef DEM_DEM_H
 #define DEM_DEM_H
 
 #include "dem/dem_options.h"
 #include "dem/particles.h"
-#include "dem/surfaces/surface.h"
 
 struct dem_report {
     long steps;         /* [-] of this run, that were done */
@@ -79,15 +80,6 @@ void dem_changed(struct dem *dem);
 /* Starts the prescribed motions at this number of steps; before that, surfaces
  * and prescribed particles rest at their positions of time 0. */
 void dem_clock(struct dem *dem, long steps);
-
-/* Impulse and work of the particles on surface k since the run began. */
-struct dem_surface {
-    double impulse[3]; /* [N s] force over time */
-    double angular[3]; /* [N m s] torque about the centre of its motion */
-    double work;       /* [J] that it did on the particles */
-    struct pose pose;  /* where it is */
-};
-struct dem_surface dem_surface(const struct dem *dem, int k);
 
 /* Removes the particles i with gone[i] between two runs. The others keep their
  * tangential displacements. */

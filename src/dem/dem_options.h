@@ -1,19 +1,18 @@
-/* dem_options.h -- options of the motion of the particles. Chapter 2.
+/* dem_options.h -- options of the motion of the particles.
+ * Chapter "Particles and contact".
  *
  * An option that a case does not set is 0 here and has no effect.
  */
 #ifndef DEM_DEM_OPTIONS_H
 #define DEM_DEM_OPTIONS_H
 
-#include "base/model.h"
-#include "dem/cohesion/attraction.h"
-#include "dem/surfaces/prescribed_particles.h"
+#include "dem/attraction.h"
 #include "dem/integrators.h"
 #include "dem/materials.h"
-#include "dem/surfaces/surface.h"
 
-/* Ways to find the pairs; the value is link_cells. Ended by NULL. */
-extern const struct model *const dem_options_lists[];
+struct dem_method;
+struct surface;
+struct prescribed_particle;
 
 struct dem_options {
     const struct contact_law *law;
@@ -21,12 +20,12 @@ struct dem_options {
     const struct materials *materials; /* with others; NULL: there is no other.
                                           Borrowed for as long as the dem is */
     const struct integrator *integrator; /* NULL: velocity Verlet */
+    const struct dem_method *method;     /* NULL: the first of dem_methods */
     double step;                         /* [s] */
-    int link_cells;      /* [-] 1: no list, but all pairs sought in each step */
-    double skin;         /* [m] of the neighbour list; 0: d/6 */
-    double lo[3], hi[3]; /* [m] walls of the box */
-    int periodic[3];     /* [-] 1: no walls, hi is lo again; the box must be at
-                            least 2 (d + skin + range) long there */
+    double skin;                         /* [m] of the neighbour list; 0: d/6 */
+    double lo[3], hi[3];                 /* [m] walls of the box */
+    int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
+                        least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
     const struct attraction *attractions; /* borrowed likewise */

@@ -1,15 +1,14 @@
-/* energy.h -- the energy budget of the particles. Chapter 15.
+/* energy.h -- the energy budget of the particles.
+ * Chapter "Insertion, removal and energy".
  *
  *   kinetic + normal + tangential
  *       + damped_n + damped_t + slid + released + rolled
- *     = work + attracted + walls + brought
+ *     = work + attracted + walls + added
  *
  * up to the error of the integrator. It is computed only if a case needs it.
  */
 #ifndef DEM_ENERGY_H
 #define DEM_ENERGY_H
-
-#include "dem/fast/neighbours.h"
 
 struct energy {
     /* Now there. */
@@ -34,9 +33,5 @@ struct energy {
 
 /* The left side less the right one [J]. */
 double energy_residual(const struct energy *e);
-
-/* Sums all terms but `brought` over the chunks; elastic: the stored energy of a
- * contact over force times overlap. */
-struct energy energy_collect(const struct neighbours *nb, double elastic);
 
 #endif

@@ -1,4 +1,5 @@
-/* implicit_drag.h -- implicit drag and added mass of particles. Chapter 20.
+/* implicit_drag.h -- implicit drag and added mass of particles.
+ * Chapter "Which treatment is stable".
  *
  * In addition to contact forces and the outside force F a particle may have a
  * drag -k v and an added mass m_a of fluid:
@@ -11,26 +12,13 @@
  *   g  = (1 - exp(-r dt))/(r dt)
  *
  * Thus v approaches its final value and never overshoots, however large r dt
- * is. Only cases that need it have these rows; bodies_advance does not use
- * them.
+ * is.
  */
 #ifndef DEM_IMPLICIT_DRAG_H
 #define DEM_IMPLICIT_DRAG_H
 
-#include "dem/fast/bodies.h"
-
 /* The factor g [-] by which the drag reduces the effect of a force in a step; x
  * = r dt >= 0. */
 double implicit_drag_gain(double x);
-
-/* The rows of the particles begin .. end - 1, for steps of b->step. */
-void implicit_drag_load(struct bodies *b, const struct particles *ps, int begin,
-                        int end);
-
-/* bodies_advance for particles with an implicit drag; the impulse of -k v is
- * added to b->resisted. */
-void implicit_drag_advance(struct bodies *b, int begin, int end,
-                           double (*load)[8], double kick, double drift,
-                           double fastest[4]);
 
 #endif

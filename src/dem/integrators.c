@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/integrators.h"
 
-#include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
-
-#include "base/alloc.h"
 
 const struct integrator integrators_velocity_verlet = {
     .name = "velocity-verlet",
@@ -37,86 +34,4 @@ const struct integrator *integrators_named(const char *name)
     for (int i = 0; integrators[i] != NULL; i++)
         if (strcmp(integrators[i]->name, name) == 0) return integrators[i];
     return NULL;
-}
-
-struct integrators_start *integrators_start_create(int capacity)
-{
-    struct integrators_start *const h = alloc_zeroed(1, sizeof *h);
-    const size_t n = (size_t)capacity;
-
-    h->position_radius = alloc_zeroed(n, sizeof *h->position_radius);
-    h->velocity = alloc_zeroed(n, sizeof *h->velocity);
-    h->load = alloc_zeroed(n, sizeof *h->load);
-    return h;
-}
-
-void integrators_start_free(struct integrators_start *h)
-{
-    if (h == NULL) return;
-    free(h->position_radius);
-    free(h->velocity);
-    free(h->load);
-    free(h);
-}
-
-void integrators_save_start(struct integrators_start *h, const struct chunk *s,
-                            const struct bodies *b)
-{
-    const size_t n = (size_t)(s->end - s->begin);
-
-    if (n == 0) return;
-    memcpy(h->position_radius[s->begin], b->position_radius[s->begin],
-           n * sizeof *h->position_radius);
-    memcpy(h->velocity[s->begin], b->velocity[s->begin],
-           n * sizeof *h->velocity);
-    memcpy(h->load[s->begin], s->load[0], n * sizeof *h->load);
-}
-
-/* Rate of row k of a motion: of v, and of R omega (bodies.c). */
-static double rate(const double load[8], const double push[4], double per_mass,
-                   int k)
-{
-    return k < 3 ? load[k] * per_mass + push[k] : -2.5 * load[k] * per_mass;
-}
-
-static const int moving[6] = {0, 1, 2, 4, 5, 6};
-
-void integrators_predict(const struct integrators_start *h,
-                         const struct chunk *s, struct bodies *b, double dt)
-{
-    for (int i = s->begin; i < s->end; i++) {
-        double *const x = b->position_radius[i], *const v = b->velocity[i];
-
-        for (int k = 0; k < 3; k++)
-            x[k] += v[k] * dt;
-        for (int a = 0; a < 6; a++)
-            v[moving[a]] +=
-                rate(h->load[i], b->acceleration[i], v[7], moving[a]) * dt;
-    }
-}
-
-void integrators_correct(const struct integrators_start *h, struct chunk *s,
-                         struct bodies *b, double dt)
-{
-    memset(s->max_speed, 0, sizeof s->max_speed);
-    for (int i = s->begin; i < s->end; i++) {
-        const double *const at_start = h->velocity[i];
-        double *const x = b->position_radius[i], *const v = b->velocity[i];
-
-        for (int k = 0; k < 3; k++) {
-            const double ahead = v[k];
-            x[k] = h->position_radius[i][k] + 0.5 * dt * (at_start[k] + ahead);
-            s->max_speed[k] = fmax(s->max_speed[k], fabs(ahead));
-        }
-        for (int a = 0; a < 6; a++) {
-            const int k = moving[a];
-            v[k] =
-                at_start[k] +
-                0.5 * dt *
-                    (rate(h->load[i], b->acceleration[i], v[7], k) +
-                     rate(s->load[i - s->begin], b->acceleration[i], v[7], k));
-        }
-        for (int k = 0; k < 3; k++)
-            s->max_speed[k] = fmax(s->max_speed[k], fabs(v[k]));
-    }
 }

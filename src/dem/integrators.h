@@ -1,4 +1,5 @@
-/* integrators.h -- time integrators of the particles. Chapter 15.
+/* integrators.h -- time integrators of the particles.
+ * Chapter "Insertion, removal and energy".
  *
  * With a(x, v) the acceleration by all forces:
  *
@@ -15,7 +16,6 @@
 #define DEM_INTEGRATORS_H
 
 #include "base/key.h"
-#include "dem/fast/chunk.h"
 
 struct integrator {
     const char *name;                   /* as a case spells it */
@@ -30,25 +30,5 @@ struct integrator {
 /* All of them, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct integrator *const integrators[];
 const struct integrator *integrators_named(const char *name);
-
-/* The state at the beginning of a step of Heun's method. */
-struct integrators_start {
-    double (*position_radius)[4]; /* [m] */
-    double (*velocity)[8];        /* as in bodies.h */
-    double (*load)[8];            /* [N] as in chunk.h */
-};
-
-struct integrators_start *integrators_start_create(int capacity);
-void integrators_start_free(struct integrators_start *h);
-
-/* integrators_save_start saves the state, integrators_predict moves to x*, v*,
- * and integrators_correct moves from there, with the loads at x*, v*, to the
- * end of the step. The largest speeds of the chunk are then bounds of both. */
-void integrators_save_start(struct integrators_start *h, const struct chunk *s,
-                            const struct bodies *b);
-void integrators_predict(const struct integrators_start *h,
-                         const struct chunk *s, struct bodies *b, double dt);
-void integrators_correct(const struct integrators_start *h, struct chunk *s,
-                         struct bodies *b, double dt);
 
 #endif

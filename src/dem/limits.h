@@ -1,4 +1,5 @@
-/* limits.h -- limits of the particle step. Chapter 11.
+/* limits.h -- limits of the particle step.
+ * Chapter "Time steps".
  *
  * Two measures of the response time of a grain: the duration of an impact, and
  * the Rayleigh time in which a surface wave travels over a sphere [LS 5.11]. A

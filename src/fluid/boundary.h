@@ -1,4 +1,5 @@
-/* boundary.h -- boundary conditions of the fluid on a patch. Chapter 5.
+/* boundary.h -- boundary conditions of the fluid on a patch.
+ * Chapter "Averaged flow".
  *
  * no-slip: u is that of the wall, which may move along itself. slip: no flux,
  * no tangential stress. inlet: a superficial velocity normal to the patch,

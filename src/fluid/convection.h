@@ -1,4 +1,5 @@
-/* convection.h -- the face velocity of convected momentum. Chapter 5.
+/* convection.h -- the face velocity of convected momentum.
+ * Chapter "Averaged flow".
  *
  * u_f = share u_owner + (1 - share) u_neighbour + beyond
  *
@@ -6,7 +7,8 @@
  * of the face; this weight is used in the matrix. A scheme that uses more than
  * the two cells has a second, explicit part, which is computed from the
  * velocities known so far and added to the right-hand side (deferred
- * correction). Chapter 19.
+ * correction).
+ * Chapter "The flow, verified".
  */
 #ifndef FLUID_CONVECTION_H
 #define FLUID_CONVECTION_H

@@ -5,7 +5,8 @@
  * the previous step, and with the masses of that step: both satisfy continuity
  * together. This is of first order in time. A two-step scheme, or a step with
  * outer iterations, uses the masses of the new time and the flux extrapolated
- * to it or, in an outer iteration, the latest flux. Chapter 19.
+ * to it or, in an outer iteration, the latest flux.
+ * Chapter "The flow, verified".
  */
 #include "fluid/time_levels.h"
 

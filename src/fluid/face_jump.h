@@ -1,5 +1,5 @@
 /* face_jump.h -- jumps of the pressure at faces where eps or the drag jumps.
- * Chapter 6.
+ * Chapter "Pressure".
  */
 #ifndef FLUID_FACE_JUMP_H
 #define FLUID_FACE_JUMP_H

@@ -1,5 +1,5 @@
 /* momentum_system.h -- the momentum equation of the cells and its solution.
- * Chapter 5.
+ * Chapter "Averaged flow".
  *
  * The equation of cell P, in newtons:
  *

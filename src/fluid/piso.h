@@ -1,6 +1,6 @@
 /* piso.h -- what the files of the flow solver share: the geometry of faces, the
  * fluid's share of the pressure gradient, and the creation of the systems.
- * Chapter 6.
+ * Chapter "Pressure".
  */
 #ifndef FLUID_PISO_H
 #define FLUID_PISO_H

@@ -1,5 +1,5 @@
 /* pressure_system.h -- the pressure equation of the cells, the fluxes through
- * faces, and the pressure gradient. Chapter 6.
+ * faces, and the pressure gradient. Chapter "Pressure".
  *
  *   sum_f conductance_f (p_N - p_P) = the residual of continuity of the fluxes
  *                                     without the pressure   [m^3/s]

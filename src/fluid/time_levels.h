@@ -1,5 +1,5 @@
 /* time_levels.h -- what the time derivative takes from the previous steps.
- * Chapter 19.
+ * Chapter "The flow, verified".
  *
  *   (now eps_new u - old eps_old u_n + older eps_older u_nm1) rho V / dt
  *

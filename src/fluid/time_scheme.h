@@ -1,4 +1,5 @@
-/* time_scheme.h -- schemes for the time derivative of momentum. Chapter 19.
+/* time_scheme.h -- schemes for the time derivative of momentum.
+ * Chapter "The flow, verified".
  *
  *   d(eps u)/dt = (now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)) /
  * dt

@@ -1,4 +1,5 @@
-/* velocity_gradient.h -- the gradient of the velocity in the cells. Chapter 19.
+/* velocity_gradient.h -- the gradient of the velocity in the cells.
+ * Chapter "The flow, verified".
  *
  * Gauss: (1/V) sum u_f S, u_f linear between the two cells of a face. Least
  * squares: the gradient that best gives the differences to all neighbours,

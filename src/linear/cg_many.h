@@ -1,4 +1,5 @@
-/* cg_many.h -- conjugate gradients for several fields at once.  Chapter 7.
+/* cg_many.h -- conjugate gradients for several fields at once.
+ * Chapter "Linear solvers".
  *
  * The m fields are interleaved, x[m * i + k], and have the same matrix, so each
  * coefficient is read once for all fields. Each field has its own step lengths,

@@ -1,4 +1,5 @@
-/* chebyshev.h -- diffusion over a time T without a time step.  Chapter 8.
+/* chebyshev.h -- diffusion over a time T without a time step.
+ * Chapter "Averaging".
  *
  * With L = V^-1 K the solution of du/dt = -L u is u(T) = exp(-T L) u(0). All
  * eigenvalues of L lie in [0, lambda], so the exponential is a short series of

@@ -1,4 +1,4 @@
-/* face_loops.h -- the loops of faces.h, as macros. Chapter 7.
+/* face_loops.h -- the loops of faces.h, as macros. Chapter "Linear solvers".
  *
  * The function of one face is declared with FACE_KERNEL or FACE_SUM_KERNEL: the
  * compiler forms one vectorised loop only if the function is inlined.

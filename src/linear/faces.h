@@ -1,5 +1,6 @@
 /* faces.h -- loops over the faces of a mesh, and over the faces of its cells.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  *
  * A loop is written once, as an inline function of one face: FOR_EACH_FACE of
  * face_loops.h calls it for each inner face, SUM_OVER_FACES for each face of

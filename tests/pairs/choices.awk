@@ -35,7 +35,7 @@ BEGIN {
     choice("cp", "surface", "none plane cylinder stl moving turning")
     choice("cm", "integrator", "velocity-verlet symplectic-euler")
     choice("p", "integrator", "velocity-verlet symplectic-euler heun")
-    choice("cpm", "list", "verlet link-cells")
+    choice("cpm", "list", "verlet link-cells all-pairs")
     choice("cp", "gravity", "down none oblique")
     choice("cpm", "budget", "off on")
     choice("cm", "averaging", "pcm dpvm cube two-grid kernel gaussian images diffusion")
@@ -94,6 +94,15 @@ BEGIN {
     # Who goes out below comes in above, behind this plane.
     apart("surface", "plane", "periodic", "y xyz",
           "not parallel to y, which is periodic")
+    # The reference loop knows the sides of a box.
+    apart("list", "link-cells all-pairs", "integrator", "heun",
+          "knows no integrator that")
+    apart("list", "link-cells all-pairs", "driven", "line swing circle",
+          "knows no prescribed particles")
+    apart("list", "link-cells all-pairs", "surface",
+          "plane cylinder stl moving turning", "knows no surfaces")
+    apart("list", "link-cells all-pairs", "mesh",
+          "sheared dual cyclic slanted", "knows no surfaces")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.

@@ -1,4 +1,5 @@
-/* bandwidth.h -- a bandwidth of the diffusion that varies in space. Chapter 21.
+/* bandwidth.h -- a bandwidth of the diffusion that varies in space.
+ * Chapter "Averaging, compared".
  *
  *     d phi / d tau = div (D grad phi),  D = (b(x) / b)^2 [-]
  *                                           [SX15 section 2.2.3]

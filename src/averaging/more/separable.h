@@ -1,4 +1,5 @@
-/* separable.h -- diffusion in a box, direction by direction. Chapter 8.
+/* separable.h -- diffusion in a box, direction by direction.
+ * Chapter "Averaging".
  *
  * The Laplacian of a box of cells is a sum of three, one for each direction,
  * and these commute. So the exponential is a product:

@@ -51,13 +51,69 @@ static void print_keys_of(const struct model *m)
             print_key(k, "        ");
 }
 
-static void print_all_keys(void)
+/* How many letters of a path name its part of a case: "fluid", "title". */
+static size_t part_of(const char *path)
+{
+    return strcspn(path, ".");
+}
+
+/* The keys of one part, those of its groups and those of its models. */
+static int print_part(const struct key *const *tables, const char *part,
+                      size_t length)
+{
+    const struct key *key;
+    int n = 0;
+
+    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
+        if (part_of(key->path) == length &&
+            strncmp(key->path, part, length) == 0) {
+            print_key(key, "");
+            n++;
+        }
+    return n;
+}
+
+/* The first row of each part, in the order of the tables; NULL past the last.
+ */
+static const struct key *next_part(const struct key *const *tables, int *i)
+{
+    const struct key *key;
+
+    for (; (key = schema_at(tables, *i)) != NULL; ++*i)
+        if (strchr(key->path, '.') == NULL) {
+            ++*i;
+            return key;
+        }
+    return NULL;
+}
+
+static int unknown_part(const struct key *const *tables, const char *name)
+{
+    const struct key *key;
+    struct nearest n;
+
+    nearest_init(&n, name);
+    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
+        nearest_offer(&n, key->path);
+    fprintf(stderr, "winnow: no part of a case is called %s; %s%s%s\n", name,
+            nearest_best(&n) != NULL ? "did you mean " : "winnow list keys",
+            nearest_best(&n) != NULL ? nearest_best(&n) : " names all keys",
+            nearest_best(&n) != NULL ? "?" : "");
+    return 2;
+}
+
+int list_keys(const char *part)
 {
     const struct key *tables[CASE_FILE_TABLES], *key;
 
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
-        print_key(key, "");
+    if (part != NULL)
+        return print_part(tables, part, strlen(part)) > 0
+                   ? 0
+                   : unknown_part(tables, part);
+    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
+        print_part(tables, key->path, strlen(key->path));
+    return 0;
 }
 
 static int unknown_kind(const char *name)
@@ -83,10 +139,7 @@ int list_models(const char *name)
     const struct kind *const kind = models_kind(name);
     struct model m;
 
-    if (strcmp(name, "keys") == 0) {
-        print_all_keys();
-        return 0;
-    }
+    if (strcmp(name, "keys") == 0) return list_keys(NULL);
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
     for (int i = 0; kind->model(i, &m); i++) {

@@ -1,4 +1,5 @@
-/* cohesion.h -- the attractions of dem/cohesion as effects.  Chapter 17.
+/* cohesion.h -- the attractions of dem/cohesion as effects.
+ * Chapter "Materials, rolling and cohesion".
  *
  * They act within the steps of the particles, and while a bed settles:
  * therefore the particles are created with them, and the hooks of these effects
@@ -8,7 +9,7 @@
 #define COUPLING_EFFECTS_COHESION_H
 
 #include "coupling/effect.h"
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct effect cohesion_electrostatic;
 extern const struct effect cohesion_van_der_waals;

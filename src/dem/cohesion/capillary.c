@@ -3,8 +3,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "dem/cohesion/attraction_sweep.h"
-
 double capillary_mean(double R_i, double R_j)
 {
     return 0.5 * (R_i + R_j);
@@ -35,10 +33,4 @@ static double wall(const struct attraction *a, double R, double gap)
     return capillary_force(a->strength, 2.0 * R);
 }
 
-static void sweep(struct chunk *s, const struct bodies *b,
-                  const struct attraction *a)
-{
-    attraction_loop(s, b, a, pair, wall);
-}
-
-const struct attraction_law capillary = {"capillary", sweep};
+const struct attraction_law capillary = {"capillary", pair, wall};

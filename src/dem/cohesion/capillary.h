@@ -1,4 +1,5 @@
-/* capillary.h -- the force of a capillary bridge. Chapter 17.
+/* capillary.h -- the force of a capillary bridge.
+ * Chapter "Materials, rolling and cohesion".
  *
  *   F = -2 pi R* gamma cos theta                                [LS 4.15]
  *
@@ -15,7 +16,7 @@
 #ifndef DEM_COHESION_CAPILLARY_H
 #define DEM_COHESION_CAPILLARY_H
 
-#include "dem/cohesion/attraction.h"
+#include "dem/attraction.h"
 
 extern const struct attraction_law capillary;
 

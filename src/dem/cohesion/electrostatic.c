@@ -2,8 +2,7 @@
 #include "dem/cohesion/electrostatic.h"
 
 #include <gsl/gsl_math.h>
-
-#include "dem/cohesion/attraction_sweep.h"
+#include <stddef.h>
 
 static const double eps_0 = 8.8541878128e-12; /* [F/m] of the vacuum */
 
@@ -19,10 +18,4 @@ static double pair(const struct attraction *a, int of_i, int of_j, double R_i,
                                R_i + R_j + gap);
 }
 
-static void sweep(struct chunk *s, const struct bodies *b,
-                  const struct attraction *a)
-{
-    attraction_loop(s, b, a, pair, NULL);
-}
-
-const struct attraction_law electrostatic = {"electrostatic", sweep};
+const struct attraction_law electrostatic = {"electrostatic", pair, NULL};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/cohesion/van_der_waals.h"
 
-#include "dem/cohesion/attraction_sweep.h"
+#include <math.h>
 
 double van_der_waals_diameter(double D_i, double D_j)
 {
@@ -30,10 +30,4 @@ static double wall(const struct attraction *a, double R, double gap)
     return pull(a, 2.0 * R, gap);
 }
 
-static void sweep(struct chunk *s, const struct bodies *b,
-                  const struct attraction *a)
-{
-    attraction_loop(s, b, a, pair, wall);
-}
-
-const struct attraction_law van_der_waals = {"van_der_waals", sweep};
+const struct attraction_law van_der_waals = {"van_der_waals", pair, wall};

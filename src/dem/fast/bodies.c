@@ -5,22 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "dem/implicit_drag.h"
-
-struct box_domain bodies_domain(const double lo[3], const double hi[3],
-                                const int periodic[3])
-{
-    struct box_domain box;
-
-    for (int k = 0; k < 3; k++) {
-        box.lo[k] = lo[k];
-        box.hi[k] = hi[k];
-        box.periodic[k] = periodic[k];
-        box.length[k] = periodic[k] ? hi[k] - lo[k] : 0.0;
-        box.inverse[k] = periodic[k] ? 1.0 / (hi[k] - lo[k]) : 0.0;
-    }
-    return box;
-}
+#include "dem/fast/drag_rows.h"
 
 struct bodies *bodies_create(int capacity, const struct box_domain *box)
 {
@@ -73,12 +58,7 @@ void bodies_load(struct bodies *b, const struct particles *ps, int begin,
         a[1] = ps->ey[i] * per_mass;
         a[2] = ps->ez[i] * per_mass;
     }
-    if (b->implicit_drag != NULL) implicit_drag_load(b, ps, begin, end);
-}
-
-double bodies_inside(const struct box_domain *box, int k, double x)
-{
-    return x - box->length[k] * floor((x - box->lo[k]) * box->inverse[k]);
+    if (b->implicit_drag != NULL) drag_rows_load(b, ps, begin, end);
 }
 
 void bodies_store(const struct bodies *b, struct particles *ps, int begin,
@@ -88,9 +68,9 @@ void bodies_store(const struct bodies *b, struct particles *ps, int begin,
         const double *const x = b->position_radius[i], *const v =
                                                            b->velocity[i];
 
-        ps->x[i] = bodies_inside(&b->box, 0, x[0]);
-        ps->y[i] = bodies_inside(&b->box, 1, x[1]);
-        ps->z[i] = bodies_inside(&b->box, 2, x[2]);
+        ps->x[i] = box_domain_inside(&b->box, 0, x[0]);
+        ps->y[i] = box_domain_inside(&b->box, 1, x[1]);
+        ps->z[i] = box_domain_inside(&b->box, 2, x[2]);
         ps->vx[i] = v[0], ps->vy[i] = v[1], ps->vz[i] = v[2];
         ps->wx[i] = v[4] / x[3], ps->wy[i] = v[5] / x[3];
         ps->wz[i] = v[6] / x[3];

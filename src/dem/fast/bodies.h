@@ -1,4 +1,5 @@
-/* bodies.h -- the particles in the layout of the contact loop. Chapter 2.
+/* bodies.h -- the particles in the layout of the contact loop.
+ * Chapter "Particles and contact".
  *
  * Outside a run the particles are a structure of arrays (particles.h). During a
  * run each particle has two short rows of 32 and 64 bytes: the difference of
@@ -8,26 +9,14 @@
 #ifndef DEM_FAST_BODIES_H
 #define DEM_FAST_BODIES_H
 
+#include "dem/box_domain.h"
+#include "dem/contact.h"
 #include "dem/particles.h"
-
-/* The box of the particles: six walls, or fewer where a direction is periodic.
- */
-struct box_domain {
-    double lo[3], hi[3]; /* [m] */
-    int periodic[3];     /* [-] 1 where hi is lo again */
-    double length[3];    /* [m] hi - lo if periodic, else 0 */
-    double inverse[3];   /* [1/m] 1 / (hi - lo) if periodic, else 0 */
-};
-
-struct box_domain bodies_domain(const double lo[3], const double hi[3],
-                                const int periodic[3]);
-
-/* x in a periodic direction k, brought back between lo and hi; in others x. */
-double bodies_inside(const struct box_domain *box, int k, double x);
 
 struct bodies {
     int n;
     struct box_domain box;
+    const struct contact_law *law;
     double (*position_radius)[4]; /* [m] x, y, z, R */
     double (*velocity)[8]; /* v [m/s], 1/R [1/m], R omega [m/s], 1/m [1/kg] */
     double (*acceleration)[4]; /* [m/s^2] of the outside force; 0 */

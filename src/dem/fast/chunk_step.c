@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-#include "dem/implicit_drag.h"
+#include "dem/fast/attraction_loop.h"
+#include "dem/fast/drag_rows.h"
 
 /* Those that move as prescribed; what they do and gain comes from outside. */
 static void steer(const struct neighbours *nb, struct chunk *own, int begin,
@@ -27,8 +28,8 @@ static void advance(const struct neighbours *nb, struct chunk *own, int begin,
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                        own->max_speed_now);
     else
-        implicit_drag_advance(nb->bodies, begin, end, load, by->kick, by->drift,
-                              own->max_speed_now);
+        drag_rows_advance(nb->bodies, begin, end, load, by->kick, by->drift,
+                          own->max_speed_now);
     if (by->budget) chunk_add_work(own, nb->bodies, begin, end, by->drift);
 }
 
@@ -80,7 +81,7 @@ static void add_attractions(const struct bodies *b, struct chunk *own,
     const double before = books ? chunk_power(own, b) : 0.0;
 
     for (int k = 0; k < by->n_attractions; k++)
-        by->attractions[k].law->sweep(own, b, &by->attractions[k]);
+        attraction_loop_add(own, b, &by->attractions[k]);
     if (books) own->energy.attracted += by->dt * (chunk_power(own, b) - before);
 }
 

@@ -1,4 +1,5 @@
-/* chunk_step.h -- one time step of the chunks of a thread. Chapter 3.
+/* chunk_step.h -- one time step of the chunks of a thread.
+ * Chapter "Neighbours".
  *
  * A chunk is processed in blocks of particles: first the contacts that a block
  * owns, then its motion, while the data are still in the cache. Particles that
@@ -9,8 +10,8 @@
 #ifndef DEM_FAST_CHUNK_STEP_H
 #define DEM_FAST_CHUNK_STEP_H
 
-#include "dem/cohesion/attraction.h"
-#include "dem/contact.h"
+#include "dem/attraction.h"
+#include "dem/fast/contact_loops.h"
 #include "dem/fast/neighbours.h"
 
 struct step_parameters {

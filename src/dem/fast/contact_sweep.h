@@ -1,6 +1,7 @@
-/* contact_sweep.h -- the loop over the contacts of a chunk. Chapter 2.
+/* contact_sweep.h -- the loop over the contacts of a chunk.
+ * Chapter "Particles and contact".
  *
- * A law is one inlined function (`respond`), and the options of a case
+ * A law is one inlined function (contact_respond), and the options of a case
  * (CONTACT_PERIODIC and so on) are constants, so that each law has its own
  * loops without branches. The loops are short, because long ones would wait for
  * their own square roots and divisions. Contacts that do not touch are computed
@@ -12,22 +13,12 @@
 #include <math.h>
 
 #include "dem/contact.h"
+#include "dem/fast/contact_loops.h"
 #include "dem/fast/sweep_buffers.h"
 #include "dem/fast/sweep_energy.h"
 #include "dem/fast/sweep_rolling.h"
 
 #define SWEEP_INLINE static inline __attribute__((always_inline, unused))
-
-/* The result of a law for one contact (contact.h). */
-struct sweep_response {
-    double elastic;      /* [N] */
-    double eta_n, eta_t; /* [kg/s] */
-    double k_t;          /* [N/m] */
-};
-
-typedef struct sweep_response sweep_respond(const struct contact_constants *k,
-                                            double delta, double inverse_R,
-                                            double inverse_m);
 
 /* n, delta and the lever arms. The forces of a pair act in the plane of
  * contact, at the distance r R_i/(R_i + R_j) from x_i: with these arms, not
@@ -58,13 +49,13 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
 
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
-                            sweep_respond respond, int many)
+                            contact_respond respond, int many)
 {
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
-        const struct sweep_response a =
+        const struct contact_response a =
             respond(many ? &k[c->material_pair[p]] : k, c->delta[p],
-                    c->column[3][p], c->column[7][p]);
+                    1.0 / c->column[3][p], 1.0 / c->column[7][p]);
 
         c->elastic[p] = a.elastic;
         c->eta_n[p] = a.eta_n;
@@ -179,7 +170,7 @@ static inline void sweep_copy(double *to, const double *from, int n)
  * belong to other contacts. */
 SWEEP_INLINE void sweep_contacts(struct chunk *s, const struct bodies *b,
                                  const struct contact_constants *k, double dt,
-                                 int first, int last, sweep_respond respond,
+                                 int first, int last, contact_respond respond,
                                  int loop)
 {
     const int many = (loop & CONTACT_MULTI_MATERIAL) != 0;
@@ -220,30 +211,5 @@ SWEEP_INLINE void sweep_contacts(struct chunk *s, const struct bodies *b,
         s->max_overlap =
             c.deepest[p] > s->max_overlap ? c.deepest[p] : s->max_overlap;
 }
-
-/* The loops of a law. */
-#define SWEEP_LOOP(number, respond)                                            \
-    static void sweep_##number(struct chunk *s, const struct bodies *b,        \
-                               const struct contact_constants *k, double dt,   \
-                               int first, int last)                            \
-    {                                                                          \
-        sweep_contacts(s, b, k, dt, first, last, respond, number);             \
-    }
-#define SWEEP_LOOPS(respond)                                                   \
-    SWEEP_LOOP(0, respond)                                                     \
-    SWEEP_LOOP(1, respond)                                                     \
-    SWEEP_LOOP(2, respond)                                                     \
-    SWEEP_LOOP(3, respond)                                                     \
-    SWEEP_LOOP(6, respond)                                                     \
-    SWEEP_LOOP(7, respond)                                                     \
-    SWEEP_LOOP(10, respond)                                                    \
-    SWEEP_LOOP(11, respond)                                                    \
-    SWEEP_LOOP(14, respond)                                                    \
-    SWEEP_LOOP(15, respond)
-#define SWEEP_LOOPS_TABLE                                                      \
-    {                                                                          \
-        sweep_0, sweep_1, sweep_2, sweep_3, NULL, NULL, sweep_6, sweep_7,      \
-            NULL, NULL, sweep_10, sweep_11, NULL, NULL, sweep_14, sweep_15     \
-    }
 
 #endif

@@ -300,16 +300,14 @@ static void rebuild(struct neighbours *nb)
 double neighbours_refresh(struct neighbours *nb, double wanted)
 {
     const struct chunk_range mine = neighbours_static_range(nb);
-    const double margin =
-        nb->rebuild_each_step ? 0.0 : fmin(wanted, 0.25 * nb->skin);
+    const double margin = fmin(wanted, 0.25 * nb->skin);
 
     neighbours_check_lost(nb);
     neighbours_barrier(nb);
     const double moved = max_displacement(nb);
     neighbours_barrier(nb);
     if (moved < 0.0) return -1.0;
-    if (nb->stale || nb->rebuild_each_step || nb->skin - 2.0 * moved < margin)
-        rebuild(nb);
+    if (nb->stale || nb->skin - 2.0 * moved < margin) rebuild(nb);
     for (int s = mine.first; s < mine.last; s++) {
         chunk_choose_contacts(&nb->chunks[s], nb->bodies, margin);
         if (nb->surfaces != NULL)

@@ -1,4 +1,5 @@
-/* neighbours.h -- when and how the lists are rebuilt. Chapter 3.
+/* neighbours.h -- when and how the lists are rebuilt.
+ * Chapter "Neighbours".
  *
  * The gap of two particles with speeds of at most v decreases by at most 2 v dt
  * in a step [LS 5.16]. The contacts are chosen with a margin; while the sum of
@@ -16,7 +17,7 @@
 
 #include "dem/fast/barrier.h"
 #include "dem/surfaces/prescribed_particles.h"
-#include "dem/grid.h"
+#include "dem/fast/grid.h"
 #include "dem/fast/chunk.h"
 #include "dem/surfaces/surfaces.h"
 
@@ -35,12 +36,10 @@ struct neighbours {
     double range;  /* [m] gap up to which the neighbour list must be complete,
                       for forces at a distance; 0 without any */
     double margin; /* [m] of the contacts */
-    double margin_used;    /* [m] of it since they were chosen */
-    int rebuild_each_step; /* [-] 1: link cells, the lists are rebuilt in each
-                              step */
-    int stale;             /* [-] 1: the particles were changed from outside */
-    int history_given;     /* [-] 1: the histories were set by
-                              neighbours_restore_history, not by the last run */
+    double margin_used; /* [m] of it since they were chosen */
+    int stale;          /* [-] 1: the particles were changed from outside */
+    int history_given;  /* [-] 1: the histories were set by
+                           neighbours_restore_history, not by the last run */
     long rebuilds;
 };
 

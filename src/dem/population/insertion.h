@@ -1,4 +1,5 @@
-/* insertion.h -- insertion of particles during a run. Chapter 15.
+/* insertion.h -- insertion of particles during a run.
+ * Chapter "Insertion, removal and energy".
  *
  * A source inserts spheres at random positions in a region where they overlap
  * no other particle: all at once, or at a given rate. Diameter and positions of
@@ -13,7 +14,8 @@
 
 #include <stdio.h>
 
-#include "dem/fast/bodies.h"
+#include "dem/box_domain.h"
+#include "dem/particles.h"
 #include "dem/population/placement_region.h"
 #include "dem/population/sizes.h"
 

@@ -1,4 +1,5 @@
-/* overlaps.h -- spheres that overlap before time 0. Chapter 15.
+/* overlaps.h -- spheres that overlap before time 0.
+ * Chapter "Insertion, removal and energy".
  *
  * A contact stores k delta^2 / 2, so spheres that overlap strongly at the start
  * separate at high speed. Such a case is either refused, or the spheres are
@@ -9,7 +10,8 @@
 #ifndef DEM_POPULATION_OVERLAPS_H
 #define DEM_POPULATION_OVERLAPS_H
 
-#include "dem/fast/bodies.h"
+#include "dem/box_domain.h"
+#include "dem/particles.h"
 
 /* An overlap of more than this part of the mean diameter of the two is too deep
  * for a start [-]. */

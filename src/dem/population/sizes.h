@@ -1,4 +1,5 @@
-/* sizes.h -- distributions of particle diameters. Chapter 15.
+/* sizes.h -- distributions of particle diameters.
+ * Chapter "Insertion, removal and energy".
  *
  * A distribution of diameters d is described by its partial moments, the mean
  * of d^k over all particles, in which those larger than x are counted as zero:

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "dem/implicit_drag.h"
+#include "dem/fast/drag_rows.h"
 
 /* [-] factor of 1/m for a prescribed particle: with 0, a contact of two of them
  * would divide 0 by 0. */
@@ -70,7 +70,7 @@ static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
     b->acceleration[i][0] = ps->ex[i] * per_mass;
     b->acceleration[i][1] = ps->ey[i] * per_mass;
     b->acceleration[i][2] = ps->ez[i] * per_mass;
-    if (b->implicit_drag != NULL) implicit_drag_load(b, ps, i, i + 1);
+    if (b->implicit_drag != NULL) drag_rows_load(b, ps, i, i + 1);
 }
 
 static void set_velocity_of(const struct motion *m, struct bodies *b, int i,

@@ -1,4 +1,5 @@
-/* surface.h -- a wall that is not one of the box.  Chapter 14.
+/* surface.h -- a wall that is not one of the box.
+ * Chapter "Walls".
  *
  * The solid of a plane lies behind it, that of a cylinder around or in it: a
  * sphere whose centre is in the solid is pushed out. Triangles have two sides

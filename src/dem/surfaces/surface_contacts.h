@@ -13,7 +13,7 @@
 #ifndef DEM_SURFACES_SURFACE_CONTACTS_H
 #define DEM_SURFACES_SURFACE_CONTACTS_H
 
-#include "dem/contact.h"
+#include "dem/fast/contact_loops.h"
 #include "dem/surfaces/surface_contact_points.h"
 
 /* The history of a contact, for the next step. */

@@ -1,5 +1,6 @@
 /* contiguous_faces.h -- contiguous ranges of faces between contiguous ranges of
- * cells. Chapter 7.
+ * cells.
+ * Chapter "Linear solvers".
  *
  * Between a row of cells and the next row of a box, face f + 1 joins the cells
  * after those that face f joins. A loop over such a range needs no list of

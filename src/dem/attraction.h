@@ -9,11 +9,9 @@
  * contact force balances it, and so the limit increases by mu times the
  * cohesion.
  */
-#ifndef DEM_COHESION_ATTRACTION_H
-#define DEM_COHESION_ATTRACTION_H
+#ifndef DEM_ATTRACTION_H
+#define DEM_ATTRACTION_H
 
-struct bodies;
-struct chunk;
 struct attraction_law;
 
 /* A law and its parameters. Parameters that a law does not use are 0. */
@@ -26,13 +24,18 @@ struct attraction {
     const double *charge; /* [C] of a sphere, by material; borrowed */
 };
 
-/* Adds the forces of all pairs of a chunk to its loads. */
-typedef void attraction_sweep(struct chunk *s, const struct bodies *b,
-                              const struct attraction *a);
+/* The force [N] along the line of centres, positive pushes apart: between
+ * spheres of two materials and radii [m], and of a wall, which is flat. */
+typedef double attraction_pair(const struct attraction *a, int material_i,
+                               int material_j, double R_i, double R_j,
+                               double gap);
+typedef double attraction_wall(const struct attraction *a, double R,
+                               double gap);
 
 struct attraction_law {
     const char *name; /* as a case spells it in `effects` */
-    attraction_sweep *sweep;
+    attraction_pair *pair;
+    attraction_wall *wall; /* NULL: walls do not attract */
 };
 
 #endif

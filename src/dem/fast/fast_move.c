@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/dem_internal.h"
+#include "dem/fast/fast_internal.h"
 
 #include <math.h>
 #include <omp.h>
 
-#include "dem/surfaces/prescribed_motion.h"
+#include "dem/fast/budget.h"
 #include "dem/fast/chunk_step.h"
+#include "dem/surfaces/prescribed_motion.h"
 
 /* Number of steps for which contacts are chosen ahead. */
 static const double steps_ahead = 12.0;
@@ -27,7 +28,7 @@ static double time_after(const struct dem *dem, int k)
 static struct step_parameters step_parameters(const struct dem *dem, double dt,
                                               double kick, double drift)
 {
-    return (struct step_parameters){.sweep = dem->sweep,
+    return (struct step_parameters){.sweep = fast_of(dem)->sweep,
                                     .constants = dem->constants,
                                     .attractions = dem->options.attractions,
                                     .n_attractions = dem->options.n_attractions,
@@ -46,14 +47,14 @@ static void compute_loads(const struct dem *dem, double dt)
     struct step_parameters still = step_parameters(dem, dt, 0.0, 0.0);
 
     still.prescribed = 0;
-    chunk_step_load_and_move(dem->neighbours, &still);
+    chunk_step_load_and_move(fast_of(dem)->neighbours, &still);
 }
 
 /* Sets whether the budget counts the energy lost by springs since the last
  * sweep. */
 static void set_skip_release(const struct dem *dem, int looks)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     if (dem->energy == NULL) return;
@@ -69,7 +70,8 @@ static void set_skip_release(const struct dem *dem, int looks)
  * does not advance. */
 static int start(struct dem *dem, double *margin)
 {
-    *margin = neighbours_refresh(dem->neighbours, dem->min_margin);
+    *margin =
+        neighbours_refresh(fast_of(dem)->neighbours, fast_of(dem)->min_margin);
     if (*margin < 0.0) return 1;
     set_skip_release(dem, 1);
     compute_loads(dem, 0.0);
@@ -79,7 +81,7 @@ static int start(struct dem *dem, double *margin)
 
 static void measure(struct dem *dem)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
@@ -97,21 +99,22 @@ static void begin_budget(struct dem *dem)
     struct energy *const e = dem->energy;
 
     measure(dem);
-    neighbours_barrier(dem->neighbours);
+    neighbours_barrier(fast_of(dem)->neighbours);
     if (omp_get_thread_num() == 0) {
         const struct energy before = *e;
-        *e = energy_collect(dem->neighbours, dem->options.law->stored);
+        *e = budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
         e->added = before.added;
         e->added += energy_residual(e) - energy_residual(&before);
     }
-    neighbours_barrier(dem->neighbours);
+    neighbours_barrier(fast_of(dem)->neighbours);
 }
 
 static void choose_contacts(struct dem *dem, struct contact_margin *r,
                             double closer)
 {
-    r->margin = neighbours_refresh(dem->neighbours,
-                                   fmax(dem->min_margin, steps_ahead * closer));
+    r->margin = neighbours_refresh(
+        fast_of(dem)->neighbours,
+        fmax(fast_of(dem)->min_margin, steps_ahead * closer));
     r->used = 0.0;
 }
 
@@ -121,7 +124,7 @@ static void choose_contacts(struct dem *dem, struct contact_margin *r,
 static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
 {
     const struct integrator *const by = dem->options.integrator;
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const double dt = dem->options.step;
     const struct step_parameters first =
         step_parameters(dem, 0.0, by->first * dt, dt);
@@ -145,27 +148,27 @@ static int verlet_steps(struct dem *dem, int steps, struct contact_margin *r)
 
 static void predict(struct dem *dem, double dt)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (dem->energy != NULL)
             chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
-        integrators_predict(dem->start, own, nb->bodies, dt);
+        heun_predict(fast_of(dem)->heun, own, nb->bodies, dt);
     }
 }
 
 static void correct(struct dem *dem, double dt)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
         if (dem->energy != NULL)
             chunk_add_work(own, nb->bodies, own->begin, own->end, 0.5 * dt);
-        integrators_correct(dem->start, own, nb->bodies, dt);
+        heun_correct(fast_of(dem)->heun, own, nb->bodies, dt);
     }
 }
 
@@ -173,12 +176,12 @@ static void correct(struct dem *dem, double dt)
  * it. */
 static void force_at_start(struct dem *dem)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     compute_loads(dem, 0.0);
     for (int s = mine.first; s < mine.last; s++)
-        integrators_save_start(dem->start, &nb->chunks[s], nb->bodies);
+        heun_save_start(fast_of(dem)->heun, &nb->chunks[s], nb->bodies);
     neighbours_barrier(nb);
 }
 
@@ -186,7 +189,7 @@ static void force_at_start(struct dem *dem)
  * halves, and so end where they should; dt = 0: the velocity of that time. */
 static void steer(struct dem *dem, int k, double dt)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
 
     if (nb->prescribed == NULL || !dem->motion_on) return;
     prescribed_motion_set_velocities(nb, time_after(dem, k), dt);
@@ -200,7 +203,7 @@ static void steer(struct dem *dem, int k, double dt)
  * because computing them again would reduce sliding springs once more. */
 static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct step_parameters still = step_parameters(dem, 0.0, 0.0, 0.0);
     const double dt = dem->options.step;
     int k = 0;
@@ -228,7 +231,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
 /* Returns the number of steps done, or -1 if a particle was lost before. */
 static int move(struct dem *dem, int steps, struct contact_margin *r)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
 
     prescribed_motion_move_surfaces(nb, time_after(dem, 0));
     if (dem->motion_on)
@@ -239,9 +242,9 @@ static int move(struct dem *dem, int steps, struct contact_margin *r)
                                              : verlet_steps(dem, steps, r);
 }
 
-void dem_move(struct dem *dem, int steps)
+void fast_move(struct dem *dem, int steps)
 {
-    struct neighbours *const nb = dem->neighbours;
+    struct neighbours *const nb = fast_of(dem)->neighbours;
     struct contact_margin r = {nb->margin, nb->margin_used};
 
     neighbours_load(nb);
@@ -255,7 +258,7 @@ void dem_move(struct dem *dem, int steps)
     if (omp_get_thread_num() == 0 && done >= 0) {
         nb->margin = r.margin;
         nb->margin_used = r.used;
-        dem->steps_done = done;
+        fast_of(dem)->steps_done = done;
         dem->motion_steps += dem->motion_on ? done : 0;
     }
 }

@@ -1,4 +1,5 @@
-/* grid.h -- particles sorted into cells, and the pairs found there.  Chapter 3.
+/* grid.h -- particles sorted into cells, and the pairs found there.
+ * Chapter "Neighbours".
  *
  * The cells are as wide as the largest distance of a pair in the neighbour
  * list, so that the partners of a particle are in its own cell and the 26
@@ -6,8 +7,8 @@
  * direction of the box as the slowest index: particles that are close in space
  * are then close in memory.
  */
-#ifndef DEM_GRID_H
-#define DEM_GRID_H
+#ifndef DEM_FAST_GRID_H
+#define DEM_FAST_GRID_H
 
 #include "dem/particles.h"
 #include "dem/fast/chunk.h"

@@ -1,0 +1,41 @@
+/* box_domain.h -- the box of the particles.  Chapter 2.
+ *
+ * It has six walls, or fewer where a direction is periodic. The numbers that a
+ * direction with walls does not need are 0, so that the nearest image is the
+ * same formula for both.
+ */
+#ifndef DEM_BOX_DOMAIN_H
+#define DEM_BOX_DOMAIN_H
+
+#include <math.h>
+
+struct box_domain {
+    double lo[3], hi[3]; /* [m] */
+    int periodic[3];     /* [-] 1 where hi is lo again */
+    double length[3];    /* [m] hi - lo if periodic, else 0 */
+    double inverse[3];   /* [1/m] 1 / (hi - lo) if periodic, else 0 */
+};
+
+struct box_domain box_domain_of(const double lo[3], const double hi[3],
+                                const int periodic[3]);
+
+/* x in a periodic direction k, brought back between lo and hi; in others x. */
+double box_domain_inside(const struct box_domain *box, int k, double x);
+
+/* The difference dx [m] of two positions along k, to the nearest image. */
+static inline double box_domain_nearest(const struct box_domain *box, int k,
+                                        double dx)
+{
+    return dx - box->length[k] * rint(dx * box->inverse[k]);
+}
+
+/* Gap [m] from x to wall w, 2 k for the lower and 2 k + 1 for the upper one of
+ * direction k; negative beyond it. */
+static inline double box_domain_gap(const struct box_domain *box, int w,
+                                    const double x[3])
+{
+    const int k = w / 2;
+    return w % 2 ? box->hi[k] - x[k] : x[k] - box->lo[k];
+}
+
+#endif

@@ -1,0 +1,46 @@
+/* dem_method.h -- how pairs are found and loads computed. Chapters 2, 3.
+ *
+ * The motion of the particles is computed by one of several methods, which
+ * give the same numbers up to rounding: the reference loop (reference.h) for
+ * readers, and the fast one (fast/fast.h). dem.c knows them by this table of
+ * functions only.
+ */
+#ifndef DEM_DEM_METHOD_H
+#define DEM_DEM_METHOD_H
+
+#include "base/key.h"
+#include "dem/dem.h"
+
+struct dem_method {
+    const char *name;      /* as a case spells it in particles.list */
+    const char *what;      /* one line */
+    const char *equations; /* keys in chapters/references.md */
+    const char *function;  /* that finds the pairs */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    /* What of the options it does not know, in words; NULL: it knows all. */
+    const char *(*unknown)(const struct dem_options *o);
+    /* Gap [m] up to which it lists pairs of particles that have this mean
+     * diameter [m]. */
+    double (*skin)(const struct dem_options *o, double mean);
+    /* Sets dem->state; non-zero after a message. free releases it. */
+    int (*create)(struct dem *dem);
+    void (*free)(struct dem *dem);
+    /* Moves the particles by this number of steps and fills in the report,
+     * dem->deepest and dem->energy. */
+    void (*run)(struct dem *dem, int steps, struct dem_report *r);
+    /* The particles were changed, or the budget begins. */
+    void (*changed)(struct dem *dem);
+    /* dem->deepest has been set anew. */
+    void (*limit_overlap)(struct dem *dem);
+    struct dem_spring *(*springs)(struct dem *dem, int *n);
+    /* All of the list exist; index: as of dem_indices. */
+    void (*restore_springs)(struct dem *dem, const struct dem_spring *list,
+                            int n, const int *index);
+};
+
+/* All methods, ended by NULL, the default first; dem_method_named: NULL for an
+ * unknown name. */
+extern const struct dem_method *const dem_methods[];
+const struct dem_method *dem_method_named(const char *name);
+
+#endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/attraction_loop.h"
+
+#include <math.h>
+#include <stddef.h>
+
+static int material_of(const struct bodies *b, int i)
+{
+    return b->material != NULL ? b->material[i] : 0;
+}
+
+static void add_pairs(struct chunk *s, const struct bodies *b,
+                      const struct attraction *a, int i)
+{
+    const struct neighbour_list *const v = &s->pairs;
+    const int own = i - s->begin, of_i = material_of(b, i);
+    const double *const x = b->position_radius[i];
+
+    for (int q = v->start[own]; q < v->start[own + 1]; q++) {
+        const int j = v->partner[q], at = j - s->begin;
+        const double *const y = b->position_radius[j];
+        double *const theirs = s->load[at < 0 ? at + b->n : at];
+        double dx[3], r2 = 0.0;
+
+        for (int k = 0; k < 3; k++) {
+            dx[k] = x[k] - y[k];
+            dx[k] -= b->box.length[k] * rint(dx[k] * b->box.inverse[k]);
+            r2 += dx[k] * dx[k];
+        }
+        const double r = sqrt(r2), gap = r - x[3] - y[3];
+        if (gap > a->range) continue;
+        const double F =
+            a->law->pair(a, of_i, material_of(b, j), x[3], y[3], gap) / r;
+        for (int k = 0; k < 3; k++) {
+            s->load[own][k] += F * dx[k];
+            theirs[k] -= F * dx[k];
+        }
+    }
+}
+
+/* The six sides of the box. */
+static void add_walls(struct chunk *s, const struct bodies *b,
+                      const struct attraction *a, int i)
+{
+    const struct neighbour_list *const v = &s->walls;
+    const int own = i - s->begin;
+    const double *const x = b->position_radius[i];
+
+    for (int q = v->start[own]; q < v->start[own + 1]; q++) {
+        const int k = v->partner[q] / 2, upper = v->partner[q] % 2;
+        if (k > 2) continue;
+        const double gap =
+            (upper ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
+        if (gap > a->range) continue;
+        s->load[own][k] += (upper ? -1.0 : 1.0) * a->law->wall(a, x[3], gap);
+    }
+}
+
+void attraction_loop_add(struct chunk *s, const struct bodies *b,
+                         const struct attraction *a)
+{
+    for (int i = s->begin; i < s->end; i++) {
+        add_pairs(s, b, a, i);
+        if (a->law->wall != NULL) add_walls(s, b, a, i);
+    }
+}

@@ -1,0 +1,12 @@
+/* budget.h -- the energy budget as the sum over the chunks. Chapter 15. */
+#ifndef DEM_FAST_BUDGET_H
+#define DEM_FAST_BUDGET_H
+
+#include "dem/energy.h"
+#include "dem/fast/neighbours.h"
+
+/* Sums all terms but `added` over the chunks; elastic: the stored energy of a
+ * contact over force times overlap. */
+struct energy budget_collect(const struct neighbours *nb, double elastic);
+
+#endif

@@ -1,0 +1,32 @@
+/* contact_loops.h -- the compiled loops of the contact laws. Chapter 2.
+ *
+ * A law of which nothing is said here runs in a loop that calls its `respond`
+ * for each contact: the same numbers, but slower.
+ */
+#ifndef DEM_FAST_CONTACT_LOOPS_H
+#define DEM_FAST_CONTACT_LOOPS_H
+
+#include "dem/fast/chunk.h"
+
+/* Adds the forces of contacts first ... last - 1 of a chunk of particles to its
+ * loads; the springs advance by dt [s]. With several materials k is a table:
+ * row a, column b for materials a and b. */
+typedef void contact_sweep(struct chunk *s, const struct bodies *b,
+                           const struct contact_constants *k, double dt,
+                           int first, int last);
+
+/* Options of a contact loop; each law has a compiled loop for every
+ * combination, so that unused options cost nothing. */
+enum {
+    CONTACT_PERIODIC = 1,       /* directions that are */
+    CONTACT_MULTI_MATERIAL = 2, /* materials */
+    CONTACT_ROLLING =
+        4, /* friction; only with the table of CONTACT_MULTI_MATERIAL */
+    CONTACT_BUDGET = 8, /* of energy; only with that table, too */
+    CONTACT_LOOPS = 16
+};
+
+/* The loop of a law with these options. */
+contact_sweep *contact_loops_of(const struct contact_law *law, int options);
+
+#endif

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/fast/fast.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "dem/fast/budget.h"
+#include "dem/fast/fast_internal.h"
+
+/* The contacts are chosen with a margin of at least d / MARGIN_PARTS: the
+ * optimum is flat. */
+enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
+
+static const char *unknown(const struct dem_options *o)
+{
+    (void)o;
+    return NULL;
+}
+
+static double skin_of(const struct dem_options *o, double mean)
+{
+    return o->skin > 0.0 ? o->skin : mean / SKIN_PARTS;
+}
+
+/* Selects the variant of the contact loop (contact_loops.h). */
+static int loop_of(const struct dem_options *o, int budget)
+{
+    const int periodic = o->periodic[0] || o->periodic[1] || o->periodic[2];
+    const int rolls = materials_have_rolling(&o->material, o->materials);
+    const int many = materials_count(o->materials) > 1 || rolls || budget;
+
+    return periodic * CONTACT_PERIODIC + many * CONTACT_MULTI_MATERIAL +
+           rolls * CONTACT_ROLLING + budget * CONTACT_BUDGET;
+}
+
+static struct neighbours *create_neighbours(const struct dem *dem)
+{
+    const struct dem_options *const o = &dem->options;
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    struct neighbours *const nb = neighbours_create(dem->ps, &box);
+
+    nb->bodies->law = o->law;
+    nb->bodies->step = o->step;
+    nb->bodies->n_materials = materials_count(o->materials);
+    if (o->materials != NULL) nb->bodies->wall_material = o->materials->wall;
+    nb->range = dem_range(o);
+    if (o->n_surfaces > 0)
+        nb->surfaces = surfaces_create(o->surfaces, o->n_surfaces,
+                                       &nb->bodies->box, nb->n_chunks);
+    if (o->n_prescribed > 0) {
+        nb->prescribed =
+            prescribed_particles_create(o->prescribed, o->n_prescribed);
+        nb->bodies->own_inverse_mass = alloc_doubles(dem->ps->capacity);
+    }
+    return nb;
+}
+
+static int create(struct dem *dem)
+{
+    const struct dem_options *const o = &dem->options;
+    const int loop = loop_of(o, 0);
+
+    for (int s = 0; s < o->n_surfaces; s++)
+        if (surface_wrong(&o->surfaces[s])) return 1;
+    struct fast *const fast = dem->state = alloc_zeroed(1, sizeof *fast);
+    if (o->integrator->predicts) fast->heun = heun_create(dem->ps->capacity);
+    fast->sweep = contact_loops_of(o->law, loop);
+    fast->neighbours = create_neighbours(dem);
+    if (loop & CONTACT_ROLLING) neighbours_add_rolling(fast->neighbours);
+    return 0;
+}
+
+static void release(struct dem *dem)
+{
+    struct fast *const fast = fast_of(dem);
+
+    if (fast == NULL) return;
+    neighbours_free(fast->neighbours);
+    heun_free(fast->heun);
+    free(fast);
+}
+
+static void changed(struct dem *dem)
+{
+    struct fast *const fast = fast_of(dem);
+    const int loop = loop_of(&dem->options, dem->energy != NULL);
+
+    fast->sweep = contact_loops_of(dem->options.law, loop);
+    fast->neighbours->stale = 1;
+}
+
+static void limit_overlap(struct dem *dem)
+{
+    neighbours_watch(fast_of(dem)->neighbours, dem->deepest.expected);
+}
+
+static void find_deepest(struct dem *dem)
+{
+    const struct neighbours *const nb = fast_of(dem)->neighbours;
+    struct dem_overlap *const deep = &dem->deepest;
+
+    for (int s = 0; s < nb->n_chunks; s++) {
+        const struct chunk_deep *const own = &nb->chunks[s].deep;
+        if (own->id < 0 || own->overlap <= deep->depth) continue;
+        deep->depth = own->overlap;
+        deep->id = own->id;
+        deep->other = own->other;
+        for (int k = 0; k < 3; k++)
+            deep->at[k] = box_domain_inside(&nb->bodies->box, k, own->at[k]);
+    }
+}
+
+static void report_lost(const struct neighbours *nb, struct dem_report *r)
+{
+    r->lost_id = r->lost_through = -1;
+    for (int s = 0; s < nb->n_chunks; s++) {
+        const struct bodies_survey *const found = &nb->chunks[s].survey;
+        if (found->lost > 0 && r->lost == 0) {
+            r->lost_id = nb->ps->id[found->first_lost];
+            r->lost_through = found->lost_through;
+            for (int k = 0; k < 3; k++)
+                r->lost_at[k] =
+                    nb->bodies->position_radius[found->first_lost][k];
+        }
+        r->lost += found->lost;
+    }
+}
+
+static void close_budget(struct dem *dem)
+{
+    const double added = dem->energy->added;
+
+    *dem->energy =
+        budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
+    dem->energy->added = added;
+}
+
+static void report(struct dem *dem, long rebuilds, struct dem_report *r)
+{
+    const struct neighbours *const nb = fast_of(dem)->neighbours;
+
+    *r = (struct dem_report){.steps = fast_of(dem)->steps_done,
+                             .rebuilds = rebuilds};
+    for (int s = 0; s < nb->n_chunks; s++) {
+        const struct chunk *const own = &nb->chunks[s];
+        r->contacts += own->measures.contacts;
+        r->max_overlap = fmax(r->max_overlap, own->max_overlap);
+        r->max_speed = fmax(r->max_speed, sqrt(own->measures.speed2));
+        r->translation += own->measures.translation;
+        r->rotation += own->measures.rotation;
+    }
+    if (nb->surfaces != NULL) {
+        r->contacts += surfaces_contacts(nb->surfaces);
+        r->max_overlap = fmax(r->max_overlap, surfaces_deepest(nb->surfaces));
+    }
+    if (dem->energy != NULL) close_budget(dem);
+    report_lost(nb, r);
+    find_deepest(dem);
+}
+
+static int team_size(const struct neighbours *nb)
+{
+    const int most = omp_get_max_threads();
+    return most < nb->n_chunks ? most : nb->n_chunks;
+}
+
+static void run(struct dem *dem, int steps, struct dem_report *r)
+{
+    struct fast *const fast = fast_of(dem);
+    struct neighbours *const nb = fast->neighbours;
+    const long before = nb->rebuilds;
+
+    if (nb->stale) {
+        nb->skin = skin_of(&dem->options, dem_mean_diameter(nb->ps));
+        fast->min_margin = dem_mean_diameter(nb->ps) / MARGIN_PARTS;
+    }
+    neighbours_begin_run(nb);
+#pragma omp parallel num_threads(team_size(nb))
+    fast_move(dem, steps);
+    report(dem, nb->rebuilds - before, r);
+}
+
+static const struct key skin_keys[] = {
+    {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
+     "margin of the neighbour list beyond touching", "LS 5.15", ""},
+    KEY_END};
+
+const struct dem_method fast_verlet = {
+    .name = "verlet",
+    .what = "pairs up to a skin apart, kept until they have moved it",
+    .equations = "LS 5.15, 5.16",
+    .function = "neighbours_refresh",
+    .keys = {skin_keys},
+    .unknown = unknown,
+    .skin = skin_of,
+    .create = create,
+    .free = release,
+    .run = run,
+    .changed = changed,
+    .limit_overlap = limit_overlap,
+    .springs = fast_springs,
+    .restore_springs = fast_restore_springs};

@@ -1,0 +1,32 @@
+/* fast_internal.h -- what the files behind fast.h share.  Chapter 3. */
+#ifndef DEM_FAST_FAST_INTERNAL_H
+#define DEM_FAST_FAST_INTERNAL_H
+
+#include "dem/dem_internal.h"
+#include "dem/fast/contact_loops.h"
+#include "dem/fast/heun.h"
+#include "dem/fast/neighbours.h"
+
+struct fast {
+    contact_sweep *sweep;
+    struct neighbours *neighbours;
+    double min_margin; /* [m] */
+    long steps_done;   /* [-] steps of the run at hand */
+    struct heun *heun; /* NULL: another integrator */
+};
+
+/* The state of a dem with this method. */
+static inline struct fast *fast_of(const struct dem *dem)
+{
+    return dem->state;
+}
+
+/* So many steps, by one thread of the team. */
+void fast_move(struct dem *dem, int steps);
+
+/* The contact histories as a list, and back (dem_method.h). */
+struct dem_spring *fast_springs(struct dem *dem, int *n);
+void fast_restore_springs(struct dem *dem, const struct dem_spring *list, int n,
+                          const int *index);
+
+#endif

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/link_cells.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+
+/* A box may be far larger than its particles; then the cells are widened. */
+static int most_cells(int capacity)
+{
+    return 4 * capacity + 64;
+}
+
+struct link_cells *link_cells_create(int capacity, const struct box_domain *box)
+{
+    struct link_cells *const l = alloc_zeroed(1, sizeof *l);
+
+    l->box = *box;
+    l->capacity = capacity;
+    l->head = alloc_ints(most_cells(capacity));
+    l->next = alloc_ints(capacity);
+    return l;
+}
+
+void link_cells_free(struct link_cells *l)
+{
+    if (l == NULL) return;
+    free(l->head);
+    free(l->next);
+    free(l);
+}
+
+void link_cells_clear(struct link_cells *l, double reach)
+{
+    double total = HUGE_VAL;
+
+    for (double width = reach; total > most_cells(l->capacity); width *= 1.25) {
+        total = 1.0;
+        for (int k = 0; k < 3; k++) {
+            const double length = l->box.hi[k] - l->box.lo[k];
+            l->cells[k] = number_clamped(length / width, 1, 1000000);
+            l->width[k] = length / l->cells[k];
+            total *= l->cells[k];
+        }
+    }
+    for (int c = 0; c < l->cells[0] * l->cells[1] * l->cells[2]; c++)
+        l->head[c] = -1;
+}
+
+/* A particle outside of a wall belongs to the cell at the wall. */
+static int coordinate(const struct link_cells *l, int k, double x)
+{
+    const double in = box_domain_inside(&l->box, k, x) - l->box.lo[k];
+    return number_clamped(in / l->width[k], 0, l->cells[k] - 1);
+}
+
+static int cell_of(const struct link_cells *l, const int c[3])
+{
+    return (c[2] * l->cells[1] + c[1]) * l->cells[0] + c[0];
+}
+
+void link_cells_add(struct link_cells *l, int i, const double x[3])
+{
+    const int c[3] = {coordinate(l, 0, x[0]), coordinate(l, 1, x[1]),
+                      coordinate(l, 2, x[2])};
+    int *const head = &l->head[cell_of(l, c)];
+
+    l->next[i] = *head;
+    *head = i;
+}
+
+/* The cells before, at and after that of x along one direction, each once: with
+ * two cells round a period, the one before is the one after. */
+static int beside(const struct link_cells *l, int k, double x, int found[3])
+{
+    const int m = l->cells[k], at = coordinate(l, k, x);
+    int n = 0;
+
+    for (int c = at - 1; c <= at + 1; c++)
+        if (c >= 0 && c < m)
+            found[n++] = c;
+        else if (l->box.periodic[k] && m > 2)
+            found[n++] = (c + m) % m;
+    return n;
+}
+
+int link_cells_around(const struct link_cells *l, const double x[3],
+                      int found[LINK_CELLS_AROUND])
+{
+    int at[3][3], count[3], n = 0;
+
+    for (int k = 0; k < 3; k++)
+        count[k] = beside(l, k, x[k], at[k]);
+    for (int a = 0; a < count[0]; a++)
+        for (int b = 0; b < count[1]; b++)
+            for (int c = 0; c < count[2]; c++)
+                found[n++] =
+                    cell_of(l, (const int[3]){at[0][a], at[1][b], at[2][c]});
+    return n;
+}

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/dem_internal.h"
+#include "dem/rolling.h"
+
+/* Sphere a and its partner b, another sphere or, NULL, a wall: then its partner
+ * is a sphere of the same radius behind the wall that does not move. */
+struct contact {
+    struct sphere *a, *b;
+    const struct contact_constants *k;
+    double n[3];           /* [-] from b to a */
+    double delta;          /* [m] overlap */
+    double arm;            /* [-] r / (R_a + R_b) */
+    double R_star, m_star; /* [m], [kg] */
+    double v_n, v_t[3];    /* [m/s] of the surface of a against that of b */
+    double F_n, F_t[3];    /* [N] on a */
+};
+
+/* Geometry and velocities; x points from the centre of b to that of a. */
+static struct contact contact_between(struct sphere *a, struct sphere *b,
+                                      const double x[3])
+{
+    static const struct sphere wall = {.R = HUGE_VAL, .m = HUGE_VAL};
+    const struct sphere *const other = b != NULL ? b : &wall;
+    const double r = vector_length(x), R_b = b != NULL ? b->R : a->R;
+    struct contact c = {.a = a,
+                        .b = b,
+                        .delta = a->R + R_b - r,
+                        .arm = r / (a->R + R_b),
+                        .R_star = 1.0 / (1.0 / a->R + 1.0 / other->R),
+                        .m_star = 1.0 / (1.0 / a->m + 1.0 / other->m)};
+    double v[3], spin[3], roll[3];
+
+    for (int k = 0; k < 3; k++) {
+        c.n[k] = x[k] / r;
+        v[k] = a->v[k] - other->v[k];
+        spin[k] = a->R * a->w[k] + (b != NULL ? b->R * b->w[k] : 0.0);
+    }
+    /* v_t = v - v_n n + (l_a omega_a + l_b omega_b) x (-n) */
+    c.v_n = vector_dot(v, c.n);
+    vector_cross(spin, c.n, roll);
+    for (int k = 0; k < 3; k++)
+        c.v_t[k] = v[k] - c.v_n * c.n[k] - c.arm * roll[k];
+    return c;
+}
+
+/* Friction [LS 4.8]: the displacement xi is turned into the plane of contact
+ * and advanced by v_t dt; where the force is above Coulomb's limit, both are
+ * cut back. */
+static void tangential_force(struct contact *c,
+                             const struct contact_response *law, double xi[3],
+                             double dt, struct energy *e)
+{
+    const double limit = c->k->friction * fabs(c->F_n);
+    const double out = vector_dot(xi, c->n), k_t = law->k_t;
+    double turned[3];
+
+    vector_along(xi, -out, c->n, turned);
+    vector_along(turned, dt, c->v_t, xi);
+    for (int k = 0; k < 3; k++)
+        c->F_t[k] = -k_t * xi[k] - law->eta_t * c->v_t[k];
+    const double size = vector_length(c->F_t);
+    const int slides = size > limit;
+    const int yields = slides && k_t * vector_length(xi) > limit;
+    for (int k = 0; k < 3; k++) {
+        if (slides) c->F_t[k] *= limit / size;
+        if (yields) xi[k] = -c->F_t[k] / k_t;
+    }
+    const double before = 0.5 * k_t * vector_dot(turned, turned);
+    const double after = 0.5 * k_t * vector_dot(xi, xi);
+    e->tangential += after;
+    e->released -= before;
+    if (slides)
+        e->slid += before - after - dt * vector_dot(c->F_t, c->v_t);
+    else
+        e->damped_t += dt * law->eta_t * vector_dot(c->v_t, c->v_t);
+}
+
+/* 1/(I + m R^2), I = (2/5) m R^2 [1/(kg m^2)]. */
+static double inverse_rolling_inertia(const struct sphere *s)
+{
+    return 1.0 / (1.4 * s->m * s->R * s->R);
+}
+
+/* Rolling friction (rolling.h): the moment M [N m] on a. */
+static void rolling_friction(const struct contact *c, double k_t,
+                             double angle[3], double dt, double M[3],
+                             struct energy *e)
+{
+    const double k_r = k_t * c->R_star * c->R_star;
+    const double inverse_I =
+        inverse_rolling_inertia(c->a) +
+        (c->b != NULL ? inverse_rolling_inertia(c->b) : 0.0);
+    const double C_r = 2.0 * rolling_damping_ratio * sqrt(k_r / inverse_I);
+    const double limit = c->k->rolling * c->R_star * fabs(c->F_n);
+    double w[3];
+
+    for (int k = 0; k < 3; k++)
+        w[k] = c->a->w[k] - (c->b != NULL ? c->b->w[k] : 0.0);
+    rolling_moment(M, angle, w, c->n, k_r, C_r, limit, dt);
+    e->rolled -= dt * vector_dot(M, w);
+}
+
+/* Adds F_n n + F_t to a and its negative to b. The torques are those of forces
+ * in the plane of contact, at arm R from the centres, and the moment M. */
+static void add_loads(const struct contact *c, const double M[3])
+{
+    double lever[3];
+
+    vector_cross(c->n, c->F_t, lever);
+    for (int k = 0; k < 3; k++) {
+        const double F = c->F_n * c->n[k] + c->F_t[k];
+        c->a->F[k] += F;
+        c->a->T[k] += M[k] - c->arm * c->a->R * lever[k];
+        if (c->b == NULL) continue;
+        c->b->F[k] -= F;
+        c->b->T[k] -= M[k] + c->arm * c->b->R * lever[k];
+    }
+}
+
+/* The history that the contact of i with this partner had in the step before;
+ * zero for a new contact. It is put among those of this step. */
+static struct touch *touch_with(struct reference *r, int i, int partner)
+{
+    struct touches *const now = &r->now;
+    const struct touches *const before = &r->before;
+
+    if (now->n == now->capacity) {
+        now->capacity = 2 * now->capacity + 64;
+        struct touch *const larger =
+            alloc_zeroed((size_t)now->capacity, sizeof *larger);
+        if (now->n > 0)
+            memcpy(larger, now->list, (size_t)now->n * sizeof *larger);
+        free(now->list);
+        now->list = larger;
+    }
+    struct touch *const touch = &now->list[now->n++];
+    *touch = (struct touch){.partner = partner};
+    for (int q = before->start[i]; q < before->start[i + 1]; q++)
+        if (before->list[q].partner == partner) *touch = before->list[q];
+    return touch;
+}
+
+static void note_overlap(struct reference *r, const struct contact *c, int i,
+                         int partner)
+{
+    struct dem_overlap *const deepest = r->deepest;
+    const double overlap = 1.0 - c->arm;
+
+    r->max_overlap = fmax(r->max_overlap, overlap);
+    if (overlap <= fmax(deepest->depth, deepest->expected)) return;
+    deepest->depth = overlap;
+    deepest->id = r->id[i];
+    deepest->other = partner < 0 ? partner : r->id[partner];
+    for (int k = 0; k < 3; k++)
+        deepest->at[k] = box_domain_inside(&r->box, k, c->a->x[k]);
+}
+
+/* The contact of sphere i with a partner, which it touches. */
+static void add_contact(struct reference *r, int i, int partner,
+                        const double x[3], double dt)
+{
+    struct sphere *const a = &r->sphere[i];
+    struct sphere *const b = partner < 0 ? NULL : &r->sphere[partner];
+    struct contact c = contact_between(a, b, x);
+    const struct materials *const all = r->options->materials;
+    const int material_b = b != NULL     ? b->material
+                           : all != NULL ? all->wall
+                                         : 0;
+    double M[3] = {0.0, 0.0, 0.0};
+
+    c.k = &r->constants[a->material * materials_count(all) + material_b];
+    const struct contact_response law =
+        r->options->law->respond(c.k, c.delta, c.R_star, c.m_star);
+    struct touch *const touch = touch_with(r, i, partner);
+    c.F_n = law.elastic - law.eta_n * c.v_n; /* [LS 4.4, 4.7] */
+    tangential_force(&c, &law, touch->xi, dt, r->energy);
+    if (c.k->rolling > 0.0)
+        rolling_friction(&c, law.k_t, touch->roll_angle, dt, M, r->energy);
+    add_loads(&c, M);
+    note_overlap(r, &c, i, partner);
+    r->energy->normal += r->options->law->stored * law.elastic * c.delta;
+    r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
+}
+
+/* The attractions of two spheres, or of a sphere and a wall (b = NULL), along
+ * the line of centres; gap [m]. */
+static void add_attractions(struct reference *r, struct sphere *a,
+                            struct sphere *b, const double x[3], double gap,
+                            double dt)
+{
+    const struct dem_options *const o = r->options;
+    double F = 0.0;
+
+    for (int q = 0; q < o->n_attractions; q++) {
+        const struct attraction *const one = &o->attractions[q];
+        if (gap > one->range) continue;
+        if (b != NULL)
+            F += one->law->pair(one, a->material, b->material, a->R, b->R, gap);
+        else if (one->law->wall != NULL)
+            F += one->law->wall(one, a->R, gap);
+    }
+    if (F == 0.0) return;
+    for (int k = 0; k < 3; k++) {
+        const double F_k = F * x[k] / vector_length(x);
+        a->F[k] += F_k;
+        if (b != NULL) b->F[k] -= F_k;
+        r->energy->attracted +=
+            dt * F_k * (a->v[k] - (b != NULL ? b->v[k] : 0.0));
+    }
+}
+
+static void add_pair(struct reference *r, int i, int j, double dt)
+{
+    struct sphere *const a = &r->sphere[i], *const b = &r->sphere[j];
+    double x[3];
+
+    for (int k = 0; k < 3; k++)
+        x[k] = box_domain_nearest(&r->box, k, a->x[k] - b->x[k]);
+    const double gap = vector_length(x) - a->R - b->R;
+    if (gap < 0.0) add_contact(r, i, j, x, dt);
+    add_attractions(r, a, b, x, gap, dt);
+}
+
+/* The sphere behind the wall touches it, so that even a particle whose centre
+ * has passed the wall is pushed back. */
+static void add_wall(struct reference *r, int i, int w, double dt)
+{
+    struct sphere *const a = &r->sphere[i];
+    const double gap = box_domain_gap(&r->box, w, a->x) - a->R;
+    double x[3] = {0.0, 0.0, 0.0};
+
+    x[w / 2] = (w % 2 ? -1.0 : 1.0) * (gap + 2.0 * a->R);
+    if (gap < 0.0) add_contact(r, i, -1 - w, x, dt);
+    add_attractions(r, a, NULL, x, gap, dt);
+}
+
+/* The partners of sphere i with a larger index. */
+static void add_partners(struct reference *r, int i, double dt)
+{
+    int cell[LINK_CELLS_AROUND];
+
+    if (r->cells == NULL) {
+        for (int j = i + 1; j < r->n; j++)
+            add_pair(r, i, j, dt);
+        return;
+    }
+    const int n = link_cells_around(r->cells, r->sphere[i].x, cell);
+    for (int c = 0; c < n; c++)
+        for (int j = r->cells->head[cell[c]]; j >= 0; j = r->cells->next[j])
+            if (j > i) add_pair(r, i, j, dt);
+}
+
+static void sort_into_cells(struct reference *r)
+{
+    double widest = 0.0;
+
+    for (int i = 0; i < r->n; i++)
+        widest = fmax(widest, 2.0 * r->sphere[i].R);
+    link_cells_clear(r->cells, widest + dem_range(r->options));
+    for (int i = 0; i < r->n; i++)
+        link_cells_add(r->cells, i, r->sphere[i].x);
+    r->sorts++;
+}
+
+void reference_forces(struct reference *r, double dt)
+{
+    const struct touches swap = r->before;
+
+    r->before = r->now;
+    r->now = swap;
+    r->now.n = 0;
+    r->energy->normal = r->energy->tangential = 0.0;
+    for (int i = 0; i < r->n; i++) {
+        memset(r->sphere[i].F, 0, sizeof r->sphere[i].F);
+        memset(r->sphere[i].T, 0, sizeof r->sphere[i].T);
+    }
+    if (r->cells != NULL && r->n > 0) sort_into_cells(r);
+    for (int i = 0; i < r->n; i++) {
+        r->now.start[i] = r->now.n;
+        for (int w = 0; w < 6; w++)
+            if (!r->box.periodic[w / 2]) add_wall(r, i, w, dt);
+        add_partners(r, i, dt);
+    }
+    for (int i = r->n; i <= r->capacity; i++)
+        r->now.start[i] = r->now.n;
+}

@@ -1,0 +1,60 @@
+/* reference.h -- the readable contact loop.  Chapter 2.
+ *
+ * Every pair is looked at, one after the other, and every formula stands as it
+ * is printed: no lists, no chunks, no vectors, one thread. The candidates are
+ * all pairs ("all-pairs"), or the pairs of neighbouring cells ("link-cells").
+ * The fast loop (fast/) gives the same numbers up to rounding, and is tested
+ * against this one.
+ */
+#ifndef DEM_REFERENCE_H
+#define DEM_REFERENCE_H
+
+#include "dem/dem_method.h"
+#include "dem/energy.h"
+#include "dem/link_cells.h"
+
+extern const struct dem_method reference_all_pairs, reference_link_cells;
+
+struct sphere {
+    double x[3], v[3], w[3]; /* [m], [m/s], [rad/s] */
+    double R, m;             /* [m], [kg] */
+    int material;            /* [-] number of it */
+    double outside[3];       /* [N] gravity, the fluid: constant in a run */
+    double F[3], T[3]; /* [N], [N m] of the contacts and the attractions */
+};
+
+/* The history of a contact: what depends on the path, and not on the present
+ * positions and velocities alone. */
+struct touch {
+    int partner;          /* [-] a sphere, or -1 - w for wall w */
+    double xi[3];         /* [m] tangential displacement */
+    double roll_angle[3]; /* [rad] theta (rolling.h) */
+};
+
+/* The touches of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A
+ * pair belongs to the sphere with the smaller index. */
+struct touches {
+    struct touch *list;
+    int n, capacity;
+    int *start;
+};
+
+struct reference {
+    const struct dem_options *options;
+    const struct contact_constants *constants; /* of each pair of materials */
+    struct box_domain box;
+    int n, capacity; /* [-] spheres */
+    struct sphere *sphere;
+    struct link_cells *cells;    /* NULL: all pairs */
+    struct touches now, before;  /* of this step, and of the one before */
+    struct energy *energy;       /* the budget (energy.h) */
+    double max_overlap;          /* [-] largest of this run */
+    struct dem_overlap *deepest; /* of all runs */
+    const int *id;               /* [-] of each sphere */
+    long sorts;                  /* [-] into cells, in this run */
+};
+
+/* Computes F and T of all spheres; the contact histories advance by dt [s]. */
+void reference_forces(struct reference *r, double dt);
+
+#endif

@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/dem_internal.h"
+#include "dem/implicit_drag.h"
+#include "dem/reference.h"
+
+/* What dem->state is. */
+struct run {
+    struct reference loop;
+    struct energy unused;      /* the budget of a run that needs none */
+    struct dem_report *report; /* of the run at hand */
+    int stale;                 /* [-] 1: particles were changed from outside */
+};
+
+static const char *unknown(const struct dem_options *o)
+{
+    if (o->n_surfaces > 0) return "surfaces";
+    if (o->n_prescribed > 0) return "prescribed particles";
+    if (o->integrator != NULL && o->integrator->predicts)
+        return "integrator that computes the forces twice";
+    return NULL;
+}
+
+static double no_skin(const struct dem_options *o, double mean)
+{
+    (void)o, (void)mean;
+    return 0.0;
+}
+
+static int create(struct dem *dem)
+{
+    const struct dem_options *const o = &dem->options;
+    const int capacity = dem->ps->capacity;
+    struct run *const run = dem->state = alloc_zeroed(1, sizeof *run);
+    struct reference *const r = &run->loop;
+
+    r->options = o;
+    r->constants = dem->constants;
+    r->box = box_domain_of(o->lo, o->hi, o->periodic);
+    r->capacity = capacity;
+    r->sphere = alloc_zeroed((size_t)capacity, sizeof *r->sphere);
+    r->now.start = alloc_ints(capacity + 1);
+    r->before.start = alloc_ints(capacity + 1);
+    r->deepest = &dem->deepest;
+    run->stale = 1;
+    return 0;
+}
+
+static int create_link_cells(struct dem *dem)
+{
+    create(dem);
+    struct reference *const r = &((struct run *)dem->state)->loop;
+    r->cells = link_cells_create(r->capacity, &r->box);
+    return 0;
+}
+
+static void release(struct dem *dem)
+{
+    struct run *const run = dem->state;
+
+    if (run == NULL) return;
+    free(run->loop.sphere);
+    free(run->loop.now.list);
+    free(run->loop.now.start);
+    free(run->loop.before.list);
+    free(run->loop.before.start);
+    link_cells_free(run->loop.cells);
+    free(run);
+}
+
+static void changed(struct dem *dem)
+{
+    struct run *const run = dem->state;
+    run->stale = 1;
+}
+
+static void limit_overlap(struct dem *dem)
+{
+    (void)dem; /* the loop reads dem->deepest */
+}
+
+/* --- particles to spheres, and back --------------------------------------- */
+
+static void load(struct reference *r, const struct particles *ps)
+{
+    r->n = ps->n;
+    r->id = ps->id;
+    for (int i = 0; i < ps->n; i++) {
+        struct sphere *const s = &r->sphere[i];
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+        const double outside[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+        memcpy(s->x, x, sizeof x);
+        memcpy(s->v, v, sizeof v);
+        memcpy(s->w, w, sizeof w);
+        memcpy(s->outside, outside, sizeof outside);
+        s->R = 0.5 * ps->d[i];
+        s->m = ps->m[i];
+        s->material = ps->material != NULL ? ps->material[i] : 0;
+    }
+}
+
+static void store(const struct reference *r, struct particles *ps)
+{
+    for (int i = 0; i < r->n; i++) {
+        const struct sphere *const s = &r->sphere[i];
+        ps->x[i] = box_domain_inside(&r->box, 0, s->x[0]);
+        ps->y[i] = box_domain_inside(&r->box, 1, s->x[1]);
+        ps->z[i] = box_domain_inside(&r->box, 2, s->x[2]);
+        ps->vx[i] = s->v[0], ps->vy[i] = s->v[1], ps->vz[i] = s->v[2];
+        ps->wx[i] = s->w[0], ps->wy[i] = s->w[1], ps->wz[i] = s->w[2];
+        ps->cfx[i] = s->F[0], ps->cfy[i] = s->F[1], ps->cfz[i] = s->F[2];
+    }
+}
+
+/* --- motion --------------------------------------------------------------- */
+
+/* v += F/m dt and omega += T/I dt [LS 4.1-4.3], or with a drag -k v and an
+ * added mass as in implicit_drag.h. */
+static void kick(struct reference *r, const struct particles *ps, double dt)
+{
+    const int drag = ps->drag_coefficient != NULL;
+
+    for (int i = 0; i < r->n; i++) {
+        struct sphere *const s = &r->sphere[i];
+        const double m = s->m + (drag ? ps->added_mass[i] : 0.0);
+        const double I = 0.4 * s->m * s->R * s->R;
+        const double rate = drag ? ps->drag_coefficient[i] / m : 0.0;
+        const double gain = implicit_drag_gain(rate * dt);
+        for (int k = 0; k < 3; k++) {
+            const double a = (s->F[k] + s->outside[k]) / m;
+            const double dv = gain * (a - rate * s->v[k]) * dt;
+            s->v[k] += dv;
+            s->w[k] += s->T[k] / I * dt;
+            if (drag) ps->drag_impulse[3 * i + k] += m * (dv - a * dt);
+        }
+    }
+}
+
+/* x += v dt; the work of the outside forces, less that of an implicit drag. */
+static void drift(struct reference *r, const struct particles *ps, double dt)
+{
+    for (int i = 0; i < r->n; i++) {
+        struct sphere *const s = &r->sphere[i];
+        const double k =
+            ps->drag_coefficient != NULL ? ps->drag_coefficient[i] : 0.0;
+        vector_along(s->x, dt, s->v, s->x);
+        r->energy->work +=
+            dt * (vector_dot(s->outside, s->v) - k * vector_dot(s->v, s->v));
+    }
+}
+
+/* A particle is lost when it is wholly outside or not finite; a comparison with
+ * NaN is false. */
+static int is_lost(const struct reference *r, const struct sphere *s)
+{
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&r->box, w, s->x);
+        const int periodic = r->box.periodic[w / 2];
+        if (!(periodic ? fabs(gap) < HUGE_VAL : gap >= -s->R)) return 1;
+    }
+    return !(vector_length(s->v) + vector_length(s->w) < HUGE_VAL);
+}
+
+/* Returns the number of lost particles, and reports the first. */
+static int check_lost(const struct reference *r, struct dem_report *report)
+{
+    report->lost = 0;
+    report->lost_id = report->lost_through = -1;
+    for (int i = 0; i < r->n; i++) {
+        if (!is_lost(r, &r->sphere[i]) || report->lost++ > 0) continue;
+        report->lost_id = r->id[i];
+        memcpy(report->lost_at, r->sphere[i].x, sizeof report->lost_at);
+    }
+    return report->lost;
+}
+
+/* Kick, drift, kick, drift, ...: the first drift follows the integrator's first
+ * kick, each later one a whole kick, and after the last kick velocities and
+ * positions are at the same time. */
+static void take_steps(struct reference *r, const struct particles *ps,
+                       int steps, struct dem_report *report)
+{
+    const struct integrator *const by = r->options->integrator;
+    const double dt = r->options->step;
+
+    for (int k = 0; k < steps; k++) {
+        kick(r, ps, k == 0 ? by->first * dt : dt);
+        drift(r, ps, dt);
+        if (check_lost(r, report) > 0) return;
+        r->energy->released += r->energy->tangential; /* less what is found */
+        reference_forces(r, dt);
+        report->steps++;
+    }
+    if (steps > 0) kick(r, ps, by->last * dt);
+}
+
+/* --- the sums of a run ---------------------------------------------------- */
+
+/* Forces of particles that were changed; the budget counts nothing released. */
+static void start(struct reference *r)
+{
+    const double released = r->energy->released;
+
+    reference_forces(r, 0.0);
+    r->energy->released = released;
+}
+
+static double kinetic_energy(const struct reference *r,
+                             const struct particles *ps)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < r->n; i++) {
+        const struct sphere *const s = &r->sphere[i];
+        const double m =
+            s->m + (ps->drag_coefficient != NULL ? ps->added_mass[i] : 0.0);
+        sum += 0.5 * m * vector_dot(s->v, s->v) +
+               0.2 * s->m * s->R * s->R * vector_dot(s->w, s->w);
+    }
+    return sum;
+}
+
+static void measure(const struct reference *r, struct dem_report *report)
+{
+    report->contacts = r->now.n;
+    report->max_overlap = r->max_overlap;
+    report->rebuilds = r->sorts;
+    for (int i = 0; i < r->n; i++) {
+        const struct sphere *const s = &r->sphere[i];
+        report->max_speed = fmax(report->max_speed, vector_length(s->v));
+        report->translation += 0.5 * s->m * vector_dot(s->v, s->v);
+        report->rotation += 0.2 * s->m * s->R * s->R * vector_dot(s->w, s->w);
+    }
+}
+
+static void run_steps(struct dem *dem, int steps, struct dem_report *report)
+{
+    struct run *const run = dem->state;
+    struct reference *const r = &run->loop;
+    struct energy *const e = dem->energy != NULL ? dem->energy : &run->unused;
+    const double before = energy_residual(e);
+
+    *report = (struct dem_report){.steps = 0};
+    r->energy = e;
+    r->max_overlap = 0.0;
+    r->sorts = 0;
+    load(r, dem->ps);
+    if (check_lost(r, report) == 0) {
+        if (run->stale) start(r);
+        run->stale = 0;
+        e->kinetic = kinetic_energy(r, dem->ps);
+        e->added += energy_residual(e) - before;
+        take_steps(r, dem->ps, steps, report);
+        e->kinetic = kinetic_energy(r, dem->ps);
+    }
+    store(r, dem->ps);
+    measure(r, report);
+    dem->motion_steps += dem->motion_on ? report->steps : 0;
+}
+
+/* --- histories ------------------------------------------------------------ */
+
+static struct dem_spring *springs(struct dem *dem, int *n)
+{
+    const struct touches *const now = &((struct run *)dem->state)->loop.now;
+    const int *const id = dem->ps->id;
+    struct dem_spring *const list = alloc_zeroed((size_t)now->n, sizeof *list);
+    int i = 0;
+
+    *n = now->n;
+    for (int q = 0; q < now->n; q++) {
+        while (q >= now->start[i + 1])
+            i++;
+        const struct touch *const t = &now->list[q];
+        list[q].id = id[i];
+        list[q].other = t->partner < 0 ? t->partner : id[t->partner];
+        memcpy(list[q].xi, t->xi, sizeof t->xi);
+        memcpy(list[q].roll_angle, t->roll_angle, sizeof t->roll_angle);
+    }
+    return list;
+}
+
+/* The owner and the history of an entry: a pair belongs to the sphere with the
+ * smaller index, and xi and theta change sign with the owner. */
+static int touch_of(const struct dem_spring *spring, const int *index,
+                    struct touch *touch)
+{
+    const int i = index[spring->id];
+    const int j = spring->other < 0 ? spring->other : index[spring->other];
+    const double sign = j >= 0 && j < i ? -1.0 : 1.0;
+
+    touch->partner = sign < 0.0 ? i : j;
+    for (int k = 0; k < 3; k++) {
+        touch->xi[k] = sign * spring->xi[k];
+        touch->roll_angle[k] = sign * spring->roll_angle[k];
+    }
+    return sign < 0.0 ? j : i;
+}
+
+static void restore_springs(struct dem *dem, const struct dem_spring *list,
+                            int n, const int *index)
+{
+    struct run *const run = dem->state;
+    struct touches *const now = &run->loop.now;
+    struct touch touch;
+
+    free(now->list);
+    now->list = alloc_zeroed((size_t)n, sizeof *now->list);
+    now->n = now->capacity = n;
+    memset(now->start, 0, ((size_t)run->loop.capacity + 1) * sizeof(int));
+    for (int q = 0; q < n; q++)
+        now->start[touch_of(&list[q], index, &touch)]++;
+    for (int i = 0, sum = 0; i <= run->loop.capacity; i++) {
+        sum += now->start[i];
+        now->start[i] = sum; /* the end of sphere i; becomes its start */
+    }
+    for (int q = n - 1; q >= 0; q--) {
+        const int owner = touch_of(&list[q], index, &touch);
+        now->list[--now->start[owner]] = touch;
+    }
+    run->stale = 1;
+}
+
+const struct dem_method reference_all_pairs = {
+    .name = "all-pairs",
+    .what = "every pair in every step, by the loop that is easiest to read",
+    .equations = "LS 4.1-4.3",
+    .function = "reference_forces",
+    .unknown = unknown,
+    .skin = no_skin,
+    .create = create,
+    .free = release,
+    .run = run_steps,
+    .changed = changed,
+    .limit_overlap = limit_overlap,
+    .springs = springs,
+    .restore_springs = restore_springs};
+
+const struct dem_method reference_link_cells = {
+    .name = "link-cells",
+    .what = "pairs of neighbouring cells in every step, by the same loop",
+    .equations = "LS section 5.2.2",
+    .function = "link_cells_around",
+    .unknown = unknown,
+    .skin = no_skin,
+    .create = create_link_cells,
+    .free = release,
+    .run = run_steps,
+    .changed = changed,
+    .limit_overlap = limit_overlap,
+    .springs = springs,
+    .restore_springs = restore_springs};

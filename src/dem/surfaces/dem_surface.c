@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/dem_surface.h"
+
+#include <string.h>
+
+#include "dem/fast/fast_internal.h"
+
+struct dem_surface dem_surface(const struct dem *dem, int k)
+{
+    const struct surface_received a =
+        surfaces_received(fast_of(dem)->neighbours->surfaces, k);
+    struct dem_surface r = {.work = a.work};
+
+    r.pose = motion_pose(&dem->options.surfaces[k].motion,
+                         (double)dem->motion_steps * dem->options.step);
+    memcpy(r.impulse, a.impulse, sizeof r.impulse);
+    memcpy(r.angular, a.angular, sizeof r.angular);
+    return r;
+}
