@@ -94,7 +94,7 @@ struct overlap overlaps_deepest(const struct particles *ps,
     struct overlap found = {0, -1, 0.0};
 
     for (int i = 0; i < ps->n; i++)
-        list[i] = (struct placed){bodies_inside(box, k, x[i]), i};
+        list[i] = (struct placed){box_domain_inside(box, k, x[i]), i};
     qsort(list, (size_t)ps->n, sizeof *list, by_x);
     for (int p = 0; p < ps->n; p++)
         for (int next = p + 1; next < p + ps->n; next++) {
