@@ -4,8 +4,8 @@
  * A box full of spheres that fly about like a dense gas (solid fraction 0.35,
  * up to 1 d in 1000 steps, so that lists wear out as in a fluidized
  * bed): microseconds of processor time a particle and step, the best of three,
- * for skins from d/50 to d, and with link cells; then for 500 to 64000
- * spheres.
+ * for skins from d/50 to d, and with link cells by the reference loop; then for
+ * 500 to 64000 spheres, and for a few with all pairs.
  */
 #include <math.h>
 #include <stdint.h>
@@ -14,6 +14,7 @@
 
 #include "dem/contact_hertz.h"
 #include "dem/dem.h"
+#include "dem/reference.h"
 
 static const double d = 1e-3, pitch = 1.12e-3; /* [m] */
 enum { STEPS = 300 };
@@ -43,8 +44,9 @@ static struct particles *gas(int n)
     return ps;
 }
 
-/* [us] a particle and step, after as many steps to warm up; skin 0: cells. */
-static double cost(int n, double skin)
+/* [us] a particle and step, after as many steps to warm up; method NULL: the
+ * list, with this skin. */
+static double cost(int n, double skin, const struct dem_method *method)
 {
     const double L = n * pitch;
     const struct dem_options o = {.law = &contact_hertz,
@@ -54,7 +56,7 @@ static double cost(int n, double skin)
                                                .friction = 0.2},
                                   .step = 1e-6,
                                   .skin = skin,
-                                  .link_cells = skin <= 0.0,
+                                  .method = method,
                                   .hi = {L, L, L}};
     struct particles *const ps = gas(n);
     struct dem *const dem = dem_create(ps, &o);
@@ -80,12 +82,17 @@ int main(void)
     static const int side[] = {8, 12, 18, 27, 40};
 
     puts("## skin\n# skin over d, us a particle and step: list; link cells");
-    const double cells = cost(20, 0.0);
+    const double cells = cost(20, 0.0, &reference_link_cells);
     for (int k = 0; k < 10; k++)
-        printf("%.2f %.4f %.4f\n", part[k], cost(20, part[k] * d), cells);
+        printf("%.2f %.4f %.4f\n", part[k], cost(20, part[k] * d, NULL), cells);
     puts("\n\n## number\n# particles, us: list with d/6, link cells");
     for (int k = 0; k < 5; k++)
         printf("%d %.4f %.4f\n", side[k] * side[k] * side[k],
-               cost(side[k], d / 6.0), cost(side[k], 0.0));
+               cost(side[k], d / 6.0, NULL),
+               cost(side[k], 0.0, &reference_link_cells));
+    puts("\n\n## pairs\n# particles, us: all pairs");
+    for (int k = 0; k < 2; k++)
+        printf("%d %.4f\n", side[k] * side[k] * side[k],
+               cost(side[k], 0.0, &reference_all_pairs));
     return 0;
 }

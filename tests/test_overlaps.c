@@ -34,7 +34,7 @@ START_TEST(the_deepest_of_many_is_that_of_all_pairs)
 {
     const int along = _i % 3, periodic[3] = {_i > 2, _i > 2, _i > 2};
     const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
-    const struct box_domain box = bodies_domain(lo, hi, periodic);
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
     const int n = 400;
     struct particles *const ps = particles_create(n);
     struct overlap all = {0, -1, 0.0};
