@@ -35,8 +35,17 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
+check-slow: ## what takes up to half an hour: all that a reader is told to run
+	sh .ci/install check
+	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
+slow: commands-slow
+	@echo "all slow checks hold"
+commands-slow: $B/winnow $B/tests/test_impacts
+	@sh tests/commands.sh $B whole
+
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style cli vtk tools text pages
+checks: solutions results sanitized facts style cli vtk tools commands text \
+        pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -50,6 +59,8 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
+commands: $B/winnow
+	@sh tests/commands.sh $B
 solutions: $(PATCHES:=.tried)
 chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
@@ -117,7 +128,8 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks facts sanitized style cli vtk tools solutions results \
-        text pages validate bench fuzz replay weave book help clean tests always
+.PHONY: all run check checks check-slow slow facts sanitized style cli vtk tools \
+        commands commands-slow solutions results text pages validate bench fuzz \
+        replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -59,6 +59,7 @@ static struct neighbours *lists(struct particles *ps,
 
     nb->skin = skin;
     neighbours_open(nb);
+    neighbours_fetch(nb);
     neighbours_refresh(nb, 2e-6);
     return nb;
 }

@@ -19,6 +19,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "averaging/hosts.h"
 #include "averaging/interpolation.h"
 #include "base/alloc.h"
 

@@ -77,6 +77,31 @@ fact negative_diameter_names_unit 2 "a number > 0 [m], found -0.001" \
     "$winnow" run negative.cfg
 fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
     "$winnow" run tiny.cfg -s fluid.density=heavy
+fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
+    "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
+    "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact more_particle_steps_than_an_int_holds_are_refused 2 \
+    "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
+    "$winnow" check tiny.cfg -s particles.step=1e-14
+fact end_that_is_too_far_to_count_steps_is_refused 2 "output.end: 1e+300 s are" \
+    "$winnow" run tiny.cfg -s output.end=1e300
+fact end_before_the_first_step_is_refused 2 "less than half of one step" \
+    "$winnow" run tiny.cfg -s output.end=9e-5
+fact picture_after_the_end_is_only_that_of_the_start 0 "" \
+    "$winnow" run tiny.cfg -o seldom -s output.every=1e300 -s output.end=2e-3 --quiet
+fact no_further_pictures_are_written 0 "1" \
+    sh -c 'ls seldom/particles | grep -c vtp && test $(ls seldom/fluid | wc -l) = 1'
+fact mesh_of_more_cells_than_an_int_numbers_is_refused 2 \
+    "4.299e+09 cells with 1.29e+10 faces; no more than" \
+    "$winnow" run tiny.cfg -s 'mesh.cells=[2050,2048,1024]'
+fact case_that_cannot_fit_in_memory_is_refused_before_it_is_made 2 \
+    "need about 1.44 GB, and this machine has 0.512 GB" \
+    sh -c 'ulimit -v 500000 && $0 run tiny.cfg -s "mesh.cells=[100,80,100]"' "$winnow"
+fact bed_that_cannot_fit_in_memory_is_refused_at_once 2 \
+    "particles; no more than 134217727 can be numbered" timeout 5 "$winnow" \
+    check "$top/cases/rebound.cfg" -s 'particles.bed={count=2000000000;diameter=1e-3;}'
+fact check_of_a_box_does_not_make_its_mesh 0 "4e+06" timeout 5 \
+    "$winnow" check "$top/cases/rebound.cfg" -s 'mesh.cells=[200,200,100]'
 fact case_is_checked_as_a_whole 2 "no outlet" \
     "$winnow" check tiny.cfg -s fluid.top=slip
 sed 's/grains = {/materials = ( { name = "felt"; stiffness = 10; restitution = 0.5; friction = 1.0; } ); walls = { material = "felt"; }; grains = { rolling = 0.1;/' tiny.cfg >felt.cfg
@@ -204,6 +229,25 @@ fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \
     -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
+
+cat >soft.cfg <<'END'
+title = "two spheres that meet in springs too soft for them";
+mesh = { size = [0.1, 0.1, 0.1]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-4;
+    grains = { density = 1000; stiffness = 1.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.03, 0.05, 0.05]; velocity = [0.1, 0.0, 0.0]; diameter = 1e-2; },
+              { position = [0.0405, 0.05, 0.05]; velocity = [-0.1, 0.0, 0.0]; diameter = 1e-2; } ); };
+output = { end = 0.05; every = 0.05; history = 1e-3; };
+END
+soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
+fact overlap_deeper_than_expected_is_told_with_who_and_where 0 \
+    "particle 0 and particle 1 overlap by 0.1" soft
+once() { soft | grep -c expected_overlap; }
+fact it_is_told_once 0 1 once
+meant() { soft -s particles.expected_overlap=0.4 | wc -c; }
+fact overlap_that_is_meant_is_not_told 0 0 meant
+fact overlap_deeper_than_the_limit_is_code_3 3 "more than particles.max_overlap" \
+    soft -s particles.max_overlap=0.2
 
 cat >walls.cfg <<'END'
 title = "a sphere and a sheet of metal";

@@ -31,11 +31,11 @@ const char *__asan_default_options(void)
            "allocation_size_mb=800";
 }
 
-/* The scanner of libconfig forgets a string that never ends. */
+/* libconfig forgets a string that never ends. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void)
 {
-    return "leak:libconfig_yylex";
+    return "leak:libconfig";
 }
 
 /* Splits the arguments at the ends of lines; an empty line is an empty one. */
@@ -114,12 +114,13 @@ static inline int await(pid_t child, int is_run, int *interrupted)
     return status;
 }
 
-/* Those of the program; that there is no gnuplot is the fuzzer's doing. */
+/* Those of the program, of which the usage is one; that there is no gnuplot is
+ * the fuzzer's doing. */
 static inline int count_messages(const char *said)
 {
     int n = strstr(said, "there is no gnuplot here") != NULL ? -1 : 0;
 
-    for (; (said = strstr(said, "winnow: ")) != NULL; said++)
+    for (; (said = strstr(said, "innow: ")) != NULL; said++)
         n++;
     return n;
 }

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FILES = 12, NAME = 128, WORDS = 64 };
+enum { FILES = 12, NAME = 300, WORDS = 64 };
 
 struct scene {
     char name[NAME];
@@ -35,15 +35,19 @@ static inline struct path path_of(const char *dir, const char *name)
     return p;
 }
 
+/* The beginning of a file; nothing if it cannot be read. */
 static inline struct text read_text(const char *path)
 {
     FILE *const in = fopen(path, "rb");
-    char *const room = malloc(MUTATE_MOST);
-    struct text t;
+    struct stat info;
+    struct text t = {NULL, 0};
 
-    t = text_of(room, in != NULL ? fread(room, 1, MUTATE_MOST, in) : 0);
-    if (in != NULL) fclose(in);
-    free(room);
+    if (in == NULL || fstat(fileno(in), &info) != 0) return text_of("", 0);
+    t.n = info.st_size < MUTATE_MOST ? (size_t)info.st_size : MUTATE_MOST;
+    t.byte = malloc(t.n + 1);
+    t.n = fread(t.byte, 1, t.n, in);
+    t.byte[t.n] = '\0';
+    fclose(in);
     return t;
 }
 
@@ -59,8 +63,9 @@ static inline int names_in(const char *dir, int most, char (*name)[NAME])
     int n = 0;
 
     for (struct dirent *e; list != NULL && (e = readdir(list)) != NULL;)
-        if (e->d_name[0] != '.' && n < most)
-            snprintf(name[n++], NAME, "%.100s", e->d_name);
+        if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0 &&
+            n < most)
+            snprintf(name[n++], NAME, "%s", e->d_name);
     if (list != NULL) closedir(list);
     qsort(name, (size_t)n, NAME, by_name);
     return n;
@@ -109,12 +114,15 @@ static inline void scene_save(const struct scene *s, const char *dir)
 static inline void clear_folder(const char *dir)
 {
     char name[64][NAME];
-    const int n = names_in(dir, 64, name);
+    int n;
 
-    for (int i = 0; i < n; i++) {
-        const struct path path = path_of(dir, name[i]);
-        if (unlink(path.text) != 0) clear_folder(path.text);
-    }
+    do {
+        n = names_in(dir, 64, name);
+        for (int i = 0; i < n; i++) {
+            const struct path path = path_of(dir, name[i]);
+            if (unlink(path.text) != 0) clear_folder(path.text);
+        }
+    } while (n == 64);
     rmdir(dir);
 }
 

@@ -111,6 +111,22 @@ lengths() {
     done
 }
 
+# A cast of a real number beyond the range of the whole one gives nonsense: only
+# base/number makes one of the other. clang knows the type of what is cast.
+casts() {
+    grep -n -E '\<l?l(round|rint)[fl]?\(' $modules $headers |
+        wrong 'whole number that number.h did not make'
+    command -v clang >/dev/null || return
+    for module in $(grep -l -E '\((int|long|unsigned|u?int[0-9]*_t|size_t)\)' \
+        $modules); do
+        # shellcheck disable=SC2086
+        clang $flags -fno-color-diagnostics -Xclang -ast-dump "$module" \
+            2>/dev/null | awk -v module="$module" '
+            /^[|`]-FunctionDecl/ { mine = $0 !~ / number_(int|long|clamped) / }
+            /CStyleCastExpr.*<FloatingToIntegral>/ && mine { print module }'
+    done | uniq -c | wrong 'cast of a real number, which number.h does'
+}
+
 text() {
     grep -rn --include='*.[ch]' '^ *# *if' src |
         grep -v -E '#ifndef [A-Z0-9_]+_H$|_OPENMP' | wrong 'code behind #if'
@@ -127,6 +143,7 @@ rooms
 names
 variables
 lengths
+casts
 text
 if [ -s "$found" ]; then
     cat "$found"

@@ -214,6 +214,50 @@ START_TEST(overlaps_are_reported_over_the_mean_diameter)
 }
 END_TEST
 
+/* Two spheres across a periodic end, one in a wall, one in a plane, among many
+ * that touch nobody: 20 % of the mean diameter, while 10 % are expected. */
+START_TEST(the_deepest_overlap_is_known_with_its_two_and_its_place)
+{
+    const struct surface floor = {.shape = SURFACE_PLANE,
+                                  .normal = {0.0, 0.0, 1.0},
+                                  .point = {0.0, 0.0, -0.05}};
+    static const double x[3][3] = {
+        {0.096, 0.0, 0.0}, {0.0, 0.097, 0.0}, {0.0, 0.0, -0.047}};
+    static const int other[3] = {28, -1 - 3, -7};
+    struct particles *const ps = particles_create(29);
+    struct dem_options o = spheres_options(&contact_linear, 1e-9, 0.1);
+
+    o.periodic[0] = 1;
+    o.surfaces = &floor;
+    o.n_surfaces = 1;
+    for (int k = 0; k < 27; k++)
+        spheres_add(ps, 0.02 * (k % 3), 0.02 * (k / 3 % 3),
+                    0.02 * (k / 9) + 0.02, 0.01);
+    spheres_add(ps, x[_i][0], x[_i][1], x[_i][2], 0.01);
+    if (_i == 0) spheres_add(ps, -0.096, 0.0, 0.0, 0.01);
+    struct dem *const dem = dem_create(ps, &o);
+    struct dem_report r;
+    dem_limit_overlap(dem, 0.1, 0.5);
+    ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+    ck_assert_double_eq_tol(r.max_overlap, 0.2, 1e-6);
+    const struct dem_overlap deep = dem_deepest(dem);
+    ck_assert_double_eq_tol(deep.depth, 0.2, 1e-6);
+    const int first = deep.id == 27;
+    ck_assert_int_eq(first ? deep.id : deep.other, 27);
+    ck_assert_int_eq(first ? deep.other : deep.id, other[_i]);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(fabs(deep.at[k]), fabs(x[_i][k]), 1e-6);
+    dem_limit_overlap(dem, 0.1, 0.15);
+    ck_assert_int_ne(dem_run(dem, 1, &r), 0);
+    ck_assert_int_eq(r.lost, 0);
+    dem_limit_overlap(dem, 0.25, 0.5);
+    ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+    ck_assert_int_eq(dem_deepest(dem).id, -1);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* cfx is what moved it: a sphere at rest in the air above a spring's end. */
 START_TEST(ls_4_4_the_contact_force_of_the_last_step_can_be_seen)
 {
@@ -350,6 +394,8 @@ int main(void)
     tcase_add_loop_test(t, a_periodic_box_keeps_its_momentum, 0, 2);
     tcase_add_test(
         t, a_periodic_box_too_short_for_two_spheres_is_refused_with_a_message);
+    tcase_add_loop_test(
+        t, the_deepest_overlap_is_known_with_its_two_and_its_place, 0, 3);
     tcase_add_loop_test(t, overlaps_are_reported_over_the_mean_diameter, 0, 2);
     tcase_add_test(t, ls_4_4_the_contact_force_of_the_last_step_can_be_seen);
     tcase_add_test(t, a_run_may_be_cut_into_pieces);

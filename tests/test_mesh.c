@@ -43,6 +43,54 @@ START_TEST(cell_volumes_fill_the_box)
 }
 END_TEST
 
+START_TEST(outline_of_a_box_says_what_the_box_has)
+{
+    struct mesh *const m = shape(_i);
+    const struct box_spec spec = {
+        {m->hi[0], m->hi[1], m->hi[2]},
+        {m->box.n[0], m->box.n[1], m->box.n[2]},
+        {shapes[_i].grading, 1.0 / shapes[_i].grading, shapes[_i].grading},
+        {m->box.periodic[0], m->box.periodic[1], m->box.periodic[2]}};
+    struct mesh *const o = mesh_outline_box(&spec);
+    double least, most, mean, V_least = HUGE_VAL, V_most = 0.0, fastest = 0.0;
+
+    ck_assert_ptr_null(o->V);
+    ck_assert_int_eq(o->n_cells, m->n_cells);
+    ck_assert_int_eq(o->n_faces, m->n_faces);
+    ck_assert_int_eq(o->n_internal, m->n_internal);
+    ck_assert_double_ge(mesh_box_faces(&spec), m->n_faces);
+    ck_assert_int_eq(o->n_patches, m->n_patches);
+    for (int p = 0; p < m->n_patches; p++) {
+        ck_assert_str_eq(o->patches[p].name, m->patches[p].name);
+        ck_assert_int_eq(o->patches[p].n, m->patches[p].n);
+    }
+    for (int c = 0; c < m->n_cells; c++) {
+        double rate = 0.0;
+        V_least = fmin(V_least, m->V[c]);
+        V_most = fmax(V_most, m->V[c]);
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            double SS = 0.0, Sd = 0.0;
+            for (int k = 0; k < 3; k++) {
+                SS += m->S[3 * f + k] * m->S[3 * f + k];
+                Sd += m->S[3 * f + k] * m->d[3 * f + k];
+            }
+            if (f < m->n_internal) rate += SS / Sd / m->V[c];
+        }
+        fastest = fmax(fastest, rate);
+    }
+    mesh_volumes(o, &least, &most, &mean);
+    /* products of three widths, and sums of six terms, in another order */
+    ck_assert_double_eq_tol(least / V_least, 1.0, 1e-14);
+    ck_assert_double_eq_tol(most / V_most, 1.0, 1e-14);
+    ck_assert_double_eq_tol(mean * m->n_cells / (0.3 * 1.2 * 0.5), 1.0, 1e-14);
+    ck_assert_double_le(fabs(mesh_diffusion_rate(o) - fastest),
+                        1e-13 * fastest);
+    mesh_free(o);
+    mesh_free(m);
+}
+END_TEST
+
 START_TEST(every_cell_is_closed_where_no_direction_is_periodic_with_one_cell)
 {
     struct mesh *const m = shape(_i);
@@ -205,6 +253,7 @@ int main(void)
     TCase *const t = tcase_create("box");
     suite_add_tcase(s, t);
     tcase_add_loop_test(t, cell_volumes_fill_the_box, 0, N_SHAPES);
+    tcase_add_loop_test(t, outline_of_a_box_says_what_the_box_has, 0, N_SHAPES);
     tcase_add_loop_test(
         t, every_cell_is_closed_where_no_direction_is_periodic_with_one_cell, 0,
         N_SHAPES);

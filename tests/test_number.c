@@ -54,6 +54,35 @@ START_TEST(rounded_numbers_keep_so_many_digits)
 }
 END_TEST
 
+START_TEST(a_whole_number_out_of_range_is_refused_not_wrapped)
+{
+    const double beyond[] = {2147483648.0, -2147483649.0, 1e300,
+                             INFINITY,     -INFINITY,     NAN};
+    int n = 7;
+    long many = 7;
+
+    for (int i = 0; i < 6; i++)
+        ck_assert(number_int(beyond[i], &n) != 0 && n == 7);
+    ck_assert(number_int(2147483647.0, &n) == 0 && n == 2147483647);
+    ck_assert(number_int(-2147483648.0, &n) == 0 && n == -2147483647 - 1);
+    for (int i = 2; i < 6; i++)
+        ck_assert(number_long(beyond[i], &many) != 0 && many == 7);
+    ck_assert(number_long(1e11, &many) == 0 && many == 100000000000);
+    ck_assert(number_long(9.1e15, &many) != 0);
+}
+END_TEST
+
+START_TEST(a_clamped_number_stays_in_its_range_whatever_comes)
+{
+    ck_assert_int_eq(number_clamped(2.9, 0, 5), 2);
+    ck_assert_int_eq(number_clamped(-0.5, 0, 5), 0);
+    ck_assert_int_eq(number_clamped(5.0, 0, 5), 5);
+    ck_assert_int_eq(number_clamped(1e300, 0, 5), 5);
+    ck_assert_int_eq(number_clamped(-1e300, 0, 5), 0);
+    ck_assert_int_eq(number_clamped(NAN, 0, 5), 0);
+}
+END_TEST
+
 /* A language that writes 0,5, made by localedef, which complains of all that
  * this one lacks. Where localedef cannot make it, the test shows nothing. */
 START_TEST(the_decimal_point_is_a_point_in_every_language)
@@ -90,6 +119,8 @@ int main(void)
     tcase_add_test(t, numbers_are_as_short_as_they_can_be);
     tcase_add_test(t, numbers_read_back_to_the_same_bits);
     tcase_add_test(t, rounded_numbers_keep_so_many_digits);
+    tcase_add_test(t, a_whole_number_out_of_range_is_refused_not_wrapped);
+    tcase_add_test(t, a_clamped_number_stays_in_its_range_whatever_comes);
     tcase_add_test(t, the_decimal_point_is_a_point_in_every_language);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

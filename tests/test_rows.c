@@ -69,6 +69,29 @@ START_TEST(expectation_names_kind_condition_and_unit)
 }
 END_TEST
 
+/* Whatever group an unknown key stands in, the key that is proposed has a row:
+ * the last name of every row of the program, at the root, under another group
+ * and in a group that is not there. */
+START_TEST(every_key_that_is_proposed_for_an_unknown_one_exists)
+{
+    static const char *const groups[] = {"", "fluid.", "output.", "nothing."};
+    const struct key *all[SCENE_TABLES];
+    const struct key *k;
+
+    scene_tables(all);
+    for (int i = 0; (k = rows_at(all, i)) != NULL; i++)
+        for (int g = 0; g < 4; g++) {
+            const char *const last = strrchr(k->path, '.');
+            char path[2 * ROWS_TEXT], nearest[ROWS_TEXT];
+            snprintf(path, sizeof path, "%s%s", groups[g],
+                     last == NULL ? k->path : last + 1);
+            const struct key *const row = rows_nearest(all, path, nearest);
+            ck_assert_msg(row != NULL, "%s", path);
+            ck_assert_ptr_eq(rows_find(all, nearest), row);
+        }
+}
+END_TEST
+
 /* Every row of the program itself: complete, in a group that has a row, its
  * name not in use twice, its default allowed by itself. */
 START_TEST(every_row_of_the_tables_is_complete)
@@ -131,6 +154,7 @@ int main(void)
     tcase_add_test(t, words_are_whole_words);
     tcase_add_test(t, each_side_of_the_box_matches_the_row_of_sides);
     tcase_add_test(t, expectation_names_kind_condition_and_unit);
+    tcase_add_test(t, every_key_that_is_proposed_for_an_unknown_one_exists);
     tcase_add_test(t, every_row_of_the_tables_is_complete);
     tcase_add_test(t,
                    numbers_too_large_for_an_int_are_found_outside_strings_only);

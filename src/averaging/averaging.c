@@ -2,6 +2,7 @@
 #include "averaging/averaging.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,7 @@
 #include "averaging/stencil.h"
 #include "averaging/two_grid.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 struct averaging {
     const struct averaging_method *method;
@@ -193,5 +195,5 @@ int averaging_check(const struct averaging_method *method,
     if (strcmp(full.scheme, "crank-nicolson") != 0) return 0;
     const double steps = diffusion_safe_steps(mesh, full.bandwidth);
     const double safe = ceil(steps * (1.0 - 1e-9)); /* 12.000000001 is 12 */
-    return full.steps < safe ? (int)safe : 0;
+    return full.steps < safe ? number_clamped(safe, 0, INT_MAX) : 0;
 }

@@ -90,7 +90,9 @@ const int *averaging_host(const struct averaging *a);
 const struct hosts *averaging_hosts(const struct averaging *a);
 const struct averaging_report *averaging_report(const struct averaging *a);
 
-/* About the memory for the cells around each cell, where the largest particle
+/* For this and the next an outline of the mesh is enough.
+ *
+ * About the memory for the cells around each cell, where the largest particle
  * is d [m] wide [byte]. */
 double averaging_bytes(const struct averaging_method *, const struct mesh *,
                        double d, const struct averaging_options *);

@@ -73,16 +73,7 @@ static double link_strength(const struct mesh *m, int f)
 
 double diffusion_safe_steps(const struct mesh *m, double b)
 {
-    double fastest = 0.0; /* [1/m^2] largest K_cc / V_c */
-
-    for (int c = 0; c < m->n_cells; c++) {
-        double K_cc = 0.0;
-        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            if (m->cell_face[a] < m->n_internal)
-                K_cc += link_strength(m, m->cell_face[a]);
-        fastest = fmax(fastest, K_cc / m->V[c]);
-    }
-    return 0.5 * diffusion_time(b) * fastest;
+    return 0.5 * diffusion_time(b) * mesh_diffusion_rate(m);
 }
 
 /* A = diag + factor times the Laplacian of [SX15 5a]; only internal faces have

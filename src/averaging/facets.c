@@ -6,9 +6,11 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
-enum { FLAT_MOST = 8 }; /* corners of a facet, see facets_box.c */
+enum { FLAT_MOST = 8 };     /* corners of a facet, see facets_box.c */
+enum { MOST_TURNS = 1000 }; /* a body is no wider than that many periods */
 
 /* Off its plane by so much of its width a polygon is still flat: rounding. */
 static const double flat = 1e-12;
@@ -240,7 +242,8 @@ double facets_overlap(const struct facets *f, enum facets_body body, int c,
     if (f->ring == NULL) return overlap_at(f, body, c, o, R);
     for (int k = 0; k < m->n_periods; k++)
         if (f->ring[c] >> k & 1)
-            turns[k] = 1 + (int)(2.0 * R / vector_length(m->period[k]));
+            turns[k] = 1 + number_clamped(2.0 * R / vector_length(m->period[k]),
+                                          0, MOST_TURNS);
     for (int i = -turns[0]; i <= turns[0]; i++)
         for (int j = -turns[1]; j <= turns[1]; j++)
             for (int l = -turns[2]; l <= turns[2]; l++) {

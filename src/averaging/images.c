@@ -17,9 +17,11 @@
 #include "averaging/hosts.h"
 #include "averaging/images_poly.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 static const double images_reach = 3.0; /* [-] of b, in each direction */
 enum { CHUNKS = 16 };
+enum { MOST_TURNS = 10000 }; /* the scene allows no more */
 
 struct images {
     const struct hosts *h; /* borrowed */
@@ -72,7 +74,8 @@ static double below_edge(const struct images *s, int k, int j, double x)
     const double e = edge(b, k, j);
     const double wall = b->edge[k][0], L = b->edge[k][b->n[k]] - wall;
     const double step = b->periodic[k] ? L : 2.0 * L;
-    const int turns = (int)ceil((images_reach + 1.0) * s->b / step);
+    const int turns =
+        number_clamped(ceil((images_reach + 1.0) * s->b / step), 0, MOST_TURNS);
     double sum = 0.0;
 
     for (int t = -turns; t <= turns; t++) {

@@ -14,7 +14,10 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
+
+enum { MOST_TURNS = 10000 }; /* the scene allows no more */
 
 /* What is closer together than this is one: planes, places, distances. Files
  * give places with six digits. */
@@ -125,7 +128,9 @@ static void collect_walls(struct view *v)
             add_wall(v, j, &m->S[3 * (b + m->n_internal)]);
     for (int k = 0; k < m->n_periods; k++)
         v->turns[k] =
-            1 + (int)ceil(3.0 * v->reach / vector_length(m->period[k]));
+            1 +
+            number_clamped(ceil(3.0 * v->reach / vector_length(m->period[k])),
+                           0, MOST_TURNS);
 }
 
 /* All walls that are moved by the shift and then near. */

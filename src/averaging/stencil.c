@@ -244,11 +244,10 @@ double stencil_bytes(const struct mesh *m, double b, enum stencil_to to)
 {
     const double entry = sizeof(int) + 3.0 * sizeof(double);
     const double side = to == STENCIL_TO_CENTRE ? 1.0 : 2.0;
-    double volume = 0.0;
+    double least, most, volume;
 
     if (has_equal_cells(m)) return 0.0;
-    for (int c = 0; c < m->n_cells; c++)
-        volume += m->V[c] / m->n_cells;
+    mesh_volumes(m, &least, &most, &volume);
     const double x = b / cbrt(volume); /* in widths of a cell */
     const double cells = gsl_pow_3(side) + 6.0 * side * side * x +
                          3.0 * M_PI * side * x * x +

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/two_grid.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
@@ -9,6 +11,7 @@
 #include "averaging/hosts.h"
 #include "averaging/stencil.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 struct two_grid {
     const struct hosts *h; /* borrowed */
@@ -42,8 +45,8 @@ static double *find_extents(const struct mesh *m)
 /* The coarse slab that x is in; the ends count as inside. */
 static int slab(const struct two_grid *g, int k, double x)
 {
-    const double at = floor((x - g->low[k]) / g->width[k]);
-    return (int)fmax(0.0, fmin(g->n[k] - 1, at));
+    const double at = (x - g->low[k]) / g->width[k];
+    return number_clamped(at, 0, g->n[k] - 1);
 }
 
 static int coarse_at(const struct two_grid *g, const double x[3])
@@ -120,11 +123,11 @@ static void overlap_all(struct two_grid *g)
 }
 
 /* A box of coarse cells around the mesh; returns their number. */
-static int lay_grid(struct two_grid *g, double bandwidth)
+static double lay_grid(struct two_grid *g, double bandwidth)
 {
     const struct mesh *const m = g->h->mesh;
     double high[3];
-    int n = 1;
+    double n = 1.0;
 
     for (int k = 0; k < 3; k++) {
         g->low[k] = INFINITY;
@@ -141,30 +144,11 @@ static int lay_grid(struct two_grid *g, double bandwidth)
     for (int k = 0; k < 3; k++) {
         const double L = high[k] - g->low[k];
         /* 1e-9: as many as fit, also where rounding says almost */
-        g->n[k] = (int)fmax(1.0, floor(L / bandwidth + 1e-9));
+        g->n[k] = number_clamped(L / bandwidth + 1e-9, 1, INT_MAX);
         g->width[k] = L / g->n[k];
         n *= g->n[k];
     }
     return n;
-}
-
-static void *two_grid_create(const struct hosts *h,
-                             const struct averaging_options *o)
-{
-    struct two_grid *const g = alloc_zeroed(1, sizeof *g);
-
-    g->h = h;
-    if (h->mesh->shape == NULL)
-        g->half = find_extents(h->mesh);
-    else
-        g->facets = facets_create(h->mesh);
-    const int n = lay_grid(g, o->bandwidth);
-    g->V = alloc_doubles(n);
-    g->sum = alloc_doubles(n * o->fields);
-    g->home = alloc_ints(h->mesh->n_cells);
-    g->at = alloc_ints(h->ps->capacity);
-    overlap_all(g);
-    return g;
 }
 
 static void two_grid_free(void *state)
@@ -181,6 +165,35 @@ static void two_grid_free(void *state)
     free(g->at);
     free(g->sum);
     free(g);
+}
+
+static void *two_grid_create(const struct hosts *h,
+                             const struct averaging_options *o)
+{
+    struct two_grid *const g = alloc_zeroed(1, sizeof *g);
+    int n;
+
+    g->h = h;
+    if (h->mesh->shape == NULL)
+        g->half = find_extents(h->mesh);
+    else
+        g->facets = facets_create(h->mesh);
+    if (number_int(lay_grid(g, o->bandwidth) * o->fields, &n) != 0) {
+        fprintf(stderr,
+                "winnow: averaging.bandwidth: a second grid of %g m has %.3g "
+                "cells, more than can be numbered; expected about a width of "
+                "the mesh's own cells or more\n",
+                o->bandwidth, (double)g->n[0] * g->n[1] * g->n[2]);
+        two_grid_free(g);
+        return NULL;
+    }
+    n /= o->fields;
+    g->V = alloc_doubles(n);
+    g->sum = alloc_doubles(n * o->fields);
+    g->home = alloc_ints(h->mesh->n_cells);
+    g->at = alloc_ints(h->ps->capacity);
+    overlap_all(g);
+    return g;
 }
 
 /* The coarse cell of each particle; where the mesh has nothing of it, as can be

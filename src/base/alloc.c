@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/alloc.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 void *alloc_zeroed(size_t n, size_t size)
 {
@@ -18,12 +22,54 @@ void *alloc_zeroed(size_t n, size_t size)
     return memset(p, 0, bytes);
 }
 
+/* A number below 0 is one above what an int holds. */
+static size_t counted(int n)
+{
+    if (n >= 0) return (size_t)n;
+    fprintf(stderr, "winnow: out of memory: an array of more than %d numbers\n",
+            INT_MAX);
+    exit(4);
+}
+
 double *alloc_doubles(int n)
 {
-    return alloc_zeroed((size_t)n, sizeof(double));
+    return alloc_zeroed(counted(n), sizeof(double));
 }
 
 int *alloc_ints(int n)
 {
-    return alloc_zeroed((size_t)n, sizeof(int));
+    return alloc_zeroed(counted(n), sizeof(int));
+}
+
+/* The lower of two limits, of which the second may be none. */
+static double lower(double most, double limit)
+{
+    return limit > 0.0 && limit < most ? limit : most;
+}
+
+/* What the first number in a file says, or 0: a group of processes may have
+ * less than the machine. */
+static double limit_in(const char *file)
+{
+    FILE *const in = fopen(file, "r");
+    double limit = 0.0;
+
+    if (in == NULL) return 0.0;
+    if (fscanf(in, "%lf", &limit) != 1) limit = 0.0;
+    fclose(in);
+    return limit;
+}
+
+double alloc_most(void)
+{
+    struct rlimit own;
+    double most = HUGE_VAL;
+
+    most = lower(most, (double)sysconf(_SC_PHYS_PAGES) *
+                           (double)sysconf(_SC_PAGESIZE));
+    most = lower(most, limit_in("/sys/fs/cgroup/memory.max"));
+    most = lower(most, limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
+    if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
+        most = lower(most, (double)own.rlim_cur);
+    return most;
 }

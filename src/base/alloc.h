@@ -16,4 +16,8 @@ void *alloc_zeroed(size_t n, size_t size);
 double *alloc_doubles(int n);
 int *alloc_ints(int n);
 
+/* What this program can have at most: the memory of the machine, or a limit
+ * that is set for the process [byte]. */
+double alloc_most(void);
+
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,4 +47,20 @@ const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH])
     snprintf(text, NUMBER_LENGTH, "%.*g", digits, x);
     use_decimal_point(text);
     return text;
+}
+
+int number_int(double x, int *n)
+{
+    if (!(x >= INT_MIN && x <= INT_MAX)) return 1;
+    *n = (int)x;
+    return 0;
+}
+
+int number_long(double x, long *n)
+{
+    const double most = 9007199254740992.0; /* 2^53 */
+
+    if (!(x >= -most && x <= most)) return 1;
+    *n = (long)x;
+    return 0;
 }

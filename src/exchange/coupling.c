@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "base/number.h"
 #include "exchange/replacement.h"
 #include "exchange/stability.h"
 #include "exchange/transfer.h"
@@ -113,7 +114,13 @@ static int count_substeps(const struct simulation *sim)
     double n = cp->options.substeps;
 
     if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
-    return n < 1.0 ? 1 : n > sim->dem_steps ? sim->dem_steps : (int)n;
+    return number_clamped(n, 1, sim->dem_steps);
+}
+
+/* k of n equal parts of so many steps, rounded down. */
+static int part_of(int steps, int k, int n)
+{
+    return (int)((long)steps * k / n);
 }
 
 /* Steps 3 and 4: the particles move through the sub-steps, each with the drag
@@ -126,7 +133,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
 
     transfer_open_account(sim);
     for (int k = 0; k < n && !failed; k++) {
-        const int steps = sim->dem_steps * (k + 1) / n - sim->dem_steps * k / n;
+        const int steps =
+            part_of(sim->dem_steps, k + 1, n) - part_of(sim->dem_steps, k, n);
         apply_held_forces(sim);
         transfer_apply_drag(sim, steps);
         clock_add(&sim->seconds.exchange, clock);

@@ -87,8 +87,7 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
 }
 
 /* The faces in direction k within the box, or (round) those that lead round its
- * end, numbered from f on; with m->owner NULL it only counts. Returns the next
- * number. */
+ * end, numbered from f on. Returns the next number. */
 static int faces_across(struct mesh *m, int f, int k, int round)
 {
     const struct box *const b = &m->box;
@@ -98,14 +97,12 @@ static int faces_across(struct mesh *m, int f, int k, int round)
         for (at[1] = 0; at[1] < b->n[1]; at[1]++)
             for (at[0] = 0; at[0] < b->n[0]; at[0]++) {
                 if ((at[k] == b->n[k] - 1) != round) continue;
-                if (m->owner != NULL) inner_face(m, f, k, at);
-                f++;
+                inner_face(m, f++, k, at);
             }
     return f;
 }
 
-/* All inner faces; returns how many. */
-static int inner_faces(struct mesh *m)
+static void inner_faces(struct mesh *m)
 {
     const struct box *const b = &m->box;
     int f = 0;
@@ -114,7 +111,7 @@ static int inner_faces(struct mesh *m)
         f = faces_across(m, f, k, 0);
         if (b->periodic[k] && b->n[k] > 1) f = faces_across(m, f, k, 1);
     }
-    return f;
+    assert(f == m->n_internal);
 }
 
 /* The faces of the lower (side 0) or upper (1) end of direction k. */
@@ -141,30 +138,50 @@ static void boundary_faces(struct mesh *m)
 
     for (int k = 0; k < 3; k++)
         for (int side = 0; side < 2 && !m->box.periodic[k]; side++, p++) {
-            struct patch *const patch = &m->patches[p];
-            snprintf(patch->name, sizeof patch->name, "%s",
-                     patch_names[k][side]);
-            patch->first = f;
+            assert(f == m->patches[p].first);
             f = end_faces(m, f, k, side);
-            patch->n = f - patch->first;
         }
     assert(f == m->n_faces);
+}
+
+/* The inner faces across direction k: between neighbours, and round a period
+ * of more than one cell. */
+static int layers(const int n, int periodic)
+{
+    return periodic && n > 1 ? n : n - 1;
 }
 
 static void count_faces(struct mesh *m)
 {
     const struct box *const b = &m->box;
 
-    m->n_internal = inner_faces(m);
-    m->n_faces = m->n_internal;
     for (int k = 0; k < 3; k++)
-        if (!b->periodic[k]) {
-            m->n_faces += 2 * (m->n_cells / b->n[k]);
-            m->n_patches += 2;
+        m->n_internal += m->n_cells / b->n[k] * layers(b->n[k], b->periodic[k]);
+    m->n_faces = m->n_internal;
+    m->patches = alloc_zeroed(6, sizeof *m->patches);
+    for (int k = 0; k < 3; k++)
+        for (int side = 0; side < 2 && !b->periodic[k]; side++) {
+            struct patch *const patch = &m->patches[m->n_patches++];
+            snprintf(patch->name, sizeof patch->name, "%s",
+                     patch_names[k][side]);
+            patch->first = m->n_faces;
+            patch->n = m->n_cells / b->n[k];
+            m->n_faces += patch->n;
         }
 }
 
-struct mesh *mesh_create_box(const struct box_spec *spec)
+double mesh_box_faces(const struct box_spec *spec)
+{
+    const int *const n = spec->cells;
+    const double cells = (double)n[0] * n[1] * n[2];
+    double faces = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        faces += cells / n[k] * (n[k] + 1.0);
+    return faces;
+}
+
+struct mesh *mesh_outline_box(const struct box_spec *spec)
 {
     struct mesh *const m = alloc_zeroed(1, sizeof *m);
 
@@ -177,6 +194,14 @@ struct mesh *mesh_create_box(const struct box_spec *spec)
     }
     m->n_cells = spec->cells[0] * spec->cells[1] * spec->cells[2];
     count_faces(m);
+    return m;
+}
+
+struct mesh *mesh_create_box(const struct box_spec *spec)
+{
+    struct mesh *const m = mesh_outline_box(spec);
+
+    assert(mesh_box_faces(spec) <= MESH_MOST_FACES);
     mesh_allocate(m);
     place_cells(m);
     inner_faces(m);

@@ -21,6 +21,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 
 /* A point on its way, and the best cell so far. */
@@ -95,7 +96,8 @@ static int go_through(struct walk *w, int a)
 /* 1 if a cell was found. */
 static int walk_from(struct walk *w, int c)
 {
-    const int longest = 32 + 8 * (int)cbrt(w->m->n_cells);
+    const int longest =
+        32 + 8 * number_clamped(cbrt(w->m->n_cells), 1, 1 << 11);
 
     for (int steps = 0; steps < longest; steps++) {
         double excess;
@@ -117,8 +119,8 @@ static int bin_of(const struct mesh *m, const double x[3])
     for (int k = 0; k < 3; k++) {
         if (!(x[k] >= m->lo[k] - b->slack && x[k] <= m->hi[k] + b->slack))
             return -1;
-        const int j = (int)((x[k] - m->lo[k]) * b->inverse[k]);
-        at[k] = j < 0 ? 0 : j < b->n[k] ? j : b->n[k] - 1;
+        at[k] =
+            number_clamped((x[k] - m->lo[k]) * b->inverse[k], 0, b->n[k] - 1);
     }
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
@@ -220,7 +222,7 @@ static void size_bins(const struct mesh *m, struct mesh_bins *b)
     const double width = cbrt(volume / m->n_cells);
     for (int k = 0; k < 3; k++) {
         const double L = m->hi[k] - m->lo[k];
-        b->n[k] = (int)fmin(1024.0, fmax(1.0, floor(L / width)));
+        b->n[k] = number_clamped(L / width, 1, 1024);
         b->inverse[k] = b->n[k] / L;
     }
 }
@@ -243,8 +245,8 @@ static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
         const double margin = b->slack + 1e-9 * (hi - lo);
         const double low = floor((lo - margin - m->lo[k]) * b->inverse[k]);
         const double high = floor((hi + margin - m->lo[k]) * b->inverse[k]);
-        first[k] = (int)fmax(0.0, fmin(b->n[k] - 1, low));
-        last[k] = (int)fmax(0.0, fmin(b->n[k] - 1, high));
+        first[k] = number_clamped(low, 0, b->n[k] - 1);
+        last[k] = number_clamped(high, 0, b->n[k] - 1);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 static void shape_free(struct mesh_shape *s)
 {
@@ -79,9 +80,8 @@ static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
     const double share = (x - edge[0]) / (edge[n] - edge[0]);
-    int i = (int)(share * n);
+    int i = number_clamped(share * n, 0, n - 1);
 
-    if (i > n - 1) i = n - 1;
     while (i > 0 && x < edge[i])
         i--;
     while (i < n - 1 && x >= edge[i + 1])
@@ -129,7 +129,8 @@ void mesh_allocate(struct mesh *m)
     m->S = alloc_doubles(3 * m->n_faces);
     m->d = alloc_doubles(3 * m->n_faces);
     m->w = alloc_doubles(m->n_faces);
-    m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
+    if (m->patches == NULL)
+        m->patches = alloc_zeroed((size_t)m->n_patches, sizeof *m->patches);
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 

@@ -14,6 +14,10 @@
 #ifndef MESH_H
 #define MESH_H
 
+/* No mesh has more faces: then what has four numbers a face, or twelve a cell,
+ * is still numbered by an int. */
+enum { MESH_MOST_FACES = 536870911 };
+
 /* A named stretch of boundary faces: first .. first + n - 1. */
 struct patch {
     char name[64];
@@ -97,6 +101,14 @@ struct box_spec {
 
 struct mesh *mesh_create_box(const struct box_spec *spec);
 
+/* Only the outline of it, without the arrays of cells and faces: their numbers,
+ * the edges, the patches. It takes no time, whatever the number of cells, and
+ * says all that is worth knowing of a box before it is made. */
+struct mesh *mesh_outline_box(const struct box_spec *spec);
+
+/* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
+double mesh_box_faces(const struct box_spec *spec);
+
 /* The same, pushed out of the square: x grows by shear[0] y + shear[1] z, y by
  * shear[2] z. NULL after a message if it is too crooked to compute on. */
 struct mesh *mesh_create_sheared(const struct box_spec *spec,
@@ -135,6 +147,15 @@ struct mesh_quality {
     int crooked, skewed, flat, small; /* [-] the cells where that is so */
 };
 struct mesh_quality mesh_quality(const struct mesh *m);
+
+/* The volumes of the smallest, the largest and the mean cell, also of an
+ * outline [m^3]. */
+void mesh_volumes(const struct mesh *m, double *least, double *most,
+                  double *mean);
+
+/* The largest sum of S.S / S.d over the inner faces of a cell, over its volume,
+ * also of an outline [1/m^2]: how fast a diffusion with D = 1 m^2/s fades. */
+double mesh_diffusion_rate(const struct mesh *m);
 
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);

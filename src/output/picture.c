@@ -18,7 +18,7 @@ struct disc {
 };
 
 /* More would not be seen. */
-static const double most_squares[3] = {200.0, 400.0, 50.0}; /* [-] */
+static const int most_squares[3] = {200, 400, 50}; /* [-] */
 
 static int by_depth(const void *a, const void *b)
 {
@@ -122,7 +122,7 @@ static void put_squares(FILE *out, const struct picture *p)
     for (int k = 0; k < 3; k++) {
         const double L = m->hi[k] - m->lo[k];
         const double fit = ceil(2.0 * L / cbrt(volume / m->n_cells));
-        n[k] = (int)fmin(most_squares[k], fit);
+        n[k] = number_clamped(fit, 1, most_squares[k]);
         width[k] = L / n[k];
     }
     for (int j = 0; p->eps && j < n[1]; j++)
@@ -158,7 +158,7 @@ static double usual_speed(struct disc *discs, int n)
 {
     if (n == 0) return 1.0;
     qsort(discs, (size_t)n, sizeof discs[0], by_speed);
-    const double speed = discs[(int)(0.99 * (n - 1))].speed;
+    const double speed = discs[number_clamped(0.99 * (n - 1), 0, n - 1)].speed;
     return speed > 0.0 ? speed : 1.0;
 }
 

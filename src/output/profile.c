@@ -2,6 +2,9 @@
 #include "output/profile.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
+
+enum { MOST_POINTS = 20000 }; /* of a line, along it and across */
 #include "output/mean.h"
 #include "output/probe.h"
 #include "output/table.h"
@@ -79,7 +82,8 @@ static double points_along(const struct mesh *m, int k, int *n)
 
     for (int c = 0; c < m->n_cells; c++)
         volume += m->V[c];
-    *n = (int)fmax(1.0, ceil(2.0 * L / cbrt(volume / m->n_cells)));
+    *n = number_clamped(ceil(2.0 * L / cbrt(volume / m->n_cells)), 1,
+                        MOST_POINTS);
     return L / *n;
 }
 

@@ -3,11 +3,13 @@
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/crew.h"
 #include "particles/bed_file.h"
 #include "particles/limits.h"
@@ -72,16 +74,17 @@ static struct lattice lattice_of(const struct bed_options *bed,
 {
     const double least = closest * bed->diameter;
     struct lattice l = {.up = upward(bed, dem)};
-    int layer = 1;
+    long layer = 1;
 
     l.down = bed->gravity[l.up] <= 0.0;
     for (int k = 0; k < 3; k++) {
         const double L = dem->hi[k] - dem->lo[k];
-        l.n[k] = L >= least ? (int)(L / least) : L >= bed->diameter;
+        l.n[k] = L >= least ? number_clamped(L / least, 1, INT_MAX)
+                            : L >= bed->diameter;
         l.space[k] = k == l.up ? least : L / fmax(1.0, l.n[k]);
         if (k != l.up) layer *= l.n[k];
     }
-    if (layer > 0) l.n[l.up] = (bed->count + layer - 1) / layer;
+    if (layer > 0) l.n[l.up] = (int)((bed->count + layer - 1) / layer);
     return l;
 }
 
@@ -150,12 +153,12 @@ static int fill_room(struct particles *ps, const struct lattice *l,
     const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
     const double height = dem->hi[l->up] - dem->lo[l->up];
     const long layer = (long)l->n[a] * l->n[c];
-    const long sites = layer * (long)(height / l->space[l->up]);
+    const double sites = (double)layer * floor(height / l->space[l->up]);
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
     int i = 0;
 
     gsl_rng_set(random, bed->seed);
-    for (long q = 0; q < sites && i < bed->count; q++) {
+    for (long q = 0; (double)q < sites && i < bed->count; q++) {
         long site[3];
         double x[3];
         site[a] = q % l->n[a];

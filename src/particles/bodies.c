@@ -73,8 +73,7 @@ void bodies_fetch(struct bodies *b, const struct particles *ps, int begin,
     if (b->response != NULL) response_fetch(b, ps, begin, end);
 }
 
-/* x in a periodic direction, brought back between lo and hi. */
-static double wrapped(const struct domain *box, int k, double x)
+double bodies_inside(const struct domain *box, int k, double x)
 {
     return x - box->length[k] * floor((x - box->lo[k]) * box->inverse[k]);
 }
@@ -85,9 +84,9 @@ void bodies_park(const struct bodies *b, struct particles *ps, int begin,
     for (int i = begin; i < end; i++) {
         const double *const x = b->place[i], *const v = b->motion[i];
 
-        ps->x[i] = wrapped(&b->box, 0, x[0]);
-        ps->y[i] = wrapped(&b->box, 1, x[1]);
-        ps->z[i] = wrapped(&b->box, 2, x[2]);
+        ps->x[i] = bodies_inside(&b->box, 0, x[0]);
+        ps->y[i] = bodies_inside(&b->box, 1, x[1]);
+        ps->z[i] = bodies_inside(&b->box, 2, x[2]);
         ps->vx[i] = v[0], ps->vy[i] = v[1], ps->vz[i] = v[2];
         ps->wx[i] = v[4] / x[3], ps->wy[i] = v[5] / x[3];
         ps->wz[i] = v[6] / x[3];

@@ -21,6 +21,9 @@ struct domain {
 struct domain bodies_domain(const double lo[3], const double hi[3],
                             const int periodic[3]);
 
+/* x in a periodic direction k, brought back between lo and hi; in others x. */
+double bodies_inside(const struct domain *box, int k, double x);
+
 struct bodies {
     int n;
     struct domain box;
@@ -32,6 +35,7 @@ struct bodies {
     double (*response)[4];
     double *resisted;    /* [N s] the particles' own */
     double step;         /* [s] that the rows are for */
+    const int *id;       /* [-] the particles' own */
     const int *material; /* [-] of each, in the particles' own array; NULL if
                             all are of material 0 */
     int n_materials;     /* [-] */

@@ -201,7 +201,8 @@ SWEEP_INLINE void sweep_contacts(struct strip *s, const struct bodies *b,
         sweep_law(&c, k, respond, many);
         sweep_springs(&c, xi[0], xi[1], xi[2], dt);
         if (loop & CONTACT_BUDGET)
-            sweep_budget(&s->energy, &c, (const double *const *)xi, k, dt);
+            sweep_budget(&s->energy, &c, (const double *const *)xi, k, count,
+                         dt);
         (many ? sweep_loads_many : sweep_loads)(&c, xi[0], xi[1], xi[2], k);
         sweep_into_rows(&c);
         sweep_scatter(&c, s, first, count, b->n);

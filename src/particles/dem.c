@@ -79,6 +79,7 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     if (options_wrong(o, ps)) return NULL;
     struct dem *const dem = alloc_zeroed(1, sizeof *dem);
     dem->options = *o;
+    dem->expected = dem->most = HUGE_VAL;
     if (o->integrator == NULL) dem->options.integrator = &integrators[0];
     if (dem->options.integrator->predicts)
         dem->start = integrators_start_create(ps->capacity);
@@ -136,6 +137,30 @@ void dem_change_material(struct dem *dem, const struct material *m)
     dem->options.material = *m;
     materials_table(dem->options.law, m, dem->options.materials,
                     dem->constants);
+}
+
+void dem_limit_overlap(struct dem *dem, double expected, double most)
+{
+    dem->expected = expected;
+    dem->most = most;
+    neighbours_watch(dem->neighbours, expected);
+}
+
+struct dem_overlap dem_deepest(const struct dem *dem)
+{
+    const struct neighbours *const nb = dem->neighbours;
+    struct dem_overlap deep = {0.0, -1, -1, {0.0}, dem->expected, dem->most};
+
+    for (int s = 0; s < nb->count; s++) {
+        const struct strip_deep *const own = &nb->strips[s].deep;
+        if (own->id < 0 || own->overlap <= deep.depth) continue;
+        deep.depth = own->overlap;
+        deep.id = own->id;
+        deep.other = own->other;
+        for (int k = 0; k < 3; k++)
+            deep.at[k] = bodies_inside(&nb->bodies->box, k, own->at[k]);
+    }
+    return deep;
 }
 
 static void report_lost(const struct neighbours *nb, struct dem_report *r)
@@ -205,5 +230,5 @@ int dem_run(struct dem *dem, int steps, struct dem_report *r)
 #pragma omp parallel num_threads(team_size(nb))
     dem_move(dem, steps);
     report(dem, nb->rebuilds - before, r);
-    return r->lost > 0;
+    return r->lost > 0 || r->max_overlap > dem->most;
 }

@@ -43,8 +43,25 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o);
 void dem_free(struct dem *dem);
 
 /* Moves the particles by so many steps. Non-zero if one is lost: then the run
- * ended where this was seen. The particles may have changed places. */
+ * ended where this was seen; or if two were deeper in each other than
+ * dem_limit_overlap allows. The particles may have changed places. */
 int dem_run(struct dem *dem, int steps, struct dem_report *r);
+
+/* The deepest overlap of all runs so far, if it is deeper than expected. */
+struct dem_overlap {
+    double depth;    /* [-] over the mean diameter of the two */
+    int id, other;   /* [-] of whom; -1: no overlap was deeper than expected.
+                        other: -1 - w for wall w = 2 k or 2 k + 1 of direction
+                        k, -7 - f for surface f */
+    double at[3];    /* [m] centre of the first */
+    double expected; /* [-] as it was given */
+    double most;     /* [-] likewise */
+};
+
+/* Looks out for overlaps deeper than `expected`; those deeper than `most` make
+ * a run fail. Both are shares of the mean diameter of the two [-]. */
+void dem_limit_overlap(struct dem *dem, double expected, double most);
+struct dem_overlap dem_deepest(const struct dem *dem);
 
 /* Keeps the budget of energy.h from now on. dem_energy: as the last run left
  * it; NULL if none is kept. */

@@ -16,6 +16,7 @@ struct dem {
     long tick;                       /* [-] steps of the surfaces' clock */
     int ticking;                     /* [-] 1: it runs */
     double overlap;                  /* [-] largest of the last run */
+    double expected, most;           /* [-] overlaps (dem_limit_overlap) */
     struct energy *energy;           /* NULL: no budget is kept */
     struct integrators_start *start; /* NULL: not Heun */
 };

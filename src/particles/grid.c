@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 struct grid {
     struct domain box;
@@ -85,8 +86,7 @@ static void divide(struct grid *g, const struct particles *ps, double reach)
     for (double width = reach; total > most_cells(g); width *= 1.25) {
         total = 1.0;
         for (int k = 0; k < 3; k++) {
-            const double n = fmin(floor(length[k] / width), 1e6);
-            g->cells[k] = n < 1.0 ? 1 : (int)n;
+            g->cells[k] = number_clamped(length[k] / width, 1, 1000000);
             g->inverse[k] = length[k] > 0.0 ? g->cells[k] / length[k] : 0.0;
             total *= g->cells[k];
         }
@@ -95,8 +95,8 @@ static void divide(struct grid *g, const struct particles *ps, double reach)
 
 static int coordinate(const struct grid *g, int k, double x)
 {
-    const int c = (int)((x - g->origin[k]) * g->inverse[k]);
-    return c < 0 ? 0 : c < g->cells[k] ? c : g->cells[k] - 1;
+    return number_clamped((x - g->origin[k]) * g->inverse[k], 0,
+                          g->cells[k] - 1);
 }
 
 static int cell_number(const struct grid *g, const int c[3])

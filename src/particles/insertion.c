@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
  * and what waits is asked again in the next step. */
@@ -54,7 +55,8 @@ long insertion_due(const struct insertion *in, double t)
     if (t < o->start) return 0;
     if (o->rate <= 0.0) return o->count;
     const double n = floor((t - o->start) * o->rate) + 1.0;
-    return n < (double)o->count ? (long)n : o->count;
+    long due;
+    return number_long(n, &due) != 0 || due > o->count ? o->count : due;
 }
 
 /* Who of the particles may touch a sphere in the region: their indices. */

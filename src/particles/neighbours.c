@@ -7,6 +7,13 @@
 
 #include "base/alloc.h"
 
+void neighbours_watch(struct neighbours *nb, double overlap)
+{
+    for (int s = 0; s < nb->count; s++)
+        nb->strips[s].deep =
+            (struct strip_deep){.overlap = overlap, .id = -1, .other = -1};
+}
+
 struct neighbours *neighbours_create(struct particles *ps,
                                      const struct domain *box)
 {
@@ -17,6 +24,7 @@ struct neighbours *neighbours_create(struct particles *ps,
     nb->grid = grid_create(ps->capacity, box);
     nb->count = strip_count(ps->capacity);
     nb->strips = alloc_zeroed((size_t)nb->count, sizeof *nb->strips);
+    neighbours_watch(nb, HUGE_VAL);
     nb->barrier = barrier_create();
     nb->rank = alloc_ints(ps->capacity);
     nb->stale = 1;
@@ -98,6 +106,7 @@ void neighbours_open(struct neighbours *nb)
 
     b->n = nb->ps->n;
     bodies_hold_back(b, nb->ps);
+    b->id = nb->ps->id;
     b->material = nb->ps->material;
     for (int s = 0; s < nb->count; s++) {
         struct strip *const own = &nb->strips[s];

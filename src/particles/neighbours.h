@@ -48,6 +48,10 @@ void neighbours_free(struct neighbours *nb);
 /* Contacts have a spring of rolling too. Before the first run. */
 void neighbours_keep_rolling(struct neighbours *nb);
 
+/* From now on the deepest overlap beyond this share of the mean diameter is
+ * known with its place and its two; HUGE_VAL: none. */
+void neighbours_watch(struct neighbours *nb, double overlap);
+
 /* Strips first ... last - 1 are this thread's. */
 struct neighbours_share {
     int first, last;

@@ -12,6 +12,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/vector.h"
 #include "particles/triangle.h"
 
@@ -115,7 +116,7 @@ static int is_binary(const struct source *in)
 /* Twelve numbers, the normal first, and two bytes that nobody uses. */
 static int read_binary(struct source *in, struct stl *s)
 {
-    const int n = (int)announced(in);
+    const int n = number_clamped(announced(in), 0, MOST);
     int room = 0;
 
     for (int t = 0; t < n; t++) {

@@ -55,6 +55,8 @@ static void load_block(const struct neighbours *nb, struct strip *own, int k,
            (size_t)(to->reach - from->reach) * sizeof *own->load);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->pairs, to->pairs);
     by->sweep(own, nb->bodies, by->constants, by->dt, from->walls, to->walls);
+    if (own->deepest > own->deep.overlap)
+        strip_look_deep(own, nb->bodies, from, to);
 }
 
 /* Attractions; a budget books their power. Nobody has moved yet. */

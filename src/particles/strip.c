@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "particles/strip_gap.h"
 
 /* Strips of at least STRIP_LEAST particles, so that what a strip lays on the
  * next ones stays a small part of its work; a power of two, which most
@@ -174,29 +175,6 @@ static void springs_home(struct strip *s)
     }
 }
 
-/* Gap of particles i and j, nearest image [m]. */
-static double pair_gap(const struct bodies *b, int i, int j)
-{
-    const double *const x = b->place[i], *const y = b->place[j];
-    double r2 = 0.0;
-
-    for (int k = 0; k < 3; k++) {
-        const double dx = x[k] - y[k];
-        const double L = b->box.length[k];
-        const double near = dx - L * rint(dx * b->box.inverse[k]);
-        r2 += near * near;
-    }
-    return sqrt(r2) - x[3] - y[3];
-}
-
-static double wall_gap(const struct bodies *b, int i, int wall)
-{
-    const double *const x = b->place[i];
-    const int k = wall / 2;
-
-    return (wall % 2 ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
-}
-
 /* The spring of place q in the vicinity goes to a slot of the contacts. */
 static inline void move_spring(struct contacts *c, struct vicinity *v, int slot,
                                int q, int rolls)
@@ -273,11 +251,11 @@ void strip_choose(struct strip *s, const struct bodies *b, double margin)
 
     springs_home(s);
     if (s->rolls)
-        choose(s, b, &s->pairs, pair_gap, margin, &n, 1);
+        choose(s, b, &s->pairs, strip_pair_gap, margin, &n, 1);
     else
-        choose(s, b, &s->pairs, pair_gap, margin, &n, 0);
+        choose(s, b, &s->pairs, strip_pair_gap, margin, &n, 0);
     s->contacts.n_pairs = n;
-    choose(s, b, &s->walls, wall_gap, margin, &n, s->rolls);
+    choose(s, b, &s->walls, strip_wall_gap, margin, &n, s->rolls);
     s->contacts.n_walls = n - s->contacts.n_pairs;
     divide(s, b->n);
 }
@@ -366,8 +344,8 @@ static int touching(const struct strip *s, const struct bodies *b)
     int n = 0;
 
     for (int q = 0; q < c->n_pairs + c->n_walls; q++)
-        n += (q < c->n_pairs ? pair_gap : wall_gap)(b, c->owner[q],
-                                                    c->partner[q]) < 0.0;
+        n += (q < c->n_pairs ? strip_pair_gap : strip_wall_gap)(
+                 b, c->owner[q], c->partner[q]) < 0.0;
     return n;
 }
 

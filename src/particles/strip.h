@@ -76,6 +76,14 @@ struct strip_energy {
     double attracted;          /* [J] work of the attractions */
 };
 
+/* The deepest overlap so far, if it is deeper than one wants to know of. */
+struct strip_deep {
+    double overlap; /* [-] over the mean diameter; only deeper ones are noted */
+    int id, other;  /* [-] of whom; -1: none yet. -1 - w: wall w = 2 k or 2 k +
+                       1 of direction k; -7 - f: surface f */
+    double at[3];   /* [m] centre of the first */
+};
+
 struct strip {
     int begin, end;    /* its particles */
     int window;        /* its loads reach begin ... begin + window - 1, modulo
@@ -88,8 +96,9 @@ struct strip {
     int n_blocks;
     struct kept *kept;
     int n_kept, kept_capacity;
-    int rolls;         /* [-] 1: there is rolling friction */
-    double deepest;    /* [-] largest overlap over the mean diameter */
+    int rolls;      /* [-] 1: there is rolling friction */
+    double deepest; /* [-] largest overlap over the mean diameter */
+    struct strip_deep deep;
     double fastest[4]; /* [m/s] largest |v_x|, |v_y|, |v_z| */
     double so_far[4];  /* [m/s] the same in the step at hand */
     struct bodies_survey survey;
@@ -134,6 +143,14 @@ void strip_fold(struct strip *strips, int count, int s, int n, int begin,
 
 /* Fills in the measures. */
 void strip_measure(struct strip *s, const struct bodies *b);
+
+/* Notes an overlap that is deeper than all before. */
+void strip_note(struct strip_deep *d, double overlap, int id, int other,
+                const double x[3]);
+
+/* Looks for it among the contacts between two blocks, where they are now. */
+void strip_look_deep(struct strip *s, const struct bodies *b,
+                     const struct block *from, const struct block *to);
 
 /* Power of the loads of this strip on the particles of now [W]. */
 double strip_power(const struct strip *s, const struct bodies *b);

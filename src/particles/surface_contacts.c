@@ -181,6 +181,19 @@ static void leave_footprint(struct surface_contacts *c, int q)
     surface_contacts_remember(&c->now, &one);
 }
 
+/* As strip_look_deep does it. */
+static void look_deep(const struct surface_contacts *c, struct strip *s,
+                      const struct bodies *b)
+{
+    for (int q = 0; q < c->touches.n; q++) {
+        const struct touch *const t = &c->touches.list[q];
+        const double *const x = b->place[t->owner];
+        strip_note(&s->deep, 0.5 * (1.0 - t->r / x[3]), b->id[t->owner],
+                   -7 - t->surface, x);
+    }
+    if (c->pairs.deepest > s->deep.overlap) s->deep.overlap = c->pairs.deepest;
+}
+
 void surface_contacts_push(struct surface_contacts *c,
                            const struct surface_scene *scene, struct strip *s,
                            const struct bodies *b, contact_sweep *sweep,
@@ -211,6 +224,7 @@ void surface_contacts_push(struct surface_contacts *c,
         sweep(&c->pairs, &two, k, dt, 0, n);
     }
     strip_close_budget(&c->pairs.energy);
+    if (c->pairs.deepest > s->deep.overlap) look_deep(c, s, b);
     for (int q = 0; q < n; q++) {
         settle(c, q, s, c->pose, dt);
         leave_footprint(c, q);

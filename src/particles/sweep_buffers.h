@@ -82,16 +82,27 @@ static inline int sweep_pairs(const struct strip *s, int first, int count)
     return left < 0 ? 0 : left < count ? left : count;
 }
 
+/* Lanes that are left over have two spheres with a gap as wide as the sum of
+ * their radii. In a box that is periodic in x their centres are a quarter of it
+ * apart, so that the nearest image is the sphere itself. */
+static inline void sweep_spare_rows(struct sweep_buffers *c, int p,
+                                    const struct domain *box)
+{
+    static const double still[8] = {0, 0, 0, 1, 0, 0, 0, 1};
+    const double apart = box->periodic[0] ? 0.25 * box->length[0] : 2.0;
+    const double place[4] = {apart, 0.0, 0.0, 0.5 * apart};
+
+    memcpy(c->place[p], place, sizeof place);
+    memcpy(c->row[p], still, sizeof still);
+}
+
 /* Fills the rows with contacts first ... first + count - 1: differences of what
- * points, sums of what does not. Lanes that are left over have two unit spheres
- * that are a unit apart. */
+ * points, sums of what does not. */
 SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
                               const struct strip *s, const struct bodies *b,
                               int first, int count)
 {
     static const double sign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
-    static const double apart[4] = {2, 0, 0, 1};
-    static const double still[8] = {0, 0, 0, 1, 0, 0, 0, 1};
     const int *const i = s->contacts.owner + first;
     const int *const j = s->contacts.partner + first;
     const int pairs = sweep_pairs(s, first, count);
@@ -102,10 +113,8 @@ SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
     }
     for (int p = pairs; p < count; p++)
         sweep_wall_rows(c, p, b, i[p], j[p]);
-    for (int p = count; p < SWEEP_LANES; p++) {
-        memcpy(c->place[p], apart, sizeof apart);
-        memcpy(c->row[p], still, sizeof still);
-    }
+    for (int p = count; p < SWEEP_LANES; p++)
+        sweep_spare_rows(c, p, &b->box);
 }
 
 SWEEP_STAGE void sweep_into_columns(struct sweep_buffers *restrict c)

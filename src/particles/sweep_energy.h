@@ -65,13 +65,15 @@ static inline struct sweep_slip sweep_slip(const struct sweep_buffers *c, int p,
     return s;
 }
 
-/* Adds the contacts that touch to the sums of the strip. */
+/* Adds those of the first `count` contacts that touch to the sums of the strip.
+ */
 SWEEP_STAGE void sweep_budget(struct strip_energy *e,
                               const struct sweep_buffers *c,
                               const double *const xi[3],
-                              const struct contact_constants *k, double dt)
+                              const struct contact_constants *k, int count,
+                              double dt)
 {
-    for (int p = 0; p < SWEEP_LANES; p++) {
+    for (int p = 0; p < count; p++) {
         const double own[3] = {xi[0][p], xi[1][p], xi[2][p]};
         const double most = k[c->kind[p]].friction * fabs(c->F_n[p]);
         double v_n = 0.0, v_t[3];

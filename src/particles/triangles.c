@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 
 enum { MOST_CELLS_A_SIDE = 128 };
 
@@ -19,8 +20,7 @@ static void extent(const double corner[3][3], int k, double *lo, double *hi)
 /* The cell of a coordinate, or the one at the end that it lies beyond. */
 static int cell_of(const struct triangles *t, int k, double x)
 {
-    const double c = floor((x - t->lo[k]) * t->inverse[k]);
-    return c < 0.0 ? 0 : c < t->cells[k] ? (int)c : t->cells[k] - 1;
+    return number_clamped((x - t->lo[k]) * t->inverse[k], 0, t->cells[k] - 1);
 }
 
 static void range_of(const struct triangles *t, int i, int first[3],
@@ -54,8 +54,8 @@ static void divide(struct triangles *t)
             sum += hi - lo;
         }
         const double length = t->hi[k] - t->lo[k], width = sum / t->n;
-        const double n = width > 0.0 ? floor(length / width) : 1.0;
-        t->cells[k] = (int)fmin(fmax(n, 1.0), MOST_CELLS_A_SIDE);
+        const double n = width > 0.0 ? length / width : 1.0;
+        t->cells[k] = number_clamped(n, 1, MOST_CELLS_A_SIDE);
         t->inverse[k] = length > 0.0 ? t->cells[k] / length : 0.0;
     }
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "exchange/coupling.h"
+#include "scene/case_overlap.h"
 
 static int fluid_broke(const struct simulation *sim)
 {
@@ -61,6 +62,19 @@ static void describe_lost(const struct simulation *sim, const char *when,
              r->max_overlap, r->max_speed);
 }
 
+static void describe_overlap(const struct simulation *sim, const char *when,
+                             char text[BREAKDOWN_TEXT])
+{
+    char who[CASE_OVERLAP_TEXT];
+
+    case_overlap_describe(sim, who);
+    snprintf(text, BREAKDOWN_TEXT,
+             "%s %s, more than particles.max_overlap, %g.\nTry a stiffer "
+             "material with a smaller particles.step (winnow check suggests "
+             "one), or a higher particles.max_overlap if this is meant",
+             who, when, dem_deepest(sim->dem).most);
+}
+
 static void describe_solids(const struct simulation *sim, const char *when,
                             char text[BREAKDOWN_TEXT])
 {
@@ -99,6 +113,9 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_through(sim, when, text);
     else if (sim->particles != NULL && sim->dem_report.lost > 0)
         describe_lost(sim, when, text);
+    else if (sim->dem != NULL &&
+             sim->dem_report.max_overlap > dem_deepest(sim->dem).most)
+        describe_overlap(sim, when, text);
     else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
         describe_solids(sim, when, text);
     else if (sim->coupling != NULL && sim->coupling->report.seen_lowest <= 0.0)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/build.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,6 +13,7 @@
 #include "scene/build_fluid.h"
 #include "scene/build_particles.h"
 #include "scene/case_mesh.h"
+#include "scene/case_steps.h"
 #include "scene/case_surfaces.h"
 #include "scene/case_walls.h"
 #include "scene/scene.h"
@@ -29,19 +29,6 @@ int build_gravity(const struct settings *s, double g[3])
     if (!settings_has(s, "effects.gravity")) return 0;
     settings_vector(s, "effects.gravity", g);
     return 1;
-}
-
-int build_steps(const struct settings *s, double *dt)
-{
-    if (settings_has(s, "fluid"))
-        *dt = settings_real(s, "fluid.step");
-    else
-        *dt = settings_has(s, "output.history")
-                  ? settings_real(s, "output.history")
-                  : settings_real(s, "output.every");
-    if (!settings_has(s, "particles")) return 0;
-    const double n = *dt / settings_real(s, "particles.step");
-    return n < 1.0 ? 1 : (int)ceil(n * (1.0 - 1e-12)); /* 5.000000000001 is 5 */
 }
 
 /* --- coupling ----------------------------------------------------------- */
@@ -142,7 +129,8 @@ struct simulation *build_simulation(const struct settings *s, int *code)
 
     *code = 0;
     sim->mesh = build_mesh(s);
-    sim->dem_steps = build_steps(s, &sim->dt);
+    sim->dt = case_steps_length(s);
+    sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles")) *code = build_particles(s, sim);
     if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {

@@ -10,11 +10,6 @@
 struct simulation *build_simulation(const struct settings *s, int *code);
 void build_free(struct simulation *sim);
 
-/* The particle steps in one step of the loop: as many as make them no longer
- * than the case asks. *dt is the loop's step [s]: the fluid's, or without
- * fluid the time between two rows of the history. */
-int build_steps(const struct settings *s, double *dt);
-
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
 /* What the case says about parts, for `check` too. */

@@ -13,6 +13,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_life.h"
 #include "scene/case_materials.h"
+#include "scene/case_overlap.h"
 #include "scene/case_walls.h"
 #include "scene/case_mesh.h"
 
@@ -201,6 +202,7 @@ int build_particles(const struct settings *s, struct simulation *sim)
     if (code != 0) return code;
     if (driven_missing(s, sim->particles) != 0) return 2;
     dem_clock(sim->dem, 0);
+    case_overlap_limit(s, sim);
     double lo[3], hi[3];
     case_mesh_ends(s, lo, hi);
     const struct domain box = bodies_domain(lo, hi, o.periodic);

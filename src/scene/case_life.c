@@ -2,10 +2,12 @@
 #include "scene/case_life.h"
 
 #include <gsl/gsl_math.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/number.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
 #include "scene/case_sizes.h"
@@ -235,7 +237,7 @@ int case_life_count(const struct settings *s)
         if (create_source(s, i, &in) == 0) sum += in.options.count;
         free_source(&in);
     }
-    return (int)sum;
+    return number_clamped((double)sum, 0, INT_MAX);
 }
 
 double case_life_smallest(const struct settings *s, int material)

@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "mesh/poly.h"
+#include "scene/case_memory.h"
 
 /* --- making it ------------------------------------------------------------ */
 
@@ -53,11 +54,60 @@ static struct mesh *sheared(const struct settings *s)
     return mesh_create_sheared(&spec, shear);
 }
 
+static struct mesh *create(const struct settings *s,
+                           struct mesh *(*make)(const struct box_spec *))
+{
+    struct mesh *own;
+    const struct mesh *const kept = settings_mesh(s);
+
+    if (kept == NULL) {
+        const struct box_spec spec = box_of(s);
+        return make(&spec);
+    }
+    memcpy(&own, &kept, sizeof own); /* one more holds it; none changes it */
+    return mesh_hold(own);
+}
+
+struct mesh *case_mesh_create(const struct settings *s)
+{
+    return create(s, mesh_create_box);
+}
+
+struct mesh *case_mesh_outline(const struct settings *s)
+{
+    return create(s, mesh_outline_box);
+}
+
+double case_mesh_cells(const struct settings *s)
+{
+    const struct mesh *const kept = settings_mesh(s);
+
+    if (kept != NULL) return kept->n_cells;
+    if (!settings_has(s, "mesh.cells")) return 0.0;
+    const struct box_spec spec = box_of(s);
+    return (double)spec.cells[0] * spec.cells[1] * spec.cells[2];
+}
+
+/* A box of more faces than can be numbered. */
+static int check_numbers(const struct settings *s)
+{
+    const struct box_spec spec = box_of(s);
+    const double faces = mesh_box_faces(&spec);
+
+    if (faces <= MESH_MOST_FACES) return 0;
+    return settings_wrong(s, "mesh.cells",
+                          "%.4g cells with %.3g faces; no more than %d faces "
+                          "can be numbered",
+                          case_mesh_cells(s), faces, MESH_MOST_FACES);
+}
+
 int case_mesh_read(struct settings *s)
 {
     struct mesh *m;
     int code = check_keys(s);
 
+    if (code == 0 && !settings_has(s, "mesh.polymesh")) code = check_numbers(s);
+    if (code == 0) code = case_memory_check(s, 0.0);
     if (code != 0) return code;
     if (settings_has(s, "mesh.polymesh")) {
         char dir[POLY_FOLDER];
@@ -69,19 +119,6 @@ int case_mesh_read(struct settings *s)
         return 0;
     settings_keep_mesh(s, m);
     return m == NULL ? 2 : 0;
-}
-
-struct mesh *case_mesh_create(const struct settings *s)
-{
-    struct mesh *own;
-    const struct mesh *const kept = settings_mesh(s);
-
-    if (kept == NULL) {
-        const struct box_spec spec = box_of(s);
-        return mesh_create_box(&spec);
-    }
-    memcpy(&own, &kept, sizeof own); /* one more holds it; none changes it */
-    return mesh_hold(own);
 }
 
 /* --- where it is ---------------------------------------------------------- */

@@ -17,6 +17,13 @@ int case_mesh_read(struct settings *s);
 /* The mesh, for one who calls mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);
 
+/* The same, but of a box only the outline, which costs nothing. */
+struct mesh *case_mesh_outline(const struct settings *s);
+
+/* The cells that the case asks for, before there is a mesh; 0 for one from
+ * files. They may be more than an int holds. */
+double case_mesh_cells(const struct settings *s);
+
 /* Where particles can be at all: the smallest box around the mesh, or what a
  * period makes one of it; and in which directions it is periodic. */
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);

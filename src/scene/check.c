@@ -12,7 +12,9 @@
 #include "scene/case_life.h"
 #include "scene/case_limits.h"
 #include "scene/case_materials.h"
+#include "scene/case_memory.h"
 #include "scene/case_mesh.h"
+#include "scene/case_steps.h"
 #include "scene/case_surfaces.h"
 
 #include <math.h>
@@ -28,7 +30,6 @@ static const double packed = 0.6;
  * one, and 5.1e5 cell steps with all that the coupling needs. */
 static const double particle_steps_per_second = 8e6;
 static const double cell_steps_per_second = 5e5;
-static const double bytes_per_particle = 800.0, bytes_per_cell = 1800.0;
 static const double worth_saying = 10e6; /* [byte] */
 
 /* The case in numbers. 0 where it has no such thing. */
@@ -123,7 +124,7 @@ static double thrown(const struct settings *s)
 
 static struct scales scales_of(const struct settings *s)
 {
-    struct mesh *const m = build_mesh(s);
+    struct mesh *const m = case_mesh_outline(s);
     struct scales k = {.cells = m->n_cells, .dx = INFINITY};
     double g[3];
 
@@ -133,7 +134,8 @@ static struct scales scales_of(const struct settings *s)
     for (int f = 0; f < m->n_internal && m->middle != NULL; f++)
         k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
     k.end = settings_real(s, "output.end");
-    k.dem_steps = build_steps(s, &k.dt);
+    k.dt = case_steps_length(s);
+    k.dem_steps = case_steps_within(s);
     if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
     if (settings_has(s, "particles")) {
         particle_scales(s, &k);
@@ -182,18 +184,20 @@ static void print_crooked(const struct mesh *m, const struct mesh_quality *q)
 /* What a mesh is worth: a box has no oblique links and no skewness. */
 static void print_quality(const struct settings *s)
 {
-    struct mesh *const m = build_mesh(s);
-    const struct mesh_quality q = mesh_quality(m);
+    struct mesh *const m = case_mesh_outline(s);
+    const int crooked = m->middle != NULL;
+    const struct mesh_quality q =
+        crooked ? mesh_quality(m) : (struct mesh_quality){.growth = 1.0};
+    double least, most, mean;
 
-    if (m->middle != NULL) print_crooked(m, &q);
-    if (q.V_most > q.V_least * (1.0 + 1e-9))
-        line("largest over smallest cell", q.V_most / q.V_least, "-",
+    mesh_volumes(m, &least, &most, &mean);
+    if (crooked) print_crooked(m, &q);
+    if (most > least * (1.0 + 1e-9))
+        line("largest over smallest cell", most / least, "-",
              "volumes; what the schemes assume is near 1 between neighbours");
-    if (m->middle != NULL && q.growth > 1.0 + 1e-9)
+    if (q.growth > 1.0 + 1e-9)
         line("largest between neighbours", q.growth, "-",
              q.growth > 2.1 ? "HIGH: second order is lost there" : "good");
-    if (m->middle == NULL && q.openness > 1e-10)
-        line("openness", q.openness, "-", "NOT CLOSED: a cell has a gap");
     mesh_free(m);
 }
 
@@ -240,12 +244,26 @@ static void print_contacts(const struct settings *s, const struct scales *k)
     line("particle steps in one step", k->dem_steps, "-", "");
 }
 
+/* What the averaging keeps for each cell can be more than all else. */
+static int check_memory(const struct settings *s, const struct scales *k)
+{
+    if (!settings_has(s, "averaging")) return 0;
+    struct mesh *const m = case_mesh_outline(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const double bytes = averaging_bytes(
+        averaging_method_named(settings_text(s, "averaging.method")), m,
+        k->d_most, &o);
+
+    mesh_free(m);
+    return case_memory_check(s, bytes);
+}
+
 int check_step(const struct settings *s)
 {
-    if (!settings_has(s, "particles") ||
-        settings_bool(s, "particles.unsafe_step"))
-        return 0;
+    if (!settings_has(s, "particles")) return 0;
     const struct scales k = scales_of(s);
+    if (check_memory(s, &k) != 0) return 2;
+    if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
     return settings_wrong(
@@ -278,24 +296,23 @@ static void print_flow(const struct scales *k)
 static void print_bandwidth(const struct mesh *m, double b, double S_c,
                             const char *method)
 {
-    const double least = strcmp(method, "kernel") == 0     ? 1.5
-                         : strcmp(method, "gaussian") == 0 ? 0.75
-                                                           : 0.0;
-    double V = 0.0;
+    const double widths = strcmp(method, "kernel") == 0     ? 1.5
+                          : strcmp(method, "gaussian") == 0 ? 0.75
+                                                            : 0.0;
+    double V, least, mean;
 
+    mesh_volumes(m, &least, &V, &mean);
     line("bandwidth / S_c", b / S_c, "-", "");
-    for (int c = 0; c < m->n_cells; c++)
-        V = fmax(V, m->V[c]);
     if (cbrt(V) > 1.01 * S_c)
         line("bandwidth / width of the largest cell", b / cbrt(V), "-",
-             b < least * cbrt(V) ? "LOW: small cells beside it are too full"
-                                 : "");
+             b < widths * cbrt(V) ? "LOW: small cells beside it are too full"
+                                  : "");
 }
 
 /* Crank-Nicolson needs so many steps not to undershoot. */
 static void print_averaging(const struct settings *s, const struct scales *k)
 {
-    struct mesh *const m = build_mesh(s);
+    struct mesh *const m = case_mesh_outline(s);
     const struct averaging_options o = build_averaging_options(s);
     const struct averaging_method *const method =
         averaging_method_named(settings_text(s, "averaging.method"));
@@ -338,10 +355,7 @@ static void print_cost(const struct settings *s, const struct scales *k)
     puts("Cost");
     line("steps", steps, "-", "");
     line("particle steps", steps * k->dem_steps * k->particles, "-", "");
-    line("memory",
-         1e-6 * (k->particles * bytes_per_particle +
-                 k->cells * flow * bytes_per_cell),
-         "MB", "about");
+    line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
     line("time", work, "s", "about, after settling, on one core");
 }
 
@@ -362,6 +376,7 @@ int check_case(const struct settings *s)
     const struct scales k = scales_of(s);
     struct wall_scales walls;
 
+    if (check_memory(s, &k) != 0) return 2;
     if (case_surfaces_measure(s, &walls) != 0) return 2;
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));

@@ -10,6 +10,7 @@
 #include "scene/build_particles.h"
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
+#include "scene/case_steps.h"
 #include "scene/case_surfaces.h"
 #include "scene/case_walls.h"
 #include "scene/case_cohesion.h"
@@ -333,7 +334,8 @@ int checks_whole(const struct settings *s)
         return settings_wrong(s, "mesh",
                               "there is neither fluid nor particles: nothing "
                               "to compute");
-    if (settings_has(s, "fluid")) code = check_fluid(s);
+    code = case_steps_check(s);
+    if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
     return code != 0 ? code : check_output(s);

@@ -2,6 +2,7 @@
 #include "scene/progress.h"
 
 #include "base/clock.h"
+#include "base/number.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +23,7 @@ static double share(const struct progress *p, double t)
 /* 65 s as "1:05", 3725 s as "1:02:05". */
 static void clock_text(double seconds, char text[32])
 {
-    const int all = (int)fmin(seconds + 0.5, 3.0e8);
+    const int all = number_clamped(seconds + 0.5, 0, 300000000);
     const int h = all / 3600, m = all / 60 % 60, s = all % 60;
 
     if (h > 0)
@@ -35,7 +36,7 @@ void progress_line(const struct progress *p, double t, double elapsed,
                    char text[PROGRESS_TEXT])
 {
     const double done = share(p, t);
-    const int filled = (int)(done * BAR_LENGTH);
+    const int filled = number_clamped(done * BAR_LENGTH, 0, BAR_LENGTH);
     char bar[BAR_LENGTH + 1], left[32] = "?:??";
 
     memset(bar, '.', BAR_LENGTH);
@@ -65,7 +66,7 @@ void progress_init(struct progress *p, double first, double end, int quiet)
 
 void progress_show(struct progress *p, double t)
 {
-    const int tenths = (int)(10.0 * share(p, t) + 1e-9);
+    const int tenths = number_clamped(10.0 * share(p, t) + 1e-9, 0, 10);
     const double now = p->style == PROGRESS_QUIET ? 0.0 : clock_now();
     char text[PROGRESS_TEXT];
 

@@ -15,6 +15,7 @@
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
+#include "scene/case_steps.h"
 #include "scene/history.h"
 #include "scene/lines.h"
 #include "scene/pictures.h"
@@ -60,13 +61,6 @@ static struct table *create_history(struct record *r)
     return table_create(path, r->n_columns, names);
 }
 
-/* The number of steps nearest to an interval, at least one. */
-static long steps_in(double interval, double dt)
-{
-    const long n = lround(interval / dt);
-    return n < 1 ? 1 : n;
-}
-
 struct record *record_create(const struct settings *s,
                              const struct simulation *sim, const char *dir)
 {
@@ -77,9 +71,9 @@ struct record *record_create(const struct settings *s,
     r->dir = dir;
     r->began = clock_now();
     r->eps_lowest = 1.0;
-    r->picture_every = steps_in(settings_real(s, "output.every"), sim->dt);
+    r->picture_every = case_steps_between(s, "output.every");
     r->row_every = settings_has(s, "output.history")
-                       ? steps_in(settings_real(s, "output.history"), sim->dt)
+                       ? case_steps_between(s, "output.history")
                        : 1;
     r->snapshot = snapshot_create(sim);
     r->lines = lines_create(s, sim, r->snapshot);

@@ -195,8 +195,35 @@ static void offer_row(struct nearest *n, const char *name)
             nearest_offer(n, rows_patches[i]);
 }
 
-int rows_nearest(const struct key *const *tables, const char *path,
-                 char nearest[ROWS_TEXT])
+/* A row as a case would write its path, with one of the sides in the place of
+ * <patch>. */
+static void as_written(const struct key *key, char text[ROWS_TEXT])
+{
+    const char *const at = strstr(key->path, placeholder);
+    const int before = at == NULL ? 0 : (int)(at - key->path);
+
+    if (at == NULL)
+        snprintf(text, ROWS_TEXT, "%s", key->path);
+    else
+        snprintf(text, ROWS_TEXT, "%.*s%s%s", before, key->path, "bottom",
+                 at + strlen(placeholder));
+}
+
+/* The first row of that name, in whatever group. */
+static const struct key *row_named(const struct key *const *tables,
+                                   const char *name)
+{
+    const struct key *k;
+
+    for (int i = 0; (k = rows_at(tables, i)) != NULL; i++) {
+        const char *const last = strrchr(k->path, '.');
+        if (strcmp(last == NULL ? k->path : last + 1, name) == 0) return k;
+    }
+    return NULL;
+}
+
+const struct key *rows_nearest(const struct key *const *tables,
+                               const char *path, char nearest[ROWS_TEXT])
 {
     const char *const dot = strrchr(path, '.');
     const char *const name = dot == NULL ? path : dot + 1;
@@ -211,14 +238,9 @@ int rows_nearest(const struct key *const *tables, const char *path,
         if (rows_member(k, group) != NULL) offer_row(&n, rows_member(k, group));
     if (nearest_best(&n) != NULL) {
         beside(path, nearest_best(&n), nearest);
-        return 1;
+        return rows_find(tables, nearest);
     }
-    for (int i = 0; (k = rows_at(tables, i)) != NULL; i++) {
-        const char *const last = strrchr(k->path, '.');
-        if (strcmp(last == NULL ? k->path : last + 1, name) == 0) {
-            snprintf(nearest, ROWS_TEXT, "%s", k->path);
-            return 1;
-        }
-    }
-    return 0;
+    k = row_named(tables, name);
+    if (k != NULL) as_written(k, nearest);
+    return k;
 }

@@ -34,10 +34,11 @@ int rows_allow_word(const struct key *key, const char *word);
 /* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
 void rows_expected(const struct key *key, char text[ROWS_TEXT]);
 
-/* The known path nearest to an unknown one: among the keys of its group,
- * then everywhere. 0 if none is near. */
-int rows_nearest(const struct key *const *tables, const char *path,
-                 char nearest[ROWS_TEXT]);
+/* The row nearest to an unknown path, among the keys of its group and then
+ * everywhere, and its path as a case would write it: with a side of the box in
+ * the place of <patch>. NULL if none is near. */
+const struct key *rows_nearest(const struct key *const *tables,
+                               const char *path, char nearest[ROWS_TEXT]);
 
 /* The word of the row nearest to an unknown one; 0 if none is near. */
 int rows_nearest_word(const struct key *key, const char *word,

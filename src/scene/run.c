@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/run.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -11,6 +10,8 @@
 #include "exchange/coupling.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
+#include "scene/case_overlap.h"
+#include "scene/case_steps.h"
 #include "scene/check.h"
 #include "scene/interrupt.h"
 #include "scene/progress.h"
@@ -42,8 +43,8 @@ static int advance(const struct settings *s, struct simulation *sim,
                    struct record *r, struct progress *bar, struct crew *crew,
                    char *why)
 {
-    const double end = settings_real(s, "output.end");
-    const long steps = lround(end / sim->dt);
+    const long steps = case_steps_until_end(s);
+    int told = 0;
 
     if (coupling_start(sim) != 0) {
         breakdown_describe(sim, why);
@@ -55,6 +56,7 @@ static int advance(const struct settings *s, struct simulation *sim,
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
+        case_overlap_tell(sim, &told);
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
         if (interrupt_arrived()) return INTERRUPTED;

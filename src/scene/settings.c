@@ -174,6 +174,13 @@ static double real(const config_setting_t *s)
     }
 }
 
+/* A word in its place is 0. */
+static int whole(const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_INT ? config_setting_get_int(s)
+                                                     : 0;
+}
+
 static void vector(const config_setting_t *s, double v[3])
 {
     for (unsigned i = 0; i < 3; i++)
@@ -195,7 +202,7 @@ double settings_real(const struct settings *s, const char *path)
 
 int settings_int(const struct settings *s, const char *path)
 {
-    return (int)real(find(s, path, KEY_INT));
+    return whole(find(s, path, KEY_INT));
 }
 
 int settings_bool(const struct settings *s, const char *path)
@@ -295,7 +302,7 @@ double settings_item_real(const struct settings *s, const char *list, int i,
 int settings_item_int(const struct settings *s, const char *list, int i,
                       const char *key)
 {
-    return (int)real(find_in(s, list, i, key, KEY_INT));
+    return whole(find_in(s, list, i, key, KEY_INT));
 }
 
 const char *settings_item_text(const struct settings *s, const char *list,

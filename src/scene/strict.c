@@ -138,10 +138,11 @@ static int unknown(const struct key *const *tables, const char *path,
                    const config_setting_t *s)
 {
     char nearest[ROWS_TEXT], expected[ROWS_TEXT];
+    const struct key *const key = rows_nearest(tables, path, nearest);
 
-    if (!rows_nearest(tables, path, nearest))
+    if (key == NULL)
         return source_wrong(s, "%s: no such key; see winnow list keys", path);
-    rows_expected(rows_find(tables, nearest), expected);
+    rows_expected(key, expected);
     return source_wrong(s, "%s: no such key; did you mean %s, %s?", path,
                         nearest, expected);
 }

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene/case_memory.h"
+
+#include "base/alloc.h"
+#include "scene/case_mesh.h"
+
+static const char insert[] = "particles.insert";
+
+/* [byte] What runs were seen to take at their highest: of the cells 300 are
+ * the mesh, and a mesh with corners of its own has more. A particle takes 1000
+ * as long as it touches nobody. */
+static const double per_particle = 1250.0;
+static const double per_cell = 1800.0, per_dry_cell = 300.0;
+static const double per_corner_cell = 1100.0;
+
+/* So that sixteen numbers a particle are still numbered by an int. */
+static const double most_particles = 134217727.0;
+
+static double bed(const struct settings *s)
+{
+    return settings_has(s, "particles.bed")
+               ? settings_int(s, "particles.bed.count")
+               : 0.0;
+}
+
+/* Those in files are counted when the files are read. */
+static double comers(const struct settings *s)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < settings_length(s, insert); i++)
+        if (settings_item_has(s, insert, i, "count"))
+            sum += settings_item_int(s, insert, i, "count");
+    return sum;
+}
+
+static double of_particles(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0.0;
+    return per_particle *
+           (bed(s) + comers(s) + settings_length(s, "particles.place"));
+}
+
+static double of_cells(const struct settings *s)
+{
+    const double one = settings_has(s, "fluid") ? per_cell : per_dry_cell;
+    const int corners =
+        settings_has(s, "mesh.polymesh") || settings_has(s, "mesh.shear");
+
+    return case_mesh_cells(s) * (one + corners * per_corner_cell);
+}
+
+double case_memory_bytes(const struct settings *s)
+{
+    return of_cells(s) + of_particles(s);
+}
+
+/* The key that asks for the most. */
+static const char *greediest(const struct settings *s, double more)
+{
+    if (more > of_cells(s) && more > of_particles(s))
+        return "averaging.bandwidth";
+    if (of_cells(s) > of_particles(s))
+        return settings_has(s, "mesh.cells") ? "mesh.cells" : "mesh.polymesh";
+    return bed(s) > comers(s) ? "particles.bed.count" : insert;
+}
+
+int case_memory_check(const struct settings *s, double more)
+{
+    const double need = case_memory_bytes(s) + more, have = alloc_most();
+    const double n = of_particles(s) / per_particle;
+
+    if (n > most_particles)
+        return settings_wrong(
+            s, bed(s) > comers(s) ? "particles.bed.count" : insert,
+            "%.4g particles; no more than %.0f can be "
+            "numbered",
+            n, most_particles);
+    if (need <= have) return 0;
+    return settings_wrong(s, greediest(s, more),
+                          "%.4g cells and %.4g particles need about %.3g GB, "
+                          "and this machine has %.3g GB for them",
+                          case_mesh_cells(s), n, 1e-9 * need, 1e-9 * have);
+}

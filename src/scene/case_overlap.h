@@ -1,0 +1,20 @@
+/* case_overlap.h -- how deep particles may be in each other.  Chapter 2. */
+#ifndef CASE_OVERLAP_H
+#define CASE_OVERLAP_H
+
+#include "exchange/simulation.h"
+#include "scene/settings.h"
+
+/* The limits of the case for its particles. */
+void case_overlap_limit(const struct settings *s, struct simulation *sim);
+
+/* Who is in whom, how deep and where, as one clause of a sentence. */
+enum { CASE_OVERLAP_TEXT = 256 };
+void case_overlap_describe(const struct simulation *sim,
+                           char text[CASE_OVERLAP_TEXT]);
+
+/* Warns of an overlap deeper than expected, where *told is 0, which becomes 1.
+ */
+void case_overlap_tell(const struct simulation *sim, int *told);
+
+#endif

@@ -1,0 +1,97 @@
+#!/bin/sh
+# What a reader is told to type runs.
+#
+#   sh tests/commands.sh build          (part of make check)
+#   sh tests/commands.sh build whole    (part of make check-slow)
+#
+# The short form compiles every program of figures/, and runs every command of
+# winnow that the book and the README name: cases to 2 ms, their beds not settled.
+# The whole form runs the commands as they stand, and those of scripts as well.
+# Cases that `winnow check` expects to take more than a minute settle their beds
+# and go to 2 ms; long validation is left out, and of make's targets it is only
+# seen that they are there.
+set -u
+top=$PWD
+build=$(cd "${1:-build}" && pwd)
+whole=${2:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export OMP_WAIT_POLICY=passive
+failed=0
+facts=0
+
+compile() {
+    for program in figures/*.c; do
+        if ${CC:-gcc} -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -fsyntax-only \
+            -Wall -Wextra -Isrc -Itests -Ifigures "$program"; then
+            facts=$((facts + 1))
+        else
+            echo "FAILED $program does not compile"
+            failed=$((failed + 1))
+        fi
+    done
+}
+
+# The short form of `winnow run CASE ...`.
+shortened() {
+    bed=
+    grep -q 'bed = {' "$3" && bed='-s particles.bed.settle=0'
+    echo "$* $bed -s output.end=2e-3"
+}
+
+# The whole form of `winnow run CASE ...`.
+bounded() {
+    seconds=$(build/winnow check "$3" | awk '$1 == "time" { print int($2) }')
+    if [ "$seconds" -le 60 ]; then echo "$*"; else echo "$* -s output.end=2e-3"; fi
+}
+
+# What is to be run of a command that should end with the code; nothing if it is
+# left out here.
+form_of() { # code command...
+    code=$1
+    shift
+    case $* in
+    'make build/'*) [ -z "$whole" ] || echo "$*" ;;
+    make\ *) echo "make -n $2" ;;
+    *validate/* | 'sh chapters/tools/check.sh') ;;
+    xvfb-run*) [ -z "$whole" ] || ! command -v xvfb-run >/dev/null || echo "$*" ;;
+    'build/winnow run'*)
+        # shellcheck disable=SC2086 # words
+        if [ "$code" != 0 ]; then echo "$*"
+        elif [ -n "$whole" ]; then bounded $*
+        else shortened $*; fi ;;
+    build/winnow\ *) echo "$*" ;;
+    *) [ -z "$whole" ] || echo "$*" ;;
+    esac
+}
+
+try() { # where code command...
+    where=$1 code=$2
+    shift 2
+    run=$(form_of "$code" "$@")
+    [ -n "$run" ] || return 0
+    (cd "$work" && timeout 900 sh -c "$run") >"$work/said" 2>&1 </dev/null
+    found=$?
+    if [ $found = "$code" ]; then
+        facts=$((facts + 1)) && echo "    $where: $*"
+    else
+        echo "FAILED $where: exit code $found, not $code: $run"
+        tail -5 "$work/said"
+        failed=$((failed + 1))
+    fi
+}
+
+# Commands may write beside what they read, so they run in a copy.
+cp -R Makefile README.md .ci cases chapters figures tests src "$work"
+ln -s "$build" "$work/build"
+cd "$top" || exit 1
+
+echo "commands of the book:"
+compile
+awk -f tests/commands.awk README.md chapters/*.md >"$work/commands"
+while read -r where code command; do
+    # shellcheck disable=SC2086 # words
+    try "$where" "$code" $command
+done <"$work/commands"
+echo "commands: $facts run, $failed do not"
+[ $failed = 0 ]
