@@ -119,6 +119,9 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
+fact bandwidth_without_bounds_is_refused_with_the_most 2 \
+    "averaging.bandwidth: 1e+10 m is more than a hundred times the longest side of the box: expected at most 1.2 m" \
+    "$winnow" check tiny.cfg -s averaging.bandwidth=1e10
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
 fact nothing_is_written_for_wrong_input 1 "" test -e out

@@ -14,7 +14,7 @@
 #include "scene/rows.h"
 #include "scene/scene.h"
 
-enum { SCENES = 400, TRIES = 150 };
+enum { SCENES = 400 };
 
 /* --- the search ------------------------------------------------------------
  */
@@ -41,26 +41,32 @@ static void change_setting(struct scene *s, gsl_rng *r)
                  strlen(option));
 }
 
+/* Half of the scenes stay well-formed: only numbers and settings change. */
 static void change_scene(struct scene *s, const struct scene *other, gsl_rng *r)
 {
+    const int tame = (int)mutate_below(r, 2);
+
     for (size_t n = 1 + mutate_below(r, 1 + mutate_below(r, 6)); n > 0; n--) {
         const size_t i = mutate_below(r, (size_t)s->n);
         const size_t j = mutate_below(r, (size_t)other->n);
         if (i == 0 && mutate_below(r, 2))
             change_setting(s, r);
+        else if (tame)
+            change_number(&s->text[i], r);
         else
             mutate(&s->text[i], &other->text[i > 0 && j > 0 ? j : 0], r);
     }
 }
 
-/* Takes lines away as long as the same is wrong. */
+/* Takes lines away as long as the same is wrong, for a few seconds. */
 static void shorten(struct scene *s, const char *dir, const char *wrong)
 {
+    const double start = seconds();
     char found[NAME];
-    int tries = 0;
 
     for (int i = 0; i < s->n; i++)
-        for (size_t at = 0; at < s->text[i].n && tries++ < TRIES;) {
+        for (size_t at = 0;
+             at < s->text[i].n && seconds() - start < PROCESSOR;) {
             struct scene less = scene_copy(s);
             const size_t end = at + strcspn(s->text[i].byte + at, "\n") + 1;
             text_replace(&less.text[i], at,

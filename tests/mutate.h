@@ -170,13 +170,21 @@ static inline void change_four(struct text *t, gsl_rng *r)
     if (t->n >= 4) text_replace(t, at, at + 4, &x, 4);
 }
 
+/* A nasty number in the place of one, or the same a thousand times larger or
+ * smaller, or a little so. */
 static inline void change_number(struct text *t, gsl_rng *r)
 {
+    static const double by[] = {1e-3, 0.1, 0.5, 0.999999, 1.000001, 2, 10, 1e3};
+    const double factor = MUTATE_ANY(by, r);
     const char *const nasty = MUTATE_ANY(mutate_numbers, r);
+    char scaled[40];
     size_t at, end;
 
     mutate_word(t, r, 1, &at, &end);
-    text_replace(t, at, end, nasty, strlen(nasty));
+    snprintf(scaled, sizeof scaled, "%.9g",
+             factor * strtod(t->byte + at, NULL));
+    const char *const new = mutate_below(r, 2) ? nasty : scaled;
+    text_replace(t, at, end, new, strlen(new));
 }
 
 static inline void change_word(struct text *t, gsl_rng *r)

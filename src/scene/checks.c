@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/checks.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -276,6 +277,38 @@ static int check_particles(const struct settings *s)
     return bed ? check_bed(s) : check_place(s);
 }
 
+/* A hundred boxes wide, an average is that of the whole box to all its digits;
+ * wider ones only take longer, without end. */
+static int check_width(const struct settings *s, const char *key, double b)
+{
+    double lo[3], hi[3], most = 0.0;
+
+    case_mesh_ends(s, lo, hi);
+    for (int k = 0; k < 3; k++)
+        most = fmax(most, 100.0 * (hi[k] - lo[k]));
+    if (b <= most) return 0;
+    return settings_wrong(s, key,
+                          "%g m is more than a hundred times the longest side "
+                          "of the box: expected at most %g m",
+                          b, most);
+}
+
+static int check_widths(const struct settings *s)
+{
+    static const char *const key[] = {"averaging.bandwidth",
+                                      "averaging.delta_05"};
+    static const char list[] = "averaging.regions";
+    int code = 0;
+
+    for (int i = 0; i < 2 && code == 0; i++)
+        if (settings_has(s, key[i]))
+            code = check_width(s, key[i], settings_real(s, key[i]));
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+        code =
+            check_width(s, list, settings_item_real(s, list, i, "bandwidth"));
+    return code;
+}
+
 static int check_averaging(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
@@ -299,7 +332,7 @@ static int check_averaging(const struct settings *s)
     if (averaging_method_named(method)->wide && !b && !delta)
         return settings_wrong(s, "averaging.method",
                               "%s asks for averaging.bandwidth", method);
-    return 0;
+    return check_widths(s);
 }
 
 static int check_output(const struct settings *s)
