@@ -35,17 +35,19 @@ check: ## install what is missing, build, run every test, also under sanitizers
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync checks
 
-check-slow: ## what takes up to half an hour: all that a reader is told to run
+check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow
+slow: commands-slow faults-slow
 	@echo "all slow checks hold"
+faults-slow: $B/winnow
+	@sh tests/faults.sh $B/winnow long
 commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized facts style cli vtk tools commands text \
-        pages
+checks: solutions results sanitized facts style faults cli vtk tools commands \
+        text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -55,6 +57,8 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+faults: $B/winnow
+	@sh tests/faults.sh $B/winnow
 vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
@@ -92,7 +96,7 @@ book: ## the chapters as pages: build/book/index.html
 	sh chapters/tools/browser.sh $B/book
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /make \1: /p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /make \1: /p' Makefile
 
 clean: ## forget everything built
 	rm -rf $B
@@ -128,8 +132,8 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style cli vtk tools \
-        commands commands-slow solutions results text pages validate bench fuzz \
-        replay weave book help clean tests always
+.PHONY: all run check checks check-slow slow facts sanitized style faults cli vtk \
+        tools commands faults-slow commands-slow solutions results text pages \
+        validate bench fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -10,7 +10,7 @@ row() { # cells, method, name for the table, further options
     cells=$1 method=$2 name=$3
     shift 3
     winnow run cases/small-bed.cfg -o out/small -s output.end=0.01 --quiet -j 1 \
-        -s "mesh.cells=[$cells]" -s particles.bed.file=$bed \
+        -s "mesh.cells=[$cells]" -s particles.bed.file=../$bed \
         -s averaging.method="$method" "$@" \
         >/dev/null 2>&1 || { printf "%-9s  %-10s  stops\n" "$cells" "$name"; return; }
     sh chapters/tools/last.sh out/small eps_f_lowest pressure_drop |

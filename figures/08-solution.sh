@@ -10,7 +10,7 @@ drop() { # cells, options
     cells=$1
     shift
     winnow run cases/small-bed.cfg -o out/solution -s output.end=0.01 --quiet \
-        -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=$bed "$@" >/dev/null 2>&1 ||
+        -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=../$bed "$@" >/dev/null 2>&1 ||
         { echo breaks down; return; }
     sh chapters/tools/last.sh out/solution pressure_drop
 }

@@ -9,7 +9,7 @@ for cells in "8, 32, 1" "16, 64, 1"; do
     for method in dpvm cube two-grid images diffusion; do
         printf '%s %-10s' "$cells" $method
         winnow run cases/small-bed.cfg -o out/21-solution -s output.end=0.01 \
-            --quiet -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=$bed \
+            --quiet -j 1 -s "mesh.cells=[$cells]" -s particles.bed.file=../$bed \
             -s averaging.method=$method >/dev/null 2>&1 ||
             { echo stops; continue; }
         sh chapters/tools/last.sh out/21-solution pressure_drop

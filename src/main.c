@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
+#include "base/file.h"
+#include "base/interrupt.h"
 #include "base/version.h"
 #include "scene/check.h"
 #include "scene/eval.h"
 #include "scene/explain.h"
-#include "scene/interrupt.h"
 #include "scene/ledger.h"
 #include "scene/list.h"
 #include "scene/nearest.h"
 #include "scene/run.h"
 #include "scene/scene.h"
 
+#include <fcntl.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,16 +35,17 @@ struct command {
     int (*act)(const struct line *l);
 };
 
-/* out/NAME for a case some/where/NAME.cfg. */
-static void default_dir(const char *file, char dir[256])
+/* out/NAME for a case some/where/NAME.cfg, as a new string. A name that begins
+ * with a dot stays whole, lest it become another folder's. */
+static char *default_dir(const char *file)
 {
     const char *const slash = strrchr(file, '/');
     const char *const name = slash != NULL ? slash + 1 : file;
-    const char *const dot = strrchr(name, '.');
-    const int length =
-        dot != NULL && dot > name ? (int)(dot - name) : (int)strlen(name);
+    char *const dir = file_join("out", name);
+    char *const dot = strrchr(dir, '.');
 
-    snprintf(dir, 256, "out/%.*s", length, name);
+    if (dot != NULL && name[0] != '.') *dot = '\0';
+    return dir;
 }
 
 static struct settings *read_case(const struct line *l, int *code)
@@ -53,19 +56,18 @@ static struct settings *read_case(const struct line *l, int *code)
 static int run(const struct line *l)
 {
     int code;
-    struct settings *const s = read_case(l, &code);
-    struct run_options o = {l->dir, l->quiet};
-    char dir[256];
+    struct interrupt_watch watch;
+    char *const dir = default_dir(l->words[0]);
+    const struct run_options o = {l->dir != NULL ? l->dir : dir, l->quiet};
 
-    if (s == NULL) return code;
-    if (o.dir == NULL) {
-        default_dir(l->words[0], dir);
-        o.dir = dir;
-    }
-    if (l->threads > 0) omp_set_num_threads(l->threads);
     interrupt_hold();
-    code = run_case(s, &o);
+    interrupt_watch_begin(&watch, NULL, NULL);
+    struct settings *const s = read_case(l, &code);
+    interrupt_watch_end(&watch);
+    if (l->threads > 0) omp_set_num_threads(l->threads);
+    if (s != NULL) code = run_case(s, &o);
     settings_free(s);
+    free(dir);
     return code;
 }
 
@@ -200,6 +202,8 @@ static int take_option(const struct command *c, int argc, char **argv, int *i,
         return wrong_option(c, option);
     if (value == NULL && *i + 1 < argc) value = argv[++*i];
     if (value == NULL) return wrong(c, option, " asks for a value");
+    if (option[1] == 'o' && value[0] == '\0')
+        return wrong(c, "-o asks for a folder, not for an empty name", "");
     if (option[1] == 'o')
         l->dir = value;
     else if (option[1] == 's')
@@ -226,8 +230,22 @@ static int perform(const struct command *c, int argc, char **argv,
     return c->act(l);
 }
 
+/* A stream that is closed would lend its number to the next file, and what is
+ * said on it would land there. Each gets /dev/null; results that nobody reads
+ * still count as not written. Non-zero if that fails. */
+static int open_streams(void)
+{
+    static const int how[] = {O_RDONLY, O_RDONLY, O_WRONLY};
+
+    for (int d = 0; d < 3; d++)
+        if (fcntl(d, F_GETFD) < 0 && open("/dev/null", how[d]) != d) return 1;
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (open_streams() != 0) return 4;
+
     const char *const first = argc > 1 ? argv[1] : "";
     const char **const room = alloc_zeroed(2 * (size_t)argc, sizeof *room);
     struct line l = {0, 0, room, room + argc, NULL, 0, 0};

@@ -119,12 +119,62 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
-fact bandwidth_without_bounds_is_refused_with_the_most 2 \
-    "averaging.bandwidth: 1e+10 m is more than a hundred times the longest side of the box: expected at most 1.2 m" \
-    "$winnow" check tiny.cfg -s averaging.bandwidth=1e10
+fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
+    "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
+fact check_refuses_the_bed_that_run_cannot_lay 2 "the bed does not fit" \
+    "$winnow" check "$top/cases/small-bed.cfg" \
+    -s 'particles.bed={count=490;diameter=1.4e-3;}'
 fact sphere_outside_the_box_is_refused 2 "not inside the box" \
     "$winnow" check tiny.cfg -s 'particles.place.0.position=[0.0, 0.0, 0.0]'
+cat >fields.cfg <<'END'
+title = "a sphere falls, and no fluid";
+mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 1, 1]; };
+particles = { contact = "linear"; step = 1e-5;
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.005, 0.005, 0.005]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.01; every = 0.01; history = 0.001; };
+END
+fact field_without_a_fluid_is_wrong_input 2 "no field p: fields are those of a fluid" \
+    "$winnow" run fields.cfg -s 'output.probes=({field="p";position=[0.005,0.005,0.005];})'
+fact field_of_solids_is_refused_one_way 2 'no field us_y: it asks for exchange' \
+    "$winnow" check tiny.cfg -s exchange.coupling=one-way \
+    -s 'output.profiles=({field="us_y";height=0.001;})'
+fact time_average_is_refused_one_way 2 "one-way there are no averaged fields" \
+    "$winnow" run tiny.cfg -s exchange.coupling=one-way \
+    -s 'effects.time_average={time=0.01;}'
+sed 's/place = .*/bed = { count = 10; diameter = 1e-3; }; };/' fields.cfg >bed.cfg
+fact bed_wider_than_half_a_period_is_refused_with_its_reason 2 \
+    "long in the periodic direction z" "$winnow" run bed.cfg -o never \
+    -s 'mesh.size=[0.01,0.01,0.002]' -s 'mesh.periodic=[false,false,true]'
+fact none_can_be_driven_where_there_is_none 2 "there is none at the start" \
+    "$winnow" run bed.cfg -o never -s particles.bed.count=0 \
+    -s 'particles.driven=({id=0;velocity=[1.0,0.0,0.0];})'
 fact nothing_is_written_for_wrong_input 1 "" test -e out
+
+mkdir beside
+echo "0.002 0.008 0.003 1e-3" >beside/two.grains
+sed 's/place = (.*/insert = ( { file = "two.grains"; } ); };/; /position = .0.0031/d' tiny.cfg >beside/fed.cfg
+fact file_of_spheres_lies_beside_the_case 0 "" \
+    "$winnow" check beside/fed.cfg
+sed 's/place = (.*/bed = { count = 8; diameter = 1e-3; settle = 1e-3; file = "small.bed"; }; };/; /position = .0.0031/d' tiny.cfg >beside/bed.cfg
+fact file_of_a_bed_lies_beside_the_case 0 "" \
+    sh -c '"$0" run beside/bed.cfg -o bedded -s output.end=2e-3 --quiet && test -s beside/small.bed' "$winnow"
+
+mkfifo pipe
+fact pipe_is_no_file 2 "pipe: it is a device or a pipe" timeout 5 \
+    "$winnow" run tiny.cfg -s 'particles.insert=({file="pipe";})'
+fact device_without_an_end_is_no_surface 2 "/dev/zero: cannot be read: it is a device" \
+    timeout 5 "$winnow" check tiny.cfg \
+    -s 'particles.surfaces=({name="a";shape="stl";file="/dev/zero";})'
+fact file_must_have_a_name 2 "expected the name of a file in quotes" \
+    "$winnow" check tiny.cfg -s 'particles.insert=({file="";})'
+printf '\357\273\277' | cat - tiny.cfg >mark.cfg
+fact byte_order_mark_is_named 2 "begins with a byte order mark" \
+    "$winnow" check mark.cfg
+{ cat tiny.cfg; echo '# @include "pipe"'; echo '@include "."'; } >round.cfg
+fact folder_cannot_be_included 4 "round.cfg:15: cannot read what is included, .:" \
+    "$winnow" check round.cfg
 
 echo "tables:"
 fact list_names_the_kinds 0 "syamlal-obrien" "$winnow" list

@@ -82,7 +82,7 @@ try() { # where code command...
 }
 
 # Commands may write beside what they read, so they run in a copy.
-cp -R Makefile README.md .ci cases chapters figures tests src "$work"
+cp -Rp Makefile README.md .ci cases chapters figures tests src "$work"
 ln -s "$build" "$work/build"
 cd "$top" || exit 1
 

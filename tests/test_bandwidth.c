@@ -145,6 +145,35 @@ START_TEST(the_bandwidth_follows_the_diameter)
 }
 END_TEST
 
+/* The same grains; the largest D is that of a cell with the larger ones alone,
+ * times the largest of the regions. */
+START_TEST(no_cell_has_more_than_the_largest_bandwidth)
+{
+    static const struct averaging_region wide = {
+        {50.0, 0.0, 0.0}, {60.0, 1.0, 1.0}, 0.06};
+    int cell[28];
+    double d[28];
+    struct averaging_options o = {
+        .bandwidth = 0.02, .vary = "grains", .tolerance = 1e-9};
+
+    for (int i = 0; i < 28; i++) {
+        cell[i] = i < 27 ? 25 : 75;
+        d[i] = i < 27 ? 1e-3 : 3e-3;
+    }
+    struct row r = row_of(100, 1.0, 28, cell, d, &o);
+    o.regions = &wide;
+    o.n_regions = _i;
+    struct bandwidth *const w = bandwidth_create(averaging_hosts(r.a), &o);
+    const double base = _i ? 9.0 : 1.0;
+    ck_assert_double_eq_tol(bandwidth_largest(w), 2.25 * base, 1e-12);
+    r.ps->n = 0;
+    ck_assert_double_eq_tol(bandwidth_largest(w), base, 1e-12);
+    bandwidth_free(w);
+    r.ps->n = 28;
+    row_free(&r);
+}
+END_TEST
+
 /* One size: the mean is a sum over the same numbers, equal to rounding. */
 START_TEST(grains_of_one_size_have_one_bandwidth)
 {
@@ -236,6 +265,7 @@ int main(void)
     tcase_add_test(t, in_cells_too_large_it_is_pcm);
     tcase_add_test(t, a_region_has_its_own_bandwidth);
     tcase_add_test(t, the_bandwidth_follows_the_diameter);
+    tcase_add_loop_test(t, no_cell_has_more_than_the_largest_bandwidth, 0, 2);
     tcase_add_test(t, grains_of_one_size_have_one_bandwidth);
     tcase_add_test(t, a_larger_grain_than_all_before_is_no_harm);
     tcase_add_loop_test(t,

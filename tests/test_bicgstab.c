@@ -167,14 +167,22 @@ START_TEST(without_a_right_hand_side_the_solution_is_zero)
 {
     struct setting s = convection(3, 3, 3, 1.0);
 
+    struct bicgstab_work *const w = bicgstab_work_create(27);
+
+    bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 1, w);
+    ck_assert_double_gt(fabs(bicgstab_residual(w)[80]), 0.0);
     memset(s.rhs, 0, 81 * sizeof *s.rhs);
     s.x[7] = 1.0;
 
-    const struct solve_report r = solve(&s, 1e-6, 0.0, 10);
+    const struct solve_report r =
+        bicgstab_solve(s.M, s.diag, s.rhs, s.x, 1e-6, 0.0, 10, w);
 
     ck_assert(r.converged && r.iterations == 0);
-    for (int i = 0; i < 81; i++)
+    for (int i = 0; i < 81; i++) {
         ck_assert_double_eq(s.x[i], 0.0);
+        ck_assert_double_eq(bicgstab_residual(w)[i], 0.0);
+    }
+    bicgstab_work_free(w);
     release(&s);
 }
 END_TEST

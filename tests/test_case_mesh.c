@@ -26,7 +26,7 @@ static struct settings *read_case(const char *mesh, const char *patches,
     FILE *const f = fopen(file, "w");
     fprintf(f,
             "mesh = { %s };\nfluid = { density = 1.2; viscosity = 0.01; "
-            "step = %s; %s };\noutput = { end = 0.1; every = 0.1; };\n%s\n",
+            "step = %s; %s };\noutput = { end = 100.0; every = 100.0; };\n%s\n",
             mesh, strstr(patches, "mean_gradient") ? "5.0" : "0.01", patches,
             more);
     fclose(f);

@@ -530,6 +530,7 @@ START_TEST(ls_5_one_way_leaves_the_fluid_alone)
         ck_assert_double_eq_tol(sim->fluid->u[3 * c], 0.3, 1e-15);
         ck_assert_double_eq(sim->fluid->eps[c], 1.0);
     }
+    ck_assert_double_eq(sim->coupling->report.eps_lowest, 1.0);
     double mean = 0.0;
     for (int i = 0; i < s.n; i++)
         mean += sim->particles->vx[i] / s.n;

@@ -204,6 +204,32 @@ START_TEST(ls_5_13_relaxation_time_is_mass_over_resistance)
 }
 END_TEST
 
+/* Every law has a limit without viscosity, which is Newton's: it goes with
+ * u_r. From a Re of 1e8 to none at all nothing jumps: what is left there goes
+ * with 1 / sqrt(Re), 1e-4 times 4.8 / 0.63 for syamlal-obrien. */
+START_TEST(drag_has_its_limit_without_viscosity)
+{
+    static const double thin[] = {0.0, 5e-324, 1e-300, 1e-100, 1e-16};
+
+    for (const struct drag_law *law = drag_laws; law->name != NULL; law++)
+        for (double eps_s = 0.0; eps_s < 0.65; eps_s += 0.1) {
+            const double near =
+                drag_coefficient(law, eps_s, 1.2, 1.2e-11, 1e-3, 1.0);
+            for (int i = 0; i < 5; i++) {
+                const double none =
+                    drag_coefficient(law, eps_s, 1.2, thin[i], 1e-3, 1.0);
+                ck_assert_double_eq_tol(none / near, 1.0, 2e-3);
+            }
+            ck_assert_double_eq(
+                drag_coefficient(law, eps_s, 1.2, 0.0, 1e-3, 0.0), 0.0);
+            ck_assert_double_eq_tol(
+                drag_coefficient(law, eps_s, 1.2, 0.0, 1e-3, 3.0) /
+                    drag_coefficient(law, eps_s, 1.2, 0.0, 1e-3, 1.0),
+                3.0, 1e-14);
+        }
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("drag");
@@ -222,6 +248,7 @@ int main(void)
     tcase_add_test(t, ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000);
     tcase_add_test(t, ls_5_2_force_with_24_over_re_is_stokes);
     tcase_add_test(t, ls_5_13_relaxation_time_is_mass_over_resistance);
+    tcase_add_test(t, drag_has_its_limit_without_viscosity);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

@@ -67,6 +67,43 @@ START_TEST(the_old_file_stays_until_the_new_one_is_whole)
 }
 END_TEST
 
+START_TEST(a_link_with_the_name_of_a_part_is_not_followed)
+{
+    const char *const path = scratch_path(dir, "a");
+
+    scratch_write(scratch_path(dir, "mine"), "mine");
+    ck_assert_int_eq(symlink("mine", scratch_path(dir, "a.partial")), 0);
+    struct file *const f = file_create(path);
+    fprintf(file_stream(f), "new");
+    ck_assert_int_eq(file_commit(f), 0);
+    scratch_assert_text(path, "new");
+    scratch_assert_text(scratch_path(dir, "mine"), "mine");
+}
+END_TEST
+
+START_TEST(of_two_that_write_one_file_the_last_to_begin_has_it)
+{
+    const char *const path = scratch_path(dir, "a");
+    struct file *const first = file_create(path);
+    struct file *const second = file_create(path);
+    fprintf(file_stream(first), "first");
+    fprintf(file_stream(second), "second");
+    ck_assert_int_eq(file_commit(first), 0);
+    ck_assert(!scratch_exists(path));
+    ck_assert_int_eq(file_commit(second), 0);
+    scratch_assert_text(path, "second");
+}
+END_TEST
+
+START_TEST(a_part_that_somebody_removes_is_reported)
+{
+    scratch_listen(dir);
+    struct file *const f = file_create(scratch_path(dir, "a"));
+    ck_assert_int_eq(remove(scratch_path(dir, "a.partial")), 0);
+    ck_assert_int_ne(file_commit(f), 0);
+}
+END_TEST
+
 /* 1000 bytes fail only when they are flushed, 100000 while they are written. */
 START_TEST(a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing)
 {
@@ -148,6 +185,9 @@ int main(void)
     tcase_add_checked_fixture(t, set_up, tear_down);
     tcase_add_test(t, a_file_has_its_name_only_when_it_is_whole);
     tcase_add_test(t, the_old_file_stays_until_the_new_one_is_whole);
+    tcase_add_test(t, a_link_with_the_name_of_a_part_is_not_followed);
+    tcase_add_test(t, of_two_that_write_one_file_the_last_to_begin_has_it);
+    tcase_add_test(t, a_part_that_somebody_removes_is_reported);
     tcase_add_loop_test(
         t, a_full_disk_is_reported_with_path_and_reason_and_leaves_nothing, 0,
         2);

@@ -249,8 +249,9 @@ END_TEST
 
 /* In a closed periodic box only F - K u, [XS11 3.13] less its gradients,
  * changes the momentum, also when eps jumps at random: with the void-rate form
- * to rounding; with the mixture form once `relabelled` is taken into account.
- * 1e-12 of what the forces did. */
+ * to rounding; with the mixture form once `relabelled` is taken into account;
+ * by each time scheme, when the step changes, and with a predictor that leaves
+ * a tenth to the next step. 1e-12 of what the forces did. */
 START_TEST(momentum_changes_only_by_the_forces_on_it)
 {
     const double size[3] = {1.0, 1.0, 1.0};
@@ -258,15 +259,20 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     struct fluid_options o = options(NULL);
     o.coupled = 1;
     o.continuity = _i % 2 ? CONTINUITY_VOID_RATE : CONTINUITY_MIXTURE;
-    o.convection = &convection_schemes[_i / 2];
+    o.convection = &convection_schemes[_i / 2 % 2];
+    const int changes = _i >= 4; /* of the step */
+    o.time = &time_schemes[_i / 4 % 2];
+    if (changes) o.predictor = 0.1;
     struct fluid *const fl = fluid_create(m, &o);
+    const double swing = o.time->steps > 1 ? 0.02 : 0.2; /* or it blows up */
     double impulse[3] = {0.0, 0.0, 0.0}, gross = 0.0, now[3];
     for (int n = 0; n < 20; n++) {
+        fl->options.dt = o.dt * (changes && n % 3 == 2 ? 0.7 : 1.0);
         double mean = 0.0; /* of the solids: their volume does not change */
         for (int c = 0; c < m->n_cells; c++)
             mean += sin(7.0 * c + 3.0 * n) / m->n_cells;
         for (int c = 0; c < m->n_cells; c++) {
-            fl->eps[c] = 0.6 + 0.2 * (sin(7.0 * c + 3.0 * n) - mean);
+            fl->eps[c] = 0.6 + swing * (sin(7.0 * c + 3.0 * n) - mean);
             fl->K[c] = 1e3 * (1.0 + cos(5.0 * c));
             for (int k = 0; k < 3; k++) {
                 fl->F[3 * c + k] = 100.0 * sin(c + k + 0.1 * n);
@@ -277,7 +283,8 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
         run(fl, 1);
         for (int i = 0; i < 3 * m->n_cells; i++) {
             const double V = m->V[i / 3];
-            const double dI = o.dt * V * (fl->F[i] - fl->K[i / 3] * fl->u[i]);
+            const double dI =
+                fl->options.dt * V * (fl->F[i] - fl->K[i / 3] * fl->u[i]);
             impulse[i % 3] += dI;
             gross += fabs(dI);
         }
@@ -286,7 +293,7 @@ START_TEST(momentum_changes_only_by_the_forces_on_it)
     for (int k = 0; k < 3; k++)
         ck_assert_double_eq_tol(
             (now[k] - impulse[k] - fl->relabelled[k]) / gross, 0.0, 1e-12);
-    if (o.continuity == CONTINUITY_VOID_RATE) /* solver tolerance */
+    if (o.continuity == CONTINUITY_VOID_RATE && !changes) /* solver */
         ck_assert_double_lt(fabs(fl->relabelled[0]) / gross, 1e-8);
     fluid_free(fl);
     mesh_free(m);
@@ -519,6 +526,26 @@ START_TEST(convection_schemes_are_known_by_name)
 }
 END_TEST
 
+/* Cells that are ten times shorter in one direction: the hierarchy joins them
+ * across their large faces, as S.S / S.d of each face tells it. Measured: 9;
+ * with one component of S or d miscounted 69 and more in some direction. */
+START_TEST(the_pressure_of_flat_cells_takes_few_iterations)
+{
+    const double size[3] = {_i == 0 ? 0.1 : 1.0, _i == 1 ? 0.1 : 1.0,
+                            _i == 2 ? 0.1 : 1.0};
+    struct mesh *const m = box(size, 12, 12, 12, 1.0, 1, 1, 1);
+    const struct fluid_options o = options(NULL);
+    struct fluid *const fl = fluid_create(m, &o);
+    for (int c = 0; c < m->n_cells; c++)
+        for (int k = 0; k < 3; k++)
+            fl->u[3 * c + k] = cos(3.0 * c * c + k);
+    run(fl, 1);
+    ck_assert_int_le(fl->report.pressure.iterations, 10);
+    fluid_free(fl);
+    mesh_free(m);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *const s = suite_create("fluid");
@@ -534,7 +561,7 @@ static Suite *suite(void)
         t, step_in_eps_has_the_exact_pressure_drop_and_no_wiggle, 0, 8);
     tcase_add_loop_test(t, friction_of_1e12_is_as_stable_as_any, 0, 2);
     tcase_add_test(t, a_steady_flow_does_not_know_the_time_step);
-    tcase_add_loop_test(t, momentum_changes_only_by_the_forces_on_it, 0, 4);
+    tcase_add_loop_test(t, momentum_changes_only_by_the_forces_on_it, 0, 12);
     tcase_add_test(t, mass_residual_is_what_the_fluxes_leave);
     tcase_add_test(t, ls_3_13_flow_between_plates_converges_with_order_two);
     tcase_add_test(t, ls_3_13_vortices_decay_with_order_two_in_space);
@@ -545,6 +572,8 @@ static Suite *suite(void)
     tcase_add_loop_test(t, a_closed_box_of_one_cell_and_of_many_is_solved, 0,
                         2);
     tcase_add_test(t, convection_schemes_are_known_by_name);
+    tcase_add_loop_test(t, the_pressure_of_flat_cells_takes_few_iterations, 0,
+                        3);
     return s;
 }
 

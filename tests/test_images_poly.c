@@ -250,6 +250,20 @@ START_TEST(ew18_18_a_crooked_cell_widens_the_gaussian_by_its_moments)
             }
             ck_assert_double_eq_tol(one, row == col, 1e-12);
         }
+    /* The six places that stand for the cell have its moments: L L^T, half of
+     * it from either side of the diagonal. */
+    for (int row = 0; row < 3; row++)
+        for (int col = 0; col < 3; col++) {
+            double by_places = 0.0, by_corners = 0.0;
+            for (int k = 0; k < 3; k++)
+                by_places += N->spread[3 * k + row] * N->spread[3 * k + col];
+            for (int p = 0; p < 8; p++) {
+                double r[3];
+                vector_between(&m->shape->point[3 * p], m->centre, r);
+                by_corners += r[row] * r[col] / 24.0;
+            }
+            ck_assert_double_eq_tol(by_places, by_corners, 1e-15);
+        }
     normals_free(N);
     mirrors_free(none);
     facets_free(f);

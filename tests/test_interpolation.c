@@ -107,6 +107,32 @@ START_TEST(linear_is_exact_at_boundaries_whose_values_are_given)
 }
 END_TEST
 
+/* Three cells in a row, 1, 2 and 4 wide: a parabola has another slope on either
+ * side of the middle one. Weighed by the inverse square of the distances, the
+ * fitted slope is the mean of the two; by the distances alone it would be
+ * nearer to that of the wide cell. */
+START_TEST(a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides)
+{
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    struct particles *const ps = particles_create(1);
+    const struct averaging_options o = {.cap = 0.0};
+    double field[3], seen;
+    cloud_place(ps, 2.4, 0.5, 0.5, 0.1);
+    struct averaging *const a =
+        averaging_create(averaging_method_named("pcm"), m, ps, &o);
+    ck_assert_int_eq(averaging_bind(a), 0);
+    for (int c = 0; c < 3; c++)
+        field[c] = gsl_pow_2(m->centre[3 * c]); /* at 0.5, 2, 5 */
+    interpolation_named("linear")->apply(a, 1, field, NULL, &seen);
+    ck_assert_double_eq_tol(seen, 4.0 + 0.4 * 0.5 * (2.5 + 7.0), 1e-12);
+    averaging_free(a);
+    particles_free(ps);
+    mesh_free(m);
+}
+END_TEST
+
 /* Graded, closed, in one and in three directions: without values on the
  * boundary the slope is fitted, and is all of it also in corners. Half of it,
  * as with f_f = f_c on a wall, would be off by 0.1. */
@@ -243,6 +269,7 @@ int main(void)
                         0, 3);
     tcase_add_loop_test(t, linear_without_boundary_values_is_exact_at_walls_too,
                         0, 2);
+    tcase_add_test(t, a_fitted_slope_is_the_mean_of_the_slopes_on_both_sides);
     tcase_add_test(t, linear_is_of_second_order_and_nearest_of_first);
     tcase_add_loop_test(t, nearest_is_the_value_of_the_host, 0, CLOUD_SHAPES);
     tcase_add_loop_test(t, same_is_the_adjoint_of_the_averaging, 0,

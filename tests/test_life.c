@@ -143,6 +143,11 @@ START_TEST(a_stream_brings_so_many_a_second)
     ck_assert_int_eq((int)insertion_due(&in, 0.1), 1);
     ck_assert_int_eq((int)insertion_due(&in, 0.1105), 11);
     ck_assert_int_eq((int)insertion_due(&in, 10.0), 50);
+    in.options.rate = 0.5; /* one in two seconds */
+    ck_assert_int_eq((int)insertion_due(&in, 2.0), 1);
+    ck_assert_int_eq((int)insertion_due(&in, 2.2), 2);
+    in.options.rate = 0.0;
+    ck_assert_int_eq((int)insertion_due(&in, 0.1), 50);
 }
 END_TEST
 

@@ -2,6 +2,7 @@
 #include "mesh/mesh.h"
 
 #include <check.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -247,6 +248,74 @@ START_TEST(patches_stand_where_their_names_say)
 }
 END_TEST
 
+/* A row of cells that are 1, 2 and 4 wide, 0.5 deep and 0.3 high: from a centre
+ * to the middles of its faces it is half of each. */
+START_TEST(the_measures_of_a_graded_row_are_those_of_its_widths)
+{
+    const struct box_spec spec = {
+        {0.3, 7.0, 0.5}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.aspect, 4.0 / 0.3, 1e-12);
+    ck_assert_int_eq(q.flat, 2);
+    ck_assert_double_eq_tol(q.growth, 2.0, 1e-12);
+    ck_assert_double_eq_tol(q.V_least, 0.15, 1e-12);
+    ck_assert_double_eq_tol(q.V_most, 0.6, 1e-12);
+    ck_assert_int_eq(q.small, 0);
+    ck_assert_double_eq(q.skewness, 0.0);
+    ck_assert_double_lt(q.non_orthogonal, 1e-5); /* acos of 1 to rounding */
+    mesh_free(m);
+}
+END_TEST
+
+/* The same numbers from cells in a ring, where each face is within: the ends
+ * are 4 and 1 wide, and the smallest cell comes last. */
+START_TEST(a_ring_of_graded_cells_has_the_largest_growth_where_it_closes)
+{
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {0.25, 1.0, 1.0}, {1, 1, 1}};
+    struct mesh *const m = mesh_create_box(&spec);
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.growth, 4.0, 1e-12);
+    ck_assert_double_eq_tol(q.aspect, 1.0, 1e-12); /* half a width each way */
+    ck_assert_int_eq(q.small, 2);
+    mesh_free(m);
+}
+END_TEST
+
+/* With y / 2 added to x, links between rows lean by atan(1/2); the faces across
+ * x lean by as much. The link of the rows crosses their face in its middle. */
+START_TEST(a_sheared_box_is_as_crooked_as_its_shear)
+{
+    const struct box_spec spec = {
+        {1.0, 1.0, 1.0}, {2, 2, 1}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_sheared(&spec, (double[]){0.5, 0, 0});
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.non_orthogonal, atan(0.5) * 180.0 / M_PI, 1e-9);
+    ck_assert_double_lt(q.skewness, 1e-12);
+    ck_assert_double_eq_tol(q.growth, 1.0, 1e-12);
+    mesh_free(m);
+}
+END_TEST
+
+/* A face's middle that stands aside by a tenth of the link, along it and
+ * across it: only the second is skewness, as the weight says where the link
+ * crosses. */
+START_TEST(skewness_is_the_way_from_the_link_to_the_middle_of_the_face)
+{
+    const struct box_spec spec = {
+        {1.0, 3.0, 1.0}, {1, 3, 1}, {1.0, 4.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_sheared(&spec, (double[]){0, 0, 0});
+    const double way = m->d[4]; /* of face 1, along y */
+    m->middle[3] += 0.06 * way;
+    m->middle[5] -= 0.08 * way;
+    const struct mesh_quality q = mesh_quality(m);
+    ck_assert_double_eq_tol(q.skewness, 0.1, 1e-12);
+    ck_assert_int_eq(q.skewed, m->owner[1]);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("mesh");
@@ -268,6 +337,12 @@ int main(void)
     tcase_add_test(t, a_point_on_a_face_belongs_to_the_cell_above_it);
     tcase_add_test(t, a_periodic_direction_wraps_points);
     tcase_add_test(t, patches_stand_where_their_names_say);
+    tcase_add_test(t, the_measures_of_a_graded_row_are_those_of_its_widths);
+    tcase_add_test(
+        t, a_ring_of_graded_cells_has_the_largest_growth_where_it_closes);
+    tcase_add_test(t, a_sheared_box_is_as_crooked_as_its_shear);
+    tcase_add_test(t,
+                   skewness_is_the_way_from_the_link_to_the_middle_of_the_face);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

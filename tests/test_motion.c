@@ -331,6 +331,63 @@ START_TEST(driven_particle_throws_another_as_a_wall_does)
 }
 END_TEST
 
+/* Of Heun's two halves each would take half of a step with its own velocity. */
+START_TEST(driven_particle_goes_the_same_way_by_every_integrator)
+{
+    const double A = 0.1, f = 3.0, dt = 1e-3;
+    const struct driven one = {
+        .id = 0, .motion = {.amplitude = {0.0, A, 0.0}, .frequency = f}};
+    struct dem_options o = with(NULL, dt);
+    struct particles *const ps = sphere_at(0.0, 0.0, 1.0);
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    o.integrator = &integrators[_i];
+    struct dem *const dem = started(ps, &o);
+    for (int k = 1; k <= 10; k++) {
+        const double phase = 2.0 * M_PI * f * 77.0 * dt * k;
+        ck_assert_int_eq(dem_run(dem, 77, &r), 0);
+        ck_assert_double_eq_tol(ps->y[0], A * sin(phase), 1e-11);
+        ck_assert_double_eq_tol(ps->vy[0], 2.0 * M_PI * f * A * cos(phase),
+                                1e-9);
+    }
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* Led into a plate by delta at V, and let go: it has the energy of its spring
+ * and its own, (1/2) k delta^2 + (1/2) m V^2, and what it had not as long as
+ * it was as heavy as a wall. A per cent for the way of a last step. */
+START_TEST(driven_particle_is_let_go_with_the_energy_that_it_has)
+{
+    const double V = 0.01, until = 0.1, delta = V * until;
+    const struct driven one = {
+        .id = 0, .motion = {.velocity = {0.0, -V, 0.0}, .until = until}};
+    const struct surface s = plate(&(struct motion){.until = 0.0});
+    struct dem_options o = with(&s, 1e-4);
+    struct particles *const ps = sphere_at(0.0, 0.05, 0.0);
+    const double own = ps->m[0] * V * V;
+    double fastest = 0.0;
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    o.integrator = &integrators[_i];
+    struct dem *const dem = started(ps, &o);
+    for (int k = 0; k < 2000; k++) {
+        ck_assert_int_eq(dem_run(dem, 1, &r), 0);
+        fastest = fmax(fastest, fabs(ps->vy[0]));
+    }
+    const double most = o.material.stiffness * delta * delta + own;
+    ck_assert_double_gt(fastest, V);
+    ck_assert_double_le(ps->m[0] * fastest * fastest, 1.01 * most);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* A run that is cut and goes on with a new dem, its clock set: nothing is
  * remembered but particles, springs and the time. The springs are turned into
  * the plane of contact once more, which changes their last bits, and bouncing
@@ -393,6 +450,10 @@ static Suite *suite(void)
     tcase_add_loop_test(t, surface_accounts_for_force_torque_and_work, 0, 2);
     tcase_add_test(t, driven_particle_is_free_and_then_circles);
     tcase_add_test(t, driven_particle_throws_another_as_a_wall_does);
+    tcase_add_loop_test(
+        t, driven_particle_goes_the_same_way_by_every_integrator, 0, 3);
+    tcase_add_loop_test(
+        t, driven_particle_is_let_go_with_the_energy_that_it_has, 0, 3);
     tcase_add_test(t, clock_is_all_that_a_motion_remembers);
     suite_add_tcase(s, t);
     return s;

@@ -5,14 +5,18 @@
 #include "base/file.h"
 
 static char dir[64];
+static struct folder *folder;
 
 static void set_up(void)
 {
     scratch_make(dir);
+    folder = folder_take(dir);
+    ck_assert_int_eq(folder_begin(folder), 0);
 }
 
 static void tear_down(void)
 {
+    folder_free(folder);
     scratch_clear(dir);
 }
 
@@ -32,7 +36,7 @@ static const double vz[3] = {0.0, 0.0, 0.0};
 
 static struct picture sample(const struct mesh *m)
 {
-    return (struct picture){.title = "A bed's \"_{title}_\"",
+    return (struct picture){.title = "'A bed's \"_{title}_\" `x` \\",
                             .time = 0.5,
                             .mesh = m,
                             .eps = eps,
@@ -47,7 +51,7 @@ START_TEST(particles_are_listed_from_back_to_front)
     struct mesh *const m = box();
     const struct picture p = sample(m);
 
-    ck_assert_int_eq(picture_write(dir, &p), 0);
+    ck_assert_int_eq(picture_write(folder, &p), 0);
     scratch_assert_text(scratch_path(dir, "picture/particles.txt"),
                         "# x [m]  y [m]  radius [m]  speed [m/s]\n"
                         "0.4 0.75 0.15 0\n"
@@ -63,7 +67,7 @@ START_TEST(the_void_fraction_is_averaged_over_the_depth_by_volume)
     struct mesh *const m = box();
     const struct picture p = sample(m);
 
-    ck_assert_int_eq(picture_write(dir, &p), 0);
+    ck_assert_int_eq(picture_write(folder, &p), 0);
     scratch_assert_text(scratch_path(dir, "picture/void_fraction.txt"),
                         "# edges of a column of cells: left right bottom top "
                         "[m]  void fraction [-]\n"
@@ -78,29 +82,32 @@ END_TEST
 START_TEST(gnuplot_draws_every_kind_of_scene_or_is_missed_politely)
 {
     struct mesh *const m = box();
-    char folder[80], png[96];
+    char name[80], png[96];
     const int here = system("gnuplot --version >/dev/null 2>&1") == 0;
 
-    snprintf(folder, sizeof folder, "%s/it's a \"bed\"", dir);
-    snprintf(png, sizeof png, "%s/bed.png", folder);
+    snprintf(name, sizeof name, "%s/it's a \"bed\"", dir);
+    snprintf(png, sizeof png, "%s/bed.png", name);
+    struct folder *const odd = folder_take(name);
+    ck_assert_int_eq(folder_begin(odd), 0);
     scratch_listen(dir);
     for (int kind = 0; kind < 8; kind++) {
         struct picture p = sample(m);
         p.n = kind & 1 ? 3 : 0;
         p.eps = kind & 2 ? eps : NULL;
         p.pressure = kind & 4 ? 1 : 0;
-        ck_assert_int_eq(picture_write(folder, &p), 0);
+        ck_assert_int_eq(picture_write(odd, &p), 0);
         if (p.pressure)
             scratch_write(
-                scratch_path(folder, "history.csv"),
+                scratch_path(name, "history.csv"),
                 kind & 1 ? "time [s],bed_weight [Pa],pressure_drop [Pa]\n"
                            "0,100,0\n0.5,100,80\n1,100,101\n"
                          : "time [s],bed_weight [Pa],pressure_drop [Pa]\n");
         remove(png);
-        ck_assert_int_eq(picture_draw(folder), !here);
+        ck_assert_int_eq(picture_draw(odd), !here);
         ck_assert_int_eq(scratch_exists(png), here);
-        ck_assert(!scratch_exists(scratch_path(folder, "bed.png.partial")));
+        ck_assert(!scratch_exists(scratch_path(name, "bed.png.partial")));
     }
+    folder_free(odd);
     char *const said = scratch_heard(dir);
     if (here)
         ck_assert_str_eq(said, "");
@@ -117,9 +124,9 @@ START_TEST(without_gnuplot_it_is_said_what_to_install)
     const struct picture p = sample(m);
 
     scratch_listen(dir);
-    ck_assert_int_eq(picture_write(dir, &p), 0);
+    ck_assert_int_eq(picture_write(folder, &p), 0);
     setenv("PATH", dir, 1);
-    ck_assert_int_ne(picture_draw(dir), 0);
+    ck_assert_int_ne(picture_draw(folder), 0);
     char *const said = scratch_heard(dir);
     ck_assert_ptr_nonnull(strstr(said, "apt-get install gnuplot-nox"));
     free(said);
@@ -134,12 +141,12 @@ START_TEST(a_failing_gnuplot_leaves_its_words_and_no_picture)
     const struct picture p = sample(m);
 
     scratch_listen(dir);
-    ck_assert_int_eq(picture_write(dir, &p), 0);
+    ck_assert_int_eq(picture_write(folder, &p), 0);
     scratch_write(scratch_path(dir, "gnuplot"),
                   "#!/bin/sh\necho half >$4\necho broken; exit 1\n");
     chmod(scratch_path(dir, "gnuplot"), 0755);
     setenv("PATH", dir, 1);
-    ck_assert_int_ne(picture_draw(dir), 0);
+    ck_assert_int_ne(picture_draw(folder), 0);
     setenv("PATH", "/usr/bin:/bin", 1);
     scratch_assert_text(scratch_path(dir, "picture/gnuplot.log"), "broken\n");
     ck_assert(!scratch_exists(scratch_path(dir, "bed.png")));
@@ -158,7 +165,7 @@ START_TEST(a_picture_that_cannot_be_written_is_reported)
 
     scratch_listen(dir);
     scratch_write(scratch_path(dir, "picture"), "a file");
-    ck_assert_int_ne(picture_write(dir, &p), 0);
+    ck_assert_int_ne(picture_write(folder, &p), 0);
     mesh_free(m);
 }
 END_TEST

@@ -295,6 +295,33 @@ START_TEST(forces_after_the_prediction_are_those_of_the_product)
 }
 END_TEST
 
+/* By twice the difference of eps over the sum, and all of the way from 1 on:
+ * what the share of the owner, a half on equal cells, is then short of 1, or of
+ * 0 where the flow comes from the neighbour. */
+START_TEST(a_face_leans_upstream_by_how_much_eps_jumps_there)
+{
+    struct boundary b[6];
+    struct fluid *const fl = column(b, 1, 1.0, _i % 2, "linear");
+    const double sign = _i / 2 ? -1.0 : 1.0; /* of the flow */
+    for (int c = 0; c < N; c++)
+        fl->eps[c] = c < 4 ? 0.5 : c < 8 ? 0.4 : 0.1;
+    set_stream(fl);
+    for (int f = 0; f < fl->mesh->n_faces; f++)
+        fl->phi[f] *= sign;
+    storage_begin(fl);
+    momentum_assemble(fl);
+    for (int f = 0; f < fl->mesh->n_internal; f++) {
+        const int o = fl->mesh->owner[f];
+        const double lean = o == 3 ? 2.0 * 0.1 / 0.9 : o == 7 ? 1.0 : 0.0;
+        ck_assert_double_eq_tol(fl->piso->upstream[f], sign * 0.5 * lean,
+                                1e-14);
+        ck_assert_double_eq_tol(fl->piso->share[f], 0.5 + sign * 0.5 * lean,
+                                1e-14);
+    }
+    discard(fl);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("pressure");
@@ -315,6 +342,8 @@ int main(void)
         t, a_stream_that_leaves_a_bed_gains_the_pressure_of_bernoulli, 0, 2);
     tcase_add_loop_test(
         t, waves_at_the_surface_of_a_bed_die_away_with_a_central_scheme, 0, 4);
+    tcase_add_loop_test(t, a_face_leans_upstream_by_how_much_eps_jumps_there, 0,
+                        4);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

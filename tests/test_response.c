@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "particles/energy.h"
 #include "particles/response.h"
 #include "spheres.h"
 
 #include <check.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -45,6 +47,33 @@ START_TEST(an_added_mass_and_a_drag_are_solved_exactly)
     ck_assert_double_eq_tol(push * n * dt + ps->resisted[0],
                             m * (ps->vx[0] + 0.3), 1e-13 * m);
     if (x >= 30.0) ck_assert_double_eq_tol(ps->vx[0], push / k, 1e-14);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
+/* What is driven has the velocity that is prescribed, and the fluid feels the
+ * drag on that: -k v dt a step, and nothing of what else pushes it. */
+START_TEST(the_fluid_feels_the_drag_alone_of_a_driven_particle)
+{
+    const struct driven one = {.id = 0,
+                               .motion = {.velocity = {0.1, 0.0, -0.4}}};
+    const double dt = 1e-4, x = 0.3;
+    struct particles *const ps = held_back(x, 0.5, dt);
+    const double k = ps->resistance[0], n = 7.0;
+    struct dem_options o = spheres_options(&contact_linear, dt, 1.0);
+    struct dem_report r;
+
+    o.driven = &one;
+    o.n_driven = 1;
+    struct dem *const dem = dem_create(ps, &o);
+    dem_clock(dem, 0);
+    ck_assert_int_eq(dem_run(dem, 3, &r), 0);
+    ck_assert_int_eq(dem_run(dem, 4, &r), 0);
+    ck_assert_double_eq_tol(ps->vx[0], 0.1, 1e-12);
+    ck_assert_double_eq_tol(ps->resisted[0], -k * 0.1 * n * dt, 1e-15);
+    ck_assert_double_eq_tol(ps->resisted[1], 0.0, 1e-15);
+    ck_assert_double_eq_tol(ps->resisted[2], k * 0.4 * n * dt, 1e-15);
     dem_free(dem);
     particles_free(ps);
 }
@@ -105,6 +134,32 @@ START_TEST(a_sphere_in_honey_creeps_to_its_balance)
 }
 END_TEST
 
+/* The fluid that goes with a sphere is part of its energy: (m + m_a) v^2 / 2,
+ * and what the push and the drag have done is all that it has: the push to
+ * rounding, the drag to the square of its rate, 1e-4 of the energy; without m_a
+ * three quarters of it would be missing. */
+START_TEST(the_added_mass_is_part_of_the_energy)
+{
+    const double dt = 1e-4;
+    struct particles *const ps = held_back(_i ? 0.01 : 0.0, 3.0, dt);
+    const double m = 4.0 * ps->m[0], brought = 0.5 * m * 0.13;
+    struct dem_options o = spheres_options(&contact_linear, dt, 1.0);
+    struct dem_report r;
+
+    struct dem *const dem = dem_create(ps, &o);
+    dem_keep_energy(dem);
+    ck_assert_int_eq(dem_run(dem, 100, &r), 0);
+    const struct energy *const e = dem_energy(dem);
+    const double v2 = gsl_pow_2(ps->vx[0]) + gsl_pow_2(ps->vy[0]);
+    ck_assert_double_eq_tol(e->kinetic / (0.5 * m * v2), 1.0, 1e-12);
+    ck_assert_double_eq_tol(e->brought / brought, 1.0, 1e-12);
+    ck_assert_double_eq_tol(energy_residual(e) / e->kinetic, 0.0,
+                            _i ? 1e-3 : 1e-12);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 START_TEST(the_gain_is_one_at_rest_and_falls_like_one_over_x)
 {
     ck_assert_double_eq(response_gain(0.0), 1.0);
@@ -121,8 +176,10 @@ int main(void)
 
     suite_add_tcase(s, t);
     tcase_add_loop_test(t, an_added_mass_and_a_drag_are_solved_exactly, 0, 18);
+    tcase_add_test(t, the_fluid_feels_the_drag_alone_of_a_driven_particle);
     tcase_add_test(t, what_holds_nothing_back_changes_nothing);
     tcase_add_test(t, a_sphere_in_honey_creeps_to_its_balance);
+    tcase_add_loop_test(t, the_added_mass_is_part_of_the_energy, 0, 2);
     tcase_add_test(t, the_gain_is_one_at_rest_and_falls_like_one_over_x);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

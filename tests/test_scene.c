@@ -4,6 +4,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/check.h"
+#include "scene/lines.h"
 #include "scene/list.h"
 #include "scene/models.h"
 #include "scene/rows.h"
@@ -116,6 +117,53 @@ END_TEST
 START_TEST(what_flows_in_must_be_able_to_flow_out)
 {
     refused("fluid.top=slip", "there is an inlet and no outlet");
+}
+END_TEST
+
+START_TEST(average_is_no_wider_than_the_mesh_by_far)
+{
+    refused("averaging.bandwidth=1e10", "1e+10 m is more than 10 times");
+    refused("averaging={method=\"images\";delta_05=1e10;}",
+            "averaging.delta_05: 1e+10 m is more than 10 times");
+    refused("averaging={method=\"two-grid\";bandwidth=1e-9;}",
+            "a second grid of cells of 1e-09 m would have");
+}
+END_TEST
+
+START_TEST(whole_number_is_written_without_point_or_exponent)
+{
+    refused("particles.bed.count=1e12",
+            "at most 2147483647 and without point or exponent");
+    refused("particles.bed.count=1000000000000", "at most 2147483647");
+    refused("mesh.cells=[1e3, 1e3, 1.0]", "without point or exponent");
+}
+END_TEST
+
+START_TEST(sink_without_a_side_asks_for_a_region)
+{
+    refused("particles.sinks=({side=\"none\";})",
+            "sink 0: give either side, or from and to");
+}
+END_TEST
+
+START_TEST(every_profile_has_a_file_of_its_own)
+{
+    static const char two[] =
+        "output.profiles=({field=\"eps_f\";height=0.0164;},"
+        "{field=\"eps_f\";height=0.0164;from=1.0;})";
+    char name[LINES_NAME];
+    int code;
+
+    struct settings *const s = read_case("cases/mueller-bed.cfg", two, &code);
+    ck_assert_ptr_nonnull(s);
+    lines_name(s, 0, name);
+    ck_assert_str_eq(name, "eps_f_y16.4mm");
+    lines_name(s, 1, name);
+    ck_assert_str_eq(name, "eps_f_y16.4mm_from1s");
+    settings_free(s);
+    refused("output.profiles=({field=\"p\";height=0.01;from=1.0;},"
+            "{field=\"p\";height=0.01;},{field=\"p\";height=0.01;})",
+            "profiles 1 and 2 are of the same field");
 }
 END_TEST
 
@@ -374,6 +422,10 @@ int main(void)
     tcase_add_test(t, each_side_of_the_box_is_described_once);
     tcase_add_test(t, sizes_are_possible_and_known_by_their_names);
     tcase_add_test(t, what_flows_in_must_be_able_to_flow_out);
+    tcase_add_test(t, average_is_no_wider_than_the_mesh_by_far);
+    tcase_add_test(t, whole_number_is_written_without_point_or_exponent);
+    tcase_add_test(t, sink_without_a_side_asks_for_a_region);
+    tcase_add_test(t, every_profile_has_a_file_of_its_own);
     tcase_add_test(t, contact_law_asks_for_its_constants);
     tcase_add_test(t, materials_are_known_by_their_names);
     tcase_add_test(t, materials_of_a_case_reach_the_particles);

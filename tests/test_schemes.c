@@ -285,6 +285,32 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
 }
 END_TEST
 
+/* u_y = x^2 in cells 1, 2 and 4 wide, around the middle one: by Gauss the slope
+ * between the linear values at its faces, by least squares, with the inverse
+ * square of the distances as weights, the mean of the slopes on both sides. */
+START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
+{
+    const struct box_spec spec = {
+        {7.0, 1.0, 1.0}, {3, 1, 1}, {4.0, 1.0, 1.0}, {0, 0, 0}};
+    struct mesh *const m = mesh_create_box(&spec);
+    double u[9] = {0.0}, slope[27];
+    double *const u_b = calloc(3 * (size_t)m->n_faces, sizeof *u_b);
+    for (int c = 0; c < 3; c++)
+        u[3 * c + 1] = gsl_pow_2(m->centre[3 * c]);  /* at 0.5, 2, 5 */
+    for (int f = m->n_internal; f < m->n_faces; f++) /* the sides' own */
+        u_b[3 * (f - m->n_internal) + 1] = u[3 * m->owner[f] + 1];
+    const double below = (2.0 * 0.25 + 1.0 * 4.0) / 3.0; /* at x = 1 */
+    const double above = (2.0 * 4.0 + 1.0 * 25.0) / 3.0; /* at x = 3 */
+    slope_schemes[_i].fill(m, u, u_b, slope);
+    ck_assert_double_eq_tol(
+        slope[9 + 3], _i ? 0.5 * (2.5 + 7.0) : 0.5 * (above - below), 1e-12);
+    for (int i = 0; i < 9; i++)
+        if (i != 3) ck_assert_double_eq_tol(slope[9 + i], 0.0, 1e-14);
+    free(u_b);
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("schemes");
@@ -300,6 +326,8 @@ int main(void)
     tcase_add_test(t, upwind_and_van_leer_stay_within_bounds_and_others_do_not);
     tcase_add_loop_test(t, slopes_of_a_linear_field_are_exact_on_graded_cells,
                         0, 4);
+    tcase_add_loop_test(t, slopes_of_a_parabola_are_those_of_the_formulas, 0,
+                        2);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

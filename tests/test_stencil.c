@@ -162,6 +162,26 @@ START_TEST(the_memory_is_known_beforehand)
 }
 END_TEST
 
+/* Only cells that differ have a list each, in whichever direction they do. */
+START_TEST(equal_cells_need_no_memory_and_graded_ones_do)
+{
+    struct box_spec spec = {
+        {0.8, 0.7, 0.6}, {4, 4, 4}, {1.0, 1.0, 1.0}, {0, 0, 0}};
+    if (_i < 3) spec.grading[_i] = 1.2;
+    struct mesh *const m = mesh_create_box(&spec);
+    const double near = stencil_bytes(m, 0.3, STENCIL_TO_CENTRE);
+    const double any = stencil_bytes(m, 0.3, STENCIL_TO_CELL);
+    if (_i == 3) {
+        ck_assert_double_eq(near, 0.0);
+        ck_assert_double_eq(any, 0.0);
+    } else {
+        ck_assert_double_gt(near, 0.0);
+        ck_assert_double_gt(any, near);
+    }
+    mesh_free(m);
+}
+END_TEST
+
 int main(void)
 {
     Suite *const s = suite_create("stencil");
@@ -174,6 +194,7 @@ int main(void)
     tcase_add_test(t, hosts_that_look_alike_share_a_stencil);
     tcase_add_loop_test(t, cells_that_share_a_corner_are_near, 0, 3);
     tcase_add_test(t, the_memory_is_known_beforehand);
+    tcase_add_loop_test(t, equal_cells_need_no_memory_and_graded_ones_do, 0, 4);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     const int failed = srunner_ntests_failed(r);

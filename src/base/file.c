@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -57,13 +58,37 @@ static int failure(FILE *stream)
     return 0;
 }
 
+/* Opens a file that nobody else has: neither an old one nor what a link of that
+ * name points to. */
+static FILE *opened_anew(const char *path)
+{
+    unlink(path);
+    const int file =
+        open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    return file < 0 ? NULL : fdopen(file, "wb");
+}
+
+/* Whose file has the name PATH.partial: another program that began to write the
+ * same later takes it from us, and will give it its name. */
+enum owner { NOBODY, ANOTHER, OURS };
+
+static enum owner owner_of(const struct file *f)
+{
+    struct stat own, named;
+
+    if (fstat(fileno(f->stream), &own) != 0 || lstat(f->partial, &named) != 0)
+        return NOBODY;
+    return own.st_ino == named.st_ino && own.st_dev == named.st_dev ? OURS
+                                                                    : ANOTHER;
+}
+
 struct file *file_create(const char *path)
 {
     struct file *const f = alloc_zeroed(1, sizeof *f);
 
     f->path = joined(path, "", "");
     f->partial = joined(path, ".partial", "");
-    f->stream = fopen(f->partial, "wb");
+    f->stream = opened_anew(f->partial);
     if (f->stream == NULL) {
         complaint("write", f->partial, errno);
         forget(f);
@@ -82,12 +107,15 @@ FILE *file_stream(struct file *f)
 int file_commit(struct file *f)
 {
     int reason = failure(f->stream);
+    const enum owner owner = owner_of(f);
 
     if (fclose(f->stream) != 0 && reason == 0) reason = errno;
-    if (reason == 0 && rename(f->partial, f->path) != 0) reason = errno;
+    if (reason == 0 && owner == NOBODY) reason = ENOENT;
+    if (reason == 0 && owner == OURS && rename(f->partial, f->path) != 0)
+        reason = errno;
     if (reason != 0) {
         complaint("write", f->path, reason);
-        remove(f->partial);
+        if (owner == OURS) remove(f->partial);
     }
     forget(f);
     return reason != 0;
@@ -96,9 +124,17 @@ int file_commit(struct file *f)
 void file_discard(struct file *f)
 {
     if (f == NULL) return;
+    if (owner_of(f) == OURS) remove(f->partial);
     fclose(f->stream);
-    remove(f->partial);
     forget(f);
+}
+
+void file_remove_part(const char *path)
+{
+    char *const partial = joined(path, ".partial", "");
+
+    remove(partial);
+    free(partial);
 }
 
 static int is_folder(const char *path)

@@ -12,7 +12,8 @@
 
 struct file;
 
-/* Opens PATH.partial for writing; NULL after a message if that fails. */
+/* Opens PATH.partial for writing, anew: what had that name is gone, a link is
+ * not followed. NULL after a message if that fails. */
 struct file *file_create(const char *path);
 
 /* Where to write; errors may be left to file_commit, the stream keeps them. */
@@ -25,6 +26,9 @@ int file_commit(struct file *f);
 /* Gives the file up: f and PATH.partial are gone. file_discard(NULL) is fine.
  */
 void file_discard(struct file *f);
+
+/* For a program that ends while PATH may be at work: PATH.partial is gone. */
+void file_remove_part(const char *path);
 
 /* Makes a folder and those above it, as mkdir -p; non-zero after a message. */
 int file_make_dirs(const char *path);

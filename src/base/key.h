@@ -16,6 +16,7 @@ enum key_type {
     KEY_BOOL,   /* true or false */
     KEY_NAME,   /* one of the words in allowed */
     KEY_TEXT,   /* any text */
+    KEY_FILE,   /* the name of a file or folder */
     KEY_VECTOR, /* three numbers [x, y, z] */
     KEY_COUNTS, /* three whole numbers */
     KEY_FLAGS,  /* three of true or false */

@@ -21,6 +21,7 @@ struct coupling *coupling_create(struct simulation *sim,
     struct coupling *const cp = alloc_zeroed(1, sizeof *cp);
 
     cp->options = *options;
+    cp->report.eps_lowest = cp->report.seen_lowest = 1.0; /* one-way: stays */
     cp->u_f = alloc_doubles(3 * n);
     cp->eps = alloc_doubles(n);
     cp->k = alloc_doubles(n);

@@ -10,12 +10,21 @@ double drag_reynolds(double rho_f, double mu, double d, double u_r)
     return rho_f * d * u_r / mu; /* [XS11 2.12] */
 }
 
+/* 1 where viscosity no longer matters: the correction to what is left without
+ * it is less than 1 / Re. Also where Re is no number, 0 / 0 of a fluid without
+ * viscosity that is at rest. */
+static int is_inviscid(double Re)
+{
+    return !(Re < 1e9);
+}
+
 double drag_terminal_ratio(double Re, double eps_f)
 {
     const double A1 = pow(eps_f, 4.14); /* [XS11 2.14] */
     const double A2 = eps_f <= 0.85 ? 0.8 * pow(eps_f, 1.28) : pow(eps_f, 2.65);
     const double a = 0.06 * Re;
 
+    if (is_inviscid(Re)) return A2; /* the limit of [XS11 2.13] */
     return 0.5 * (A1 - a +
                   sqrt(a * a + 2.0 * a * (2.0 * A2 - A1) + A1 * A1)); /* 2.13 */
 }
@@ -55,8 +64,9 @@ static double gidaspow(double eps_f, double rho_f, double mu, double d,
     if (eps_f <= 0.8) /* Ergun */
         return 150.0 * (1.0 - eps_f) * mu / (eps_f * d * d) +
                1.75 * rho_f * u_r / d;
-    const double Cd_u =
-        24.0 * mu / (eps_f * rho_f * d) * stokes_correction(eps_f * Re);
+    const double Cd_u = is_inviscid(Re) ? 0.44 * u_r
+                                        : 24.0 * mu / (eps_f * rho_f * d) *
+                                              stokes_correction(eps_f * Re);
     return 0.75 * Cd_u * eps_f * rho_f / d * pow(eps_f, -2.65); /* Wen, Yu */
 }
 
@@ -64,9 +74,11 @@ static double gidaspow(double eps_f, double rho_f, double mu, double d,
 static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
                                double u_r)
 {
+    const double Re = drag_reynolds(rho_f, mu, d, u_r);
+
     (void)eps_f;
-    return 18.0 * mu / (d * d) *
-           stokes_correction(drag_reynolds(rho_f, mu, d, u_r));
+    if (is_inviscid(Re)) return 0.75 * 0.44 * rho_f * u_r / d;
+    return 18.0 * mu / (d * d) * stokes_correction(Re);
 }
 
 const struct drag_law drag_laws[] = {

@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "base/alloc.h"
+#include "base/input.h"
 
 void poly_file_wrong(struct poly_file *p, const char *format, ...)
 {
@@ -150,7 +151,7 @@ static void read_header(struct poly_file *p)
 /* All of a file, be it packed by gzip or not; NULL if it cannot be read. */
 static char *unpack(const char *path, long *size)
 {
-    const gzFile f = gzopen(path, "rb");
+    const gzFile f = input_wrong(path) == NULL ? gzopen(path, "rb") : NULL;
     long room = 1 << 16;
     char *text;
     int n = 0;
@@ -187,7 +188,8 @@ void poly_file_open(struct poly_file *p, const char *dir, const char *name)
     }
     if (p->text == NULL)
         poly_file_wrong(p, "cannot be read: %s",
-                        errno != 0 ? strerror(errno) : "damaged");
+                        input_wrong(p->path) != NULL ? input_wrong(p->path)
+                                                     : "damaged");
     else
         read_header(p);
 }

@@ -7,8 +7,10 @@
 #include "output/gnuplot.h"
 #include "output/picture_script.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A particle as it is drawn. */
 struct disc {
@@ -41,20 +43,20 @@ static void put_row(FILE *out, int n, const double *row)
                 i < n - 1 ? ' ' : '\n');
 }
 
-/* A file in DIR/picture; NULL after a message. */
-static struct file *opened(const char *folder, const char *name)
+/* A file of the folder; NULL after a message. */
+static struct file *opened(struct folder *folder, const char *name)
 {
-    char *const path = file_join(folder, name);
-    struct file *const f = file_create(path);
+    char *const path = folder_file(folder, name);
+    struct file *const f = path == NULL ? NULL : file_create(path);
 
     free(path);
     return f;
 }
 
 /* Farthest first, so that the nearer ones cover them. */
-static int put_particles(const char *folder, struct disc *discs, int n)
+static int put_particles(struct folder *folder, struct disc *discs, int n)
 {
-    struct file *const f = opened(folder, "particles.txt");
+    struct file *const f = opened(folder, "picture/particles.txt");
     if (f == NULL) return 1;
 
     qsort(discs, (size_t)n, sizeof discs[0], by_depth);
@@ -138,9 +140,9 @@ static void put_squares(FILE *out, const struct picture *p)
         }
 }
 
-static int put_void_fraction(const char *folder, const struct picture *p)
+static int put_void_fraction(struct folder *folder, const struct picture *p)
 {
-    struct file *const f = opened(folder, "void_fraction.txt");
+    struct file *const f = opened(folder, "picture/void_fraction.txt");
     if (f == NULL) return 1;
 
     fprintf(file_stream(f), "# edges of a column of cells: left right bottom "
@@ -171,19 +173,29 @@ static void put_definition(FILE *out, const char *name, double value,
             value == floor(value) && fabs(value) < 1e9 ? ".0" : "", unit);
 }
 
-/* Within single quotes gnuplot reads a quote from two, and all else as is. */
+/* A title within double quotes, in which gnuplot takes quotes, backslashes and
+ * backquotes for more than letters: all that might mean something to it is
+ * written by its number. */
 static void put_title(FILE *out, const char *title)
 {
-    fputs("title = '", out);
-    for (const char *p = title; *p; p++)
-        fputs(*p == '\'' ? "''" : (const char[2]){*p == '\n' ? ' ' : *p, 0},
-              out);
-    fputs("'\n", out);
+    fputs("title = \"", out);
+    for (const char *p = title; *p; p++) {
+        const unsigned char c = (unsigned char)*p;
+
+        if (c < 0x20 || c == 0x7f)
+            fputc(' ', out);
+        else if (c >= 0x80 || isalnum(c) || strchr(" .,:;()-+=/", c) != NULL)
+            fputc(c, out);
+        else
+            fprintf(out, "\\%03o", (unsigned)c);
+    }
+    fputs("\"\n", out);
 }
 
-static int put_script(const char *folder, const struct picture *p, double speed)
+static int put_script(struct folder *folder, const struct picture *p,
+                      double speed)
 {
-    struct file *const f = opened(folder, "bed.gp");
+    struct file *const f = opened(folder, "picture/bed.gp");
     if (f == NULL) return 1;
 
     FILE *const out = file_stream(f);
@@ -219,29 +231,39 @@ static struct disc *discs_of(const struct picture *p)
     return discs;
 }
 
-int picture_write(const char *dir, const struct picture *p)
+int picture_write(struct folder *folder, const struct picture *p)
 {
-    char *const folder = file_join(dir, "picture");
     struct disc *const discs = discs_of(p);
     const double speed = usual_speed(discs, p->n);
     const int failed =
-        file_make_dirs(folder) || put_particles(folder, discs, p->n) ||
+        folder_make(folder, "picture") || put_particles(folder, discs, p->n) ||
         put_void_fraction(folder, p) || put_script(folder, p, speed);
 
     free(discs);
-    free(folder);
     return failed;
 }
 
-int picture_draw(const char *dir)
+/* Lists what gnuplot is going to write; non-zero after a message. */
+static int list_drawn(struct folder *folder)
 {
-    char *const script = file_join(dir, "picture/bed.gp");
-    char *const png = file_join(dir, "bed.png");
-    char *const log = file_join(dir, "picture/gnuplot.log");
-    const int failed = gnuplot_draw(script, dir, png, log);
+    char *const png = folder_file(folder, "bed.png");
+    char *const log = png ? folder_file(folder, "picture/gnuplot.log") : NULL;
+    const int failed = log == NULL;
 
-    free(script);
     free(png);
     free(log);
+    return failed;
+}
+
+int picture_draw(struct folder *folder)
+{
+    if (list_drawn(folder) != 0) return 1;
+    char *const below = file_join(folder_name(folder), "picture");
+    const int failed = gnuplot_draw(&(struct gnuplot){.folder = below,
+                                                      .script = "bed.gp",
+                                                      .above = "..",
+                                                      .png = "../bed.png",
+                                                      .log = "gnuplot.log"});
+    free(below);
     return failed;
 }

@@ -15,6 +15,7 @@
 #define PICTURE_H
 
 #include "mesh/mesh.h"
+#include "output/folder.h"
 
 /* What is to be seen; all borrowed. */
 struct picture {
@@ -30,11 +31,11 @@ struct picture {
 };
 
 /* Writes the three files; non-zero after a message. */
-int picture_write(const char *dir, const struct picture *p);
+int picture_write(struct folder *folder, const struct picture *p);
 
 /* Lets gnuplot draw DIR/bed.png from them, which appears whole. Without gnuplot
  * or when it fails: a message that says what to do, and non-zero; a run that
  * got so far is done all the same. */
-int picture_draw(const char *dir);
+int picture_draw(struct folder *folder);
 
 #endif

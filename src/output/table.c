@@ -86,7 +86,7 @@ int table_write(const char *path, int n_columns, const char *const *names,
 /* The table that stands in the file, ready for its next row. */
 static struct table *opened(const char *path, int n_columns)
 {
-    const int file = open(path, O_WRONLY | O_APPEND);
+    const int file = open(path, O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
 
     if (file < 0) {
         complaint("write", path);

@@ -293,7 +293,7 @@ static int settle(struct particles *ps, const struct bed_options *bed,
     const double look = STEPS_A_LOOK * settling.step;
     const double kept = exp(-look / (settling_drag * fall));
     struct dem *const run = dem_create(ps, &settling);
-    if (run == NULL) return 1;
+    if (run == NULL) return -1;
     double *const own = lend_inertia(ps, bed);
     hold_weight(ps, ps->m, bed->gravity);
     int lost = run_to_rest(run, settling.step, 1.5 * fall, kept, bed, ps, r);
@@ -357,10 +357,11 @@ int bed_make(const char *path, struct particles *ps, struct dem *run,
         if (bed_fill(ps, bed, dem) != 0 ||
             surface_start_wrong(ps, dem->surfaces, dem->n_surfaces))
             return BED_REFUSED;
-        code = bed_settle(ps, bed, dem, r, &springs) != 0 ? BED_LOST : BED_MADE;
+        const int wrong = bed_settle(ps, bed, dem, r, &springs);
+        code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_MADE;
         if (path != NULL && code == BED_MADE &&
             bed_file_save(path, ps, &springs, bed, dem) != 0)
-            code = BED_REFUSED;
+            code = BED_UNSAVED;
     }
     if (code == BED_MADE) dem_recall(run, springs.list, springs.n);
     free(springs.list);

@@ -51,8 +51,9 @@ struct bed_springs {
  * else the lattice, settled, and written to the file. ps has room for it; `run`
  * was made for ps with `dem` and starts with the springs of the bed. A bed
  * that was read and one that was made go on alike, bit for bit. Non-zero after
- * a message; BED_LOST without one if a particle is lost (see r->dem). */
-enum { BED_MADE, BED_ABSENT, BED_REFUSED, BED_LOST };
+ * a message, BED_UNSAVED if the file cannot be written; BED_LOST without one if
+ * a particle is lost (see r->dem). */
+enum { BED_MADE, BED_ABSENT, BED_REFUSED, BED_LOST, BED_UNSAVED };
 int bed_make(const char *path, struct particles *ps, struct dem *run,
              const struct bed_options *bed, const struct dem_options *dem,
              struct bed_report *r);
@@ -69,7 +70,8 @@ struct bed_range bed_range(const struct bed_options *bed);
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 
-/* Lets ps settle, with a step of limits.h. Non-zero if a particle is lost. A
+/* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
+ * negative after a message if there is no room to run in. A
  * bed that is not settled in time is not an error here: see r->settled. */
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,

@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/input.h"
 #include "base/number.h"
 
 enum { LINE = 256, FACTS = 24, COLUMNS = 11 };
@@ -266,13 +267,15 @@ int bed_file_load(const char *path, struct particles *ps,
                   struct bed_springs *springs, const struct bed_options *bed,
                   const struct dem_options *dem)
 {
-    FILE *const f = fopen(path, "r");
+    const char *const why = input_wrong(path);
+    if (why != NULL && errno == ENOENT) return BED_ABSENT;
+    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
     const char *wrong = NULL;
     int line;
 
-    if (f == NULL && errno == ENOENT) return BED_ABSENT;
     if (f == NULL) {
-        fprintf(stderr, "winnow: %s: %s\n", path, strerror(errno));
+        fprintf(stderr, "winnow: %s: %s\n", path,
+                why != NULL ? why : strerror(errno));
         return BED_REFUSED;
     }
     line = check_facts(f, path, bed, dem);

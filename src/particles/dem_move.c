@@ -38,11 +38,12 @@ static struct stride stride(const struct dem *dem, double dt, double kick,
                            .drift = drift};
 }
 
-/* Loads alone; the springs move on by dt. */
+/* Loads alone; the springs move on by dt. Nobody is steered. */
 static void load(const struct dem *dem, double dt)
 {
-    const struct stride still = stride(dem, dt, 0.0, 0.0);
+    struct stride still = stride(dem, dt, 0.0, 0.0);
 
+    still.driven = 0;
     stride_take(dem->neighbours, &still);
 }
 
@@ -174,6 +175,17 @@ static void force_at_start(struct dem *dem)
     neighbours_meet(nb);
 }
 
+/* Driven particles keep the velocity of a whole step through both of Heun's
+ * halves, and so end where they should; dt = 0: the velocity of that time. */
+static void steer(struct dem *dem, int k, double dt)
+{
+    struct neighbours *const nb = dem->neighbours;
+
+    if (nb->drive == NULL || !dem->ticking) return;
+    prescribed_steer(nb, time_after(dem, k), dt);
+    neighbours_meet(nb);
+}
+
 /* Heun. The springs are drawn by half a step with the slip at its start, for
  * which the contacts are gone through once more, and by half a step with the
  * slip at x*, v*. The lists are for pairs that are near at the start. The
@@ -191,6 +203,7 @@ static int lean(struct dem *dem, int steps, struct reach *r)
         const double closer = 2.0 * neighbours_speed(nb) * dt;
         if (r->spent + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
+        steer(dem, k, dt);
         force_at_start(dem);
         load(dem, 0.5 * dt);
         predict(dem, dt);
@@ -201,6 +214,7 @@ static int lean(struct dem *dem, int steps, struct reach *r)
         neighbours_meet(nb);
         r->spent += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
     }
+    steer(dem, steps, 0.0);
     return steps;
 }
 

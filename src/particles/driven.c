@@ -39,17 +39,26 @@ void driven_index(struct drive *d, const struct particles *ps)
     }
 }
 
-/* Without 1/m, and deaf to what else would move it. */
+/* Without 1/m, and deaf to what else would move it. Its drag -k v stays what
+ * the fluid feels of it: k is as it was, but does not change v. */
 static void weigh(struct bodies *b, const struct particles *ps, int i)
 {
     b->motion[i][7] = share / ps->m[i];
     memset(b->push[i], 0, sizeof b->push[i]);
-    if (b->response != NULL) b->response[i][1] = b->response[i][2] = 0.0;
+    if (b->response == NULL) return;
+    const double per_mass = share / (ps->m[i] + ps->added_mass[i]);
+    b->response[i][0] = ps->resistance[i] * per_mass;
+    b->response[i][1] = b->response[i][2] = 1.0;
+    b->response[i][3] = per_mass;
 }
 
-/* As bodies_fetch makes it. */
-static void release(struct bodies *b, const struct particles *ps, int i)
+/* As bodies_fetch makes it. The loads of this moment are those of a particle
+ * without 1/m: its dashpots, made for so large a mass, would throw one that
+ * has a mass again. They go with the motion that ends. */
+static void release(struct bodies *b, const struct particles *ps, int i,
+                    double load[8])
 {
+    if (load != NULL) memset(load, 0, 8 * sizeof *load);
     const double per_mass = 1.0 / ps->m[i];
 
     b->motion[i][7] = per_mass;
@@ -85,7 +94,7 @@ static int mine(const struct drive *d, int k, int begin, int end)
 }
 
 void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
-                  int begin, int end, double t, double dt)
+                  int begin, int end, double (*load)[8], double t, double dt)
 {
     for (int k = 0; k < d->n; k++) {
         const struct motion *const m = &d->list[k].motion;
@@ -96,7 +105,7 @@ void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
             weigh(b, ps, i);
             steer_one(m, b, i, t, dt);
         } else if (d->on[k]) {
-            release(b, ps, i);
+            release(b, ps, i, load != NULL ? load[i - begin] : NULL);
         }
         d->on[k] = on;
     }
@@ -113,5 +122,6 @@ void driven_release(const struct drive *d, struct bodies *b,
                     const struct particles *ps, int begin, int end)
 {
     for (int k = 0; k < d->n; k++)
-        if (mine(d, k, begin, end) && d->on[k]) release(b, ps, d->index[k]);
+        if (mine(d, k, begin, end) && d->on[k])
+            release(b, ps, d->index[k], NULL);
 }

@@ -31,9 +31,10 @@ void driven_free(struct drive *d);
 void driven_index(struct drive *d, const struct particles *ps);
 
 /* Sets the velocities of those among begin ... end - 1 for a step from t to
- * t + dt [s]; dt = 0 gives those of the time t. */
+ * t + dt [s]; dt = 0 gives those of the time t. Of those whose motion has ended
+ * it clears the loads, from begin on; NULL: there are none yet. */
 void driven_steer(struct drive *d, struct bodies *b, const struct particles *ps,
-                  int begin, int end, double t, double dt);
+                  int begin, int end, double (*load)[8], double t, double dt);
 
 /* Rows that were fetched anew: those that are driven have no 1/m again; or,
  * to measure what there is, their own. */

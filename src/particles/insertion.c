@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/input.h"
+#include "base/interrupt.h"
 #include "base/number.h"
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
@@ -143,7 +145,7 @@ int insertion_step(struct insertion *in, struct particles *ps,
 
     if (in->done >= due) return 0;
     struct crowd crowd = crowd_of(&in->options, ps, box);
-    while (in->done < due && ps->n < ps->capacity &&
+    while (in->done < due && ps->n < ps->capacity && !interrupt_arrived() &&
            place_next(in, &crowd, ps, box))
         added++;
     free(crowd.who);
@@ -166,7 +168,8 @@ static int parse(const char *line, struct insertion_one *one, int *is_one)
 
 struct insertion_one *insertion_read(const char *path, long *n)
 {
-    FILE *const f = fopen(path, "r");
+    const char *const why = input_wrong(path);
+    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
     struct insertion_one *list = NULL;
     long room = 0, number = 0;
     char line[LINE];
@@ -174,7 +177,8 @@ struct insertion_one *insertion_read(const char *path, long *n)
 
     *n = 0;
     if (f == NULL) {
-        fprintf(stderr, "winnow: %s: %s\n", path, strerror(errno));
+        fprintf(stderr, "winnow: %s: %s\n", path,
+                why != NULL ? why : strerror(errno));
         return NULL;
     }
     while (!wrong && fgets(line, LINE, f) != NULL) {

@@ -17,5 +17,5 @@ void prescribed_steer(const struct neighbours *nb, double t, double dt)
     if (nb->drive == NULL) return;
     for (int s = mine.first; s < mine.last; s++)
         driven_steer(nb->drive, nb->bodies, nb->ps, nb->strips[s].begin,
-                     nb->strips[s].end, t, dt);
+                     nb->strips[s].end, NULL, t, dt);
 }

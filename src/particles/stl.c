@@ -2,7 +2,6 @@
 #include "particles/stl.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -12,6 +11,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
+#include "base/input.h"
 #include "base/number.h"
 #include "base/vector.h"
 #include "particles/triangle.h"
@@ -46,20 +46,10 @@ static int wrong(const struct source *in, const char *format, ...)
 
 static int load(struct source *in)
 {
-    FILE *const f = fopen(in->path, "rb");
-    long length = -1;
+    const char *why;
 
-    if (f != NULL && fseek(f, 0, SEEK_END) == 0) length = ftell(f);
-    if (length < 0 || fseek(f, 0, SEEK_SET) != 0) {
-        if (f != NULL) fclose(f);
-        return wrong(in, "cannot be read: %s", strerror(errno));
-    }
-    in->text = alloc_zeroed((size_t)length + 1, 1);
-    in->length = fread(in->text, 1, (size_t)length, f);
-    in->at = in->text;
-    fclose(f);
-    if (in->length == (size_t)length) return 0;
-    return wrong(in, "cannot be read to its end");
+    in->at = in->text = input_text(in->path, &in->length, &why);
+    return in->text != NULL ? 0 : wrong(in, "cannot be read: %s", why);
 }
 
 /* One more triangle, unless it has no area. */

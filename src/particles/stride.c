@@ -11,7 +11,7 @@ static void advance(const struct neighbours *nb, struct strip *own, int begin,
     double(*const load)[8] = own->load + (begin - own->begin);
 
     if (nb->drive != NULL && by->driven)
-        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, by->t,
+        driven_steer(nb->drive, nb->bodies, nb->ps, begin, end, load, by->t,
                      by->drift);
     if (nb->bodies->response == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,

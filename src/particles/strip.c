@@ -238,8 +238,11 @@ static void divide(struct strip *s, int n)
         at.reach = larger(at.reach, at.end - s->begin);
         if (at.walls > c->n_pairs)
             at.reach = larger(at.reach, c->owner[at.walls - 1] - s->begin + 1);
-        for (; q < at.pairs; q++) /* a partner comes after its owner */
-            at.reach = larger(at.reach, load_of(s, c->partner[q], n) + 1);
+        for (; q < at.pairs; q++) { /* round a period a partner comes first */
+            const int last = larger(load_of(s, c->partner[q], n),
+                                    load_of(s, c->owner[q], n));
+            at.reach = larger(at.reach, last + 1);
+        }
         if (k + 1 == s->n_blocks) at.reach = s->window;
         s->blocks[k] = at;
     }

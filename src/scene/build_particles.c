@@ -9,6 +9,7 @@
 #include "particles/surface_start.h"
 #include "scene/build.h"
 #include "scene/case_sizes.h"
+#include "scene/case_steps.h"
 #include "scene/case_surfaces.h"
 #include "scene/case_cohesion.h"
 #include "scene/case_life.h"
@@ -74,20 +75,23 @@ static int create_bed(const struct settings *s, struct simulation *sim,
 {
     struct sizes *sizes;
     struct bed_options b = build_bed_options(s, &sizes);
-    const char *const path = settings_has(s, "particles.bed.file")
-                                 ? settings_text(s, "particles.bed.file")
-                                 : NULL;
+    const int kept = settings_has(s, "particles.bed.file");
+    char path[SETTINGS_PATH];
     struct bed_report r;
 
+    if (kept)
+        settings_beside(s, settings_text(s, "particles.bed.file"), path,
+                        sizeof path);
     b.room = case_walls_room(sim->walls);
     sim->particles = particles_create(b.count + case_life_count(s));
     sim->dem = dem_create(sim->particles, o);
-    const int found = sim->dem == NULL
-                          ? BED_REFUSED
-                          : bed_make(path, sim->particles, sim->dem, &b, o, &r);
+    const int found =
+        sim->dem == NULL
+            ? BED_REFUSED
+            : bed_make(kept ? path : NULL, sim->particles, sim->dem, &b, o, &r);
     sizes_free(sizes);
     if (found == BED_LOST) return bed_lost(&r);
-    if (found != BED_MADE) return 2;
+    if (found != BED_MADE) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps > 0 && sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
@@ -132,8 +136,9 @@ static int part_spheres(const struct settings *s, struct particles *ps,
                           "them apart");
 }
 
-static int place_spheres(const struct settings *s, struct simulation *sim,
-                         const struct dem_options *o)
+/* The spheres, where the case puts them; without a dem. */
+static int put_spheres(const struct settings *s, struct simulation *sim,
+                       const struct dem_options *o)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
@@ -161,8 +166,31 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
     if (strcmp(settings_text(s, "particles.overlaps"), "allow") != 0 &&
         surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0)
         return 2;
+    return 0;
+}
+
+static int place_spheres(const struct settings *s, struct simulation *sim,
+                         const struct dem_options *o)
+{
+    if (put_spheres(s, sim, o) != 0) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
+}
+
+/* The lattice that the bed is dropped from. */
+static int lay_bed(const struct settings *s, struct simulation *sim,
+                   const struct dem_options *o)
+{
+    struct sizes *sizes;
+    struct bed_options b = build_bed_options(s, &sizes);
+
+    b.room = case_walls_room(sim->walls);
+    sim->particles = particles_create(b.count + case_life_count(s));
+    const int wrong =
+        bed_fill(sim->particles, &b, o) != 0 ||
+        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0;
+    sizes_free(sizes);
+    return wrong ? 2 : 0;
 }
 
 /* A driven particle must be there. */
@@ -172,6 +200,11 @@ static int driven_missing(const struct settings *s, const struct particles *ps)
 
     for (int k = 0; k < settings_length(s, list); k++) {
         const int id = settings_item_int(s, list, k, "id");
+        if (ps->n == 0)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
         if (id >= ps->n)
             return settings_wrong(s, list,
                                   "there is no particle %d: they are 0 to %d",
@@ -180,21 +213,48 @@ static int driven_missing(const struct settings *s, const struct particles *ps)
     return 0;
 }
 
-int build_particles(const struct settings *s, struct simulation *sim)
+/* All that the particles meet. */
+static int furnish(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o)
 {
-    struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
     int code = 0;
 
-    o.materials = sim->materials = case_materials_create(s);
-    o.attractions = sim->attractions =
-        case_cohesion_create(s, &o.n_attractions);
-    o.driven = sim->driven = case_surfaces_driven(s, &o.n_driven);
-    o.surfaces = sim->surfaces =
+    *o = build_dem_options(s, sim->dt / sim->dem_steps);
+    o->materials = sim->materials = case_materials_create(s);
+    o->attractions = sim->attractions =
+        case_cohesion_create(s, &o->n_attractions);
+    o->driven = sim->driven = case_surfaces_driven(s, &o->n_driven);
+    o->surfaces = sim->surfaces =
         case_surfaces_create(s, &sim->n_surfaces, &code);
-    o.n_surfaces = sim->n_surfaces;
+    o->n_surfaces = sim->n_surfaces;
     if (code != 0) return code;
     sim->walls = case_walls_create(
-        s, case_walls_count(s) > 0 ? &sim->surfaces[o.n_surfaces - 1] : NULL);
+        s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
+    return 0;
+}
+
+int build_particles_check(const struct settings *s)
+{
+    struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
+    struct dem_options o;
+
+    sim->dt = case_steps_length(s);
+    sim->dem_steps = case_steps_within(s);
+    int code = furnish(s, sim, &o);
+    if (code == 0)
+        code = settings_has(s, "particles.bed") ? lay_bed(s, sim, &o)
+                                                : put_spheres(s, sim, &o);
+    if (code == 0) code = driven_missing(s, sim->particles);
+    build_free(sim);
+    return code;
+}
+
+int build_particles(const struct settings *s, struct simulation *sim)
+{
+    struct dem_options o;
+    int code = furnish(s, sim, &o);
+
+    if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
         code = create_bed(s, sim, &o);
     else

@@ -10,6 +10,10 @@
  * the exit code, after a message if not 0. */
 int build_particles(const struct settings *s, struct simulation *sim);
 
+/* 0 if they can be where the case puts them, a bed on its lattice; nothing
+ * moves, and nothing is kept. */
+int build_particles_check(const struct settings *s);
+
 /* The same in numbers, for `check`. The sizes of the bed are to be released;
  * NULL where all are equal. */
 struct dem_options build_dem_options(const struct settings *s, double step);

@@ -76,9 +76,12 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
     *in = (struct insertion){.options = options(s, i),
                              .own_sizes = sizes_of(s, i)};
     in->options.sizes = in->own_sizes;
+    char path[SETTINGS_PATH];
+
     if (!has(s, i, "file")) return 0;
-    in->own_list = insertion_read(settings_item_text(s, sources, i, "file"),
-                                  &in->options.count);
+    settings_beside(s, settings_item_text(s, sources, i, "file"), path,
+                    sizeof path);
+    in->own_list = insertion_read(path, &in->options.count);
     in->options.list = in->own_list;
     return in->own_list == NULL;
 }
@@ -204,7 +207,8 @@ static int check_source(const struct settings *s, int i)
 
 static int check_sink(const struct settings *s, int i)
 {
-    const int side = settings_item_has(s, sinks, i, "side");
+    const int side = settings_item_has(s, sinks, i, "side") &&
+                     strcmp(settings_item_text(s, sinks, i, "side"), "none");
     const int box = settings_item_has(s, sinks, i, "from") +
                     settings_item_has(s, sinks, i, "to");
 

@@ -55,7 +55,7 @@ static struct triangles *read_triangles(const struct settings *s, int i,
                                         const double origin[3])
 {
     const double scale = settings_item_real(s, list, i, "scale");
-    char path[4096];
+    char path[SETTINGS_PATH];
     struct stl stl;
 
     settings_beside(s, settings_item_text(s, list, i, "file"), path,

@@ -377,6 +377,7 @@ int check_case(const struct settings *s)
     struct wall_scales walls;
 
     if (check_memory(s, &k) != 0) return 2;
+    if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
     if (case_surfaces_measure(s, &walls) != 0) return 2;
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/checks.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "averaging/averaging.h"
 #include "particles/integrators.h"
 #include "scene/build.h"
+#include "scene/build_fluid.h"
 #include "scene/build_particles.h"
+#include "scene/case_averaging.h"
 #include "scene/case_life.h"
 #include "scene/case_sizes.h"
 #include "scene/case_steps.h"
@@ -17,6 +17,7 @@
 #include "scene/case_cohesion.h"
 #include "scene/case_materials.h"
 #include "scene/case_mesh.h"
+#include "scene/lines.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -277,68 +278,67 @@ static int check_particles(const struct settings *s)
     return bed ? check_bed(s) : check_place(s);
 }
 
-/* A hundred boxes wide, an average is that of the whole box to all its digits;
- * wider ones only take longer, without end. */
-static int check_width(const struct settings *s, const char *key, double b)
+/* Two profiles in one file would leave the last of them. */
+static int check_profile_names(const struct settings *s)
 {
-    double lo[3], hi[3], most = 0.0;
+    static const char list[] = "output.profiles";
+    char own[LINES_NAME], other[LINES_NAME];
 
-    case_mesh_ends(s, lo, hi);
-    for (int k = 0; k < 3; k++)
-        most = fmax(most, 100.0 * (hi[k] - lo[k]));
-    if (b <= most) return 0;
-    return settings_wrong(s, key,
-                          "%g m is more than a hundred times the longest side "
-                          "of the box: expected at most %g m",
-                          b, most);
+    for (int i = 0; i < settings_length(s, list); i++) {
+        lines_name(s, i, own);
+        for (int j = 0; j < i; j++) {
+            lines_name(s, j, other);
+            if (strcmp(own, other) == 0)
+                return settings_wrong(s, list,
+                                      "profiles %d and %d are of the same "
+                                      "field at the same height from the same "
+                                      "time: both would be %s.csv; leave one "
+                                      "of them out",
+                                      j, i, own);
+        }
+    }
+    return 0;
 }
 
-static int check_widths(const struct settings *s)
+/* There are fields where there is a fluid, and those of the solids where it
+ * feels the particles. */
+static int check_field(const struct settings *s, const char *list, int i)
 {
-    static const char *const key[] = {"averaging.bandwidth",
-                                      "averaging.delta_05"};
-    static const char list[] = "averaging.regions";
-    int code = 0;
+    const char *const field = settings_item_text(s, list, i, "field");
+    const int of_solids =
+        strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
 
-    for (int i = 0; i < 2 && code == 0; i++)
-        if (settings_has(s, key[i]))
-            code = check_width(s, key[i], settings_real(s, key[i]));
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
-        code =
-            check_width(s, list, settings_item_real(s, list, i, "bandwidth"));
-    return code;
+    if (!settings_has(s, "fluid"))
+        return settings_wrong(s, list,
+                              "the case has no field %s: fields are those of "
+                              "a fluid",
+                              field);
+    if (of_solids && !build_two_way(s))
+        return settings_wrong(s, list,
+                              "the case has no field %s: it asks for exchange "
+                              "with coupling = \"two-way\"",
+                              field);
+    return 0;
 }
 
-static int check_averaging(const struct settings *s)
+static int check_fields(const struct settings *s)
 {
-    const char *const method = settings_text(s, "averaging.method");
+    static const char *const lists[] = {"output.profiles", "output.probes"};
 
-    const int b = settings_has(s, "averaging.bandwidth");
-    const int delta = settings_has(s, "averaging.delta_05");
-    const int gauss =
-        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
-
-    if (delta && !gauss)
-        return settings_wrong(s, "averaging.delta_05",
-                              "only images and diffusion have a width at half "
-                              "the height, %s has not",
-                              method);
-    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
-        return settings_wrong(s, "averaging.regions", "%d at most",
-                              BUILD_MOST_REGIONS);
-    if (b && delta)
-        return settings_wrong(s, "averaging.delta_05",
-                              "give either bandwidth or delta_05, not both");
-    if (averaging_method_named(method)->wide && !b && !delta)
-        return settings_wrong(s, "averaging.method",
-                              "%s asks for averaging.bandwidth", method);
-    return check_widths(s);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < settings_length(s, lists[k]); i++)
+            if (check_field(s, lists[k], i) != 0) return 2;
+    if (!settings_has(s, "effects.time_average") || build_two_way(s)) return 0;
+    return settings_wrong(s, "effects.time_average",
+                          "one-way there are no averaged fields; it asks for "
+                          "exchange.coupling = \"two-way\"");
 }
 
 static int check_output(const struct settings *s)
 {
     double lo[3], hi[3];
 
+    if (check_fields(s) != 0) return 2;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
         const double y = settings_item_real(s, "output.profiles", i, "height");
@@ -347,6 +347,7 @@ static int check_output(const struct settings *s)
                 s, "output.profiles", "height %g m is %s the box, %g m", y,
                 y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
     }
+    if (check_profile_names(s) != 0) return 2;
     for (int i = 0; i < settings_length(s, "output.probes"); i++) {
         double x[3];
         settings_item_vector(s, "output.probes", i, "position", x);
@@ -370,6 +371,7 @@ int checks_whole(const struct settings *s)
     code = case_steps_check(s);
     if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
-    if (code == 0 && settings_has(s, "averaging")) code = check_averaging(s);
+    if (code == 0 && settings_has(s, "averaging"))
+        code = case_averaging_check(s);
     return code != 0 ? code : check_output(s);
 }

@@ -265,7 +265,8 @@ static double substeps(const struct simulation *sim)
 
 static double shortest_time(const struct simulation *sim)
 {
-    return sim->coupling->report.shortest_time;
+    const double t = sim->coupling->report.shortest_time;
+    return t < HUGE_VAL ? t : 0.0; /* no particle has one */
 }
 
 static double max_overlap(const struct simulation *sim)

@@ -26,9 +26,9 @@ const struct key keys_core[] = {
      "shift of the box along x over height y, along x over depth z, along y "
      "over depth z; left out: none",
      "", ""},
-    {"mesh.polymesh", KEY_TEXT, "", "", "",
-     "instead of a box: the folder of an OpenFOAM mesh, beside the case; its "
-     "patches take the place of the sides under fluid",
+    {"mesh.polymesh", KEY_FILE, "", "", "",
+     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
+     "it begins with /; its patches take the place of the sides under fluid",
      "", ""},
 
     {"fluid", KEY_GROUP, "", "", "",
@@ -194,9 +194,10 @@ const struct key keys_core[] = {
      "shift off the lattice, over the free room between spheres", "", ""},
     {"particles.bed.settle", KEY_REAL, "s", ">= 0", "0.3",
      "longest time for settling under gravity; 0 leaves the lattice", "", ""},
-    {"particles.bed.file", KEY_TEXT, "", "", "",
-     "the settled bed: read if it exists, else written for the next run", "",
-     ""},
+    {"particles.bed.file", KEY_FILE, "", "", "",
+     "the settled bed: read if it exists, else written for the next run; "
+     "beside the case unless it begins with /",
+     "", ""},
     {"particles.sizes", KEY_LIST, "", "", "",
      "distributions of diameters, for others to name", "XS11 section 4.4", ""},
     {"particles.sizes.name", KEY_TEXT, "", "", NULL, "what others call it", "",
@@ -246,8 +247,10 @@ const struct key keys_core[] = {
      "its name; left out: grains", "", ""},
     {"particles.insert.seed", KEY_INT, "-", ">= 0", "1",
      "seed of sizes and places", "", ""},
-    {"particles.insert.file", KEY_TEXT, "", "", "",
-     "instead of chance: a file with x y z d [m] in each line", "", ""},
+    {"particles.insert.file", KEY_FILE, "", "", "",
+     "instead of chance: a file with x y z d [m] in each line; beside the case "
+     "unless it begins with /",
+     "", ""},
     {"particles.sinks", KEY_LIST, "", "", "",
      "where particles leave: a side of the box, or a region", "", ""},
     {"particles.sinks.side", KEY_NAME, "",

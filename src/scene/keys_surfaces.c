@@ -24,7 +24,7 @@ const struct key keys_surfaces[] = {
      "of the cylinder; asked for by it", "", ""},
     {"particles.surfaces.particles", KEY_NAME, "", "inside | outside", "inside",
      "where they are, of a cylinder", "", ""},
-    {"particles.surfaces.file", KEY_TEXT, "", "", "",
+    {"particles.surfaces.file", KEY_FILE, "", "", "",
      "STL file, text or binary; beside the case unless it begins with /", "",
      ""},
     {"particles.surfaces.scale", KEY_REAL, "m", "> 0", "1.0",

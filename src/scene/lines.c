@@ -3,15 +3,17 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
-#include "base/file.h"
 #include "output/profile.h"
 #include "scene/fields.h"
 
+static const char list[] = "output.profiles";
+
 struct line {
     struct profile *profile;
-    char name[64]; /* of its file */
+    char name[LINES_NAME]; /* of its file */
 };
 
 struct lines {
@@ -20,10 +22,33 @@ struct lines {
     struct line *line;
 };
 
+/* What the file of a profile is called but for its ending: by field and height,
+ * in millimetres. */
+static void short_name(const struct settings *s, int i, char name[LINES_NAME])
+{
+    snprintf(name, LINES_NAME, "%s_y%gmm",
+             settings_item_text(s, list, i, "field"),
+             1e3 * settings_item_real(s, list, i, "height"));
+}
+
+void lines_name(const struct settings *s, int i, char name[LINES_NAME])
+{
+    char other[LINES_NAME];
+    int again = 0;
+
+    short_name(s, i, name);
+    for (int j = 0; j < i && !again; j++) {
+        short_name(s, j, other);
+        again = strcmp(name, other) == 0;
+    }
+    if (again)
+        snprintf(name + strlen(name), LINES_NAME - strlen(name), "_from%gs",
+                 settings_item_real(s, list, i, "from"));
+}
+
 static int create_line(const struct settings *s, const struct simulation *sim,
                        const struct snapshot *look, int i, struct line *line)
 {
-    static const char *const list = "output.profiles";
     const struct profile_line where = {
         .along = 0,
         .up = 1,
@@ -35,8 +60,7 @@ static int create_line(const struct settings *s, const struct simulation *sim,
     if (field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s", field.name);
     line->profile = profile_create(sim->mesh, &where, 1, &field);
-    snprintf(line->name, sizeof line->name, "%s_y%gmm.csv", field.name,
-             1e3 * where.height);
+    lines_name(s, i, line->name);
     return line->profile == NULL;
 }
 
@@ -72,16 +96,23 @@ void lines_add(struct lines *l, double dt)
         profile_add(l->line[i].profile, l->look->t, dt);
 }
 
-int lines_write(const struct lines *l, const char *dir)
+static int write_line(const struct line *l, struct folder *folder)
 {
-    char path[4096];
+    char name[sizeof l->name + sizeof "profiles/.csv"];
 
+    snprintf(name, sizeof name, "profiles/%s.csv", l->name);
+    char *const path = folder_file(folder, name);
+    const int failed = path == NULL || profile_write(l->profile, path) != 0;
+    free(path);
+    return failed;
+}
+
+int lines_write(const struct lines *l, struct folder *folder)
+{
     if (l->n == 0) return 0;
-    snprintf(path, sizeof path, "%s/profiles", dir);
-    if (file_make_dirs(path) != 0) return 1;
-    for (int i = 0; i < l->n; i++) {
-        snprintf(path, sizeof path, "%s/profiles/%s", dir, l->line[i].name);
-        if (profile_write(l->line[i].profile, path) != 0) return 1;
-    }
-    return 0;
+    int failed = folder_make(folder, "profiles");
+
+    for (int i = 0; i < l->n && !failed; i++)
+        failed = write_line(&l->line[i], folder);
+    return failed;
 }

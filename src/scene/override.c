@@ -151,8 +151,8 @@ static int set(config_setting_t *group, const char *name, const char *text,
     int line, code;
 
     if (digits_find(value, &line) != NULL)
-        return refuse(text, "too large for a whole number; write it with a "
-                            "point or an exponent");
+        return refuse(text, "too large for a whole number, at most 2147483647; "
+                            "a real one has a point or an exponent");
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));
     else

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/pictures.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -13,6 +14,7 @@ struct pictures {
     const struct mesh *mesh;
     const struct time_average *means; /* NULL where that effect is off */
     const struct simulation *sim;
+    struct folder *folder;                       /* borrowed */
     struct series *fluid, *particles, *surfaces; /* NULL where there are none */
     struct outline outline;
     struct vtk_writer *writer;
@@ -28,11 +30,29 @@ static const struct time_average *means_of(const struct simulation *sim)
     return NULL;
 }
 
-struct pictures *pictures_create(const struct simulation *sim, const char *dir)
+/* The collection NAME.pvd and a folder for its files. */
+static struct series *create_series(struct folder *f, const char *name,
+                                    const char *suffix)
+{
+    char pvd[32];
+
+    snprintf(pvd, sizeof pvd, "%s.pvd", name);
+    char *const path = folder_file(f, pvd);
+    struct series *const made =
+        path == NULL || folder_make(f, name) != 0
+            ? NULL
+            : series_create(folder_name(f), name, suffix);
+    free(path);
+    return made;
+}
+
+struct pictures *pictures_create(const struct simulation *sim,
+                                 struct folder *folder)
 {
     struct pictures *const p = alloc_zeroed(1, sizeof *p);
 
     p->sim = sim;
+    p->folder = folder;
     p->mesh = sim->mesh;
     p->means = means_of(sim);
     p->writer = vtk_writer_create();
@@ -41,11 +61,11 @@ struct pictures *pictures_create(const struct simulation *sim, const char *dir)
         p->cells = vtk_cells_create(p->mesh);
     if (sim->fluid != NULL)
         p->fluid =
-            series_create(dir, "fluid", p->cells != NULL ? "vtu" : "vtr");
+            create_series(folder, "fluid", p->cells != NULL ? "vtu" : "vtr");
     if (sim->particles != NULL)
-        p->particles = series_create(dir, "particles", "vtp");
+        p->particles = create_series(folder, "particles", "vtp");
     if (sim->n_surfaces > 0)
-        p->surfaces = series_create(dir, "surfaces", "vtp");
+        p->surfaces = create_series(folder, "surfaces", "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
         (sim->particles == NULL || p->particles != NULL) &&
         (sim->n_surfaces == 0 || p->surfaces != NULL))
@@ -64,6 +84,13 @@ void pictures_free(struct pictures *p)
     vtk_cells_free(p->cells);
     vtk_writer_free(p->writer);
     free(p);
+}
+
+/* The path of the next file of a series, listed; NULL after a message. */
+static const char *next_of(struct pictures *p, struct series *s)
+{
+    const char *const path = series_next(s);
+    return folder_list(p->folder, path) == 0 ? path : NULL;
 }
 
 static int add_fluid(struct pictures *p, const struct snapshot *s)
@@ -89,7 +116,8 @@ static int add_fluid(struct pictures *p, const struct snapshot *s)
                                          .values = p->means->eps_us,
                                          .single = 1};
     }
-    const char *const path = series_next(p->fluid);
+    const char *const path = next_of(p, p->fluid);
+    if (path == NULL) return 1;
     const int failed =
         p->cells != NULL
             ? vtk_write_cells(p->writer, path, p->cells, s->t, n, arrays)
@@ -113,9 +141,11 @@ static int add_particles(struct pictures *p, const struct snapshot *s)
         {.name = "id", .components = 1, .ints = s->id},
         {.name = "material", .components = 1, .ints = s->material}};
 
-    return vtk_write_particles(p->writer, series_next(p->particles), s->n, x,
-                               s->t, s->material != NULL ? 5 : 4,
-                               arrays) != 0 ||
+    const char *const path = next_of(p, p->particles);
+
+    return path == NULL ||
+           vtk_write_particles(p->writer, path, s->n, x, s->t,
+                               s->material != NULL ? 5 : 4, arrays) != 0 ||
            series_add(p->particles, s->t) != 0;
 }
 
@@ -141,8 +171,9 @@ static int add_surfaces(struct pictures *p, double t)
                                        o->corner, o->end};
     const struct vtk_array of = {
         .name = "surface", .components = 1, .ints = o->of};
-    return vtk_write_polygons(p->writer, series_next(p->surfaces), &shape, t, 1,
-                              &of) != 0 ||
+    const char *const path = next_of(p, p->surfaces);
+    return path == NULL ||
+           vtk_write_polygons(p->writer, path, &shape, t, 1, &of) != 0 ||
            series_add(p->surfaces, t) != 0;
 }
 

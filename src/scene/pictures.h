@@ -3,12 +3,14 @@
 #define PICTURES_H
 
 #include "effects/time_average.h"
+#include "output/folder.h"
 #include "scene/snapshot.h"
 
 struct pictures;
 
 /* The collections of the phases that there are; NULL after a message. */
-struct pictures *pictures_create(const struct simulation *sim, const char *dir);
+struct pictures *pictures_create(const struct simulation *sim,
+                                 struct folder *folder);
 void pictures_free(struct pictures *p);
 
 /* Non-zero after a message. */

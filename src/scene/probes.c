@@ -43,23 +43,21 @@ static int create_sensor(const struct settings *s, const struct simulation *sim,
     return 0;
 }
 
-static struct table *create_table(const struct probes *p, const char *dir)
+static struct table *create_table(const struct probes *p, struct folder *folder)
 {
     const char **const names = alloc_zeroed((size_t)p->n + 1, sizeof *names);
-    char path[4096];
 
     names[0] = "time [s]";
     for (int i = 0; i < p->n; i++)
         names[1 + i] = p->sensor[i].name;
-    snprintf(path, sizeof path, "%s/probes.csv", dir);
-    struct table *const t = table_create(path, p->n + 1, names);
+    struct table *const t = folder_table(folder, "probes.csv", p->n + 1, names);
     free(names);
     return t;
 }
 
 struct probes *probes_create(const struct settings *s,
                              const struct simulation *sim,
-                             const struct snapshot *look, const char *dir)
+                             const struct snapshot *look, struct folder *folder)
 {
     struct probes *const p = alloc_zeroed(1, sizeof *p);
     int wrong = 0;
@@ -70,7 +68,8 @@ struct probes *probes_create(const struct settings *s,
     p->row = alloc_doubles(p->n + 1);
     for (int i = 0; i < p->n && !wrong; i++)
         wrong = create_sensor(s, sim, look, i, &p->sensor[i]);
-    if (!wrong && p->n > 0) wrong = (p->table = create_table(p, dir)) == NULL;
+    if (!wrong && p->n > 0)
+        wrong = (p->table = create_table(p, folder)) == NULL;
     if (!wrong) return p;
     probes_free(p);
     return NULL;

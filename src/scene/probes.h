@@ -2,6 +2,7 @@
 #ifndef PROBES_H
 #define PROBES_H
 
+#include "output/folder.h"
 #include "scene/settings.h"
 #include "scene/snapshot.h"
 
@@ -12,7 +13,8 @@ struct probes;
  * message. The snapshot is what they look at. */
 struct probes *probes_create(const struct settings *s,
                              const struct simulation *sim,
-                             const struct snapshot *look, const char *dir);
+                             const struct snapshot *look,
+                             struct folder *folder);
 void probes_free(struct probes *p);
 
 /* A row for the snapshot as it is now; non-zero after a message. */

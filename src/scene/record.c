@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "exchange/coupling.h"
+#include "output/folder.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
@@ -27,8 +28,9 @@ enum { MOST_COLUMNS = 64 };
 struct record {
     const struct settings *settings;
     const struct simulation *sim;
-    const char *dir;
-    double began; /* [s] wall clock */
+    struct folder *folder; /* borrowed */
+    double began;          /* [s] wall clock */
+    double ended;          /* [s] the same; 0 while the run goes on */
     int n_columns;
     const struct history_column *column[MOST_COLUMNS];
     struct table *history;
@@ -46,49 +48,6 @@ struct record {
     double drop_sum, weight_sum;
     long drop_rows;
 };
-
-static struct table *create_history(struct record *r)
-{
-    const char *names[MOST_COLUMNS];
-    char path[4096];
-
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, r->sim)) {
-            names[r->n_columns] = c->name;
-            r->column[r->n_columns++] = c;
-        }
-    snprintf(path, sizeof path, "%s/history.csv", r->dir);
-    return table_create(path, r->n_columns, names);
-}
-
-struct record *record_create(const struct settings *s,
-                             const struct simulation *sim, const char *dir)
-{
-    struct record *const r = alloc_zeroed(1, sizeof *r);
-
-    r->settings = s;
-    r->sim = sim;
-    r->dir = dir;
-    r->began = clock_now();
-    r->eps_lowest = 1.0;
-    r->picture_every = case_steps_between(s, "output.every");
-    r->row_every = settings_has(s, "output.history")
-                       ? case_steps_between(s, "output.history")
-                       : 1;
-    r->snapshot = snapshot_create(sim);
-    r->lines = lines_create(s, sim, r->snapshot);
-    if (r->lines != NULL && file_make_dirs(dir) == 0) {
-        r->history = create_history(r);
-        r->pictures = pictures_create(sim, dir);
-        if (sim->n_surfaces > 0) r->surfaces = surface_table_create(sim, dir);
-        r->probes = probes_create(s, sim, r->snapshot, dir);
-    }
-    if (r->history != NULL && r->pictures != NULL && r->probes != NULL &&
-        (sim->n_surfaces == 0 || r->surfaces != NULL))
-        return r;
-    record_free(r);
-    return NULL;
-}
 
 void record_free(struct record *r)
 {
@@ -169,7 +128,7 @@ int record_last_state(struct record *r)
     return pictures_add(r->pictures, r->snapshot);
 }
 
-/* --- the end -------------------------------------------------------------- */
+/* --- the summary ---------------------------------------------------------- */
 
 static void write_seconds(struct summary *f, const struct record *r)
 {
@@ -181,7 +140,8 @@ static void write_seconds(struct summary *f, const struct record *r)
     summary_number(f, "averaging", s->averaging);
     summary_number(f, "exchange", s->exchange);
     summary_number(f, "output", s->output);
-    summary_number(f, "total", clock_now() - r->began);
+    summary_number(f, "total",
+                   (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
     summary_end(f);
 }
 
@@ -233,17 +193,19 @@ static void write_means(struct summary *f, const struct record *r)
     summary_end(f);
 }
 
+/* What is yet to come has no exit code: it is null. */
+enum { STILL_RUNNING = -1 };
+
 static int write_summary(const struct record *r, const char *reason, int code)
 {
     const struct simulation *const sim = r->sim;
-    char path[4096];
-
-    snprintf(path, sizeof path, "%s/summary.json", r->dir);
+    char *const path = file_join(folder_name(r->folder), "summary.json");
     struct summary *const f = summary_create(path);
+    free(path);
     summary_text(f, "program", "winnow " VERSION_TEXT);
     summary_text(f, "case", settings_file(r->settings));
     summary_text(f, "exit_reason", reason);
-    summary_count(f, "exit_code", code);
+    summary_number(f, "exit_code", code < 0 ? (double)NAN : code);
     if (settings_has(r->settings, "particles.bed"))
         summary_count(f, "seed",
                       settings_int(r->settings, "particles.bed.seed"));
@@ -262,6 +224,74 @@ static int write_summary(const struct record *r, const char *reason, int code)
     return summary_commit(f);
 }
 
+/* --- the beginning -------------------------------------------------------- */
+
+static struct table *create_history(struct record *r)
+{
+    const char *names[MOST_COLUMNS];
+
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        if (history_applies(c, r->sim)) {
+            names[r->n_columns] = c->name;
+            r->column[r->n_columns++] = c;
+        }
+    return folder_table(r->folder, "history.csv", r->n_columns, names);
+}
+
+/* What is there of a run that is killed; non-zero after a message. */
+static int begin(struct record *r)
+{
+    if (folder_begin(r->folder) != 0) return 1;
+    char *const path = folder_file(r->folder, "summary.json");
+    free(path);
+    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+}
+
+/* The parts that write from the start; non-zero after a message. */
+static int create_parts(struct record *r)
+{
+    const struct simulation *const sim = r->sim;
+    struct folder *const folder = r->folder;
+
+    r->history = create_history(r);
+    if (r->history == NULL) return 1;
+    r->pictures = pictures_create(sim, folder);
+    if (r->pictures == NULL) return 1;
+    if (sim->n_surfaces > 0) {
+        r->surfaces = surface_table_create(sim, folder);
+        if (r->surfaces == NULL) return 1;
+    }
+    r->probes = probes_create(r->settings, sim, r->snapshot, folder);
+    return r->probes == NULL;
+}
+
+struct record *record_create(const struct settings *s,
+                             const struct simulation *sim,
+                             struct folder *folder)
+{
+    struct record *const r = alloc_zeroed(1, sizeof *r);
+
+    r->settings = s;
+    r->sim = sim;
+    r->folder = folder;
+    r->began = clock_now();
+    r->eps_lowest = 1.0;
+    r->picture_every = case_steps_between(s, "output.every");
+    r->row_every = settings_has(s, "output.history")
+                       ? case_steps_between(s, "output.history")
+                       : 1;
+    r->snapshot = snapshot_create(sim);
+    r->lines = lines_create(s, sim, r->snapshot);
+    if (r->lines != NULL && begin(r) == 0) {
+        if (create_parts(r) == 0) return r;
+        write_summary(r, RECORD_NOT_WRITTEN, RECORD_NOT_WRITTEN_CODE);
+    }
+    record_free(r);
+    return NULL;
+}
+
+/* --- the end -------------------------------------------------------------- */
+
 /* The last state as a picture; drawn only where there is a gnuplot. */
 static int draw(const struct record *r)
 {
@@ -277,20 +307,30 @@ static int draw(const struct record *r)
                               .pressure = r->sim->fluid != NULL &&
                                           r->sim->particles != NULL};
 
-    if (picture_write(r->dir, &p) != 0) return 1;
-    if (picture_draw(r->dir) == 0) printf("picture %s/bed.png\n", r->dir);
+    const char *const dir = folder_name(r->folder);
+
+    if (picture_write(r->folder, &p) != 0) return 1;
+    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
     return 0;
 }
 
+/* The summary comes last: what it calls done is there. Where writing has failed
+ * before, nothing but the summary is tried. */
 int record_finish(struct record *r, const char *reason, int exit_code)
 {
-    return lines_write(r->lines, r->dir) != 0 ||
-           write_summary(r, reason, exit_code) != 0 || draw(r) != 0;
+    r->ended = clock_now();
+    if (strcmp(reason, RECORD_NOT_WRITTEN) != 0 &&
+        (lines_write(r->lines, r->folder) != 0 || draw(r) != 0)) {
+        write_summary(r, RECORD_NOT_WRITTEN, RECORD_NOT_WRITTEN_CODE);
+        return 1;
+    }
+    return write_summary(r, reason, exit_code) != 0;
 }
 
 void record_report(const struct record *r)
 {
     const struct simulation *const sim = r->sim;
+    const char *const dir = folder_name(r->folder);
 
     if (r->drop_rows > 0 && sim->particles != NULL)
         printf("pressure drop %.1f Pa (mean of the second half), weight of the "
@@ -299,8 +339,8 @@ void record_report(const struct record *r)
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
     if (sim->fluid != NULL)
-        printf("open %s/fluid.pvd%s in ParaView\n", r->dir,
+        printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");
     else
-        printf("open %s/particles.pvd in ParaView\n", r->dir);
+        printf("open %s/particles.pvd in ParaView\n", dir);
 }

@@ -1,21 +1,24 @@
 /* record.h -- everything that a run writes.
  *
  * DIR/history.csv and DIR/probes.csv a row at a time, DIR/fluid.pvd and
- * DIR/particles.pvd with their files a picture at a time, DIR/profiles/ and
- * DIR/summary.json at the end.
+ * DIR/particles.pvd with their files a picture at a time, DIR/profiles/ at the
+ * end, DIR/summary.json at the beginning and at the end.
  */
 #ifndef RECORD_H
 #define RECORD_H
 
 #include "exchange/simulation.h"
+#include "output/folder.h"
 #include "scene/settings.h"
 
 struct record;
 
-/* Makes the folder and what is written from the start. NULL after a message:
- * the folder cannot be written. The simulation is borrowed. */
+/* Begins anew in the folder: first a summary that says "running", then what is
+ * written from the start. NULL after a message: the folder cannot be written.
+ * Simulation and folder are borrowed. */
 struct record *record_create(const struct settings *s,
-                             const struct simulation *sim, const char *dir);
+                             const struct simulation *sim,
+                             struct folder *folder);
 void record_free(struct record *r);
 
 /* Looks at the simulation at its present time: adds to the profiles, and does
@@ -26,7 +29,12 @@ int record_look(struct record *r);
 /* The last good state, in a picture of its own if it has none yet. */
 int record_last_state(struct record *r);
 
-/* Profiles and summary; reason: "done", "interrupted", what broke down. */
+/* How the summary of a run that could not write says so. */
+#define RECORD_NOT_WRITTEN "output could not be written"
+enum { RECORD_NOT_WRITTEN_CODE = 4 };
+
+/* Profiles, picture and summary; reason: "done", "interrupted", what broke
+ * down. Non-zero after a message. */
 int record_finish(struct record *r, const char *reason, int exit_code);
 
 /* What it all amounts to, on stdout. */

@@ -156,6 +156,7 @@ void rows_expected(const struct key *key, char text[ROWS_TEXT])
         [KEY_BOOL] = "true or false",
         [KEY_NAME] = "",
         [KEY_TEXT] = "a text in quotes",
+        [KEY_FILE] = "the name of a file in quotes",
         [KEY_VECTOR] = "three numbers [x, y, z], each",
         [KEY_COUNTS] = "three whole numbers [x, y, z], each",
         [KEY_FLAGS] = "three of true or false [x, y, z]",

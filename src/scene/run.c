@@ -2,22 +2,27 @@
 #include "scene/run.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 #include "base/clock.h"
 #include "base/crew.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "exchange/coupling.h"
+#include "output/folder.h"
 #include "scene/breakdown.h"
 #include "scene/build.h"
 #include "scene/case_overlap.h"
 #include "scene/case_steps.h"
 #include "scene/check.h"
-#include "scene/interrupt.h"
 #include "scene/progress.h"
 #include "scene/record.h"
 
-enum { WRONG = 2, BROKE_DOWN = 3, NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum {
+    WRONG = 2,
+    BROKE_DOWN = 3,
+    NOT_WRITTEN = RECORD_NOT_WRITTEN_CODE,
+    INTERRUPTED = INTERRUPT_CODE
+};
 
 /* Looks and keeps the time that writing takes. */
 static int look(struct record *r, struct simulation *sim)
@@ -38,7 +43,8 @@ static int step(struct simulation *sim, struct crew *crew)
     return failed;
 }
 
-/* The loop. Returns the exit code; a breakdown is described in why. */
+/* The loop. Returns the exit code; a breakdown is described in why. A step that
+ * was interrupted may have been cut short: it is not looked at. */
 static int advance(const struct settings *s, struct simulation *sim,
                    struct record *r, struct progress *bar, struct crew *crew,
                    char *why)
@@ -52,14 +58,16 @@ static int advance(const struct settings *s, struct simulation *sim,
     }
     if (look(r, sim) != 0) return NOT_WRITTEN;
     while (sim->steps < steps) {
-        if (step(sim, crew) != 0) {
+        const int failed = step(sim, crew);
+
+        if (interrupt_arrived()) return INTERRUPTED;
+        if (failed) {
             breakdown_describe(sim, why);
             return BROKE_DOWN;
         }
         case_overlap_tell(sim, &told);
         if (look(r, sim) != 0) return NOT_WRITTEN;
         progress_show(bar, sim->t);
-        if (interrupt_arrived()) return INTERRUPTED;
     }
     return 0;
 }
@@ -68,25 +76,29 @@ static const char *reason_of(int code, const char *why)
 {
     return code == 0             ? "done"
            : code == INTERRUPTED ? "interrupted"
-           : code == NOT_WRITTEN ? "output could not be written"
+           : code == NOT_WRITTEN ? RECORD_NOT_WRITTEN
                                  : why;
 }
 
 /* Everything after the simulation is built. */
 static int run_simulation(const struct settings *s, struct simulation *sim,
-                          const struct run_options *o)
+                          struct folder *folder, const struct run_options *o)
 {
-    struct record *const r = record_create(s, sim, o->dir);
+    struct record *const r = record_create(s, sim, folder);
     struct progress bar;
     struct crew crew;
     char why[BREAKDOWN_TEXT] = "";
 
-    if (r == NULL) return NOT_WRITTEN;
+    if (r == NULL) {
+        folder_leave(folder); /* if it was not begun */
+        return NOT_WRITTEN;
+    }
     progress_init(&bar, 0.0, settings_real(s, "output.end"), o->quiet);
     crew_gather(&crew);
     int code = advance(s, sim, r, &bar, &crew, why);
     crew_dismiss(&crew);
     progress_end(&bar);
+    if (code == INTERRUPTED) interrupt_take();
     if (code != 0 && code != NOT_WRITTEN && record_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (record_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
@@ -104,18 +116,46 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     return code;
 }
 
+/* What is to be cleared away if the run does not begin. */
+struct beginning {
+    struct folder *folder;
+    const char *bed; /* the file that a bed is kept in; or NULL */
+};
+
+static void leave(void *of)
+{
+    const struct beginning *const b = of;
+
+    folder_leave(b->folder);
+    if (b->bed != NULL) file_remove_part(b->bed);
+}
+
+/* The simulation; a signal meanwhile ends the program. */
+static struct simulation *build(const struct settings *s, struct folder *folder,
+                                int *code)
+{
+    static const char bed[] = "particles.bed.file";
+    struct beginning b = {folder,
+                          settings_has(s, bed) ? settings_text(s, bed) : NULL};
+    struct interrupt_watch watch;
+
+    interrupt_watch_begin(&watch, leave, &b);
+    struct simulation *const sim = build_simulation(s, code);
+    interrupt_watch_end(&watch);
+    if (sim == NULL) folder_leave(folder);
+    return sim;
+}
+
 int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
     if (check_step(s) != 0) return WRONG;
-    if (file_make_dirs(o->dir) != 0) return NOT_WRITTEN; /* before settling */
-    struct simulation *const sim = build_simulation(s, &code);
-    if (sim == NULL) {
-        rmdir(o->dir); /* only if there is nothing in it */
-        return code;
-    }
-    code = run_simulation(s, sim, o);
+    struct folder *const folder = folder_take(o->dir); /* before settling */
+    if (folder == NULL) return NOT_WRITTEN;
+    struct simulation *const sim = build(s, folder, &code);
+    if (sim != NULL) code = run_simulation(s, sim, folder, o);
     build_free(sim);
+    folder_free(folder);
     return code;
 }

@@ -118,11 +118,12 @@ const char *settings_file(const struct settings *s)
     return s->file;
 }
 
-/* A name may be one of the row's words, or any text. */
+/* A name may be one of the row's words, any text, or the name of a file. */
 static int type_fits(const struct key *key, enum key_type type)
 {
     return key != NULL &&
-           (key->type == type || (key->type == KEY_TEXT && type == KEY_NAME));
+           (key->type == type || (type == KEY_NAME && (key->type == KEY_TEXT ||
+                                                       key->type == KEY_FILE)));
 }
 
 /* The setting of a path whose row must have the type. The tables say that it
@@ -215,8 +216,7 @@ const char *settings_text(const struct settings *s, const char *path)
     const struct key *const key = rows_find(s->tables, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(key != NULL && (key->type == KEY_NAME || key->type == KEY_TEXT ||
-                           key->type == KEY_PATCH));
+    assert(type_fits(key, KEY_NAME) || key->type == KEY_PATCH);
     assert(found != NULL || key->type == KEY_TEXT);
     return found != NULL ? config_setting_get_string(found) : "";
 }
@@ -308,13 +308,7 @@ int settings_item_int(const struct settings *s, const char *list, int i,
 const char *settings_item_text(const struct settings *s, const char *list,
                                int i, const char *key)
 {
-    char path[ROWS_TEXT];
-
-    snprintf(path, sizeof path, "%s.%s", list, key);
-    const struct key *const row = rows_find(s->tables, path);
-    const int free = row != NULL && row->type == KEY_TEXT;
-    return config_setting_get_string(
-        find_in(s, list, i, key, free ? KEY_TEXT : KEY_NAME));
+    return config_setting_get_string(find_in(s, list, i, key, KEY_NAME));
 }
 
 int settings_item_points(const struct settings *s, const char *list, int i,

@@ -76,7 +76,9 @@ const char *settings_side(const struct settings *s, const char *patch);
  * last. */
 const char *settings_any_side(const struct settings *s, int i);
 
-/* A file or folder that the case names lies beside the case. */
+/* Every file or folder that a case names lies beside the case, unless it begins
+ * with /. */
+enum { SETTINGS_PATH = 4096 };
 void settings_beside(const struct settings *s, const char *file, char *path,
                      size_t room);
 

@@ -2,21 +2,14 @@
 #include "scene/source.h"
 
 #include "scene/digits.h"
+#include "scene/include.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 const char source_default[] = "default";
-
-static int unreadable(const char *file, const char *why)
-{
-    fprintf(stderr, "winnow: %s: cannot read the case: %s\n", file, why);
-    return 4;
-}
 
 /* The path of a file as libconfig names it: the case by its path, an included
  * file perhaps only by its name. The file itself if there is none. */
@@ -106,18 +99,11 @@ static int check_digits(const config_t *tree, const config_setting_t *s,
 int source_read(config_t *tree, const char *file)
 {
     char last[SOURCE_TEXT] = "";
-    struct stat info;
-    FILE *in;
 
     config_init(tree);
-    if (stat(file, &info) != 0) return unreadable(file, strerror(errno));
-    if (S_ISDIR(info.st_mode)) /* libconfig's scanner would end the program */
-        return unreadable(file, strerror(EISDIR));
-    in = fopen(file, "r");
-    if (in == NULL) return unreadable(file, strerror(errno));
-    fclose(in);
-
     include_beside(tree, file);
+    const int code = include_check(file, config_get_include_dir(tree));
+    if (code != 0) return code;
     if (!config_read_file(tree, file)) return wrong_syntax(tree, file);
     return check_digits(tree, config_root_setting(tree), last);
 }

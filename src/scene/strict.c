@@ -5,6 +5,7 @@
 #include "scene/rows.h"
 #include "scene/source.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -103,6 +104,9 @@ static int fits(const struct key *key, const config_setting_t *s)
         return is_word(key, s);
     case KEY_TEXT:
         return config_setting_type(s) == CONFIG_TYPE_STRING;
+    case KEY_FILE:
+        return config_setting_type(s) == CONFIG_TYPE_STRING &&
+               config_setting_get_string(s)[0] != '\0';
     case KEY_VECTOR:
         return is_triple(key, s, is_real);
     case KEY_COUNTS:
@@ -119,6 +123,17 @@ static int fits(const struct key *key, const config_setting_t *s)
     return 0;
 }
 
+/* 1 for a whole number, or one of three, that is written as a real one. */
+static int is_count_as_real(const struct key *key, const config_setting_t *s)
+{
+    if (key->type == KEY_COUNTS)
+        for (int i = 0; i < config_setting_length(s); i++)
+            if (config_setting_type(config_setting_get_elem(s, (unsigned)i)) ==
+                CONFIG_TYPE_FLOAT)
+                return 1;
+    return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
+}
+
 static int misfit(const struct key *key, const char *path,
                   const config_setting_t *s)
 {
@@ -127,6 +142,11 @@ static int misfit(const struct key *key, const char *path,
 
     rows_expected(key, expected);
     source_value(s, found);
+    if (is_count_as_real(key, s))
+        return source_wrong(s,
+                            "%s: expected %s, at most %d and without point or "
+                            "exponent, found %s",
+                            path, expected, INT_MAX, found);
     if (is_text &&
         rows_nearest_word(key, config_setting_get_string(s), nearest))
         return source_wrong(s, "%s: expected %s, found %s; did you mean %s?",

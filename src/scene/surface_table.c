@@ -17,7 +17,8 @@ struct surface_table {
     double *row;
 };
 
-static struct table *create_table(const struct simulation *sim, const char *dir)
+static struct table *create_table(const struct simulation *sim,
+                                  struct folder *folder)
 {
     static const char *const what[EACH] = {
         "force_x [N]",    "force_y [N]",    "force_z [N]", "torque_x [N m]",
@@ -25,7 +26,6 @@ static struct table *create_table(const struct simulation *sim, const char *dir)
     const int n = 1 + EACH * sim->n_surfaces;
     char(*const text)[NAME] = alloc_zeroed((size_t)n, sizeof *text);
     const char **const name = alloc_zeroed((size_t)n, sizeof *name);
-    char path[4096];
 
     for (int c = 0; c < n; c++) {
         name[c] = text[c];
@@ -35,15 +35,14 @@ static struct table *create_table(const struct simulation *sim, const char *dir)
             snprintf(text[c], NAME, "%s_%s", sim->surfaces[(c - 1) / EACH].name,
                      what[(c - 1) % EACH]);
     }
-    snprintf(path, sizeof path, "%s/surfaces.csv", dir);
-    struct table *const made = table_create(path, n, name);
+    struct table *const made = folder_table(folder, "surfaces.csv", n, name);
     free(text);
     free(name);
     return made;
 }
 
 struct surface_table *surface_table_create(const struct simulation *sim,
-                                           const char *dir)
+                                           struct folder *folder)
 {
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
 
@@ -51,7 +50,7 @@ struct surface_table *surface_table_create(const struct simulation *sim,
     t->t = -1.0;
     t->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *t->before);
     t->row = alloc_doubles(1 + EACH * sim->n_surfaces);
-    t->table = create_table(sim, dir);
+    t->table = create_table(sim, folder);
     if (t->table != NULL) return t;
     surface_table_free(t);
     return NULL;

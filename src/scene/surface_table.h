@@ -7,13 +7,14 @@
 #define SURFACE_TABLE_H
 
 #include "exchange/simulation.h"
+#include "output/folder.h"
 
 struct surface_table;
 
 /* NULL after a message if it cannot be written. The simulation is borrowed and
  * has surfaces. */
 struct surface_table *surface_table_create(const struct simulation *sim,
-                                           const char *dir);
+                                           struct folder *folder);
 void surface_table_free(struct surface_table *t);
 
 /* A row for the present time; non-zero after a message. No table, no row. */

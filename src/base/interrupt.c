@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/interrupt.h"
+
+#include <signal.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+static const int asking[] = {SIGINT, SIGTERM, SIGHUP};
+enum { ASKING = sizeof asking / sizeof asking[0] };
+
+/* A blocked signal waits even where it is ignored. A shell makes its background
+ * jobs ignore SIGINT, yet whoever sends one by its number means it; SIGHUP is
+ * ignored only where somebody asked for that. */
+static int is_wanted(int number)
+{
+    struct sigaction now;
+
+    return number != SIGHUP || sigaction(number, NULL, &now) != 0 ||
+           now.sa_handler != SIG_IGN;
+}
+
+static void set_of(sigset_t *set)
+{
+    sigemptyset(set);
+    for (int i = 0; i < ASKING; i++)
+        if (is_wanted(asking[i])) sigaddset(set, asking[i]);
+}
+
+void interrupt_hold(void)
+{
+    sigset_t held;
+
+    set_of(&held);
+    pthread_sigmask(SIG_BLOCK, &held, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+int interrupt_arrived(void)
+{
+    sigset_t waiting;
+    int arrived = 0;
+
+    sigemptyset(&waiting);
+    sigpending(&waiting);
+    for (int i = 0; i < ASKING; i++)
+        arrived |= sigismember(&waiting, asking[i]) == 1;
+    return arrived;
+}
+
+void interrupt_take(void)
+{
+    const struct timespec at_once = {0, 0};
+    sigset_t set;
+
+    set_of(&set);
+    while (sigtimedwait(&set, NULL, &at_once) > 0)
+        ;
+}
+
+/* Once a signal is taken the thread is not cancelled any more, or the signal
+ * would be lost. */
+static void *wait_for_one(void *watch)
+{
+    const struct interrupt_watch *const w = watch;
+    sigset_t set;
+    int number, before;
+
+    set_of(&set);
+    while (sigwait(&set, &number) != 0)
+        ;
+    pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before);
+    if (w->last != NULL) w->last(w->of);
+    fputs("winnow: interrupted before the run began\n", stderr);
+    _exit(INTERRUPT_CODE);
+}
+
+void interrupt_watch_begin(struct interrupt_watch *w, void (*last)(void *of),
+                           void *of)
+{
+    w->last = last;
+    w->of = of;
+    w->on = pthread_create(&w->thread, NULL, wait_for_one, w) == 0;
+}
+
+void interrupt_watch_end(struct interrupt_watch *w)
+{
+    if (!w->on) return;
+    pthread_cancel(w->thread);
+    pthread_join(w->thread, NULL);
+    w->on = 0;
+}

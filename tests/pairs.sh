@@ -1,0 +1,119 @@
+#!/bin/sh
+# Every two values of every two choices of a case meet in one run at least: the
+# program refuses it for a reason that is known, or runs it and the sums hold.
+#
+#   sh tests/pairs.sh build/winnow          (one case of four)
+#   sh tests/pairs.sh build/winnow all      (all of them, some hundreds)
+#   sh tests/pairs.sh build/winnow all 7    (others, from another seed)
+#
+# What fails is kept, with the line that repeats it.
+set -u
+winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
+part=${2:-slice}
+seed=${3:-1}
+top=$PWD
+parts=$top/tests/pairs
+# Threads that wait should not keep others from working on a busy machine.
+export OMP_WAIT_POLICY=passive
+# Each case is run with one thread and with two: no more than two at a time.
+jobs=2
+
+# What a case may be refused for that no two of its choices decide.
+known='begins .* (from|deep in) the surface|the bed does not fit'
+
+# The meshes of tests/data/poly, 12 mm wide.
+meshes() {
+    for mesh in dual cyclic slanted; do
+        from=$mesh
+        [ $mesh != slanted ] || from=sheared
+        mkdir "$work/$mesh"
+        cp "$top/tests/data/poly/$from"/* "$work/$mesh"
+        awk '/^\([-0-9.e ]*\)$/ {
+                 gsub(/[()]/, "")
+                 $0 = sprintf("(%.12g %.12g %.12g)", 0.012 * $1, 0.012 * $2,
+                              0.012 * $3)
+             }
+             { print }' "$top/tests/data/poly/$from/points" >"$work/$mesh/points"
+    done
+    printf '%s\n' "solid a" "facet normal 0 1 0" "outer loop" \
+        "vertex -0.8 0 -0.8" "vertex 0.8 0 -0.8" "vertex 0 0 0.8" "endloop" \
+        "endfacet" "endsolid a" >"$work/sheet.stl"
+}
+
+# One array after the other, two at a time.
+generate() {
+    for array in c p f m; do
+        echo $array
+    done | xargs -P $jobs -I{} sh -c "mkdir $work/{} &&
+        awk -v letter={} -v seed=$seed -v folder=$work/{} \
+        -f $parts/array.awk -f $parts/choices.awk -f $parts/case.awk" || return
+    for array in c p f m; do
+        cat "$work/$array/list" && mv "$work/$array"/*-* "$work"
+    done >"$work/list"
+}
+
+# Everything that two runs wrote but the time that they took.
+same() { # folder, folder
+    diff -rq -x summary.json "$1" "$2" &&
+        for run in "$1" "$2"; do
+            sed '/"seconds": {/,/}/d; /"threads"/d; /_per_second/d' \
+                "$run/summary.json" >"$run.told"
+        done && cmp "$1.told" "$2.told"
+}
+
+# What is wrong with a run of the case, if anything.
+verdict() { # name, code, why
+    if [ -n "$3" ]; then
+        [ "$2" -eq 2 ] || echo "exit code $2, should be refused: $3"
+        grep -qE "$3" "$1.said" || echo "not refused for: $3"
+        [ ! -e "$1.1" ] || echo "refused, and $1.1 is there"
+    elif [ "$2" -eq 2 ]; then
+        grep -qE "$known" "$1.said" || echo "refused for no known reason"
+    elif [ "$2" -ne 0 ]; then
+        echo "exit code $2"
+    else
+        line=$(grep "^$1 " list)
+        awk -F, -v line="$line" -f "$parts/verdict.awk" "$1.1/history.csv"
+        PATH=/none "$winnow" run "$1.cfg" -o "$1.2" -j 2 --quiet >/dev/null 2>&1
+        same "$1.1" "$1.2" || echo "one thread and two differ"
+    fi
+}
+
+# Without gnuplot: pictures are drawn elsewhere.
+one() { # name
+    cd "$work" || exit
+    why=$(sed -n "s/^$1 .*|//p" list)
+    PATH=/none "$winnow" run "$1.cfg" -o "$1.1" -j 1 --quiet >"$1.said" 2>&1
+    verdict "$1" $? "$why" >"$1.wrong" 2>&1
+    if [ -s "$1.wrong" ]; then
+        echo "FAILED $(grep "^$1 " list)"
+        sed 's/^/    /' "$1.wrong" "$1.said" | head -20
+        echo "    cd $work && $winnow run $1.cfg -o $1.1 -j 1"
+        echo "$1" >>failed
+    else
+        rm -rf "$1.1" "$1.2" "$1".1.told "$1".2.told
+    fi
+}
+
+# The script calls itself for each case.
+if [ "$part" = one ]; then
+    work=$4
+    one "$3"
+    exit
+fi
+
+work=$(mktemp -d)
+meshes
+generate || exit
+every=1
+[ "$part" = all ] || every=4
+awk -v every=$every 'NR % every == 1 % every { print $1 }' "$work/list" \
+    >"$work/chosen"
+xargs -P $jobs -I{} sh "$0" "$1" one {} "$work" <"$work/chosen"
+ran=$(wc -l <"$work/chosen")
+if [ -e "$work/failed" ]; then
+    echo "$(wc -l <"$work/failed") of $ran cases failed; they are in $work"
+    exit 1
+fi
+rm -rf "$work"
+echo "$ran cases hold (pairs of choices)"

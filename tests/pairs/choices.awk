@@ -1,0 +1,104 @@
+# The choices that a case makes, and which values never go together.
+#
+# choice(ARRAYS, NAME, VALUES): ARRAYS are letters: c fluid and particles
+# coupled, p particles alone, f fluid alone, m coupled and closed, so that
+# momentum stays.
+# apart(NAME, VALUES, NAME, VALUES, WHY): no case has both. With a WHY, what the
+# program says when it refuses them, each such pair is a case of its own.
+
+BEGIN {
+    choice("cpf", "mesh", "box graded sheared thin dual cyclic slanted")
+    choice("cpf", "periodic", "none x y z xz xyz")
+    choice("cf", "drive", "closed wall through parabola ramp outlet gradient flow")
+    choice("cf", "sides", "no-slip slip mixed")
+    choice("cfm", "medium", "air liquid")
+    choice("cfm", "time", "euler bdf2")
+    choice("cfm", "convection", "upwind linear blended second-upwind van-leer")
+    choice("cfm", "gradient", "gauss least-squares")
+    choice("cfm", "continuity", "mixture void-rate")
+    choice("cfm", "correctors", "1 2 4")
+    choice("cfm", "splitting", "1e-3 0.0")
+    choice("cfm", "repeats", "0 2")
+    choice("cfm", "predictor", "0.0 0.1")
+    choice("cfm", "enough", "0.0 0.1")
+    choice("f", "cfl", "off 0.5")
+    choice("cpm", "contact", "hertz linear")
+    choice("cpm", "count", "none one few sixty settled crowd")
+    choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
+    choice("cpm", "materials", "one wall several pairs")
+    choice("cpm", "rolling", "off on")
+    choice("cpm", "cohesion", "none electrostatic van_der_waals capillary all")
+    choice("cpm", "insert", "none once rate late file")
+    choice("cp", "sinks", "none bottom left region both")
+    choice("m", "sinks", "none region")
+    choice("cp", "driven", "none line swing circle")
+    choice("cp", "surface", "none plane cylinder stl moving turning")
+    choice("cm", "integrator", "velocity-verlet symplectic-euler")
+    choice("p", "integrator", "velocity-verlet symplectic-euler heun")
+    choice("cpm", "list", "verlet link-cells")
+    choice("cp", "gravity", "down none oblique")
+    choice("cpm", "budget", "off on")
+    choice("cm", "averaging", "pcm dpvm cube two-grid kernel gaussian images diffusion")
+    choice("cm", "width", "bandwidth delta_05 cells grains regions")
+    choice("cm", "scheme", "exponential series crank-nicolson implicit-euler sdirk2")
+    choice("cm", "steps", "1 3")
+    choice("cm", "cap", "off 0.6")
+    choice("cm", "interpolation", "nearest linear same")
+    choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann")
+    choice("cm", "treatment", "semi-implicit explicit")
+    choice("cm", "relaxation", "frozen exponential")
+    choice("cm", "substeps", "auto 1 3 1000")
+    choice("cm", "model", "A B")
+    choice("c", "coupling", "two-way one-way")
+    choice("cm", "pressure_gradient", "off on")
+    choice("cm", "viscous_stress", "off on")
+    choice("cm", "virtual_mass", "off half none")
+    choice("c", "time_average", "off on")
+    choice("cpf", "history", "each second never")
+    choice("cpf", "every", "each end")
+    choice("cf", "profiles", "off on")
+    choice("cf", "probes", "off on")
+
+    # Nothing comes from outside: momentum stays.
+    choice("m", "mesh", "box graded thin")
+    choice("m", "periodic", "xyz")
+    choice("m", "drive", "closed")
+    choice("m", "coupling", "two-way")
+    choice("m", "history", "each")
+    choice("m", "every", "end")
+    choice("m", "gravity", "none")
+
+    # What a mesh from files has is said by the files.
+    apart("mesh", "dual slanted", "periodic", "x y z xz xyz", "")
+    apart("mesh", "cyclic", "periodic", "none y z xz xyz", "")
+    # A flow is driven round a period, and goes in or out at a side.
+    apart("drive", "gradient flow", "periodic", "none",
+          "x is not periodic, so nothing can be driven round it")
+    apart("drive", "gradient flow", "mesh", "dual slanted", "")
+    apart("drive", "through parabola ramp outlet", "periodic", "y xyz",
+          "y is periodic, so the fluid has no")
+    apart("drive", "wall", "periodic", "z xz xyz",
+          "z is periodic, so the fluid has no")
+    apart("drive", "parabola", "mesh", "sheared dual cyclic slanted",
+          "only the inlet of a plain box can have a parabola")
+    # Particles go round along an axis; an oblique box does so in x and z.
+    if (letter != "f")
+        apart("mesh", "sheared", "periodic", "y xyz",
+              "particles go round a period along x, y or z only|y is not periodic")
+    # Attractions know the sides of the box, and no other walls.
+    apart("mesh", "sheared slanted", "cohesion", "van_der_waals capillary all",
+          "not on the walls of this mesh")
+    apart("surface", "plane cylinder stl moving turning", "cohesion",
+          "van_der_waals capillary all", "not on surfaces")
+    # Who goes out below comes in above, behind this plane.
+    apart("surface", "plane", "periodic", "y xyz", "")
+    apart("count", "none", "driven", "line swing circle",
+          "there is none at the start")
+    # The width at half the height is of a Gaussian.
+    apart("width", "delta_05", "averaging",
+          "pcm dpvm cube two-grid kernel gaussian",
+          "only images and diffusion have a width at half the height")
+    # One-way there are no solids on the mesh.
+    apart("coupling", "one-way", "time_average", "on",
+          "one-way there are no averaged fields")
+}

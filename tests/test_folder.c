@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/folder.h"
+#include "scratch.h"
+
+#include "base/file.h"
+#include "output/manifest.h"
+
+#include <sys/wait.h>
+
+static char dir[64], name[72];
+
+static void set_up(void)
+{
+    scratch_make(dir);
+    snprintf(name, sizeof name, "%s/run", dir);
+    scratch_listen(dir);
+}
+
+static void tear_down(void)
+{
+    scratch_clear(dir);
+}
+
+static void assert_said(const char *part)
+{
+    char *const said = scratch_heard(dir);
+
+    if (strstr(said, part) == NULL)
+        ck_abort_msg("no \"%s\" in: %s", part, said);
+    free(said);
+}
+
+/* A run that writes two files and lists a third that it does not write. */
+static void run_once(const char *where)
+{
+    struct folder *const f = folder_take(where);
+
+    ck_assert_ptr_nonnull(f);
+    ck_assert_int_eq(folder_begin(f), 0);
+    static const char *const names[] = {
+        "summary.json", "fluid/fluid_000000.vtr", "history.csv"};
+    ck_assert_int_eq(folder_make(f, "fluid"), 0);
+    for (int i = 0; i < 3; i++) {
+        char *const path = folder_file(f, names[i]);
+        ck_assert_ptr_nonnull(path);
+        if (i < 2) scratch_write(path, "of a run");
+        free(path);
+    }
+    folder_free(f);
+}
+
+START_TEST(what_is_listed_goes_and_what_is_not_stays)
+{
+    run_once(name);
+    scratch_write(scratch_path(name, "notes.txt"), "mine");
+    scratch_write(scratch_path(name, "fluid/mine.vtr"), "mine");
+    scratch_write(scratch_path(name, "history.csv.partial"), "half");
+    struct folder *const f = folder_take(name);
+    ck_assert_ptr_nonnull(f);
+    ck_assert(scratch_exists(scratch_path(name, "summary.json")));
+    ck_assert_int_eq(folder_begin(f), 0);
+    folder_free(f);
+    ck_assert(!scratch_exists(scratch_path(name, "summary.json")));
+    ck_assert(!scratch_exists(scratch_path(name, "fluid/fluid_000000.vtr")));
+    ck_assert(!scratch_exists(scratch_path(name, "history.csv.partial")));
+    scratch_assert_text(scratch_path(name, "notes.txt"), "mine");
+    scratch_assert_text(scratch_path(name, "fluid/mine.vtr"), "mine");
+    scratch_assert_text(scratch_path(name, "manifest.txt"), MANIFEST_HEAD);
+    assert_said("the 2 files of an earlier run are replaced");
+}
+END_TEST
+
+/* The first holds the folder in a process of its own, until it is killed. */
+START_TEST(a_second_run_is_refused_and_a_dead_one_holds_nothing)
+{
+    char number[32];
+    int ready[2], status;
+    char byte;
+
+    run_once(name);
+    ck_assert_int_eq(pipe(ready), 0);
+    const pid_t other = fork();
+    if (other == 0) {
+        if (folder_take(name) != NULL && write(ready[1], "x", 1) == 1) pause();
+        _exit(1);
+    }
+    ck_assert_int_eq(read(ready[0], &byte, 1), 1);
+    ck_assert_ptr_null(folder_take(name));
+    snprintf(number, sizeof number, "(process %ld)", (long)other);
+    assert_said(number);
+    scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
+    kill(other, SIGKILL);
+    ck_assert_int_eq(waitpid(other, &status, 0), other);
+    struct folder *const f = folder_take(name);
+    ck_assert_ptr_nonnull(f);
+    folder_free(f);
+}
+END_TEST
+
+static const char *const strange[] = {
+    "../x\n",  "/tmp/x\n", "..\n",   "fluid/../x\n", "\n",
+    "a/b/c\n", "./x\n",    "a/b/\n", "fluid/..\n",   "a\001b\n"};
+
+START_TEST(a_manifest_that_names_what_is_not_inside_is_refused)
+{
+    char text[128];
+
+    scratch_write(scratch_path(dir, "x"), "mine");
+    run_once(name);
+    snprintf(text, sizeof text, "%ssummary.json\n%s", MANIFEST_HEAD,
+             strange[_i]);
+    scratch_write(scratch_path(name, "manifest.txt"), text);
+    ck_assert_ptr_null(folder_take(name));
+    scratch_assert_text(scratch_path(name, "summary.json"), "of a run");
+    scratch_assert_text(scratch_path(dir, "x"), "mine");
+    assert_said("manifest.txt:3: not the list of a run's files");
+}
+END_TEST
+
+START_TEST(a_manifest_of_another_program_is_refused)
+{
+    scratch_write(scratch_path(dir, "manifest.txt"), "summary.json\n");
+    ck_assert_ptr_null(folder_take(dir));
+    assert_said("manifest.txt:1: not the list of a run's files");
+    scratch_assert_text(scratch_path(dir, "manifest.txt"), "summary.json\n");
+}
+END_TEST
+
+START_TEST(a_line_cut_short_by_a_crash_is_no_name)
+{
+    run_once(name);
+    scratch_write(scratch_path(name, "notes"), "mine");
+    scratch_write(scratch_path(name, "manifest.txt"),
+                  MANIFEST_HEAD "summary.json\nfluid/fluid_000000.vtr\nnotes");
+    struct folder *const f = folder_take(name);
+    ck_assert_ptr_nonnull(f);
+    ck_assert_int_eq(folder_begin(f), 0);
+    folder_free(f);
+    ck_assert(scratch_exists(scratch_path(name, "notes")));
+}
+END_TEST
+
+static const char *const wanted[] = {"summary.json", "particles.pvd",
+                                     "fluid/fluid_000009.vtu",
+                                     "profiles/eps_f_y1mm.csv"};
+
+START_TEST(a_foreign_file_that_would_be_overwritten_refuses_the_folder)
+{
+    file_make_dirs(scratch_path(name, "fluid"));
+    file_make_dirs(scratch_path(name, "profiles"));
+    scratch_write(scratch_path(name, wanted[_i]), "mine");
+    ck_assert_ptr_null(folder_take(name));
+    scratch_assert_text(scratch_path(name, wanted[_i]), "mine");
+    ck_assert(!scratch_exists(scratch_path(name, "manifest.txt")));
+    assert_said(wanted[_i]);
+}
+END_TEST
+
+START_TEST(a_link_out_of_the_folder_is_not_followed)
+{
+    char away[72];
+
+    snprintf(away, sizeof away, "%s/away", dir);
+    run_once(name);
+    file_make_dirs(away);
+    scratch_write(scratch_path(away, "fluid_000000.vtr"), "mine");
+    ck_assert_int_eq(remove(scratch_path(name, "fluid/fluid_000000.vtr")), 0);
+    ck_assert_int_eq(rmdir(scratch_path(name, "fluid")), 0);
+    ck_assert_int_eq(symlink(away, scratch_path(name, "fluid")), 0);
+    ck_assert_ptr_null(folder_take(name));
+    scratch_assert_text(scratch_path(away, "fluid_000000.vtr"), "mine");
+    assert_said("fluid is in the way");
+}
+END_TEST
+
+START_TEST(a_folder_in_which_nothing_was_begun_goes_with_those_above)
+{
+    struct folder *f = folder_take(scratch_path(dir, "a//b/c/"));
+
+    ck_assert_ptr_nonnull(f);
+    folder_leave(f);
+    folder_free(f);
+    ck_assert(!scratch_exists(scratch_path(dir, "a")));
+    run_once(scratch_path(dir, "a"));
+    f = folder_take(scratch_path(dir, "a"));
+    folder_leave(f);
+    folder_free(f);
+    ck_assert(scratch_exists(scratch_path(dir, "a/summary.json")));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("folder");
+    TCase *const t = tcase_create("core");
+
+    suite_add_tcase(s, t);
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, what_is_listed_goes_and_what_is_not_stays);
+    tcase_add_test(t, a_second_run_is_refused_and_a_dead_one_holds_nothing);
+    tcase_add_loop_test(t, a_manifest_that_names_what_is_not_inside_is_refused,
+                        0, 10);
+    tcase_add_test(t, a_manifest_of_another_program_is_refused);
+    tcase_add_test(t, a_line_cut_short_by_a_crash_is_no_name);
+    tcase_add_loop_test(
+        t, a_foreign_file_that_would_be_overwritten_refuses_the_folder, 0, 4);
+    tcase_add_test(t, a_link_out_of_the_folder_is_not_followed);
+    tcase_add_test(t,
+                   a_folder_in_which_nothing_was_begun_goes_with_those_above);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a case chooses by its name. */
+#include <check.h>
+#include <stdio.h>
+
+#include "averaging/averaging.h"
+#include "averaging/interpolation.h"
+#include "effects/effects.h"
+#include "exchange/drag.h"
+#include "fluid/convection.h"
+#include "fluid/slope.h"
+#include "fluid/time_scheme.h"
+#include "particles/contact.h"
+#include "particles/integrators.h"
+#include "particles/sizes.h"
+
+/* By a name spelled anew, so that it is the letters that count. */
+static const char *copy(const char *name, char to[64])
+{
+    snprintf(to, 64, "%s", name);
+    return to;
+}
+
+#define CHECK_ROW(named, row)                                                  \
+    do {                                                                       \
+        char name_[64];                                                        \
+        ck_assert_ptr_eq(named(copy((row)->name, name_)), row);                \
+    } while (0)
+
+START_TEST(each_name_finds_its_own_row)
+{
+    for (int i = 0; averaging_methods[i] != NULL; i++)
+        CHECK_ROW(averaging_method_named, averaging_methods[i]);
+    for (int i = 0; interpolations[i] != NULL; i++)
+        CHECK_ROW(interpolation_named, interpolations[i]);
+    for (int i = 0; contact_laws[i] != NULL; i++)
+        CHECK_ROW(contact_law_named, contact_laws[i]);
+    for (int i = 0; drag_laws[i].name != NULL; i++)
+        CHECK_ROW(drag_law_named, &drag_laws[i]);
+    for (int i = 0; convection_schemes[i].name != NULL; i++)
+        CHECK_ROW(convection_scheme_named, &convection_schemes[i]);
+    for (int i = 0; slope_schemes[i].name != NULL; i++)
+        CHECK_ROW(slope_scheme_named, &slope_schemes[i]);
+    for (int i = 0; time_schemes[i].name != NULL; i++)
+        CHECK_ROW(time_scheme_named, &time_schemes[i]);
+    for (int i = 0; integrators[i].name != NULL; i++)
+        CHECK_ROW(integrators_named, &integrators[i]);
+    for (int i = 0; effects_all[i] != NULL; i++)
+        CHECK_ROW(effects_named, effects_all[i]);
+    for (int i = 0; sizes_laws[i].name != NULL; i++)
+        CHECK_ROW(sizes_law_named, &sizes_laws[i]);
+}
+END_TEST
+
+START_TEST(a_name_that_no_row_has_finds_none)
+{
+    static const char *const wrong[] = {"", "Euler", "gausss", "upwin",
+                                        "linear "};
+    for (int i = 0; i < 5; i++) {
+        ck_assert_ptr_null(averaging_method_named(wrong[i]));
+        ck_assert_ptr_null(interpolation_named(wrong[i]));
+        ck_assert_ptr_null(contact_law_named(wrong[i]));
+        ck_assert_ptr_null(drag_law_named(wrong[i]));
+        ck_assert_ptr_null(convection_scheme_named(wrong[i]));
+        ck_assert_ptr_null(slope_scheme_named(wrong[i]));
+        ck_assert_ptr_null(time_scheme_named(wrong[i]));
+        ck_assert_ptr_null(integrators_named(wrong[i]));
+        ck_assert_ptr_null(effects_named(wrong[i]));
+        ck_assert_ptr_null(sizes_law_named(wrong[i]));
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *const s = suite_create("named");
+    TCase *const t = tcase_create("tables");
+    suite_add_tcase(s, t);
+    tcase_add_test(t, each_name_finds_its_own_row);
+    tcase_add_test(t, a_name_that_no_row_has_finds_none);
+    SRunner *const r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    const int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
