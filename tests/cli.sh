@@ -110,7 +110,7 @@ fact material_is_in_the_pictures 0 'Name="material"' \
     sh -c 'cat felt/particles/*.vtp | tr -d "\000" | grep -a material | head -1'
 fact unknown_material_finds_the_one_meant 2 "did you mean felt?" \
     "$winnow" run felt.cfg -s particles.walls.material=fell
-fact explain_names_rolling_friction 0 "sweep_roll" "$winnow" explain felt.cfg
+fact explain_names_rolling_friction 0 "rolling_moment" "$winnow" explain felt.cfg
 fact check_weighs_cohesion 0 "capillary / weight" \
     "$winnow" check tiny.cfg -s 'effects.capillary={tension=0.07;}'
 fact check_knows_the_longest_step_of_a_bed 0 "tau_p: NOT STABLE" \

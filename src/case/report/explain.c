@@ -34,7 +34,7 @@ static const struct part parts[] = {
      "move_with_drag"},
     {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
      "materials_pair"},
-    {rolling, "rolling friction", "Ai11", "sweep_roll"},
+    {rolling, "rolling friction", "Ai11", "rolling_moment"},
     {NULL, NULL, NULL, NULL}};
 
 static int is_named(const struct settings *s, const struct part *p)
