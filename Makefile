@@ -12,6 +12,7 @@ SANITIZE = -O2 -g1 $(TUNE) $(MATH) -fsanitize=address,undefined \
            -fno-sanitize=null,object-size,pointer-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer
 OPT      = $(FAST)
 B        = build
+LIGHTLY  = -O1
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
 # What is built: the rooms' own files, and the folders in them that are named
@@ -43,8 +44,12 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow pairs-slow
+slow: commands-slow faults-slow pairs-slow sanitized-slow style-slow
 	@echo "all slow checks hold"
+sanitized-slow:
+	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
+style-slow: $B/winnow
+	@sh tests/style.sh $B long
 faults-slow: $B/winnow
 	@sh tests/faults.sh $B/winnow long
 commands-slow: $B/winnow $B/tests/test_impacts
@@ -56,8 +61,13 @@ checks: solutions results sanitized pairs facts style faults steps-check cli vtk
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
+# Without a process for each fact, which doubles what a small one takes.
+SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
+# Under sanitizers these take longest, and check-slow runs them.
+LONG := $(patsubst %,$B/tests/test_%,attraction boundary contact_loop face_jump grid \
+        hard_beds hard_cases images_poly manufactured verified)
 sanitized:
-	@$(MAKE) facts B=$B/san OPT="$(SANITIZE)" WERROR=
+	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
@@ -95,6 +105,9 @@ weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
 	sh chapters/tools/ledger.sh
 
+figures: $B/winnow $B/tests/test_impacts $(BENCH) ## remake slow results and figures, and say what moved (an hour or two)
+	@sh chapters/tools/figures.sh $B/winnow
+
 bench: ## ours beside LAMMPS, LIGGGHTS and others, where installed (half an hour)
 	sh .ci/install run
 	$(MAKE) $(CORES) $(BENCH) WERROR=
@@ -122,7 +135,7 @@ $B/%.o: %.c
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
 # What takes longer to optimise than to run.
-$B/tests/%.o $B/src/case/%.o: LIGHT = -O1
+$B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
 $B/src/models.c: $(MODELS) src/models.awk
 	@mkdir -p $(@D)
@@ -144,7 +157,7 @@ $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
-        steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow solutions results \
-        text pages validate bench weave book help clean tests always
+        steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow sanitized-slow style-slow solutions results \
+        text pages validate bench figures weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d

@@ -19,9 +19,9 @@ static const double R = 0.1, E = 70e9, nu = 0.33, rho = 2700.0;
 static const double mu = 0.4, e = 0.5, v_n = 0.2;
 
 enum { DASHPOT_TOO, WHOLE_FORCE, SPRING_FIRST, GIVES_WAY, RULES };
-static const char *const rules[] = {"room for the dashpot",
-                                    "bears the whole force",
-                                    "spring capped first", "gives way"};
+static const char *const rules[] = {"spring and dashpot", "the spring alone",
+                                    "spring capped first",
+                                    "reduced to the cap"};
 
 /* Figure of Chung and Ooi, as digitised by the Kratos developers: mu (1 + e)
  * v_n over two sevenths of the slip, and the slip after over before. */

@@ -9,7 +9,7 @@ set xzeroaxis linetype 1 linecolor "#555555" linewidth 1
 set key top right
 plot data using 1:6 with points pointtype 7 linecolor "#333333" \
          title "published [Chung11]", \
-     data using 1:2 with lines linetype 2 title "room for the dashpot", \
-     data using 1:3 with lines linetype 3 title "the spring bears it all", \
+     data using 1:2 with lines linetype 2 title "spring and dashpot", \
+     data using 1:3 with lines linetype 3 title "the spring alone", \
      data using 1:4 with lines linetype 4 title "capped first", \
-     data using 1:5 with lines linetype 1 title "gives way"
+     data using 1:5 with lines linetype 1 title "reduced to the cap"

@@ -7,7 +7,7 @@
  *   03-lists skin     lists made in 4000 steps of the bed thrown up, and pairs
  *                     in each of them, for some skins
  *   03-lists picture  place and strip of each sphere; then one sphere and those
- *                     in its vicinity; then the edges of the cells
+ *                     in its neighbour list; then the edges of the cells
  */
 #include <gsl/gsl_math.h>
 #include <stdio.h>
@@ -108,9 +108,9 @@ static void counts(struct particles *ps, const struct neighbours *nb)
         near += nb->chunks[s].pairs.n;
         chosen += nb->chunks[s].contacts.n_pairs;
     }
-    printf("all = %d\ncells = %d\nvicinity = %d\ncontacts = %d\ntouch = %d\n",
+    printf("all = %d\ncells = %d\nneighbour_list = %d\ncontacts = %d\ntouch = %d\n",
            ps->n * (ps->n - 1) / 2, beside, near, chosen, touch);
-    printf("strips = %d\n", nb->n_chunks);
+    printf("chunks = %d\n", nb->n_chunks);
 }
 
 static void skins(struct particles *ps, struct dem_options *o)

@@ -1,4 +1,4 @@
-# A bed one grain deep in two strips, and the vicinity of one sphere, from
+# A bed one grain deep in two chunks, and the neighbours of one sphere, from
 # figures/03-picture.txt.
 load "figures/style.gp"
 set terminal svg size 720,500 dynamic font "sans,14" background "#ffffff"
@@ -13,7 +13,7 @@ set multiplot layout 1,2
 set size ratio -1
 set xrange [0:40]
 set yrange [0:55]
-set title "two strips"
+set title "two chunks"
 plot data index 0 using ($3 == 0 ? $1 : 1/0):2 with points pointtype 7 \
          pointsize 0.3 linecolor "#0b5a8a", \
      data index 0 using ($3 == 1 ? $1 : 1/0):2 with points pointtype 7 \
@@ -39,7 +39,7 @@ set object circle at px,py size 1.1667 front fillstyle empty \
     border linecolor "#c2571a"
 set xrange [px-3:px+3]
 set yrange [py-4.1:py+4.1]
-set title "one sphere, its cells and its vicinity"
+set title "one sphere, its cells and its neighbours"
 near(u, v) = abs(u - px) < 2.6 && abs(v - py) < 3.6
 plot data index 0 using (near($1, $2) ? $1 : 1/0):2:(0.5) with circles \
          fill solid 0.15 border \

@@ -5,7 +5,7 @@
  */
 #include "base/alloc.h"
 #include "linear/cg.h"
-#include "linear/fast/chebyshev.h"
+#include "linear/chebyshev.h"
 
 #include <math.h>
 #include <stdio.h>

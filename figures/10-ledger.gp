@@ -4,7 +4,7 @@ set output 'figures/10-ledger.svg'
 set multiplot layout 1,2
 set grid linecolor rgb '#dddddd'
 set xlabel 'time [s]'
-set title 'what would be lost without the account' font ',13'
+set title 'what would be lost without the unpaid impulse' font ',13'
 set ylabel 'share of all momentum [%]'
 plot 'figures/10-ledger.txt' using 1:(100 * $2) with lines linewidth 2 linecolor rgb '#2c728e' notitle
 set title 'what is lost with it' font ',13'

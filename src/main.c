@@ -18,6 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* The command line taken apart: words, and the values of options. */
 struct line {
@@ -65,6 +66,7 @@ static int run(const struct line *l)
     struct settings *const s = read_case(l, &code);
     interrupt_watch_end(&watch);
     if (l->threads > 0) omp_set_num_threads(l->threads);
+    if (s != NULL && l->quiet) settings_be_quiet(s);
     if (s != NULL) code = run_case(s, &o);
     settings_free(s);
     free(dir);
@@ -87,6 +89,9 @@ static int explain(const struct line *l)
 
     if (equation_index_is_key(l->words[0]))
         return equation_index_explain(l->words[0]);
+    if (equation_index_is_function(l->words[0]) &&
+        access(l->words[0], F_OK) != 0)
+        return equation_index_explain_function(l->words[0]);
 
     struct settings *const s = read_case(l, &code);
 
@@ -95,8 +100,20 @@ static int explain(const struct line *l)
     return code;
 }
 
+static int wrong_word(const char *word)
+{
+    fprintf(stderr,
+            "winnow: %s: one argument too many\n"
+            "winnow list [KIND] | keys [PART]\n",
+            word);
+    return 2;
+}
+
 static int list(const struct line *l)
 {
+    if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
+        return list_keys(l->words[1]);
+    if (l->n_words > 1) return wrong_word(l->words[1]);
     if (l->n_words > 0) return list_models(l->words[0]);
     list_kinds();
     return 0;
@@ -117,12 +134,14 @@ static const struct command commands[] = {
     {"check", "CASE [-s path.to.key=value]...",
      "check a case and print the numbers that follow from it", "s", 1, 1,
      check},
-    {"explain", "CASE [-s path.to.key=value]... | KEY",
+    {"explain", "CASE [-s path.to.key=value]... | KEY | FUNCTION",
      "the equations that a case switches on, and what it leaves off; or where "
-     "an equation is computed, tested and explained",
+     "an equation is computed, tested and explained; or what a function "
+     "computes",
      "s", 1, 1, explain},
-    {"list", "[KIND]", "the models of a kind with their keys; KIND may be keys",
-     "", 0, 1, list},
+    {"list", "[KIND] | keys [PART]",
+     "the models of a kind with their keys; or the keys of a part of a case",
+     "", 0, 2, list},
     {"eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,
      eval},
     {NULL, NULL, NULL, NULL, 0, 0, NULL}};

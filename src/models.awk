@@ -10,9 +10,14 @@
 #
 # and the array drag_laws[], of pointers, ended by NULL. The order is that of
 # the rows, the first being the default; `after NAME` at the end of a row puts
-# the model right behind another one, and `first` before all others. A kind alone makes an array that may be
-# empty. `needs FOLDER` is for tests/core.sh: the folder does not work without
-# that other one.
+# the model right behind another one, `first` before all others. A kind alone makes an array that may be
+# empty. Where nothing but a constant tells the models of a kind apart, their
+# descriptors are of the type struct model (base/model.h), and a row is
+#
+#   surface_shape:model  surface_plane
+#
+# `needs FOLDER` is for tests/core.sh: the folder does not work without that
+# other one.
 
 function wrong(what) {
     print FILENAME ":" FNR ": " what >"/dev/stderr"
@@ -22,7 +27,8 @@ function wrong(what) {
 
 { sub(/#.*/, "") }
 NF == 0 || $1 == "needs" { next }
-!($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0 }
+{ split($1, word, ":"); $1 = word[1] }
+!($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0; type[$1] = word[2] }
 NF == 1 { next }
 NF == 3 && $3 == "first" { at = 0 }
 NF == 4 && $3 == "after" {
@@ -43,12 +49,13 @@ END {
     print "#include <stddef.h>"
     for (k = 1; k <= n_kinds; k++) {
         kind = kinds[k]
-        type = "const struct " kind
-        print "\nstruct " kind ";"
+        name = type[kind] != "" ? type[kind] : kind
+        all = "const struct " name
+        print "\nstruct " name ";"
         for (i = 1; i <= n[kind]; i++)
-            print "extern " type " " model[kind, i] ";"
-        print "extern " type " *const " kind "s[];"
-        print type " *const " kind "s[] = {"
+            print "extern " all " " model[kind, i] ";"
+        print "extern " all " *const " kind "s[];"
+        print all " *const " kind "s[] = {"
         for (i = 1; i <= n[kind]; i++) print "    &" model[kind, i] ","
         print "    NULL};"
     }

@@ -206,6 +206,12 @@ if command -v pandoc >/dev/null; then
     fresh && edit 's/^From/<b> &/' $chapter
     fact an_open_tag_is_told 1 "closes <b>" sh "$tools/book.sh" out
     fact the_contents_ask_its_question 0 "Why does a stone fall?" cat out/index.html
+    fresh && echo '<svg/>' >figures/fall.svg
+    printf '\n![A stone](../figures/fall.svg)\n' >>$chapter
+    printf '\n| [01-fall](01-fall.md) | Why? | 5 min | 1 s | `fall` |\n' >chapters/README.md
+    fact a_figure_has_a_numbered_caption 0 "<strong>Figure 1.1: </strong>A stone" \
+        sh -c "sh '$tools/book.sh' out && cat out/01-fall.html"
+    fact the_contents_give_times 0 "Why? (5 min to read, 1 s to run)" cat out/index.html
     fresh && cp $chapter chapters/solutions/01-fall.md
     fact two_pages_of_one_name_are_told 1 "a page of this name" sh "$tools/book.sh" out
 fi

@@ -189,6 +189,17 @@ fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
+fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
+    "$winnow" list keys fluid
+only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
+fact list_shows_no_keys_of_other_parts 1 "" only_its_own
+fact misspelt_part_finds_the_one_meant 2 "did you mean averaging?" \
+    "$winnow" list keys averging
+fact explain_prints_the_formula 0 "  Re = rho_f d u_r / mu" "$winnow" explain XS11:2.12
+fact explain_leads_from_a_function_to_its_equations 0 \
+    "XS11 2.14: its limits at small and large Re" "$winnow" explain drag_terminal_ratio
+fact misspelt_function_finds_the_one_meant 2 "did you mean drag_reynolds?" \
+    "$winnow" explain drag_reynold
 fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \
     "$winnow" explain XS11:2.13
 fact explain_names_the_test 0 "xs11_2_13_terminal_ratio_solves_its_quadratic" \
@@ -263,6 +274,10 @@ quiet() {
     done | wc -c
 }
 fact quiet_says_nothing_on_stderr 0 0 quiet
+quiet_bed() {
+    "$winnow" run bed.cfg -o quiet -s output.end=2e-3 --quiet 2>&1 >/dev/null | wc -c
+}
+fact quiet_says_nothing_of_a_settled_bed 0 0 quiet_bed
 fact folder_that_cannot_be_made_is_code_4 4 "tiny.cfg/out" \
     "$winnow" run tiny.cfg -o tiny.cfg/out
 # A limit on the size of files stands for a full disk.

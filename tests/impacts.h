@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* impacts.h -- impacts of one sphere on a rigid plane or another sphere, for
- * the tests of chapter 16 and its figures.
+ * the tests of chapter "Particles, verified" and its figures.
  *
  * The plane is made rigid by giving the material, which is the plane's too,
  * twice its Young's modulus: then E* = E/(1 - nu^2) and G* = G/(2 - nu), as if

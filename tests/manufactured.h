@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* manufactured.h -- two manufactured solutions of the averaged equations, with
- * walls and a fluid fraction that varies in space and time.  Chapter 19.
+ * walls and a fluid fraction that varies in space and time.
+ * Chapter "The flow, verified".
  *
  * From a vector field W and a stream A of choice, both functions of x and t,
  *

@@ -17,7 +17,7 @@ count=0
 run() { # program
     log=$1.log
     : >"$log"
-    CK_LOG_FILE_NAME=$log "$1" >"$1.out" 2>&1
+    CK_LOG_FILE_NAME=$log timeout 1200 "$1" >"$1.out" 2>&1
     code=$?
     # A test that loops over a table is one fact.
     sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log" | uniq >"$1.facts"

@@ -184,7 +184,18 @@ START_TEST(numbers_have_magnitudes_that_their_units_can_have)
     refused("fluid.bottom.inlet=((0.0,0.0),(1e300,1e9))", "[m/s], found 1e+09");
     refused("fluid.density=1e300", "between 1e-12 and 1e+20 [kg/m^3]");
     refused("effects.gravity=[0.0,-1e200,0.0]", "found -1e+200");
+    refused("mesh.size=[1.0,1e-300,1.0]", "[m], found 1e-300");
     refused("particles.grains.young=1e-300", "between 1e-30 and 1e+30 [Pa]");
+}
+END_TEST
+
+/* As scripts write them: the cosine of a right angle. */
+START_TEST(what_rounding_leaves_of_a_0_is_a_direction_still)
+{
+    int code;
+    settings_free(read_case("cases/mueller-bed.cfg",
+                            "effects.gravity=[6e-317,-9.81,6e-17]", &code));
+    ck_assert_int_eq(code, 0);
 }
 END_TEST
 
@@ -362,7 +373,7 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
         {"effects.gravity", KEY_VECTOR, "m/s^2", "", "", "", "", ""},
         {"fluid.density", KEY_REAL, "kg/m^3", "", "", "", "", ""},
         {"fluid.correctors", KEY_INT, "-", "", "", "", "", ""},
-        {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
+        KEY_END};
     int code;
     double x[5];
     struct settings *const s = read_case("cases/mueller-bed.cfg", NULL, &code);
@@ -376,35 +387,58 @@ START_TEST(numbers_of_an_effect_come_in_the_order_of_its_keys)
 }
 END_TEST
 
-/* The words that a key allows are the names of the models of its kind, and each
- * model reads keys that exist. */
-START_TEST(models_and_keys_name_the_same)
+/* A function that the source defines: at the beginning of a line, or behind its
+ * type there. */
+static int is_defined(const char *function)
+{
+    char command[256];
+
+    snprintf(command, sizeof command,
+             "grep -rqE '^([a-zA-Z].*[ *])?%s\\(' src --include='*.[ch]'",
+             function);
+    return system(command) == 0;
+}
+
+/* A descriptor says what the model is, where it comes from and which function
+ * computes it; its name is a word that the key of its kind allows, and a word
+ * that is not among them is refused with all of them. */
+START_TEST(every_descriptor_of_every_kind_is_complete)
 {
     const struct key *tables[CASE_FILE_TABLES];
+    char expected[SCHEMA_TEXT];
     struct model m;
 
     case_file_tables(tables);
     for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         const struct key *const key = schema_find(tables, k->key);
-        char words[SCHEMA_TEXT] = "";
 
         for (int i = 0; k->model(i, &m); i++) {
-            char path[64];
-            int used;
-
-            snprintf(words + strlen(words), sizeof words - strlen(words),
-                     "%s%s", i > 0 ? " | " : "", m.name);
-            ck_assert_msg(m.what[0] != '\0' && m.function[0] != '\0', "%s",
-                          m.name);
-            for (const char *p = m.keys; sscanf(p, "%63s%n", path, &used) == 1;
-                 p += used)
-                ck_assert_msg(strstr(path, "<patch>") != NULL ||
-                                  schema_find(tables, path) != NULL,
-                              "%s", path);
+            ck_assert_msg(m.name[0] != '\0' && m.what != NULL &&
+                              m.what[0] != '\0' && m.equations != NULL,
+                          "%s %s", k->name, m.name);
+            ck_assert_msg(m.function != NULL && is_defined(m.function), "%s %s",
+                          k->name, m.name);
+            if (key == NULL || key->type != KEY_NAME) continue;
+            schema_expected(key, expected);
+            ck_assert_ptr_nonnull(strstr(expected, m.name));
+            ck_assert(schema_allow_word(key, m.name));
+            ck_assert(!schema_allow_word(key, m.what));
         }
-        if (key != NULL && key->type == KEY_NAME)
-            ck_assert_str_eq(words, key->allowed);
     }
+}
+END_TEST
+
+/* Every key that a model reads is in the tables, and has a row once: a second
+ * one would never be found. */
+START_TEST(every_key_has_one_row)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+    const struct key *key;
+
+    case_file_tables(tables);
+    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
+        for (int j = 0; j < i; j++)
+            ck_assert_str_ne(schema_at(tables, j)->path, key->path);
 }
 END_TEST
 
@@ -470,6 +504,7 @@ FACTS("scene")
     FACT(whole_number_is_written_without_point_or_exponent);
     FACT(cells_are_of_a_size_that_can_be_computed);
     FACT(numbers_have_magnitudes_that_their_units_can_have);
+    FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
     FACT(contact_law_requires_its_constants);
@@ -483,6 +518,7 @@ FACTS("scene")
     FACT(probes_lie_inside_the_box);
     FACT(empty_bed_and_missing_inlet_are_allowed);
     FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
-    FACT(models_and_keys_name_the_same);
+    FACT(every_descriptor_of_every_kind_is_complete);
+    FACT(every_key_has_one_row);
     FACT(list_shows_every_model_and_key);
 }

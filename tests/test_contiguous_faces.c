@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/piso.h"
+#include "fluid/fluid.h"
 #include "linear/ldu.h"
 #include "linear/fast/contiguous_faces.h"
 #include "linear/vec3.h"

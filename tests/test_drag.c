@@ -169,8 +169,8 @@ START_TEST(ls_5_2_schiller_naumann_is_nearly_continuous_at_re_1000)
 }
 END_TEST
 
-/* A poppy seed in air at 0.9 m/s: 1.2 * 1.2e-3 * 0.9 / 1.8e-5. Half the
- * diameter at twice the speed gives the same flow. */
+/* A poppy seed in air at 0.9 m/s: 1.2 * 1.2e-3 * 0.9 / 1.8e-5. Half the seed at
+ * twice the speed meets the same flow. */
 START_TEST(xs11_2_12_reynolds_number_is_72_for_a_seed_in_air)
 {
     ck_assert_double_eq_tol(drag_reynolds(1.2, 1.8e-5, 1.2e-3, 0.9), 72.0,

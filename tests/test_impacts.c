@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Single impacts against measured and published ones: the oblique impacts of
  * Kharaz et al. [Kharaz01] and tests 3 to 8 of Chung and Ooi [Chung11]; tests 1
- * and 2 are in test_contact.c. Chapter 16. */
+ * and 2 are in test_contact.c. Chapter "Particles, verified". */
 
 #include "facts.h"
 #include "impacts.h"
@@ -92,7 +92,8 @@ static const double measured_spin[][2] = {
     {39.0283, 595.4843}, {50.2214, 452.9444}, {60.246, 381.3185},
 };
 
-/* 8 % but for 11 degrees, where the curve is steep: there 16 % (chapter 16). */
+/* 8 % but for 11 degrees, where the curve is steep: there 16 % (chapter
+ * "Particles, verified"). */
 START_TEST(kharaz_the_sphere_leaves_with_the_measured_spin)
 {
     const struct impact c = kharaz(measured_spin[_i][0]);

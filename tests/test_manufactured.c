@@ -34,7 +34,7 @@ static struct manufactured_error run(struct manufactured a, int n)
 
 /* Step and mesh halved together: the velocity falls by four, the largest error
  * and the one at the walls, too. The pressure is that of the cell at a wall and
- * falls less there (Chapter 19). */
+ * falls less there (Chapter "The flow, verified"). */
 START_TEST(a_flow_between_walls_has_order_two_in_u_and_more_than_one_in_p)
 {
     const struct manufactured_error a = run(setting(_i), 12),

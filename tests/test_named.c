@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The models that a case chooses by name. */
+/* What a case chooses by its name. */
 #include <stdio.h>
 
 #include "averaging/averaging.h"

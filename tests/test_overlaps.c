@@ -28,6 +28,46 @@ START_TEST(the_deepest_pair_is_found_also_across_a_seam)
 }
 END_TEST
 
+/* The pair that comparing each with each finds, also where all are in a plane
+ * across an axis, or around a period; among many it is found at once. */
+START_TEST(the_deepest_of_many_is_that_of_all_pairs)
+{
+    const int along = _i % 3, periodic[3] = {_i > 2, _i > 2, _i > 2};
+    const double lo[3] = {0.0, 0.0, 0.0}, hi[3] = {1.0, 1.0, 1.0};
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
+    const int n = 400;
+    struct particles *const ps = particles_create(n);
+    struct overlap all = {0, -1, 0.0};
+    uint64_t seed = 5;
+
+    for (int i = 0; i < n; i++) {
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = k == along ? 0.25 : 0.5 + 0.5 * spheres_random(&seed);
+        spheres_add(ps, x[0], x[1], x[2], 0.02 + 0.01 * (i % 3));
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < i; j++) {
+            const double d[3] = {ps->x[i] - ps->x[j], ps->y[i] - ps->y[j],
+                                 ps->z[i] - ps->z[j]};
+            const double mean = 0.5 * (ps->d[i] + ps->d[j]);
+            double r2 = 0.0;
+            for (int k = 0; k < 3; k++) {
+                const double near = d[k] - periodic[k] * rint(d[k]);
+                r2 += near * near;
+            }
+            const double depth = 1.0 - sqrt(r2) / mean;
+            if (depth > all.depth) all = (struct overlap){j, i, depth};
+        }
+    const struct overlap found = overlaps_deepest(ps, &box);
+    ck_assert_int_ge(all.j, 0);
+    ck_assert_int_eq(found.i, all.i);
+    ck_assert_int_eq(found.j, all.j);
+    ck_assert_double_eq(found.depth, all.depth);
+    particles_free(ps);
+}
+END_TEST
+
 START_TEST(touching_is_not_overlapping)
 {
     const struct box_domain box = box_of(0.1, 0);
@@ -80,6 +120,7 @@ END_TEST
 FACTS("overlaps")
 {
     FACT_FOR_EACH(the_deepest_pair_is_found_also_across_a_seam, 2);
+    FACT_FOR_EACH(the_deepest_of_many_is_that_of_all_pairs, 6);
     FACT(touching_is_not_overlapping);
     FACT_FOR_EACH(spheres_are_moved_apart_and_stay_inside, 2);
     FACT(insertion_without_space_is_reported);

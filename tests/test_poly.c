@@ -445,6 +445,7 @@ START_TEST(what_is_not_a_mesh_is_refused_with_file_and_line)
         {"neighbour", "^46$", "4600000", "more than the file can hold"},
         {"owner", "^23$", "5", "is not closed: its faces miss"},
         {"points", "(0.25 0 0)", "(0.25 9 0)", "expected > 0"},
+        {"points", "(0.25 0 0)", "(0.25 1e120 0)", "at most 1e12, found 1e120"},
         {"boundary", "nFaces *8", "nFaces 7", "begins with face"},
         {"boundary", "right", "left", "the name is there twice"},
         {"faces", "4(1 6 26 21)", "2147483647(1 6 26 21)",
@@ -476,5 +477,5 @@ FACTS("poly")
     FACT_FOR_EACH(a_uniform_stream_stays_uniform_on_any_mesh, 10);
     FACT_FOR_EACH(fluid_at_rest_stays_at_rest_on_any_mesh, 10);
     FACT(the_order_of_the_cells_does_not_matter_to_the_flow);
-    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 13);
+    FACT_FOR_EACH(what_is_not_a_mesh_is_refused_with_file_and_line, 14);
 }

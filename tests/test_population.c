@@ -388,6 +388,8 @@ START_TEST(a_file_brings_its_spheres_in_its_order)
     ck_assert_ptr_null(read_text("0 0 0 1e-3\n0 0 0\n", &n));
     ck_assert_ptr_null(read_text("0 0 0 -1e-3\n", &n));
     ck_assert_ptr_null(read_text("0 0 0 1e-3 5\n", &n));
+    ck_assert_ptr_null(read_text("0 0 0 4.9e-324\n", &n)); /* no volume */
+    ck_assert_ptr_null(read_text("0 1e300 0 1e-3\n", &n));
     ck_assert_ptr_null(read_text("# nothing\n", &n));
     particles_free(ps);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/alloc.h"
-#include "fluid/piso.h"
+#include "fluid/face_jump.h"
+#include "fluid/momentum_system.h"
+#include "fluid/time_levels.h"
 #include "facts.h"
 
 #include <math.h>
@@ -280,15 +282,15 @@ START_TEST(forces_after_the_prediction_are_those_of_the_product)
     momentum_assemble(fl);
     velocity_predict(fl);
     velocity_predicted_sum(fl);
-    memcpy(H, fl->piso->H, (size_t)n * sizeof *H);
+    memcpy(H, fl->momentum->H, (size_t)n * sizeof *H);
     velocity_neighbour_sum(fl);
     for (int i = 0; i < n; i++) {
         size = fmax(size, fabs(H[i]));
-        left = fmax(left, fabs(bicgstab_residual(fl->piso->bicgstab)[i]));
+        left = fmax(left, fabs(bicgstab_residual(fl->momentum->bicgstab)[i]));
     }
     ck_assert_double_gt(left, 1e-3 * size);
     for (int i = 0; i < n; i++)
-        ck_assert_double_eq_tol(H[i], fl->piso->H[i], 1e-13 * size);
+        ck_assert_double_eq_tol(H[i], fl->momentum->H[i], 1e-13 * size);
     free(H);
     fluid_free(fl);
     mesh_free(m);
@@ -313,9 +315,9 @@ START_TEST(a_face_leans_upstream_by_how_much_eps_jumps_there)
     for (int f = 0; f < fl->mesh->n_internal; f++) {
         const int o = fl->mesh->owner[f];
         const double lean = o == 3 ? 2.0 * 0.1 / 0.9 : o == 7 ? 1.0 : 0.0;
-        ck_assert_double_eq_tol(fl->piso->upwind_bias[f], sign * 0.5 * lean,
+        ck_assert_double_eq_tol(fl->jump->upwind_bias[f], sign * 0.5 * lean,
                                 1e-14);
-        ck_assert_double_eq_tol(fl->piso->owner_weight[f],
+        ck_assert_double_eq_tol(fl->momentum->owner_weight[f],
                                 0.5 + sign * 0.5 * lean, 1e-14);
     }
     discard(fl);

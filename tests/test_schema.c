@@ -14,7 +14,7 @@ static const struct key table[] = {
     {"law", KEY_NAME, "", "linear | hertz", NULL, "law", "", ""},
     {"fluid.<patch>", KEY_PATCH, "", "no-slip | slip", "", "side", "", ""},
     {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", "", "in", "", ""},
-    {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
+    KEY_END};
 
 static const struct key *const tables[] = {table, NULL};
 

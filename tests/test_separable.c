@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
-#include "linear/fast/chebyshev.h"
+#include "linear/chebyshev.h"
 
 /* The whole matrix of the mesh, without separation of directions. */
 static struct csr *laplacian(const struct mesh *m)

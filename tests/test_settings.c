@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_file.h"
 #include "case/keys.h"
+#include "case/models.h"
 #include "case/settings.h"
 
 #include "facts.h"
@@ -14,7 +16,7 @@ static const struct key effect_keys[] = {
     {"effects.pull", KEY_GROUP, "", "", KEY_OPTIONAL, "a pull", "",
      "particles"},
     {"effects.pull.force", KEY_REAL, "N", "> 0", NULL, "how strong", "", ""},
-    {NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL}};
+    KEY_END};
 
 static const char good[] =
     "title = \"a test\";\n"                                    /* 1 */
@@ -67,7 +69,9 @@ static struct settings *read_case(const char *text,
                                   const char *const *overrides, int *code,
                                   char said[CAPTURE_TEXT])
 {
-    const struct key *const tables[] = {keys_core, effect_keys, NULL};
+    const struct key *tables[CASE_FILE_TABLES] = {keys_core, effect_keys};
+
+    models_tables(&tables[2], CASE_FILE_TABLES - 3);
     struct settings *s;
     struct capture c;
     int n = 0;

@@ -331,8 +331,8 @@ static double cube_error(int n)
     return sqrt(sum);
 }
 
-/* [Albensoeder05, Table 5]: coarse, and nearer with each cell; Chapter 19 has
- * finer meshes. */
+/* [Albensoeder05, Table 5]: coarse, and nearer with each cell; Chapter "The
+ * flow, verified" has finer meshes. */
 START_TEST(the_cubic_cavity_nears_albensoeder_and_kuhlmann_at_re_1000)
 {
     const double fine = cube_error(16);

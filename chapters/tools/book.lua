@@ -1,5 +1,6 @@
 -- book.lua -- what pandoc does not do by itself: equations with their number
--- beside them, the place above each listing, links from page to page.
+-- beside them, numbered captions below the figures, the place above each
+-- listing, links from page to page.
 
 local function equation_id(number) return "eq-" .. number:gsub("%.", "-") end
 
@@ -17,8 +18,31 @@ local function display(math)
                     pandoc.Attr(equation_id(number), { "equation" }))
 end
 
+-- A paragraph that is an image becomes a figure, with its text as the caption;
+-- in a chapter the figures are numbered.
+local chapter, figures = nil, 0
+
+local function numbers(meta)
+  chapter = pandoc.utils.stringify(meta.chapter or ""):match("^%d+$")
+end
+
+local function figure(image)
+  local caption = pandoc.List(image.caption)
+  if chapter then
+    figures = figures + 1
+    local name = "Figure " .. chapter .. "." .. figures .. ": "
+    caption:insert(1, pandoc.Strong({ pandoc.Str(name) }))
+  end
+  return { pandoc.RawBlock("html", "<figure>"), pandoc.Plain({ image }),
+           pandoc.RawBlock("html", "<figcaption>"), pandoc.Plain(caption),
+           pandoc.RawBlock("html", "</figcaption></figure>") }
+end
+
 -- A paragraph is cut where a display formula stands in it.
 local function paragraph(block)
+  if #block.content == 1 and block.content[1].t == "Image" then
+    return figure(block.content[1])
+  end
   local blocks, line = pandoc.List(), pandoc.List()
   local function flush()
     while #line > 0 and (line[#line].t == "Space" or line[#line].t == "SoftBreak") do
@@ -100,6 +124,7 @@ local function code(item)
 end
 
 return {
+  { Meta = numbers },
   { Link = link, Image = image, RawInline = raw, Code = code },
   { Blocks = blocks },
   { Para = paragraph },

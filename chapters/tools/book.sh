@@ -28,8 +28,9 @@ for page in $pages; do
     html=$(name "$page").html
     sed -n "s/.*\\\\tag{\\([0-9a-z.]*\\)}.*/(\\1) $html/p" "$page"
     sed -n "s/.*<a id=\"\\([A-Za-z0-9-]*\\)\">.*/\\1 $html/p" "$page"
-    case $html in [0-9]*) # 09-drag is Chapter 9
-        echo "$html" | sed 's/^0*\([0-9]*\)-.*/Chapter-\1 &/' ;;
+    case $html in [0-9]*) # 09-drag is Chapter 9, and Chapter "Drag"
+        echo "$html" | sed 's/^0*\([0-9]*\)-.*/Chapter-\1 &/'
+        title "$page" | sed "s/^[0-9]* //; s/:.*//; s/ /-/g; s/.*/Chapter-& $html/" ;;
     esac
 done >"$anchors"
 
@@ -45,31 +46,40 @@ render() { # page, page before, page after
             --lua-filter "$tools/cite.lua" \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \
             ${toc:+-V page_toc=1} \
-            -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
+            -V page="$(name "$1")" -M chapter="$(name "$1" | sed 's/-.*//; s/^0//')" \
+            -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"
 }
 
-# The contents: each chapter, with its question if it has a row in README.md.
+# The contents: README.md up to what is for authors, each row of a table as a link to a
+# page, with its question and the times to read and to run; then all other pages.
 contents() {
     echo "# Winnow"
     echo
-    sed -n '/^# /d; /^|/q; p' chapters/README.md
+    sed '/^## Models/,$d; /^## Commands/,$d; /^# /d' chapters/README.md >"$out/contents"
+    while IFS= read -r line; do
+        case $line in '|'*) ;; *) printf '%s\n' "$line"; continue ;; esac
+        for page in $pages; do
+            case $line in "| [$(name "$page")]"* | "| $(name "$page") "*)
+                entry "$page" "$line" ;;
+            esac
+        done
+    done <"$out/contents"
+    echo
     for page in $pages; do
-        case $(name "$page") in [0-9]*)
-            printf -- '- [%s](%s.md)<br>' "$(title "$page")" "$(name "$page")"
-            awk -F' *[|] *' -v page="$(name "$page")" '$2 == page { printf "%s", $3 }
-                END { print "" }' chapters/README.md ;;
-        esac
+        grep -q -E "^[|] [[]?$(name "$page")[] ]" "$out/contents" || entry "$page" ""
     done
-    [ -z "$steps" ] ||
-        printf '\n- [Twelve steps](steps/README.md)<br>How does one write a CFD-DEM program?'
-    printf '\n- [Equations](equations.md)<br>Where is it computed and tested?\n'
-    [ ! -f chapters/course.md ] ||
-        printf -- '- [Course](course.md)<br>How does one teach this in eight weeks?\n'
-    printf -- '- [Notation](notation.md)<br>What does this symbol mean?\n'
-    printf -- '- [References](references.md)<br>Who found it?\n'
+    rm "$out/contents"
+}
+
+entry() { # page, its row: | page | question | read | run | source |
+    printf -- '- [%s](%s.md)' "$(title "$1")" "$(name "$1")"
+    echo "$2" | awk -F' *[|] *' '{
+        if ($3 != "") printf "<br>%s", $3
+        if (NF > 5) printf " (%s to read, %s to run)", $4, $5
+        print "" }'
 }
 
 contents >"$out/index.md"

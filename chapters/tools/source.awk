@@ -4,15 +4,16 @@
 #   ls src/coupling/drag.[ch] | awk -f c.awk -f source.awk -v anchors=A -v out=OUT
 #
 # Each line has an address (#L12), each definition its name (#drag_beta);
-# citations lead to the table of equations, "Chapter 9" to the chapter.
+# citations lead to the table of equations, 'Chapter "Drag"' to the chapter.
 
 # Turns what `form` matches into a link, if page_of knows where to.
 function with_links(s,    done, text, name, to) {
     done = ""
-    while (match(s, /\[(SX15|XS11|LS|EW18) [^]]*\]|Chapter [0-9]+/)) {
+    while (match(s, /\[(SX15|XS11|LS|EW18) [^]]*\]|Chapter "[^"]+"/)) {
         text = substr(s, RSTART, RLENGTH)
         name = text
         if (text ~ /^Ch/) {
+            gsub(/"/, "", name)
             gsub(/ /, "-", name)
             to = page_of[name]
         } else {

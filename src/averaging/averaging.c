@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "averaging/more/bandwidth.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/stencil.h"
@@ -23,6 +22,19 @@ struct averaging {
     struct averaging_report report;
 };
 
+const struct key averaging_bandwidth_keys[] = {
+    {"averaging.bandwidth", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "width b of kernels and diffusion, of the cells of a second grid; all "
+     "but pcm, dpvm and cube ask for it",
+     "SX15 6", ""},
+    KEY_END};
+
+const struct key averaging_delta_keys[] = {
+    {"averaging.delta_05", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "in place of the bandwidth: width of the Gaussian at half its height",
+     "EW18 20", ""},
+    KEY_END};
+
 const struct averaging_method *averaging_method_named(const char *name)
 {
     for (int i = 0; averaging_methods[i] != NULL; i++)
@@ -36,8 +48,8 @@ static struct averaging_options completed(const struct averaging_options *o)
 {
     struct averaging_options full = *o;
 
-    if (full.scheme == NULL) full.scheme = diffusion_schemes[0];
-    if (full.vary == NULL) full.vary = bandwidth_rules[0];
+    if (full.scheme == NULL) full.scheme = diffusion_schemes[0]->name;
+    if (full.vary == NULL) full.vary = bandwidth_rules[0]->name;
     if (full.steps == 0) full.steps = 3;
     if (full.tolerance == 0.0) full.tolerance = 1e-6;
     if (full.fields == 0) full.fields = 8;

@@ -1,4 +1,5 @@
-/* averaging.h -- from particles to fields and back.  Chapter 8.
+/* averaging.h -- from particles to fields and back.
+ * Chapter "Averaging".
  *
  * Spreading turns amounts that particles carry (volume, momentum, force) into
  * densities that cells have, and loses nothing [SX15 A.1]. Gathering is its

@@ -1,10 +1,13 @@
-/* averaging_method.h -- the descriptor of an averaging method. Chapter 8.
+/* averaging_method.h -- the descriptor of an averaging method.
+ * Chapter "Averaging".
  *
  * It is included by the methods (pcm.c, kernel.c, ...) and by the list of them;
  * all other files include averaging.h.
  */
 #ifndef AVERAGING_AVERAGING_METHOD_H
 #define AVERAGING_AVERAGING_METHOD_H
+
+#include "base/key.h"
 
 struct averaging_options;
 struct averaging_report;
@@ -13,11 +16,18 @@ struct cell_of_particle;
 /* One row of the table of methods. state is the result of create, which returns
  * NULL after a message that names the wrong option. h is borrowed. */
 struct averaging_method {
-    const char *name, *cite, *what;
-    const char *function;    /* the function that computes its weights */
-    int needs_bandwidth;     /* 1: requires options.bandwidth */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    int needs_bandwidth;                /* 1: requires options.bandwidth */
     double reach_b, reach_d; /* [-] radius of the neighbourhood of a cell, in
                                 bandwidths and in diameters */
+    double even_widths;      /* [-] bandwidth over the width of the largest
+                                cell from which on an even bed is even to about
+                                2 %; 0: any */
+    int lays_grid;           /* 1: lays a grid with cells of a bandwidth */
     void *(*create)(const struct cell_of_particle *h,
                     const struct averaging_options *o);
     void (*free)(void *state);
@@ -31,5 +41,9 @@ struct averaging_method {
      */
     const struct averaging_method *polyhedral;
 };
+
+/* Keys of several methods: the bandwidth, and delta_05 in its place. */
+extern const struct key averaging_bandwidth_keys[];
+extern const struct key averaging_delta_keys[];
 
 #endif

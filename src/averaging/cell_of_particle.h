@@ -1,5 +1,6 @@
 /* cell_of_particle.h -- the cell of each particle, and the particles of each
- * cell. Chapter 8.
+ * cell.
+ * Chapter "Averaging".
  *
  * The particles are sorted by their cell (a counting sort, which keeps their
  * order within a cell), so that a sum of particles into cells is a loop over

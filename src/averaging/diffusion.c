@@ -8,12 +8,11 @@
 #include <string.h>
 
 #include "averaging/averaging.h"
-#include "averaging/more/bandwidth.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/more/separable.h"
+#include "averaging/diffusion_matrix.h"
 #include "base/alloc.h"
-#include "linear/fast/cg_many.h"
-#include "linear/fast/chebyshev.h"
+#include "linear/cg_many.h"
+#include "linear/chebyshev.h"
 #include "linear/csr.h"
 
 enum { MAX_ITERATIONS = 1000 };
@@ -21,14 +20,16 @@ enum { MAX_ITERATIONS = 1000 };
 struct diffusion {
     const struct cell_of_particle *h; /* borrowed */
     const struct scheme *scheme;
+    const struct diffusion_variation *variation;
     struct bandwidth *vary; /* NULL: everywhere the same */
     int steps;              /* [-] */
     int fields;       /* [-] fields for which the arrays below are allocated */
     double tolerance; /* [-] */
     double dtau;      /* [m^2] T / steps */
-    struct separable *box; /* of a box, see bandwidth_is_by_lines; else NULL */
-    struct csr *K;         /* [m] -V times div (D grad) */
-    double max_fields;     /* [-] largest D for which the series holds */
+    const struct diffusion_exponential *direct;
+    void *exponential; /* state of direct; NULL: the series is used */
+    struct csr *K;     /* [m] -V times div (D grad) */
+    double max_fields; /* [-] largest D for which the series holds */
     struct chebyshev *series;
     struct csr *A; /* [m^3] V + (a share of) dtau K */
     struct cg_many_work *work;
@@ -62,45 +63,20 @@ double diffusion_bandwidth(double T)
     return sqrt(4.0 * T);
 }
 
-/* Coefficient of the flux through internal face f: g (phi_N - phi_P) [m]. */
-static double link_strength(const struct mesh *m, int f)
-{
-    const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double Sd = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
-    return SS / Sd;
-}
-
 double diffusion_safe_steps(const struct mesh *m, double b)
 {
     return 0.5 * diffusion_time(b) * mesh_diffusion_rate(m);
 }
 
-/* A = diag + factor times the Laplacian of [SX15 5a]; only internal faces have
- * a flux [SX15 5c]. D: one more factor for each face, or NULL. */
-static void fill_matrix(struct csr *A, const struct mesh *m, const double *diag,
-                        double factor, const double *D)
-{
-    for (int c = 0; c < m->n_cells; c++)
-        A->diag[c] = diag != NULL ? diag[c] : 0.0;
-    for (int f = 0; f < m->n_internal; f++) {
-        const double g =
-            factor * link_strength(m, f) * (D != NULL ? D[f] : 1.0);
-        A->a[A->upper[f]] = A->a[A->lower[f]] = -g;
-        A->diag[m->owner[f]] += g;
-        A->diag[m->neighbour[f]] += g;
-    }
-}
-
-/* exp(-T L): in a box by its directions, else by the series. */
+/* exp(-T L): directly where that is possible, else by the series. */
 static void apply_exponential(struct diffusion *d, int m, double *u,
                               struct averaging_report *r)
 {
-    if (d->box != NULL)
-        separable_apply(d->box, m, u);
+    if (d->exponential != NULL)
+        d->direct->apply(d->exponential, m, u);
     else
         chebyshev_apply(d->series, m, u);
-    r->products = d->box != NULL ? 0 : chebyshev_products(d->series);
+    r->products = d->exponential != NULL ? 0 : chebyshev_products(d->series);
     r->worst = (struct solve_report){.converged = 1};
 }
 
@@ -210,10 +186,6 @@ static const struct scheme schemes[] = {
     {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
 };
 
-const char *const diffusion_schemes[] = {"exponential",    "series",
-                                         "crank-nicolson", "implicit-euler",
-                                         "sdirk2",         NULL};
-
 static void smooth(struct diffusion *d, int m, double *u,
                    struct averaging_report *r)
 {
@@ -231,27 +203,46 @@ static const struct scheme *scheme_named(const char *name)
     return NULL;
 }
 
-static int is_a_rule(const char *name)
+const struct model bandwidth_uniform = {
+    .name = "uniform",
+    .what = "the same everywhere, but for regions",
+    .equations = "",
+    .function = "diffusion_method",
+};
+
+static int is_uniform(const struct averaging_options *o)
 {
-    for (int i = 0; bandwidth_rules[i] != NULL; i++)
-        if (strcmp(bandwidth_rules[i], name) == 0) return 1;
-    return 0;
+    return strcmp(o->vary, bandwidth_uniform.name) == 0 && o->n_regions == 0;
+}
+
+/* The variation that has the rule of the options, or NULL. */
+static const struct diffusion_variation *
+variation_of(const struct averaging_options *o)
+{
+    for (int v = 0; diffusion_variations[v] != NULL; v++)
+        if (diffusion_variations[v]->has_rule(o->vary))
+            return diffusion_variations[v];
+    return NULL;
+}
+
+static int refuse(const char *what, const char *name, const char *expected)
+{
+    return fprintf(stderr,
+                   "winnow: the diffusion has no %s \"%s\"; expected %s\n",
+                   what, name, expected);
 }
 
 /* 0, or non-zero after a message that says what is wrong. */
 static int wrong_options(const struct averaging_options *o)
 {
     if (scheme_named(o->scheme) == NULL)
-        return fprintf(
-            stderr,
-            "winnow: the diffusion has no scheme \"%s\"; expected "
-            "exponential, series, crank-nicolson, implicit-euler or sdirk2\n",
-            o->scheme);
-    if (!is_a_rule(o->vary))
-        return fprintf(stderr,
-                       "winnow: the bandwidth of the diffusion cannot vary by "
-                       "\"%s\"; expected uniform, cells or grains\n",
-                       o->vary);
+        return refuse("scheme", o->scheme,
+                      "exponential, series, crank-nicolson, implicit-euler or "
+                      "sdirk2");
+    if (!is_uniform(o) && variation_of(o) == NULL)
+        return refuse("variation of its bandwidth",
+                      o->n_regions > 0 ? "regions" : o->vary,
+                      "uniform, cells or grains");
     if (o->steps < 1)
         return fprintf(stderr,
                        "winnow: the diffusion has %d steps; "
@@ -263,11 +254,11 @@ static int wrong_options(const struct averaging_options *o)
 static void fill_matrices(struct diffusion *d)
 {
     const struct mesh *const m = d->h->mesh;
-    const double *const D = d->vary != NULL ? bandwidth_D(d->vary) : NULL;
+    const double *const D = d->vary != NULL ? d->variation->D(d->vary) : NULL;
 
-    fill_matrix(d->K, m, NULL, 1.0, D);
+    diffusion_matrix_fill(d->K, m, NULL, 1.0, D);
     if (d->A != NULL)
-        fill_matrix(d->A, m, m->V, d->scheme->implicit * d->dtau, D);
+        diffusion_matrix_fill(d->A, m, m->V, d->scheme->implicit * d->dtau, D);
 }
 
 /* Creates the series for the matrix with the largest possible D on all faces; K
@@ -276,8 +267,8 @@ static void make_series(struct diffusion *d)
 {
     const struct mesh *const m = d->h->mesh;
 
-    d->max_fields = d->vary != NULL ? bandwidth_largest(d->vary) : 1.0;
-    fill_matrix(d->K, m, NULL, d->max_fields, NULL);
+    d->max_fields = d->vary != NULL ? d->variation->largest(d->vary) : 1.0;
+    diffusion_matrix_fill(d->K, m, NULL, d->max_fields, NULL);
     chebyshev_free(d->series);
     d->series = chebyshev_create(d->K, m->V, d->dtau * d->steps, d->tolerance,
                                  d->fields);
@@ -296,6 +287,22 @@ static void make_solver(struct diffusion *d)
     d->wide = alloc_doubles(n * d->fields);
 }
 
+/* Finds a direct way of the exponential, where D is the same on all lines of
+ * cells. */
+static void find_direct(struct diffusion *d, const struct averaging_options *o)
+{
+    const double b = d->vary != NULL ? o->bandwidth : 0.0;
+
+    if (d->scheme != &schemes[0]) return;
+    if (d->vary != NULL && !d->variation->is_by_lines(o)) return;
+    for (int i = 0; diffusion_exponentials[i] != NULL; i++) {
+        d->direct = diffusion_exponentials[i];
+        d->exponential =
+            d->direct->create(d->h->mesh, d->dtau * o->steps, b, o->tolerance);
+        if (d->exponential != NULL) return;
+    }
+}
+
 static void *diffusion_create(const struct cell_of_particle *h,
                               const struct averaging_options *o)
 {
@@ -309,12 +316,11 @@ static void *diffusion_create(const struct cell_of_particle *h,
     d->fields = o->fields;
     d->tolerance = o->tolerance;
     d->dtau = diffusion_time(o->bandwidth) / d->steps;
-    d->vary = bandwidth_create(h, o);
+    d->variation = variation_of(o);
+    d->vary = is_uniform(o) ? NULL : d->variation->create(h, o);
     d->smooth = alloc_doubles(m->n_cells * d->fields);
-    const double b = d->vary != NULL ? o->bandwidth : 0.0;
-    if (d->scheme == &schemes[0] && bandwidth_is_by_lines(o))
-        d->box = separable_create(&m->box, d->dtau * o->steps, b, o->tolerance);
-    if (d->box != NULL) return d;
+    find_direct(d, o);
+    if (d->exponential != NULL) return d;
     d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
     if (d->scheme->step != NULL)
         make_solver(d);
@@ -331,8 +337,8 @@ static void diffusion_bind(void *state, struct averaging_report *r)
     struct diffusion *const d = state;
 
     (void)r;
-    if (d->vary == NULL || !bandwidth_bind(d->vary)) return;
-    if (d->series != NULL && bandwidth_largest(d->vary) > d->max_fields)
+    if (d->vary == NULL || !d->variation->bind(d->vary)) return;
+    if (d->series != NULL && d->variation->largest(d->vary) > d->max_fields)
         make_series(d);
     fill_matrices(d);
 }
@@ -341,8 +347,8 @@ static void diffusion_free(void *state)
 {
     struct diffusion *const d = state;
 
-    bandwidth_free(d->vary);
-    separable_free(d->box);
+    if (d->vary != NULL) d->variation->free(d->vary);
+    if (d->exponential != NULL) d->direct->free(d->exponential);
     csr_free(d->K);
     csr_free(d->A);
     chebyshev_free(d->series);
@@ -378,9 +384,10 @@ static void diffusion_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method diffusion_method = {
     .name = "diffusion",
-    .cite = "SX15 5, 6, 9",
     .what = "the pcm field, smoothed by diffusion",
+    .equations = "SX15 5, 6, 9",
     .function = "diffusion_spread",
+    .keys = {averaging_bandwidth_keys, averaging_delta_keys, diffusion_keys},
     .needs_bandwidth = 1,
     .create = diffusion_create,
     .free = diffusion_free,

@@ -1,5 +1,6 @@
 /* diffusion.h -- the particle-centroid field, smoothed by diffusion.
- * Chapter 8.
+ *
+ * Chapter "Averaging".
  *
  *     d phi / d tau = lap phi,  phi(0) = the field of pcm,  tau = 0 .. T
  *     no flux through the boundary,  T = b^2 / 4            [SX15 5a-c]
@@ -21,12 +22,51 @@
 #define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
+#include "base/model.h"
 #include "mesh/mesh.h"
 
 extern const struct averaging_method diffusion_method;
 
-/* The names of the schemes, ended by NULL; the first is the default. */
-extern const char *const diffusion_schemes[];
+struct averaging_options;
+struct bandwidth;
+struct cell_of_particle;
+
+/* A way to apply exp(-T L) on some meshes that is faster than the series.
+ * create returns NULL where it does not hold; b [m] is 0, or the bandwidth that
+ * T [m^2] belongs to, from which the width of the cells is subtracted; tail [-]
+ * is the error. apply: u becomes exp(-T L) u, for m fields side by side. */
+struct diffusion_exponential {
+    const char *name;
+    void *(*create)(const struct mesh *mesh, double T, double b, double tail);
+    void (*free)(void *state);
+    void (*apply)(void *state, int m, double *u);
+};
+
+/* Bandwidths that vary in space, by regions or by these rules (more/bandwidth.h
+ * has the functions). */
+struct diffusion_variation {
+    int (*has_rule)(const char *vary); /* 1: a value of options.vary */
+    int (*is_by_lines)(const struct averaging_options *o);
+    struct bandwidth *(*create)(const struct cell_of_particle *h,
+                                const struct averaging_options *o);
+    void (*free)(struct bandwidth *w);
+    int (*bind)(struct bandwidth *w);
+    const double *(*D)(const struct bandwidth *w);
+    double (*largest)(const struct bandwidth *w);
+};
+
+/* Those that are built in, ended by NULL. */
+extern const struct diffusion_exponential *const diffusion_exponentials[];
+extern const struct diffusion_variation *const diffusion_variations[];
+
+/* Names for options.vary, ended by NULL; the first is the default: uniform. */
+extern const struct model *const bandwidth_rules[];
+
+/* The schemes, ended by NULL; the first is the default. */
+extern const struct model *const diffusion_schemes[];
+
+/* The keys that the method reads besides the bandwidth. */
+extern const struct key diffusion_keys[];
 
 /* [SX15 6]: h = exp(-r^2 / b^2) / (b^2 pi)^(3/2) [1/m^3]. r, b in [m]. */
 double diffusion_kernel(double r, double b);

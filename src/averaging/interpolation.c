@@ -107,11 +107,28 @@ static void same(struct averaging *a, int m, const double *field,
 }
 
 const struct interpolation interpolation_nearest = {
-    "nearest", "XS11 3.1", "the value of the host cell", nearest};
+    .name = "nearest",
+    .what = "the value of the host cell",
+    .equations = "XS11 3.1",
+    .function = "nearest",
+    .apply = nearest,
+};
+
 const struct interpolation interpolation_linear = {
-    "linear", "Gauss", "value and Gauss gradient of the host cell", linear};
+    .name = "linear",
+    .what = "value and Gauss gradient of the host cell",
+    .equations = "Gauss",
+    .function = "linear",
+    .apply = linear,
+};
+
 const struct interpolation interpolation_same = {
-    "same", "XS11 3.9", "weighed as the averaging does", same};
+    .name = "same",
+    .what = "weighed as the averaging does",
+    .equations = "XS11 3.9",
+    .function = "same",
+    .apply = same,
+};
 
 const struct interpolation *interpolation_named(const char *name)
 {

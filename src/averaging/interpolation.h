@@ -1,4 +1,5 @@
-/* interpolation.h -- interpolation of a field to the particles. Chapter 8.
+/* interpolation.h -- interpolation of a field to the particles.
+ * Chapter "Averaging".
  *
  * nearest  the value of its own cell. Exact for constants; jumps from cell to
  *          cell.
@@ -25,7 +26,11 @@
  * of the last averaging_bind. The values on the boundary faces, boundary[m * (f
  * - n_internal) + k], or NULL, are used by "linear" only. */
 struct interpolation {
-    const char *name, *cite, *what;
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     void (*apply)(struct averaging *a, int m, const double *field,
                   const double *boundary, double *q);
 };

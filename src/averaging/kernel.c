@@ -200,9 +200,11 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method kernel_method = {
     .name = "kernel",
-    .cite = "XS11 3.2-3.9",
     .what = "a bell-shaped weight on the cells around",
+    .equations = "XS11 3.2-3.9",
     .function = "bell_weights",
+    .keys = {averaging_bandwidth_keys},
+    .even_widths = 1.5,
     .needs_bandwidth = 1,
     .reach_b = 1.0,
     .create = kernel_create,
@@ -213,9 +215,11 @@ const struct averaging_method kernel_method = {
 
 const struct averaging_method kernel_gaussian_method = {
     .name = "gaussian",
-    .cite = "XS11 3.2-3.5, SX15 6",
     .what = "a Gaussian weight on the cells around",
+    .equations = "XS11 3.2-3.5, SX15 6",
     .function = "gaussian_weights",
+    .keys = {averaging_bandwidth_keys},
+    .even_widths = 0.75,
     .needs_bandwidth = 1,
     .reach_b = GAUSSIAN_REACH,
     .create = gaussian_create,

@@ -1,4 +1,5 @@
-/* kernel.h -- a particle spread over the cells around it.  Chapter 8.
+/* kernel.h -- a particle spread over the cells around it.
+ * Chapter "Averaging".
  *
  *     w_ic = K(|x_i - x_c| / b) V_c / sum_m K(|x_i - x_m| / b) V_m       (8.7)
  *     field_c = (1 / V_c) sum_i w_ic q_i             [XS11 3.2, 3.5a, 3.7, 3.8]

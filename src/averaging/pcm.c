@@ -89,11 +89,18 @@ static double pcm_share(const void *state, int i)
     return p->capped_fraction == NULL ? 1.0 : p->capped_fraction[p->h->cell[i]];
 }
 
+static const struct key cap_keys[] = {
+    {"averaging.cap", KEY_REAL, "-", "> 0, <= 1", KEY_OPTIONAL,
+     "highest solid fraction of a cell under pcm; what is cut is counted",
+     "SX15 4", ""},
+    KEY_END};
+
 const struct averaging_method pcm_method = {
     .name = "pcm",
-    .cite = "XS11 3.1, SX15 4, 7, 8",
     .what = "a cell takes the particles in it",
+    .equations = "XS11 3.1, SX15 4, 7, 8",
     .function = "pcm_spread",
+    .keys = {cap_keys},
     .create = pcm_create,
     .free = pcm_free,
     .bind = pcm_bind,

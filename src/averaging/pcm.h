@@ -1,5 +1,6 @@
 /* pcm.h -- the particle-centroid method: a particle counts wholly in the cell
- * of its centre. Chapter 8.
+ * of its centre.
+ * Chapter "Averaging".
  *
  *     eps_s,c = (1 / V_c) sum of the V_p of the particles whose centre is in c
  *                                                   [XS11 3.1, SX15 4, 7, 8]

@@ -1,4 +1,5 @@
-/* stencil.h -- for each cell, the cells near it.  Chapter 8.
+/* stencil.h -- for each cell, the cells near it.
+ * Chapter "Averaging".
  *
  * Near means: some point of the cell is closer than b to the centre of the
  * other cell, or to some point of it. The stencils are found once, by a walk

@@ -1,4 +1,5 @@
-/* weights.h -- weights of particles in the cells around them. Chapter 8.
+/* weights.h -- weights of particles in the cells around them.
+ * Chapter "Averaging".
  *
  *     field_c = (1 / V_c) sum_i w_ic q_i      [XS11 3.2, 3.5a, 3.7, 3.8, 3.12]
  *     q_i = sum_c w_ic field_c                [XS11 3.9, 3.12]

@@ -8,6 +8,8 @@
 #ifndef BASE_KEY_H
 #define BASE_KEY_H
 
+#include <stddef.h>
+
 enum key_type {
     KEY_GROUP,  /* { name = value; ... } */
     KEY_LIST,   /* ( { ... }, { ... } ), any number of groups */
@@ -25,19 +27,28 @@ enum key_type {
     KEY_PATCH   /* one of the words in allowed, or a group with one key */
 };
 
-/* The fallback of an optional key that has no value if it is left out. */
+/* fallback of a key that may be left out and then has no value, and of one that
+ * must be given where a model is chosen that has the row in its tables. */
 #define KEY_OPTIONAL ""
+#define KEY_ASKED "?"
 
-/* A table of keys is an array of rows, ended by one whose path is NULL. */
+enum { KEY_TABLES = 4 }; /* room in a descriptor: three tables and a NULL */
+
+/* A table of keys is an array of rows, ended by KEY_END. */
+#define KEY_END                                                                \
+    {                                                                          \
+        NULL, KEY_GROUP, NULL, NULL, NULL, NULL, NULL, NULL                    \
+    }
 struct key {
     const char *path; /* "fluid.density"; <patch> stands for any side of
                          the box; keys of a list's groups follow its name */
     enum key_type type;
     const char *unit;     /* "kg/m^3"; "-" for a pure number, "" for words */
     const char *allowed;  /* conditions and words, "> 0, <= 1" or "a | b" or
-                             "auto | >= 1"; "" for no condition */
-    const char *fallback; /* default as a case would write it;
-                             KEY_OPTIONAL; NULL where the key is required */
+                             "auto | >= 1"; "" for no condition, and where the
+                             words are the names of a kind of models */
+    const char *fallback; /* default as a case would write it; KEY_OPTIONAL;
+                             KEY_ASKED; NULL where the key is required */
     const char *what;     /* what it means, in one phrase */
     const char *source;   /* equation or table it stands in, "" if none */
     const char *needs;    /* groups that must be there too, "fluid particles";

@@ -25,6 +25,18 @@ const char *number_rounded(double x, int digits, char text[NUMBER_LENGTH]);
 int number_int(double x, int *n);
 int number_long(double x, long *n);
 
+/* 1 if x is a coordinate: of no more than 1e12 m, so that its powers are
+ * numbers, too. A length is not below 1e-12 m besides. */
+static inline int number_is_coordinate(double x)
+{
+    return x >= -1e12 && x <= 1e12;
+}
+
+static inline int number_is_length(double x)
+{
+    return x >= 1e-12 && x <= 1e12;
+}
+
 /* x without its fraction, but clamped to least .. most; least if x is not a
  * number. For values that leave the range by rounding alone, and for values for
  * which the end of the range serves as well. */

@@ -1,4 +1,5 @@
-/* thread_tuner.h -- the number of threads that is fastest. Chapter 18.
+/* thread_tuner.h -- the number of threads that is fastest.
+ * Chapter "Fast particles".
  *
  * Two threads are faster than one if there is enough work and a free processor
  * for each. Neither is known in advance: a bed may be small, and other programs

@@ -3,7 +3,6 @@
 
 #include <stdlib.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "averaging/kernel.h"
 #include "base/alloc.h"
@@ -17,6 +16,7 @@
 #include "case/case_surfaces.h"
 #include "case/case_walls.h"
 #include "case/case_file.h"
+#include "case/models.h"
 
 struct mesh *build_mesh(const struct settings *s)
 {
@@ -78,17 +78,13 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
 
 static void create_coupling(const struct settings *s, struct simulation *sim)
 {
-    const char *const treatment = settings_text(s, "exchange.treatment");
-    const char *const relaxation =
-        settings_text(s, "exchange.slip_integration");
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
-        .treatment = strcmp(treatment, "explicit") == 0
-                         ? TREATMENT_EXPLICIT
-                         : TREATMENT_SEMI_IMPLICIT,
-        .slip_integration = strcmp(relaxation, "exponential") == 0
-                                ? SLIP_INTEGRATION_EXPONENTIAL
-                                : SLIP_INTEGRATION_FROZEN,
+        .treatment = (enum treatment)models_value(
+            coupling_treatments, settings_text(s, "exchange.treatment")),
+        .slip_integration = (enum slip_integration)models_value(
+            coupling_slip_integrations,
+            settings_text(s, "exchange.slip_integration")),
         .interpolation =
             interpolation_named(settings_text(s, "averaging.interpolation")),
         .substeps = settings_int(s, "exchange.substeps"),

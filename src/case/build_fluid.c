@@ -7,11 +7,14 @@
 
 #include "base/alloc.h"
 #include "case/case_mesh.h"
+#include "case/models.h"
+#include "coupling/coupling.h"
 
 int build_two_way(const struct settings *s)
 {
     return settings_has(s, "exchange") &&
-           strcmp(settings_text(s, "exchange.coupling"), "two-way") == 0;
+           models_value(coupling_directions,
+                        settings_text(s, "exchange.coupling"));
 }
 
 /* 1 if the case gives a key of one side, whose path this makes. A symmetry of
@@ -61,7 +64,8 @@ static int between_walls(const struct settings *s, int k)
         snprintf(path, sizeof path, "%s.wall", side);
         const char *const word = settings_text(s, side);
         if (!settings_has(s, path) &&
-            (word == NULL || strcmp(word, "no-slip") != 0))
+            (word == NULL ||
+             models_value(boundary_kinds, word) != BOUNDARY_NO_SLIP))
             return 0;
     }
     return 1;
@@ -128,9 +132,9 @@ static struct boundary one_boundary(const struct settings *s,
     } else if (has(s, p, "wall", path)) {
         b.kind = BOUNDARY_NO_SLIP;
         settings_vector(s, path, b.wall);
-    } else if (strcmp(settings_text(s, settings_side(s, p->name)), "no-slip") ==
-               0)
-        b.kind = BOUNDARY_NO_SLIP;
+    } else
+        b.kind = (enum boundary_kind)models_value(
+            boundary_kinds, settings_text(s, settings_side(s, p->name)));
     return b;
 }
 
@@ -174,18 +178,17 @@ void build_fluid(const struct settings *s, struct simulation *sim)
         .velocity_gradient =
             velocity_gradient_scheme_named(settings_text(s, "fluid.gradient")),
         .outer_correctors = settings_int(s, "fluid.outer_correctors"),
-        .continuity =
-            strcmp(settings_text(s, "fluid.continuity"), "mixture") == 0
-                ? CONTINUITY_MIXTURE
-                : CONTINUITY_VOID_RATE,
+        .continuity = (enum continuity)models_value(
+            fluid_continuity_forms, settings_text(s, "fluid.continuity")),
         .correctors = settings_int(s, "fluid.correctors"),
         .p_relative_tolerance = settings_real(s, "fluid.p_relative_tolerance"),
         .u_tolerance = settings_real(s, "fluid.u_tolerance"),
         .piso_tolerance = settings_real(s, "fluid.piso_tolerance"),
         .tolerance = settings_real(s, "fluid.tolerance"),
         .coupled = build_two_way(s),
-        .pressure_shared = build_two_way(s) && shared &&
-                           strcmp(settings_text(s, "exchange.model"), "A") == 0,
+        .pressure_shared =
+            build_two_way(s) && shared &&
+            models_value(coupling_forms, settings_text(s, "exchange.model")),
         .boundaries = sim->boundaries};
     take_drive(s, &o);
     sim->fluid = fluid_create(sim->mesh, &o);

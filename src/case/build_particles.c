@@ -18,6 +18,7 @@
 #include "case/case_overlap.h"
 #include "case/case_walls.h"
 #include "case/case_mesh.h"
+#include "case/models.h"
 
 static double real_or_zero(const struct settings *s, const char *path)
 {
@@ -93,11 +94,12 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     sizes_free(sizes);
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
-    if (r.steps > 0 && sim->walls != NULL)
+    if (r.steps == 0 || settings_quiet(s)) return 0;
+    if (sim->walls != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
                 r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
-    else if (r.steps > 0)
+    else
         fprintf(stderr,
                 "settled in %.3g s: height %.4g m, solid fraction %.3f, "
                 "kinetic energy %.1g m g d%s\n",

@@ -3,11 +3,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "averaging/averaging.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
+#include "case/model_choice.h"
 
 /* An average over more than that many lengths of the mesh is the same
  * everywhere, and images of images would be added up for ever [-]. */
@@ -71,7 +71,9 @@ static int check_second_grid(const struct settings *s)
     static const char key[] = "averaging.bandwidth";
     double lo[3], hi[3], cells = 1.0;
 
-    if (strcmp(settings_text(s, "averaging.method"), "two-grid") != 0) return 0;
+    if (!averaging_method_named(settings_text(s, "averaging.method"))
+             ->lays_grid)
+        return 0;
     const double b = settings_real(s, key);
     case_mesh_ends(s, lo, hi);
     for (int k = 0; k < 3; k++)
@@ -86,17 +88,11 @@ static int check_second_grid(const struct settings *s)
 static int check_given(const struct settings *s)
 {
     const char *const method = settings_text(s, "averaging.method");
-
     const int b = settings_has(s, "averaging.bandwidth");
     const int delta = settings_has(s, "averaging.delta_05");
-    const int gauss =
-        strcmp(method, "images") == 0 || strcmp(method, "diffusion") == 0;
 
-    if (delta && !gauss)
-        return settings_wrong(s, "averaging.delta_05",
-                              "only images and diffusion have a width at half "
-                              "the height, %s has not",
-                              method);
+    if (delta && model_choice_unread(s, "averaging", "averaging.delta_05") != 0)
+        return 2;
     if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
         return settings_wrong(s, "averaging.regions", "%d at most",
                               BUILD_MOST_REGIONS);

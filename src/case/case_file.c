@@ -1,26 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_file.h"
 
-#include "coupling/effects.h"
 #include "case/case_mesh.h"
 #include "case/case_surfaces.h"
 #include "case/validate.h"
 #include "case/keys.h"
+#include "case/models.h"
 
 #include <assert.h>
 #include <stddef.h>
 
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
-    int n = 0;
-
-    tables[n++] = keys_core;
-    tables[n++] = keys_surfaces;
-    for (int i = 0; effects[i] != NULL; i++) {
-        assert(n < CASE_FILE_TABLES - 1);
-        tables[n++] = effects[i]->keys;
-    }
-    tables[n] = NULL;
+    tables[0] = keys_core;
+    tables[1] = keys_surfaces;
+    const int n = models_tables(&tables[2], CASE_FILE_TABLES - 3);
+    assert(n <= CASE_FILE_TABLES - 3);
+    tables[2 + n] = NULL;
 }
 
 struct settings *case_file_read(const char *file, int n_overrides,

@@ -5,9 +5,9 @@
 #include "base/key.h"
 #include "case/settings.h"
 
-enum { CASE_FILE_TABLES = 32 }; /* room for the core and every effect */
+enum { CASE_FILE_TABLES = 128 }; /* room for the core and every model */
 
-/* All tables of keys: the core and those of the effects, ended by NULL. */
+/* All tables of keys: the core and those of the models, ended by NULL. */
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES]);
 
 /* Reads a case with its overrides and checks it, key by key and then as a

@@ -127,21 +127,13 @@ int case_materials_check_name(const struct settings *s, const char *path,
                           nearest_best(&n));
 }
 
-/* Names are used once, and the law has its constants. */
+/* Names are used once. */
 static int check_one(const struct settings *s, int k)
 {
-    static const char *const asked[][2] = {
-        {"hertz", "young"}, {"hertz", "poisson"}, {"linear", "stiffness"}};
     const char *const name = settings_item_text(s, list, k, "name");
-    const char *const law = settings_text(s, "particles.contact");
 
     if (case_materials_number(s, name) != k + 1)
         return settings_wrong(s, list, "the name %s is given twice", name);
-    for (int i = 0; i < 3; i++)
-        if (strcmp(asked[i][0], law) == 0 &&
-            !settings_item_has(s, list, k, asked[i][1]))
-            return settings_wrong(s, list, "%s asks for the %s of %s", law,
-                                  asked[i][1], name);
     return 0;
 }
 

@@ -1,4 +1,5 @@
-/* case_overlap.h -- how deep particles may be in each other.  Chapter 2. */
+/* case_overlap.h -- how deep particles may be in each other.
+ * Chapter "Particles and contact". */
 #ifndef CASE_CASE_OVERLAP_H
 #define CASE_CASE_OVERLAP_H
 

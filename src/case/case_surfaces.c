@@ -12,6 +12,7 @@
 #include "case/case_materials.h"
 #include "case/case_walls.h"
 #include "case/case_mesh.h"
+#include "case/models.h"
 
 static const char list[] = "particles.surfaces",
                   driven[] = "particles.prescribed";
@@ -45,11 +46,8 @@ static void direction(const struct settings *s, int i, const char *key,
 
 static enum surface_shape shape_of(const struct settings *s, int i)
 {
-    const char *const shape = settings_item_text(s, list, i, "shape");
-
-    return strcmp(shape, "plane") == 0      ? SURFACE_PLANE
-           : strcmp(shape, "cylinder") == 0 ? SURFACE_CYLINDER
-                                            : SURFACE_TRIANGLES;
+    return (enum surface_shape)models_value(
+        surface_shapes, settings_item_text(s, list, i, "shape"));
 }
 
 static struct triangles *read_triangles(const struct settings *s, int i,

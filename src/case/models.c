@@ -2,326 +2,161 @@
 #include "case/models.h"
 
 #include "averaging/averaging.h"
+#include "averaging/diffusion.h"
 #include "averaging/interpolation.h"
+#include "averaging/more/bandwidth.h"
+#include "coupling/coupling.h"
 #include "coupling/effects.h"
-#include "coupling/drag.h"
-#include "fluid/fluid.h"
-#include "dem/contact_hertz.h"
 #include "dem/dem_method.h"
-#include "dem/integrators.h"
 #include "dem/population/sizes.h"
+#include "dem/surfaces/surface.h"
+#include "fluid/fluid.h"
 
-#include <stddef.h>
+#include <assert.h>
+#include <stdio.h>
 #include <string.h>
 
-/* The i-th row of a table that ends with a row without a name. */
-static int row(const struct model *table, int i, struct model *m)
-{
-    for (int k = 0; k <= i; k++)
-        if (table[k].name == NULL) return 0;
-    *m = table[i];
-    return 1;
-}
+/* The i-th row of a list of descriptors, which ends with NULL. */
+#define DESCRIPTORS(kind, list)                                                \
+    static int kind(int i, struct model *m)                                    \
+    {                                                                          \
+        for (int k = 0; k <= i; k++)                                           \
+            if (list[k] == NULL) return 0;                                     \
+        *m = (struct model){.name = list[i]->name,                             \
+                            .what = list[i]->what,                             \
+                            .equations = list[i]->equations,                   \
+                            .function = list[i]->function};                    \
+        memcpy(m->keys, list[i]->keys, sizeof m->keys);                        \
+        return 1;                                                              \
+    }
 
-static int contact(int i, struct model *m)
-{
-    const struct contact_law *const *const all = contact_laws;
+DESCRIPTORS(contact, contact_laws)
+DESCRIPTORS(integrator, integrators)
+DESCRIPTORS(list, dem_methods)
+DESCRIPTORS(sizes, sizes_laws)
+DESCRIPTORS(surface, surface_shapes)
+DESCRIPTORS(averaging, averaging_methods)
+DESCRIPTORS(scheme, diffusion_schemes)
+DESCRIPTORS(variation, bandwidth_rules)
+DESCRIPTORS(interpolation, interpolations)
+DESCRIPTORS(drag, drag_laws)
+DESCRIPTORS(treatment, coupling_treatments)
+DESCRIPTORS(slip_integration, coupling_slip_integrations)
+DESCRIPTORS(form, coupling_forms)
+DESCRIPTORS(direction, coupling_directions)
+DESCRIPTORS(time_scheme, time_schemes)
+DESCRIPTORS(convection, convection_schemes)
+DESCRIPTORS(gradient, velocity_gradient_schemes)
+DESCRIPTORS(continuity, fluid_continuity_forms)
+DESCRIPTORS(patch, boundary_kinds)
 
-    for (int k = 0; k <= i; k++)
-        if (all[k] == NULL) return 0;
-    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
-    m->function = all[i] == &contact_hertz ? "contact_hertz_force"
-                                           : "contact_linear_force";
-    m->keys = all[i] == &contact_hertz
-                  ? "particles.grains.young particles.grains.poisson"
-                  : "particles.grains.stiffness";
-    return 1;
-}
-
-static int integrator(int i, struct model *m)
-{
-    const struct integrator *const *const all = integrators;
-
-    for (int k = 0; k <= i; k++)
-        if (all[k] == NULL) return 0;
-    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, "", ""};
-    m->function = all[i]->predicts ? "heun_correct" : "bodies_advance";
-    return 1;
-}
-
-static int list(int i, struct model *m)
-{
-    const struct dem_method *const one = dem_methods[i];
-
-    for (int k = 0; k <= i; k++)
-        if (dem_methods[k] == NULL) return 0;
-    *m = (struct model){one->name, one->what, one->cite, one->function,
-                        one->keys};
-    return 1;
-}
-
-/* The keys of a law of sizes: sizes_laws has their names alone. */
-static const char *sizes_keys(const char *law)
-{
-    if (strcmp(law, "normal") == 0)
-        return "particles.sizes.mean particles.sizes.deviation "
-               "particles.sizes.min particles.sizes.max";
-    if (strcmp(law, "lognormal") == 0)
-        return "particles.sizes.median particles.sizes.ratio "
-               "particles.sizes.min particles.sizes.max "
-               "particles.sizes.by";
-    if (strcmp(law, "uniform") == 0)
-        return "particles.sizes.min particles.sizes.max particles.sizes.by";
-    return "particles.sizes.points particles.sizes.by";
-}
-
-static int sizes(int i, struct model *m)
-{
-    const struct sizes_law *const *const all = sizes_laws;
-
-    for (int k = 0; k <= i; k++)
-        if (all[k] == NULL) return 0;
-    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
-                        "sizes_quantile", sizes_keys(all[i]->name)};
-    return 1;
-}
-
-/* Which keys a method of averaging reads. */
-static const char *averaging_keys(const struct averaging_method *method)
-{
-    if (strcmp(method->name, "pcm") == 0) return "averaging.cap";
-    if (strcmp(method->name, "diffusion") == 0)
-        return "averaging.bandwidth averaging.delta_05 "
-               "averaging.bandwidth_variation "
-               "averaging.regions averaging.scheme averaging.steps "
-               "averaging.tolerance";
-    if (strcmp(method->name, "images") == 0)
-        return "averaging.bandwidth averaging.delta_05";
-    return method->needs_bandwidth ? "averaging.bandwidth" : "";
-}
-
-static int averaging(int i, struct model *m)
-{
-    const struct averaging_method *const *const all = averaging_methods;
-
-    for (int k = 0; k <= i; k++)
-        if (all[k] == NULL) return 0;
-    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite,
-                        all[i]->function, averaging_keys(all[i])};
-    return 1;
-}
-
-static int scheme(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"exponential", "the matrix exponential; no steps", "",
-         "apply_exponential", ""},
-        {"series", "the same, always by its series", "", "chebyshev_apply", ""},
-        {"crank-nicolson", "second order; undershoots if the steps are few",
-         "SX15 5", "theta_step", "averaging.steps"},
-        {"implicit-euler", "first order; never undershoots", "", "theta_step",
-         "averaging.steps"},
-        {"sdirk2", "second order, L-stable; undershoots little", "",
-         "sdirk2_step", "averaging.steps"},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int interpolation(int i, struct model *m)
-{
-    const struct interpolation *const *const all = interpolations;
-
-    for (int k = 0; k <= i; k++)
-        if (all[k] == NULL) return 0;
-    *m = (struct model){all[i]->name, all[i]->what, all[i]->cite, all[i]->name,
-                        ""};
-    return 1;
-}
-
-/* The function of a law; they are static in drag.c, one for each name. */
-static const char *drag_function(const char *law)
-{
-    if (strcmp(law, "syamlal-obrien") == 0) return "syamlal_obrien";
-    return strcmp(law, "gidaspow") == 0 ? "gidaspow" : "schiller_naumann";
-}
-
-static int drag(int i, struct model *m)
-{
-    const struct drag_law *const law = drag_laws[i];
-
-    for (int k = 0; k <= i; k++)
-        if (drag_laws[k] == NULL) return 0;
-    *m = (struct model){law->name, law->what, law->cite,
-                        drag_function(law->name), ""};
-    return 1;
-}
-
-static int treatment(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"semi-implicit", "the fluid's own velocity is taken at the new time",
-         "XS11 3.13-3.15", "transfer_drag_terms", ""},
-        {"explicit", "the drag is a given force during the fluid's step", "",
-         "transfer_drag_terms", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int relaxation(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"frozen", "the drag of the sub-step's start, throughout it",
-         "XS11 3.18", "apply_frozen", ""},
-        {"exponential", "the drag that relaxes as the particle gives in to it",
-         "XS11 3.16", "implicit_drag_advance", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int form(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"A", "the fluid has its share of the pressure gradient, eps_f grad p",
-         "XS11 2.8", "pressure_gradient_before_particles", ""},
-        {"B", "the fluid has all of it, and what the particles feel returns",
-         "SX15 2b", "pressure_gradient_before_particles", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int coupling(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"two-way", "what the particles gain the fluid loses", "LS 5",
-         "transfer_drag_terms", ""},
-        {"one-way", "the fluid does not feel the particles", "LS 5",
-         "transfer_drag_terms", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int time_scheme(int i, struct model *m)
-{
-    const struct time_scheme *const s = time_schemes[i];
-
-    for (int k = 0; k <= i; k++)
-        if (time_schemes[k] == NULL) return 0;
-    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
-    return 1;
-}
-
-static int convection(int i, struct model *m)
-{
-    const struct convection_scheme *const s = convection_schemes[i];
-
-    for (int k = 0; k <= i; k++)
-        if (convection_schemes[k] == NULL) return 0;
-    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
-    if (strcmp(s->name, "blended") == 0) m->keys = "fluid.blend";
-    if (s->deferred != NULL) m->keys = "fluid.gradient";
-    return 1;
-}
-
-static int gradient(int i, struct model *m)
-{
-    const struct velocity_gradient_scheme *const s =
-        velocity_gradient_schemes[i];
-
-    for (int k = 0; k <= i; k++)
-        if (velocity_gradient_schemes[k] == NULL) return 0;
-    *m = (struct model){s->name, s->what, s->cite, s->function, ""};
-    return 1;
-}
-
-static int continuity(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"mixture", "the volume fluxes of both phases have no divergence",
-         "XS11 2.7", "continuity_source", ""},
-        {"void-rate", "the fluid flows out of where the void shrinks",
-         "XS11 2.3", "continuity_source", ""},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int patch(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"no-slip", "the fluid stands still at the wall", "", "add_wall_face",
-         ""},
-        {"slip", "no flow through, no friction along", "", "add_slip_face", ""},
-        {"inlet", "a superficial velocity, constant or varying in time", "",
-         "boundary_inlet_velocity",
-         "fluid.<patch>.inlet fluid.<patch>.profile"},
-        {"wall", "a wall that moves along itself and takes the fluid with it",
-         "", "add_wall_face", "fluid.<patch>.wall"},
-        {"outlet", "a pressure outside", "", "pressure_correct",
-         "fluid.<patch>.outlet"},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
-static int surface(int i, struct model *m)
-{
-    static const struct model table[] = {
-        {"plane", "its solid behind it, no end", "", "surface_nearest",
-         "particles.surfaces.point particles.surfaces.normal"},
-        {"cylinder", "the particles inside or outside, no ends", "",
-         "surface_nearest",
-         "particles.surfaces.point particles.surfaces.axis "
-         "particles.surfaces.radius particles.surfaces.particles"},
-        {"stl", "triangles from a file; a seam, an edge, a vertex count once",
-         "LS section 4.3", "surface_contact_points_find",
-         "particles.surfaces.file particles.surfaces.scale "
-         "particles.surfaces.point"},
-        {NULL, NULL, NULL, NULL, NULL}};
-    return row(table, i, m);
-}
-
+/* The keys of an effect are a table of its own. */
 static int effect(int i, struct model *m)
 {
-    const struct effect *const e = effects[i];
-
     for (int k = 0; k <= i; k++)
         if (effects[k] == NULL) return 0;
-    *m = (struct model){e->name, e->what, e->equations, e->function, ""};
+    *m = (struct model){.name = effects[i]->name,
+                        .what = effects[i]->what,
+                        .equations = effects[i]->equations,
+                        .function = effects[i]->function,
+                        .keys = {effects[i]->keys}};
     return 1;
 }
 
 const struct kind models_kinds[] = {
-    {"contact", "contact laws", "particles.contact", contact},
+    {"contact", "contact laws", "particles.contact", NULL, contact},
     {"integrator", "ways of the particles through time", "particles.integrator",
-     integrator},
-    {"list", "ways to find the pairs", "particles.list", list},
+     NULL, integrator},
+    {"list", "ways to find the pairs", "particles.list", NULL, list},
     {"sizes", "distributions of diameters", "particles.sizes.distribution",
-     sizes},
+     NULL, sizes},
     {"surface", "walls besides those of the box", "particles.surfaces.shape",
-     surface},
-    {"averaging", "ways from particles to fields", "averaging.method",
+     NULL, surface},
+    {"averaging", "ways from particles to fields", "averaging.method", NULL,
      averaging},
     {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
-     scheme},
+     NULL, scheme},
+    {"bandwidth_variation", "ways that the bandwidth varies",
+     "averaging.bandwidth_variation", NULL, variation},
     {"interpolation", "ways from fields to particles",
-     "averaging.interpolation", interpolation},
-    {"drag", "drag laws", "exchange.drag", drag},
+     "averaging.interpolation", "exchange", interpolation},
+    {"drag", "drag laws", "exchange.drag", NULL, drag},
     {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
-     treatment},
+     NULL, treatment},
     {"slip_integration", "courses of the drag during a sub-step",
-     "exchange.slip_integration", relaxation},
-    {"model", "forms of the averaged momentum equation", "exchange.model",
+     "exchange.slip_integration", NULL, slip_integration},
+    {"model", "forms of the averaged momentum equation", "exchange.model", NULL,
      form},
-    {"coupling", "directions of the coupling", "exchange.coupling", coupling},
-    {"time", "time schemes of the fluid", "fluid.time", time_scheme},
-    {"convection", "convection schemes", "fluid.convection", convection},
-    {"gradient", "slopes of the velocity", "fluid.gradient", gradient},
-    {"continuity", "forms of the mass balance", "fluid.continuity", continuity},
-    {"patch", "what happens on a side of the box", "fluid.<patch>", patch},
-    {"effect", "further effects, each on where it is named", "effects", effect},
-    {NULL, NULL, NULL, NULL}};
+    {"coupling", "directions of the coupling", "exchange.coupling", NULL,
+     direction},
+    {"time", "time schemes of the fluid", "fluid.time", NULL, time_scheme},
+    {"convection", "convection schemes", "fluid.convection", NULL, convection},
+    {"gradient", "slopes of the velocity", "fluid.gradient", NULL, gradient},
+    {"continuity", "forms of the mass balance", "fluid.continuity", NULL,
+     continuity},
+    {"patch", "what happens on a side of the box", "fluid.<patch>", NULL,
+     patch},
+    {"effect", "further effects, each on where it is named", "effects", NULL,
+     effect},
+    {NULL, NULL, NULL, NULL, NULL}};
 
 const struct kind *models_kind(const char *name)
 {
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         if (strcmp(k->name, name) == 0) return k;
     return NULL;
+}
+
+int models_tables(const struct key **tables, int room)
+{
+    struct model m;
+    int n = 0;
+
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; k->model(i, &m); i++)
+            for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++) {
+                int known = 0;
+                for (int j = 0; j < n && j < room; j++)
+                    known |= tables[j] == m.keys[t];
+                if (!known && n < room) tables[n] = m.keys[t];
+                n += !known;
+            }
+    return n;
+}
+
+int models_reads(const struct model *m, const char *path)
+{
+    for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
+        for (const struct key *k = m->keys[t]; k->path != NULL; k++)
+            if (strcmp(k->path, path) == 0) return 1;
+    return 0;
+}
+
+static int is_chosen_by(const struct kind *kind, const struct key *key)
+{
+    if (key->type == KEY_PATCH) return strstr(kind->key, "<patch>") != NULL;
+    return strcmp(kind->key, key->path) == 0;
+}
+
+void models_words(const struct key *key, char *text, size_t room)
+{
+    struct model m;
+    size_t used = 0;
+
+    text[0] = '\0';
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; is_chosen_by(k, key) && k->model(i, &m); i++) {
+            if (key->type == KEY_PATCH && m.keys[0] != NULL) continue;
+            const int wrote = snprintf(text + used, room - used, "%s%s",
+                                       used > 0 ? " | " : "", m.name);
+            used += (size_t)wrote;
+            assert(used < room);
+        }
+}
+
+int models_value(const struct model *const *choices, const char *name)
+{
+    while (strcmp((*choices)->name, name) != 0)
+        choices++;
+    return (*choices)->value;
 }

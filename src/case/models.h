@@ -1,23 +1,21 @@
 /* models.h -- every model that a case can choose, by kind.
  *
- * Where a module has a table of its models, the rows here are made from that
- * table; only models without a table are listed in models.c.
+ * The models of a kind stand in the room that computes them, each in one
+ * descriptor (base/model.h). Here is what they have in common: the key that
+ * chooses one of them.
  */
 #ifndef CASE_MODELS_H
 #define CASE_MODELS_H
 
-struct model {
-    const char *name;     /* as a case spells it */
-    const char *what;     /* one line */
-    const char *source;   /* where it comes from, "" if nowhere in particular */
-    const char *function; /* that computes it */
-    const char *keys;     /* paths of the keys it reads, apart by blanks */
-};
+#include "base/model.h"
+
+#include <stddef.h>
 
 struct kind {
-    const char *name; /* "drag" */
-    const char *what; /* "drag laws" */
-    const char *key;  /* that chooses: "exchange.drag" */
+    const char *name;  /* "drag" */
+    const char *what;  /* "drag laws" */
+    const char *key;   /* that chooses: "exchange.drag" */
+    const char *group; /* at work where the case has it; NULL: the key's own */
     /* The i-th model; 0 past the last. */
     int (*model)(int i, struct model *m);
 };
@@ -27,5 +25,19 @@ extern const struct kind models_kinds[];
 
 /* The kind of that name, or NULL. */
 const struct kind *models_kind(const char *name);
+
+/* The tables of keys of all models, each once: how many, and those that there
+ * is room for. */
+int models_tables(const struct key **tables, int room);
+
+/* 1 if one of the tables of the model has the key. */
+int models_reads(const struct model *m, const char *path);
+
+/* The names that a key allows, "a | b"; "" if it chooses no model. Of a side
+ * those without keys, which a case writes as a word. */
+void models_words(const struct key *key, char *text, size_t room);
+
+/* The value of the choice of that name, which is in the list. */
+int models_value(const struct model *const *choices, const char *name);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "case/schema.h"
+#include "case/source.h"
 
 static const char placeholder[] = "<patch>";
 
@@ -62,8 +63,7 @@ struct key *patch_schema_create(const struct key *table, int n,
     return made;
 }
 
-const char *patch_schema_wrong(const struct key *const *tables,
-                               const char *name)
+static const char *wrong(const struct key *const *tables, const char *name)
 {
     const struct key *k;
 
@@ -78,4 +78,19 @@ const char *patch_schema_wrong(const struct key *const *tables,
             return "the fluid has a key of that name";
     }
     return NULL;
+}
+
+int patch_schema_check(const struct key *const *tables,
+                       const config_setting_t *at, int n,
+                       const struct poly_patch *patch)
+{
+    for (int i = 0; i < n; i++) {
+        const char *const why = wrong(tables, patch[i].name);
+        if (why != NULL)
+            return source_wrong(at,
+                                "mesh.polymesh: the patch %s cannot be named "
+                                "in a case: %s; rename it in the file boundary",
+                                patch[i].name, why);
+    }
+    return 0;
 }

@@ -10,14 +10,17 @@
 #include "base/key.h"
 #include "mesh/poly/poly.h"
 
+#include <libconfig.h>
+
 /* The table with <patch> replaced by the n patches; NULL if the table has no
  * such row. One block: free() it. */
 struct key *patch_schema_create(const struct key *table, int n,
                                 const struct poly_patch *patch);
 
-/* NULL if a case can name the patch; else why it cannot: no letter first, a
+/* 0 if a case can name the patches; else 2 after a message: no letter first, a
  * sign that no key has, or a key of the fluid's own. */
-const char *patch_schema_wrong(const struct key *const *tables,
-                               const char *name);
+int patch_schema_check(const struct key *const *tables,
+                       const config_setting_t *at, int n,
+                       const struct poly_patch *patch);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/schema.h"
 
+#include "case/models.h"
 #include "case/nearest.h"
 
 #include <stdio.h>
@@ -12,6 +13,8 @@ const char *const schema_patches[] = {
     "front", "sides", "bottom_top", "front_back", NULL};
 
 static const char placeholder[] = "<patch>";
+
+enum { SCHEMA_WORDS = 1024 }; /* room for all names of a kind */
 
 const struct key *schema_at(const struct key *const *tables, int i)
 {
@@ -63,6 +66,25 @@ const char *schema_member(const struct key *key, const char *group)
     return matches(parent, group) ? dot + 1 : NULL;
 }
 
+/* The conditions and words of a row; where it has none, the names of the models
+ * that it chooses between. */
+static const char *allowed(const struct key *key, char text[SCHEMA_WORDS])
+{
+    if (key->allowed[0] != '\0') return key->allowed;
+    models_words(key, text, SCHEMA_WORDS);
+    return text;
+}
+
+int schema_is_required(const struct key *key)
+{
+    return key->fallback == NULL || strcmp(key->fallback, KEY_ASKED) == 0;
+}
+
+int schema_has_default(const struct key *key)
+{
+    return !schema_is_required(key) && key->fallback[0] != '\0';
+}
+
 /* Copies the next word or condition of a row and returns what follows it, or
  * NULL when there is none left. */
 static const char *next_allowed(const char *rest, char one[SCHEMA_TEXT])
@@ -77,9 +99,9 @@ static const char *next_allowed(const char *rest, char one[SCHEMA_TEXT])
     return length == 0 ? NULL : rest + length;
 }
 
-static int is_condition(const char *allowed)
+static int is_condition(const char *one)
 {
-    return allowed[0] == '<' || allowed[0] == '>';
+    return one[0] == '<' || one[0] == '>';
 }
 
 static int holds(const char *condition, double value)
@@ -93,8 +115,8 @@ static int holds(const char *condition, double value)
 
 int schema_allow_number(const struct key *key, double value)
 {
-    const char *rest = key->allowed;
-    char one[SCHEMA_TEXT];
+    char one[SCHEMA_TEXT], all[SCHEMA_WORDS];
+    const char *rest = allowed(key, all);
 
     while ((rest = next_allowed(rest, one)) != NULL)
         if (is_condition(one) && !holds(one, value)) return 0;
@@ -103,8 +125,8 @@ int schema_allow_number(const struct key *key, double value)
 
 int schema_allow_word(const struct key *key, const char *word)
 {
-    const char *rest = key->allowed;
-    char one[SCHEMA_TEXT];
+    char one[SCHEMA_TEXT], all[SCHEMA_WORDS];
+    const char *rest = allowed(key, all);
 
     while ((rest = next_allowed(rest, one)) != NULL)
         if (!is_condition(one) && strcmp(one, word) == 0) return 1;
@@ -114,8 +136,8 @@ int schema_allow_word(const struct key *key, const char *word)
 int schema_nearest_word(const struct key *key, const char *word,
                         char nearest[SCHEMA_TEXT])
 {
-    const char *rest = key->allowed;
-    char one[SCHEMA_TEXT];
+    char one[SCHEMA_TEXT], all[SCHEMA_WORDS];
+    const char *rest = allowed(key, all);
     struct nearest n;
 
     nearest_init(&n, word);
@@ -135,8 +157,8 @@ static void append(char text[SCHEMA_TEXT], const char *more)
 static void gather(const struct key *key, int conditions, const char *between,
                    char text[SCHEMA_TEXT])
 {
-    const char *rest = key->allowed;
-    char one[SCHEMA_TEXT];
+    char one[SCHEMA_TEXT], all[SCHEMA_WORDS];
+    const char *rest = allowed(key, all);
 
     text[0] = '\0';
     while ((rest = next_allowed(rest, one)) != NULL)

@@ -2,7 +2,8 @@
  *
  * A list of tables, ended by NULL, is searched as if it were one table. The
  * condition of a row is its text: "> 0, <= 1" are comparisons that all hold,
- * "a | b" are words of which one stands, "auto | >= 1" is either.
+ * "a | b" are words of which one stands, "auto | >= 1" is either. A row without
+ * a text that chooses a model allows the names of its kind (models.h).
  */
 #ifndef CASE_SCHEMA_H
 #define CASE_SCHEMA_H
@@ -11,7 +12,7 @@
 
 #include <stddef.h>
 
-enum { SCHEMA_TEXT = 256 }; /* room for a path or a phrase */
+enum { SCHEMA_TEXT = 512 }; /* room for a path or a phrase */
 
 /* What <patch> stands for in a path: the sides of the box and the pairs of
  * opposite sides. Ended by NULL. */
@@ -31,6 +32,11 @@ const char *schema_member(const struct key *key, const char *group);
 /* 1 if the name, or one of a row's words, is allowed. */
 int schema_allow_number(const struct key *key, double value);
 int schema_allow_word(const struct key *key, const char *word);
+
+/* 1 if the key has a default; 1 if it must be given, by its group or by a model
+ * that is chosen. */
+int schema_has_default(const struct key *key);
+int schema_is_required(const struct key *key);
 
 /* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
 void schema_expected(const struct key *key, char text[SCHEMA_TEXT]);

@@ -42,6 +42,14 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
+/* Of one line, as messages are. */
+static int is_file_name(const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_STRING &&
+           config_setting_get_string(s)[0] != '\0' &&
+           strpbrk(config_setting_get_string(s), "\n\r") == NULL;
+}
+
 static int is_triple(const struct key *key, const config_setting_t *s,
                      int (*is)(const struct key *, const config_setting_t *))
 {
@@ -106,8 +114,7 @@ static int fits(const struct key *key, const config_setting_t *s)
     case KEY_TEXT:
         return config_setting_type(s) == CONFIG_TYPE_STRING;
     case KEY_FILE:
-        return config_setting_type(s) == CONFIG_TYPE_STRING &&
-               config_setting_get_string(s)[0] != '\0';
+        return is_file_name(s);
     case KEY_VECTOR:
         return is_triple(key, s, is_real);
     case KEY_COUNTS:
@@ -135,6 +142,12 @@ static int is_count_as_real(const struct key *key, const config_setting_t *s)
     return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
 }
 
+/* What rounding leaves of a 0 in a point or a direction may be as small. */
+static int may_be_tiny(const struct key *key)
+{
+    return key->type == KEY_VECTOR && strchr(key->allowed, '>') == NULL;
+}
+
 /* The first number in s whose magnitude the unit of its key cannot have; 0 if
  * there is none. The times of a series may be any. */
 static double extreme(const struct key *key, const config_setting_t *s)
@@ -147,7 +160,8 @@ static double extreme(const struct key *key, const config_setting_t *s)
     double x = 0.0;
 
     if (config_setting_is_number(s) && !whole &&
-        !unit_range_holds(r, number(s)))
+        !unit_range_holds(r, number(s)) &&
+        !(may_be_tiny(key) && fabs(number(s)) < r->least))
         return number(s);
     for (int i = key->type == KEY_SERIES && n == 2 &&
                  config_setting_is_number(config_setting_get_elem(s, 0));
@@ -290,7 +304,7 @@ static void fill_group(const struct key *const *tables, const char *path,
     for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
         const char *const name = schema_member(k, path);
 
-        if (name != NULL && k->fallback != NULL && k->fallback[0] != '\0' &&
+        if (name != NULL && schema_has_default(k) &&
             config_setting_get_member(group, name) == NULL)
             override_default(group, name, k->fallback);
     }

@@ -18,9 +18,12 @@
 struct settings {
     config_t tree;
     const struct key **tables; /* a copy of the list, the tables borrowed */
-    struct key *patches;       /* the one of them that is ours, or NULL */
+    size_t n_tables;
+    struct key **patches; /* those of them that are ours, where they stand in
+                             the list; NULL without a mesh from files */
     char *file;
     struct mesh *mesh; /* NULL for a box */
+    int quiet;         /* [-] 1: no progress is told */
 };
 
 void settings_beside(const struct settings *s, const char *file, char *path,
@@ -30,22 +33,6 @@ void settings_beside(const struct settings *s, const char *file, char *path,
     const int folder = file[0] == '/' || end == NULL ? 0 : (int)(end + 1 - at);
 
     snprintf(path, room, "%.*s%s", folder, at, file);
-}
-
-/* 1 after a message if a case could not name one of the patches. */
-static int unnameable(const struct settings *s, const config_setting_t *at,
-                      int n, const struct poly_patch *patch)
-{
-    for (int i = 0; i < n; i++) {
-        const char *const why = patch_schema_wrong(s->tables, patch[i].name);
-        if (why == NULL) continue;
-        source_wrong(at,
-                     "mesh.polymesh: the patch %s cannot be named in a case: "
-                     "%s; rename it in the file boundary",
-                     patch[i].name, why);
-        return 1;
-    }
-    return 0;
 }
 
 /* Where the mesh comes from files, its patches take the place of the sides. */
@@ -65,13 +52,14 @@ static int take_patches(struct settings *s)
                             dir);
     const int n = poly_patches(dir, &patch);
     if (n < 0) return 2;
-    if (unnameable(s, at, n, patch)) {
+    if (patch_schema_check(s->tables, at, n, patch) != 0) {
         free(patch);
         return 2;
     }
-    for (int i = 0; s->tables[i] != NULL && s->patches == NULL; i++) {
-        s->patches = patch_schema_create(s->tables[i], n, patch);
-        if (s->patches != NULL) s->tables[i] = s->patches;
+    s->patches = alloc_zeroed(s->n_tables, sizeof *s->patches);
+    for (size_t i = 0; i < s->n_tables; i++) {
+        s->patches[i] = patch_schema_create(s->tables[i], n, patch);
+        if (s->patches[i] != NULL) s->tables[i] = s->patches[i];
     }
     free(patch);
     return 0;
@@ -82,12 +70,11 @@ struct settings *settings_create(const char *file, int n_overrides,
                                  const struct key *const *tables, int *code)
 {
     struct settings *const s = alloc_zeroed(1, sizeof *s);
-    size_t n = 0;
 
-    while (tables[n] != NULL)
-        n++;
-    s->tables = alloc_zeroed(n + 1, sizeof *s->tables);
-    memcpy(s->tables, tables, n * sizeof *s->tables);
+    while (tables[s->n_tables] != NULL)
+        s->n_tables++;
+    s->tables = alloc_zeroed(s->n_tables + 1, sizeof *s->tables);
+    memcpy(s->tables, tables, s->n_tables * sizeof *s->tables);
     s->file = strdup(file);
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
@@ -107,6 +94,8 @@ void settings_free(struct settings *s)
     if (s == NULL) return;
     config_destroy(&s->tree);
     free(s->tables);
+    for (size_t i = 0; i < s->n_tables && s->patches != NULL; i++)
+        free(s->patches[i]);
     free(s->patches);
     free(s->file);
     mesh_free(s->mesh);
@@ -116,6 +105,16 @@ void settings_free(struct settings *s)
 const char *settings_file(const struct settings *s)
 {
     return s->file;
+}
+
+void settings_be_quiet(struct settings *s)
+{
+    s->quiet = 1;
+}
+
+int settings_quiet(const struct settings *s)
+{
+    return s->quiet;
 }
 
 /* A name may be one of the row's words, any text, or the name of a file. */
@@ -275,6 +274,12 @@ void settings_point(const struct settings *s, const char *path, int i,
     series_point(find(s, path, KEY_SERIES), i, time, value);
 }
 
+int settings_is_list(const struct settings *s, const char *path)
+{
+    const struct key *const key = schema_find(s->tables, path);
+    return key != NULL && key->type == KEY_LIST;
+}
+
 int settings_length(const struct settings *s, const char *list)
 {
     const config_setting_t *const found = config_lookup(&s->tree, list);
@@ -332,31 +337,31 @@ void settings_item_vector(const struct settings *s, const char *list, int i,
 /* The path of the i-th patch of the mesh from files, or NULL. */
 static const char *patch_path(const struct settings *s, int i)
 {
-    for (const struct key *k = s->patches; k->path != NULL; k++)
+    const struct key *k;
+
+    for (int row = 0; (k = schema_at(s->tables, row)) != NULL; row++)
         if (k->type == KEY_PATCH && i-- == 0) return k->path;
     return NULL;
 }
 
+/* The sides of the box: the key of each, and that of it and the opposite one.
+ */
+static const char *const sides[][3] = {
+    {"left", "fluid.left", "fluid.sides"},
+    {"bottom", "fluid.bottom", "fluid.bottom_top"},
+    {"back", "fluid.back", "fluid.front_back"},
+    {"right", "fluid.right", "fluid.sides"},
+    {"top", "fluid.top", "fluid.bottom_top"},
+    {"front", "fluid.front", "fluid.front_back"}};
+
 const char *settings_any_side(const struct settings *s, int i)
 {
-    static const char *const sides[] = {
-        "fluid.left",       "fluid.right", "fluid.bottom", "fluid.top",
-        "fluid.back",       "fluid.front", "fluid.sides",  "fluid.bottom_top",
-        "fluid.front_back", NULL};
-
     if (s->patches != NULL) return patch_path(s, i);
-    return i < 9 ? sides[i] : NULL;
+    return i < 6 ? sides[i][1] : i < 9 ? sides[i - 6][2] : NULL;
 }
 
 const char *settings_side(const struct settings *s, const char *patch)
 {
-    static const char *const sides[][3] = {
-        {"left", "fluid.left", "fluid.sides"},
-        {"right", "fluid.right", "fluid.sides"},
-        {"bottom", "fluid.bottom", "fluid.bottom_top"},
-        {"top", "fluid.top", "fluid.bottom_top"},
-        {"back", "fluid.back", "fluid.front_back"},
-        {"front", "fluid.front", "fluid.front_back"}};
     const char *path;
 
     for (int i = 0; s->patches != NULL && (path = patch_path(s, i)); i++)

@@ -32,6 +32,10 @@ void settings_free(struct settings *s);
 /* The case file as it was given. */
 const char *settings_file(const struct settings *s);
 
+/* Whether progress is to be told on stderr. */
+void settings_be_quiet(struct settings *s);
+int settings_quiet(const struct settings *s);
+
 /* 1 if the case itself names the key or group, 0 if it is left out or has its
  * default. */
 int settings_has(const struct settings *s, const char *path);
@@ -50,7 +54,9 @@ int settings_points(const struct settings *s, const char *path);
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value);
 
-/* The groups of a list. 0 for a list that is left out. */
+/* 1 if the path is that of a list. The groups of one; 0 for a list that is left
+ * out. */
+int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
 int settings_item_has(const struct settings *s, const char *list, int i,
                       const char *key);

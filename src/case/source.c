@@ -135,17 +135,25 @@ static void place(const config_setting_t *at, char text[SOURCE_TEXT])
                 (unsigned)config_setting_source_line(at));
 }
 
+/* A name from a case may have line breaks in it; a message has one line. */
+static void blank_controls(char *text)
+{
+    for (; *text != '\0'; text++)
+        if ((unsigned char)*text < ' ') *text = ' ';
+}
+
 int source_wrong(const config_setting_t *at, const char *format, ...)
 {
-    char where[SOURCE_TEXT];
+    char where[SOURCE_TEXT], message[4 * SOURCE_TEXT];
     va_list values;
 
     place(at, where);
-    fprintf(stderr, "winnow: %s: ", where);
     va_start(values, format);
-    vfprintf(stderr, format, values);
+    vsnprintf(message, sizeof message, format, values);
     va_end(values);
-    fputc('\n', stderr);
+    blank_controls(where);
+    blank_controls(message);
+    fprintf(stderr, "winnow: %s: %s\n", where, message);
     return 2;
 }
 

@@ -18,6 +18,7 @@
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
+#include "case/model_choice.h"
 #include "case/profiles.h"
 
 /* The two sides of each direction, and the key that names both at once. */
@@ -150,22 +151,6 @@ static int check_fluid(const struct settings *s)
     return code != 0 ? code : check_parts(s);
 }
 
-static int check_contact(const struct settings *s)
-{
-    static const char *const asked[][2] = {
-        {"hertz", "young"}, {"hertz", "poisson"}, {"linear", "stiffness"}};
-    const char *const law = settings_text(s, "particles.contact");
-
-    for (int i = 0; i < 3; i++) {
-        char path[64];
-        snprintf(path, sizeof path, "particles.grains.%s", asked[i][1]);
-        if (strcmp(asked[i][0], law) == 0 && !settings_has(s, path))
-            return settings_wrong(s, "particles.contact", "%s asks for %s", law,
-                                  path);
-    }
-    return 0;
-}
-
 /* One diameter for all, or the name of a distribution. */
 static int check_bed_sizes(const struct settings *s)
 {
@@ -276,7 +261,7 @@ static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
     const int place = settings_has(s, "particles.place");
-    int code = check_contact(s);
+    int code = model_choice_check(s);
 
     if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = check_integrator(s);

@@ -1,4 +1,5 @@
-/* coupling.h -- momentum between fluid and particles.  Chapter 10.
+/* coupling.h -- momentum between fluid and particles.
+ * Chapter "The coupled loop".
  *
  * The force of the fluid on particle i is k_i (u_f - u_p), k_i = eps_f B_i =
  * V_p beta / eps_s [XS11 2.9, 2.10]. The impulse on the particles is taken from
@@ -19,6 +20,7 @@
 #define COUPLING_COUPLING_H
 
 #include "averaging/interpolation.h"
+#include "base/model.h"
 #include "coupling/drag.h"
 #include "coupling/simulation.h"
 
@@ -30,6 +32,15 @@ enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
  * exponential:  k (u_f - u_p) with u_p as it changes, contacts and all
  *               (implicit_drag.h): no sub-step is too long. */
 enum slip_integration { SLIP_INTEGRATION_FROZEN, SLIP_INTEGRATION_EXPONENTIAL };
+
+/* What a case can choose of these, of the form of the fluid's equation, whose
+ * value is 1 if it keeps its share of the pressure gradient only (A), and of
+ * the direction of the coupling, whose value is two_way. Each is ended by
+ * NULL. */
+extern const struct model *const coupling_treatments[];
+extern const struct model *const coupling_slip_integrations[];
+extern const struct model *const coupling_forms[];
+extern const struct model *const coupling_directions[];
 
 struct coupling_options {
     const struct drag_law *law;

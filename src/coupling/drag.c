@@ -42,6 +42,14 @@ static double syamlal_obrien(double eps_f, double rho_f, double mu, double d,
     return 0.75 * Cd_u / (V_r * V_r) * rho_f / d * eps_f;
 }
 
+const struct drag_law drag_syamlal_obrien = {
+    .name = "syamlal-obrien",
+    .what = "settling data of suspensions; the law of XS11 and SX15",
+    .equations = "XS11 2.11-2.14",
+    .function = "syamlal_obrien",
+    .resistance = syamlal_obrien,
+};
+
 /* C_d Re / 24, the correction to Stokes' law [LS 5.13, 5.26]. Schiller and
  * Naumann to Re = 1000, Newton's constant 0.44 beyond. */
 static double stokes_correction(double Re)
@@ -70,6 +78,14 @@ static double gidaspow(double eps_f, double rho_f, double mu, double d,
     return 0.75 * Cd_u * eps_f * rho_f / d * pow(eps_f, -2.65); /* Wen, Yu */
 }
 
+const struct drag_law drag_gidaspow = {
+    .name = "gidaspow",
+    .what = "Ergun's packed bed below eps_f = 0.8, Wen and Yu above",
+    .equations = "LS 5.25-5.27",
+    .function = "gidaspow",
+    .resistance = gidaspow,
+};
+
 /* One sphere alone [LS 5.2]: eps_f does not matter. 3 pi mu d phi over V. */
 static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
                                double u_r)
@@ -81,24 +97,11 @@ static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
     return 18.0 * mu / (d * d) * stokes_correction(Re);
 }
 
-const struct drag_law drag_syamlal_obrien = {
-    .name = "syamlal-obrien",
-    .cite = "XS11 2.11-2.14",
-    .what = "settling data of suspensions; the law of XS11 and SX15",
-    .resistance = syamlal_obrien,
-};
-
-const struct drag_law drag_gidaspow = {
-    .name = "gidaspow",
-    .cite = "LS 5.25-5.27",
-    .what = "Ergun's packed bed below eps_f = 0.8, Wen and Yu above",
-    .resistance = gidaspow,
-};
-
 const struct drag_law drag_schiller_naumann = {
     .name = "schiller-naumann",
-    .cite = "LS 5.2, 5.13",
     .what = "one sphere in an unbounded stream, neighbours ignored",
+    .equations = "LS 5.2, 5.13",
+    .function = "schiller_naumann",
     .resistance = schiller_naumann,
 };
 

@@ -1,4 +1,5 @@
-/* drag.h -- the steady force of the fluid on one particle.  Chapter 9.
+/* drag.h -- the steady force of the fluid on one particle.
+ * Chapter "Drag".
  *
  * The documents write the force as (V_p beta / eps_s) (u_f - u_p), with beta a
  * correlation proportional to eps_s [XS11 2.9-2.11]. We work with
@@ -12,12 +13,16 @@
 #ifndef COUPLING_DRAG_H
 #define COUPLING_DRAG_H
 
+#include "base/key.h"
+
 /* One correlation. resistance: eps_f [-], rho_f [kg/m^3], mu [Pa s], d [m],
  * u_r [m/s] -> beta / eps_s [kg/(m^3 s)]. */
 struct drag_law {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
 };

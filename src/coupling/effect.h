@@ -1,4 +1,5 @@
-/* effect.h -- optional effects of a case. Chapter 10.
+/* effect.h -- optional effects of a case.
+ * Chapter "The coupled loop".
  *
  * An effect is one file with one descriptor. An effect that a case does not
  * name allocates nothing, and the time loop, which goes through the list of

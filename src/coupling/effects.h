@@ -1,4 +1,4 @@
-/* effects.h -- the list of all effects.  Chapter 10. */
+/* effects.h -- the list of all effects.  Chapter "The coupled loop". */
 #ifndef COUPLING_EFFECTS_H
 #define COUPLING_EFFECTS_H
 

@@ -33,11 +33,12 @@ static const struct key keys[] = {
      "particles"},
     {0}};
 
-const struct effect gravity_effect = {.name = "gravity",
-                                      .what = "weight of the particles",
-                                      .equations = "XS11 2.1",
-                                      .function = "gravity_before_particles",
-                                      .keys = keys,
-                                      .create = gravity_create,
-                                      .before_particles =
-                                          gravity_before_particles};
+const struct effect gravity_effect = {
+    .name = "gravity",
+    .what = "weight of the particles",
+    .equations = "XS11 2.1",
+    .function = "gravity_before_particles",
+    .keys = keys,
+    .create = gravity_create,
+    .before_particles = gravity_before_particles,
+};

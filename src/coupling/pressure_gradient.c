@@ -91,4 +91,5 @@ const struct effect pressure_gradient_effect = {
     .keys = keys,
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
-    .free = pressure_gradient_free};
+    .free = pressure_gradient_free,
+};

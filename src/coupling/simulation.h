@@ -1,4 +1,5 @@
-/* simulation.h -- all parts of one simulation. Chapter 10.
+/* simulation.h -- all parts of one simulation.
+ * Chapter "The coupled loop".
  *
  * A pointer is NULL if the case does not have that part: no fluid, no
  * particles, no coupling between them. An effect that is not named is not in

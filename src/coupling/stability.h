@@ -1,5 +1,6 @@
 /* stability.h -- limits of a coupled step besides those of the particles.
- * Chapter 20.
+ *
+ * Chapter "Which treatment is stable".
  *
  * The drag on a bed that moves as a whole is 1/eps_f^2 times that on one
  * particle in it, because the fluid is frozen while the particles move; and the

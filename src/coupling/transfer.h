@@ -1,4 +1,5 @@
-/* transfer.h -- the parts of the coupled step. Chapter 10.
+/* transfer.h -- the parts of the coupled step.
+ * Chapter "The coupled loop".
  *
  * coupling.c calls them in order. All of them work on sim->coupling.
  */

@@ -1,4 +1,5 @@
-/* bed.h -- the particles before time 0: a settled bed.  Chapter 2.
+/* bed.h -- the particles before time 0: a settled bed.
+ * Chapter "Particles and contact".
  *
  * Spheres on a cubic lattice, from the bottom up, each shifted at random within
  * its site; then they settle under gravity, first with a very dissipative

@@ -1,4 +1,5 @@
-/* contact.h -- the force between two touching spheres.  Chapter 2.
+/* contact.h -- the force between two touching spheres.
+ * Chapter "Particles and contact".
  *
  * n points from particle j to particle i, delta = R_i + R_j - |x_i - x_j| is
  * the overlap. On particle i act
@@ -14,6 +15,8 @@
  */
 #ifndef DEM_CONTACT_H
 #define DEM_CONTACT_H
+
+#include "base/key.h"
 
 /* The material of grains and walls. */
 struct material {
@@ -63,13 +66,19 @@ contact_respond(const struct contact_constants *k, double delta, double R_star,
 #define CONTACT_INLINE static inline __attribute__((always_inline, unused))
 
 struct contact_law {
-    const char *name; /* as a case spells it */
-    const char *cite; /* keys in chapters/references.md */
-    const char *what; /* one line */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     struct contact_constants (*constants)(const struct material_pair *p);
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,
                        double v);
+    /* Rayleigh's time [s] of a sphere of radius r [m] and density rho [kg/m^3],
+     * in which a wave goes round it [LS 5.11]; HUGE_VAL for a law that has no
+     * elastic waves. */
+    double (*wave_time)(const struct material *m, double r, double rho);
     double stored; /* [-] elastic energy over elastic(delta) delta */
     contact_respond *respond;
 };

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/contact_hertz.h"
 
+#include "dem/limits.h"
+
 double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j)
 {
     return 1.0 / ((1.0 - nu_i * nu_i) / E_i + (1.0 - nu_j * nu_j) / E_j);
@@ -60,11 +62,33 @@ static double duration(const struct material *m, double R_star, double m_star,
     return contact_hertz_time(E_star, R_star, m_star, v);
 }
 
+static double wave_time(const struct material *m, double r, double rho)
+{
+    const double G = m->young / (2.0 * (1.0 + m->poisson));
+    return limits_rayleigh(r, rho, G, m->poisson);
+}
+
+/* What Hertz's law asks of each material. */
+static const struct key elastic_keys[] = {
+    {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
+     "Young's modulus E", "LS 4.9", ""},
+    {"particles.grains.poisson", KEY_REAL, "-", ">= 0, <= 0.5", KEY_ASKED,
+     "Poisson's ratio nu", "LS 4.9", ""},
+    {"particles.materials.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
+     "Young's modulus E", "LS 4.9", ""},
+    {"particles.materials.poisson", KEY_REAL, "-", ">= 0, <= 0.5", KEY_ASKED,
+     "Poisson's ratio nu", "LS 4.9", ""},
+    KEY_END};
+
 const struct contact_law contact_hertz = {
-    "hertz",
-    "LS 4.7-4.10",
-    "elastic spheres after Hertz and Mindlin",
-    constants,
-    duration,
-    0.4,
-    contact_hertz_respond};
+    .name = "hertz",
+    .what = "elastic spheres after Hertz and Mindlin",
+    .equations = "LS 4.7-4.10",
+    .function = "contact_hertz_force",
+    .keys = {elastic_keys},
+    .constants = constants,
+    .duration = duration,
+    .wave_time = wave_time,
+    .stored = 0.4,
+    .respond = contact_hertz_respond,
+};

@@ -1,4 +1,5 @@
-/* contact_hertz.h -- elastic spheres after Hertz and Mindlin.  Chapter 2.
+/* contact_hertz.h -- elastic spheres after Hertz and Mindlin.
+ * Chapter "Particles and contact".
  *
  *   F_n = (4/3) E* sqrt(R*) delta^(3/2)                        [LS 4.7, 4.9]
  *   k_t = 8 G* sqrt(R*) sqrt(delta)                            [LS 4.10]

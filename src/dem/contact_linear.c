@@ -40,6 +40,39 @@ static double duration(const struct material *m, double R_star, double m_star,
     return contact_linear_time(m->stiffness, m->restitution, m_star);
 }
 
+/* A spring has no elastic solid behind it: the contact time is its only one. */
+static double wave_time(const struct material *m, double r, double rho)
+{
+    (void)m, (void)r, (void)rho;
+    return HUGE_VAL;
+}
+
+/* Its constants; without a ratio the tangential spring is 2/7 of the normal
+ * one. A pair of materials may have constants of its own. */
+static const struct key spring_keys[] = {
+    {"particles.grains.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
+     "spring constant k", "LS 4.4", ""},
+    {"particles.grains.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
+     "tangential spring over k; left out: 2/7", "LS 4.8", ""},
+    {"particles.materials.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
+     "spring constant k of two of it", "LS 4.4", ""},
+    {"particles.materials.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
+     "tangential spring over k; left out: 2/7", "LS 4.8", ""},
+    {"particles.pairs.stiffness", KEY_REAL, "N/m", "> 0", KEY_OPTIONAL,
+     "spring constant k; left out: two half springs in series", "LS 4.4", ""},
+    {"particles.pairs.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
+     "tangential spring over k; left out: the smaller one", "LS 4.8", ""},
+    KEY_END};
+
 const struct contact_law contact_linear = {
-    "linear", "LS 4.4, 4.8", "spring and dashpot",  constants,
-    duration, 0.5,           contact_linear_respond};
+    .name = "linear",
+    .what = "spring and dashpot",
+    .equations = "LS 4.4, 4.8",
+    .function = "contact_linear_force",
+    .keys = {spring_keys},
+    .constants = constants,
+    .duration = duration,
+    .wave_time = wave_time,
+    .stored = 0.5,
+    .respond = contact_linear_respond,
+};

@@ -1,4 +1,5 @@
-/* contact_linear.h -- spring and dashpot.  Chapter 2.
+/* contact_linear.h -- spring and dashpot.
+ * Chapter "Particles and contact".
  *
  *   m* delta'' + eta delta' + k delta = 0                           [LS 4.4]
  *   eta = -2 ln e sqrt(m* k) / sqrt(pi^2 + ln^2 e)

@@ -1,4 +1,5 @@
-/* dem.h -- the motion of the particles.  Chapter 2.
+/* dem.h -- the motion of the particles.
+ * Chapter "Particles and contact".
  *
  *   m dv/dt = sum F_c + F,   I domega/dt = sum T_c,   I = (2/5) m R^2
  *                                       [LS 4.1-4.3] [XS11 2.1, 2.2] [SX15 1]

@@ -1,4 +1,5 @@
-/* dem_internal.h -- what dem.h and its methods share.  Chapter 2. */
+/* dem_internal.h -- what dem.h and its methods share.
+ * Chapter "Particles and contact". */
 #ifndef DEM_DEM_INTERNAL_H
 #define DEM_DEM_INTERNAL_H
 

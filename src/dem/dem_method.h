@@ -8,14 +8,15 @@
 #ifndef DEM_DEM_METHOD_H
 #define DEM_DEM_METHOD_H
 
+#include "base/key.h"
 #include "dem/dem.h"
 
 struct dem_method {
-    const char *name;     /* as a case spells it in particles.list */
-    const char *what;     /* one line */
-    const char *cite;     /* keys in chapters/references.md */
-    const char *function; /* that finds the pairs */
-    const char *keys;     /* of a case that belong to it */
+    const char *name;      /* as a case spells it in particles.list */
+    const char *what;      /* one line */
+    const char *equations; /* keys in chapters/references.md */
+    const char *function;  /* that finds the pairs */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     /* What of the options it does not know, in words; NULL: it knows all. */
     const char *(*unknown)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean

@@ -1,4 +1,5 @@
-/* dem_options.h -- options of the motion of the particles. Chapter 2.
+/* dem_options.h -- options of the motion of the particles.
+ * Chapter "Particles and contact".
  *
  * An option that a case does not set is 0 here and has no effect.
  */

@@ -1,4 +1,5 @@
-/* energy.h -- the energy budget of the particles. Chapter 15.
+/* energy.h -- the energy budget of the particles.
+ * Chapter "Insertion, removal and energy".
  *
  *   kinetic + normal + tangential
  *       + damped_n + damped_t + slid + released + rolled

@@ -1,4 +1,5 @@
-/* implicit_drag.h -- implicit drag and added mass of particles. Chapter 20.
+/* implicit_drag.h -- implicit drag and added mass of particles.
+ * Chapter "Which treatment is stable".
  *
  * In addition to contact forces and the outside force F a particle may have a
  * drag -k v and an added mass m_a of fluid:

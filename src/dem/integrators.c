@@ -7,7 +7,8 @@
 const struct integrator integrators_velocity_verlet = {
     .name = "velocity-verlet",
     .what = "second order where nothing damps; one evaluation",
-    .cite = "LS section 4.2",
+    .equations = "LS section 4.2",
+    .function = "bodies_advance",
     .first = 0.5,
     .last = 0.5,
 };
@@ -15,14 +16,16 @@ const struct integrator integrators_velocity_verlet = {
 const struct integrator integrators_symplectic_euler = {
     .name = "symplectic-euler",
     .what = "first order, never gains energy for long",
-    .cite = "LS section 4.2",
+    .equations = "LS section 4.2",
+    .function = "bodies_advance",
     .first = 1.0,
 };
 
 const struct integrator integrators_heun = {
     .name = "heun",
     .what = "second order, damped or not; gains energy",
-    .cite = "LS section 4.2",
+    .equations = "LS section 4.2",
+    .function = "integrators_correct",
     .predicts = 1,
 };
 

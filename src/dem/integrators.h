@@ -1,4 +1,5 @@
-/* integrators.h -- time integrators of the particles. Chapter 15.
+/* integrators.h -- time integrators of the particles.
+ * Chapter "Insertion, removal and energy".
  *
  * With a(x, v) the acceleration by all forces:
  *
@@ -14,16 +15,19 @@
 #ifndef DEM_INTEGRATORS_H
 #define DEM_INTEGRATORS_H
 
+#include "base/key.h"
+
 struct integrator {
-    const char *name;   /* as a case spells it */
-    const char *what;   /* one line */
-    const char *cite;   /* key in chapters/references.md */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     double first, last; /* [-] of a step that the first and last kick take */
     int predicts;       /* [-] 1: Heun */
 };
 
-/* All of them, ended by NULL, the default first; NULL for an
- * unknown name. */
+/* All of them, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct integrator *const integrators[];
 const struct integrator *integrators_named(const char *name);
 

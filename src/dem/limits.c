@@ -3,8 +3,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "dem/contact_hertz.h"
-
 static const double steps_a_contact = 25.0, least_steps_a_contact = 15.0;
 static const double share_of_rayleigh = 0.1;
 static const double most_over_undamped = 5.0 / 3.0;
@@ -39,12 +37,8 @@ static double resolved_time(const struct contact_law *law,
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v)
 {
-    const double step = resolved_time(law, m, d, rho, v) / steps_a_contact;
-
-    if (law != &contact_hertz) return step;
-    const double G = m->young / (2.0 * (1.0 + m->poisson));
-    const double T_R = limits_rayleigh(0.5 * d, rho, G, m->poisson);
-    return fmin(step, share_of_rayleigh * T_R);
+    return fmin(resolved_time(law, m, d, rho, v) / steps_a_contact,
+                share_of_rayleigh * law->wave_time(m, 0.5 * d, rho));
 }
 
 double limits_longest_step(const struct contact_law *law,

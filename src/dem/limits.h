@@ -1,4 +1,5 @@
-/* limits.h -- limits of the particle step. Chapter 11.
+/* limits.h -- limits of the particle step.
+ * Chapter "Time steps".
  *
  * Two measures of the response time of a grain: the duration of an impact, and
  * the Rayleigh time in which a surface wave travels over a sphere [LS 5.11]. A
@@ -19,10 +20,10 @@ double limits_contact_time(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v);
 
-/* What we suggest: 1/25 of the contact time, and for law "hertz" at most 1/10
- * of the Rayleigh time, which holds for any speed. With 25 steps a contact a
- * rebound has e to 0.013 with Hertz's law, and with the linear one to 0.021
- * where e >= 0.7 and to 0.037 below, in the worst phase of the step
+/* What we suggest: 1/25 of the contact time, and at most 1/10 of the Rayleigh
+ * time where the law has one, which holds for any speed. With 25 steps a
+ * contact a rebound has e to 0.013 with Hertz's law, and with the linear one to
+ * 0.021 where e >= 0.7 and to 0.037 below, in the worst phase of the step
  * (test_limits); and a sphere amid twelve others, whose springs act on it
  * together, still has about 25 steps in a period of its fastest oscillation. */
 double limits_step(const struct contact_law *law, const struct material *m,

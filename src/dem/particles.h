@@ -1,4 +1,5 @@
-/* particles.h -- spheres, as a structure of arrays.  Chapter 2.
+/* particles.h -- spheres, as a structure of arrays.
+ * Chapter "Particles and contact".
  *
  * One array a quantity, one entry a particle. The order of the particles
  * changes when they are sorted in space: a particle is identified by its id,

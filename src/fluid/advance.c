@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* advance.c -- divides a step where the Courant number limits it. */
-#include "fluid/piso.h"
+
+#include "fluid/fluid.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -19,3 +19,65 @@ double boundary_parabola(double a, double b)
 
     return 3.0 * (a + b) - 2.0 * square; /* mean of 6 s (1 - s) */
 }
+
+static const struct key inlet_keys[] = {
+    {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", KEY_OPTIONAL,
+     "superficial velocity into the box, constant or ((time, velocity), ...)",
+     "SX15 Table 1", ""},
+    {"fluid.<patch>.profile", KEY_NAME, "", "uniform | parabola", "uniform",
+     "of the velocity over an inlet; parabola: zero at the walls beside it", "",
+     ""},
+    KEY_END};
+
+static const struct key wall_keys[] = {
+    {"fluid.<patch>.wall", KEY_VECTOR, "m/s", "", KEY_OPTIONAL,
+     "velocity of a no-slip wall that moves along itself", "", ""},
+    KEY_END};
+
+static const struct key outlet_keys[] = {
+    {"fluid.<patch>.outlet", KEY_REAL, "Pa", "", KEY_OPTIONAL,
+     "pressure outside, without the weight of the fluid", "", ""},
+    KEY_END};
+
+const struct model boundary_no_slip = {
+    .name = "no-slip",
+    .what = "the fluid stands still at the wall",
+    .equations = "",
+    .function = "add_wall_face",
+    .value = BOUNDARY_NO_SLIP,
+};
+
+const struct model boundary_slip = {
+    .name = "slip",
+    .what = "no flow through, no friction along",
+    .equations = "",
+    .function = "add_slip_face",
+    .value = BOUNDARY_SLIP,
+};
+
+const struct model boundary_inlet = {
+    .name = "inlet",
+    .what = "a superficial velocity, constant or varying in time",
+    .equations = "",
+    .function = "boundary_inlet_velocity",
+    .keys = {inlet_keys},
+    .value = BOUNDARY_INLET,
+};
+
+const struct model boundary_wall = {
+    .name = "wall",
+    .what = "a wall that moves along itself and takes the fluid with it",
+    .equations = "",
+    .function = "add_wall_face",
+    .keys = {wall_keys},
+    .value = BOUNDARY_NO_SLIP,
+};
+
+const struct model boundary_outlet = {
+    .name = "outlet",
+    .what = "a pressure outside",
+    .equations = "",
+    .function = "pressure_correct",
+    .keys = {outlet_keys},
+    .value = BOUNDARY_OUTLET,
+};

@@ -1,4 +1,5 @@
-/* boundary.h -- boundary conditions of the fluid on a patch. Chapter 5.
+/* boundary.h -- boundary conditions of the fluid on a patch.
+ * Chapter "Averaged flow".
  *
  * no-slip: u is that of the wall, which may move along itself. slip: no flux,
  * no tangential stress. inlet: a superficial velocity normal to the patch,
@@ -8,12 +9,18 @@
 #ifndef FLUID_BOUNDARY_H
 #define FLUID_BOUNDARY_H
 
+#include "base/model.h"
+
 enum boundary_kind {
     BOUNDARY_NO_SLIP,
     BOUNDARY_SLIP,
     BOUNDARY_INLET,
     BOUNDARY_OUTLET
 };
+
+/* What a case can write for a side or a patch: a word, or, where there are
+ * keys, a group with the first of them. Ended by NULL. */
+extern const struct model *const boundary_kinds[];
 
 struct boundary {
     enum boundary_kind kind;

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* boundary_face.c -- the velocity at boundary faces. */
-#include "fluid/piso.h"
+#include "fluid/momentum_system.h"
 
 #include <math.h>
 #include <stddef.h>
+
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 static double dot3(const double *a, const double *b)
 {
@@ -24,10 +27,10 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int f, double u[3])
 {
     static const double rest[3] = {0.0, 0.0, 0.0};
-    const double *const S = &fl->mesh->S[3 * f], SS = fl->piso->SS[f];
+    const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
-    const double phi = fl->piso->convecting_flux[f];
+    const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_INLET)
         along(rest, phi / (fl->eps[c] * SS), S, u);

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* continuity.c -- the two forms of the mass balance, and its residual. */
-#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 
 #include <math.h>
+
+#include "linear/face_loops.h"
+#include "fluid/time_levels.h"
 
 /* Flux of solid volume through a face by linear interpolation; zero at the
  * boundary, which particles do not cross [m^3/s]. */
@@ -20,7 +23,7 @@ FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
 /* dt d eps/dt by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
-    const struct time_weights *const w = &fl->piso->weights;
+    const struct time_weights *const w = &fl->levels->weights;
     const double change = w->now * fl->eps[c] - w->old * fl->eps_n[c];
 
     return w->older == 0.0 ? change : change + w->older * fl->eps_nm1[c];
@@ -34,14 +37,14 @@ FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
 static void void_rate_rows(int first, int last, const struct fluid *fl)
 {
     for (int c = first; c < last; c++)
-        fl->piso->source[c] =
+        fl->pressure->source[c] =
             void_change(fl, c) * fl->mesh->V[c] / fl->options.dt;
 }
 
 static void mixture_rows(int first, int last, const struct fluid *fl,
                          const double *flux)
 {
-    double *const source = fl->piso->source;
+    double *const source = fl->pressure->source;
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
@@ -85,9 +88,10 @@ static void residual_rows(int first, int last, const struct fluid *fl,
                           struct largest *partial)
 {
     const struct mesh *const m = fl->mesh;
-    const double *restrict source = fl->piso->source, *restrict V = m->V;
-    double *restrict rest = fl->piso->divergence; /* room that is free now */
-    double *restrict through = fl->piso->resistance;
+    const double *restrict source = fl->pressure->source, *restrict V = m->V;
+    double *restrict rest =
+        fl->pressure->divergence; /* room that is free now */
+    double *restrict through = fl->pressure->resistance;
     struct largest l = {0.0, 0.0, 0.0};
 
     for (int c = first; c < last; c++) {
@@ -119,3 +123,19 @@ double continuity_residual(struct fluid *fl)
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
     return all.through > 0.0 ? all.rest / all.through : 0.0;
 }
+
+const struct model fluid_continuity_mixture = {
+    .name = "mixture",
+    .what = "the volume fluxes of both phases have no divergence",
+    .equations = "XS11 2.7",
+    .function = "continuity_source",
+    .value = CONTINUITY_MIXTURE,
+};
+
+const struct model fluid_continuity_void_rate = {
+    .name = "void-rate",
+    .what = "the fluid flows out of where the void shrinks",
+    .equations = "XS11 2.3",
+    .function = "continuity_source",
+    .value = CONTINUITY_VOID_RATE,
+};

@@ -4,17 +4,36 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "fluid/velocity_gradient.h"
+
 static void weights_upwind(const struct convection_faces *faces, double *share)
 {
     for (int f = 0; f < faces->n; f++)
         share[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
 }
 
+const struct convection_scheme convection_upwind = {
+    .name = "upwind",
+    .what = "first order, bounded at any step",
+    .equations = "XS11",
+    .function = "weights_upwind",
+    .owner_weights = weights_upwind,
+    .damps = 1,
+};
+
 static void weights_linear(const struct convection_faces *faces, double *share)
 {
     for (int f = 0; f < faces->n; f++)
         share[f] = faces->w[f];
 }
+
+const struct convection_scheme convection_linear = {
+    .name = "linear",
+    .what = "second order (central), may overshoot",
+    .equations = "XS11",
+    .function = "weights_linear",
+    .owner_weights = weights_linear,
+};
 
 static void weights_blended(const struct convection_faces *faces, double *share)
 {
@@ -25,12 +44,36 @@ static void weights_blended(const struct convection_faces *faces, double *share)
             b * faces->w[f] + (1.0 - b) * (faces->phi[f] >= 0.0 ? 1.0 : 0.0);
 }
 
+static const struct key blend_keys[] = {
+    {"fluid.blend", KEY_REAL, "-", ">= 0, <= 1", "0.5",
+     "share of linear in the scheme blended", "XS11", ""},
+    KEY_END};
+
+const struct convection_scheme convection_blended = {
+    .name = "blended",
+    .what = "fluid.blend of linear, the rest upwind",
+    .equations = "",
+    .function = "weights_blended",
+    .keys = {blend_keys},
+    .owner_weights = weights_blended,
+};
+
 /* Linear extrapolation from C to the face with the gradient in C. */
 static double beyond_second_upwind(double step, double rise, double reach)
 {
     (void)step;
     return reach * rise;
 }
+
+const struct convection_scheme convection_second_upwind = {
+    .name = "second-upwind",
+    .what = "second order, looks upstream only; may overshoot",
+    .equations = "SX15",
+    .function = "beyond_second_upwind",
+    .keys = {velocity_gradient_keys},
+    .owner_weights = weights_upwind,
+    .deferred = beyond_second_upwind,
+};
 
 /* The gradient in C and that of the link limit each other [VanLeer74]: with r =
  * (u_C - u_B) / (u_D - u_C) relative to C, B being as far upstream as D is
@@ -43,45 +86,12 @@ static double beyond_van_leer(double step, double rise, double reach)
     return reach * 2.0 * back * step / (back + step);
 }
 
-const struct convection_scheme convection_upwind = {
-    .name = "upwind",
-    .cite = "XS11",
-    .what = "first order, bounded at any step",
-    .function = "weights_upwind",
-    .owner_weights = weights_upwind,
-    .damps = 1,
-};
-
-const struct convection_scheme convection_linear = {
-    .name = "linear",
-    .cite = "XS11",
-    .what = "second order (central), may overshoot",
-    .function = "weights_linear",
-    .owner_weights = weights_linear,
-};
-
-const struct convection_scheme convection_blended = {
-    .name = "blended",
-    .cite = "",
-    .what = "fluid.blend of linear, the rest upwind",
-    .function = "weights_blended",
-    .owner_weights = weights_blended,
-};
-
-const struct convection_scheme convection_second_upwind = {
-    .name = "second-upwind",
-    .cite = "SX15",
-    .what = "second order, looks upstream only; may overshoot",
-    .function = "beyond_second_upwind",
-    .owner_weights = weights_upwind,
-    .deferred = beyond_second_upwind,
-};
-
 const struct convection_scheme convection_van_leer = {
     .name = "van-leer",
-    .cite = "VanLeer74",
     .what = "second order where smooth, bounded where not",
+    .equations = "VanLeer74",
     .function = "beyond_van_leer",
+    .keys = {velocity_gradient_keys},
     .owner_weights = weights_upwind,
     .deferred = beyond_van_leer,
 };

@@ -1,4 +1,5 @@
-/* convection.h -- the face velocity of convected momentum. Chapter 5.
+/* convection.h -- the face velocity of convected momentum.
+ * Chapter "Averaged flow".
  *
  * u_f = share u_owner + (1 - share) u_neighbour + beyond
  *
@@ -6,10 +7,13 @@
  * of the face; this weight is used in the matrix. A scheme that uses more than
  * the two cells has a second, explicit part, which is computed from the
  * velocities known so far and added to the right-hand side (deferred
- * correction). Chapter 19.
+ * correction).
+ * Chapter "The flow, verified".
  */
 #ifndef FLUID_CONVECTION_H
 #define FLUID_CONVECTION_H
+
+#include "base/key.h"
 
 /* The input of a scheme for faces 0 .. n - 1. */
 struct convection_faces {
@@ -20,10 +24,11 @@ struct convection_faces {
 };
 
 struct convection_scheme {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
-    const char *function; /* the function that computes it, for `explain` */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     void (*owner_weights)(const struct convection_faces *faces,
                           double *share /* [-] */);
     /* What a face has beyond the velocity of the cell C upstream. step: u_D -
@@ -34,7 +39,7 @@ struct convection_scheme {
                   cell to cell */
 };
 
-/* All schemes, ended by NULL; NULL for an unknown name. */
+/* All schemes, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 

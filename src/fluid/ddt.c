@@ -5,12 +5,16 @@
  * the previous step, and with the masses of that step: both satisfy continuity
  * together. This is of first order in time. A two-step scheme, or a step with
  * outer iterations, uses the masses of the new time and the flux extrapolated
- * to it or, in an outer iteration, the latest flux. Chapter 19.
+ * to it or, in an outer iteration, the latest flux.
+ * Chapter "The flow, verified".
  */
-#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 #include <math.h>
 #include <string.h>
+
+#include "base/parallel_ranges.h"
+#include "fluid/momentum_system.h"
 
 static const struct time_scheme *scheme(const struct fluid_options *o)
 {
@@ -24,12 +28,12 @@ int ddt_uses_new_time(const struct fluid_options *o)
 
 static void choose_masses(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct time_levels *const levels = fl->levels;
     const int is_new = ddt_uses_new_time(&fl->options);
 
-    ps->eps_new = is_new ? fl->eps : fl->eps_n;
-    ps->eps_old = is_new ? fl->eps_n : fl->eps_nm1;
-    ps->eps_older = ps->ddt_older != NULL ? fl->eps_nm1 : NULL;
+    levels->eps_new = is_new ? fl->eps : fl->eps_n;
+    levels->eps_old = is_new ? fl->eps_n : fl->eps_nm1;
+    levels->eps_older = levels->ddt_older != NULL ? fl->eps_nm1 : NULL;
 }
 
 /* The old-time terms of the time derivative, with their sign on the right-hand
@@ -38,24 +42,24 @@ static void set_old_time_source(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     const double rho = fl->options.rho, dt = fl->options.dt;
-    struct piso *const ps = fl->piso;
+    struct time_levels *const levels = fl->levels;
     const double *restrict u = fl->u;
-    double *restrict old_time_source = ps->old_time_source;
+    double *restrict old_time_source = levels->old_time_source;
 
     for (int c = first; c < last; c++) {
         const double ddt =
-            rho * ps->eps_old[c] * m->V[c] / dt * ps->weights.old;
-        ps->ddt[c] = ddt;
+            rho * levels->eps_old[c] * m->V[c] / dt * levels->weights.old;
+        levels->ddt[c] = ddt;
         for (int k = 0; k < 3; k++)
             old_time_source[3 * c + k] = ddt * u[3 * c + k];
     }
-    if (ps->ddt_older == NULL) return;
+    if (levels->ddt_older == NULL) return;
     for (int c = first; c < last; c++) {
-        ps->ddt_older[c] =
-            -rho * ps->eps_older[c] * m->V[c] / dt * ps->weights.older;
+        levels->ddt_older[c] =
+            -rho * levels->eps_older[c] * m->V[c] / dt * levels->weights.older;
         for (int k = 0; k < 3; k++)
-            ps->old_time_source[3 * c + k] +=
-                ps->ddt_older[c] * fl->u_older[3 * c + k];
+            levels->old_time_source[3 * c + k] +=
+                levels->ddt_older[c] * fl->u_older[3 * c + k];
     }
 }
 
@@ -75,44 +79,45 @@ static void rescale_residual(struct fluid *fl)
 
     if (fl->dt_older == 0.0 || ratio == 1.0) return;
     for (int i = 0; i < 3 * fl->mesh->n_cells; i++)
-        fl->piso->momentum_residual[i] *= ratio;
+        fl->momentum->residual[i] *= ratio;
 }
 
 void ddt_begin(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells, faces = fl->mesh->n_faces;
-    struct piso *const ps = fl->piso;
+    struct time_levels *const levels = fl->levels;
     double r = fl->dt_older > 0.0 ? fl->options.dt / fl->dt_older : 0.0;
 
     rescale_residual(fl);
-    ps->weights = scheme(&fl->options)->weights(r);
+    levels->weights = scheme(&fl->options)->weights(r);
     choose_masses(fl);
     PARALLEL_RANGES(n, 8, set_old_time_source, fl);
-    memcpy(ps->phi_old, fl->phi, (size_t)faces * sizeof *fl->phi);
-    ps->convecting_flux = ps->phi_old;
-    if (ps->convecting_flux_own == NULL) return;
+    memcpy(levels->phi_old, fl->phi, (size_t)faces * sizeof *fl->phi);
+    levels->convecting_flux = levels->phi_old;
+    if (levels->convecting_flux_own == NULL) return;
     if (fl->phi_older == NULL) {
         ddt_renew_flux(fl);
         return;
     }
-    extrapolate(3 * n, ps->weights.ahead, fl->u, fl->u_older, ps->u_known);
-    extrapolate(faces, ps->weights.ahead, fl->phi, fl->phi_older,
-                ps->convecting_flux_own);
+    extrapolate(3 * n, levels->weights.ahead, fl->u, fl->u_older,
+                levels->u_known);
+    extrapolate(faces, levels->weights.ahead, fl->phi, fl->phi_older,
+                levels->convecting_flux_own);
     memcpy(fl->u_older, fl->u, 3 * (size_t)n * sizeof *fl->u);
-    boundary_face_inlet_fluxes(fl, ps->convecting_flux_own);
-    ps->convecting_flux = ps->convecting_flux_own;
+    boundary_face_inlet_fluxes(fl, levels->convecting_flux_own);
+    levels->convecting_flux = levels->convecting_flux_own;
 }
 
 void ddt_renew_flux(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct time_levels *const levels = fl->levels;
 
-    memcpy(ps->convecting_flux_own, fl->phi,
+    memcpy(levels->convecting_flux_own, fl->phi,
            (size_t)fl->mesh->n_faces * sizeof *fl->phi);
-    boundary_face_inlet_fluxes(fl, ps->convecting_flux_own);
-    ps->convecting_flux = ps->convecting_flux_own;
-    if (ps->u_known != NULL)
-        memcpy(ps->u_known, fl->u,
+    boundary_face_inlet_fluxes(fl, levels->convecting_flux_own);
+    levels->convecting_flux = levels->convecting_flux_own;
+    if (levels->u_known != NULL)
+        memcpy(levels->u_known, fl->u,
                3 * (size_t)fl->mesh->n_cells * sizeof *fl->u);
 }
 
@@ -122,14 +127,14 @@ void ddt_renew_flux(struct fluid *fl)
  * this step is added to the impulse that is ahead. */
 static void update_impulse_ahead(struct fluid *fl)
 {
-    const struct time_weights *const w = &fl->piso->weights;
+    const struct time_weights *const w = &fl->levels->weights;
 
     for (int k = 0; k < 3; k++) {
         double gained = 0.0;
         for (int c = 0; c < fl->mesh->n_cells; c++)
             gained += fl->options.rho * fl->mesh->V[c] *
-                      (fl->piso->eps_new[c] * fl->u[3 * c + k] -
-                       fl->piso->eps_old[c] * fl->u_older[3 * c + k]);
+                      (fl->levels->eps_new[c] * fl->u[3 * c + k] -
+                       fl->levels->eps_old[c] * fl->u_older[3 * c + k]);
         fl->impulse_ahead[k] +=
             (w->now - 1.0) * gained - w->older * fl->momentum_gained[k];
         fl->momentum_gained[k] = gained;
@@ -143,8 +148,8 @@ void ddt_end(struct fluid *fl)
     if (fl->u_older != NULL) {
         double *const phi = fl->phi_older;
         update_impulse_ahead(fl);
-        fl->phi_older = fl->piso->phi_old;
-        fl->piso->phi_old = phi;
+        fl->phi_older = fl->levels->phi_old;
+        fl->levels->phi_old = phi;
     }
     fl->eps_nm1 = fl->eps_n;
     fl->eps_n = oldest;

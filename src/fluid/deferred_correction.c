@@ -11,9 +11,12 @@
  * so far and added to the right-hand sides of the two cells with opposite
  * signs.
  */
-#include "fluid/piso.h"
+#include "fluid/momentum_system.h"
 
 #include <stddef.h>
+
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 int deferred_correction_exists(const struct fluid *fl)
 {
@@ -32,9 +35,9 @@ static void fill_velocity_gradients(struct fluid *fl, const double *u)
         for (int f = p->first; f < p->first + p->n; f++)
             boundary_face_velocity(
                 fl, &fl->options.boundaries[i], f,
-                &fl->piso->u_boundary[3 * (f - m->n_internal)]);
+                &fl->momentum->u_boundary[3 * (f - m->n_internal)]);
     }
-    s->fill(m, u, fl->piso->u_boundary, fl->piso->velocity_gradient);
+    s->fill(m, u, fl->momentum->u_boundary, fl->momentum->velocity_gradient);
 }
 
 static double along(const double *slope, const double *x)
@@ -48,11 +51,11 @@ static double beyond(const struct fluid *fl, const double *u, int f, int k)
     const struct mesh *const m = fl->mesh;
     const int o = m->owner[f], n = m->neighbour[f];
     const int with =
-        fl->piso->convecting_flux[f] >= 0.0; /* from owner to neighbour */
+        fl->levels->convecting_flux[f] >= 0.0; /* from owner to neighbour */
     const double sign = with ? 1.0 : -1.0;
     const double step = sign * (u[3 * n + k] - u[3 * o + k]);
     const double *const slope =
-        &fl->piso->velocity_gradient[9 * (with ? o : n) + 3 * k];
+        &fl->momentum->velocity_gradient[9 * (with ? o : n) + 3 * k];
 
     return fl->options.convection->deferred(step,
                                             sign * along(slope, &m->d[3 * f]),
@@ -64,7 +67,7 @@ static double non_orthogonal(const struct fluid *fl, const double rest[3],
                              int f, int k)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const slope = fl->piso->velocity_gradient;
+    const double *const slope = fl->momentum->velocity_gradient;
 
     return m->w[f] * along(&slope[9 * m->owner[f] + 3 * k], rest) +
            (1.0 - m->w[f]) * along(&slope[9 * m->neighbour[f] + 3 * k], rest);
@@ -73,8 +76,8 @@ static double non_orthogonal(const struct fluid *fl, const double rest[3],
 /* Adds a flux to one cell and subtracts it from the other. */
 static void add_to_both_cells(struct fluid *fl, int f, int k, double force)
 {
-    fl->piso->b[3 * fl->mesh->owner[f] + k] += force;
-    fl->piso->b[3 * fl->mesh->neighbour[f] + k] -= force;
+    fl->momentum->b[3 * fl->mesh->owner[f] + k] += force;
+    fl->momentum->b[3 * fl->mesh->neighbour[f] + k] -= force;
 }
 
 static void add_beyond(struct fluid *fl, const double *u)
@@ -83,7 +86,8 @@ static void add_beyond(struct fluid *fl, const double *u)
     for (int f = 0; f < fl->mesh->n_internal; f++)
         for (int k = 0; k < 3; k++)
             add_to_both_cells(fl, f, k,
-                              -fl->options.rho * fl->piso->convecting_flux[f] *
+                              -fl->options.rho *
+                                  fl->levels->convecting_flux[f] *
                                   beyond(fl, u, f, k));
 }
 
@@ -106,8 +110,8 @@ static double crossed(const struct fluid *fl, int c)
     double link = 0.0;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        link += fl->piso->face_coefficient[m->cell_face[a]];
-    return fl->options.mu * link / fl->piso->ddt[c];
+        link += fl->geometry->face_coefficient[m->cell_face[a]];
+    return fl->options.mu * link / fl->levels->ddt[c];
 }
 
 /* The velocity used in the non-orthogonal part: extrapolated from two steps,
@@ -117,8 +121,8 @@ static double crossed(const struct fluid *fl, int c)
  * two. */
 static const double *continued(const struct fluid *fl)
 {
-    double *const to = fl->piso->rhs; /* room that is free now */
-    const double *const known = fl->piso->u_known, *const u = fl->u;
+    double *const to = fl->momentum->rhs; /* room that is free now */
+    const double *const known = fl->levels->u_known, *const u = fl->u;
 
     if (known == NULL) return u;
     for (int c = 0; c < fl->mesh->n_cells; c++) {
@@ -131,7 +135,7 @@ static const double *continued(const struct fluid *fl)
 
 void deferred_correction_add(struct fluid *fl)
 {
-    const double *const known = fl->piso->u_known;
+    const double *const known = fl->levels->u_known;
 
     if (fl->options.convection->deferred != NULL)
         add_beyond(fl, known != NULL ? known : fl->u);

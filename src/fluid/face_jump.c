@@ -36,22 +36,29 @@
  * error of second order. Bernoulli's pressure is unchanged; waves of a purely
  * central scheme still occur but decay.
  */
-#include "fluid/piso.h"
+#include "fluid/face_jump.h"
 
 #include <math.h>
+#include <stddef.h>
+
+#include "linear/face_loops.h"
+#include "fluid/momentum_system.h"
+#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
+#include "fluid/time_levels.h"
 
 void face_jump_bias_upwind(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const convecting_flux = fl->piso->convecting_flux;
-    double *const owner_weight = fl->piso->owner_weight;
+    const double *const convecting_flux = fl->levels->convecting_flux;
+    double *const owner_weight = fl->momentum->owner_weight;
 
     for (int f = first; f < last; f++) {
         const double a = fl->eps[m->owner[f]], b = fl->eps[m->neighbour[f]];
         const double bias = fmin(1.0, 2.0 * fabs(a - b) / (a + b));
-        fl->piso->upwind_bias[f] =
+        fl->jump->upwind_bias[f] =
             bias * ((convecting_flux[f] >= 0.0 ? 1.0 : 0.0) - owner_weight[f]);
-        owner_weight[f] += fl->piso->upwind_bias[f];
+        owner_weight[f] += fl->jump->upwind_bias[f];
     }
 }
 
@@ -60,12 +67,13 @@ void face_jump_bias_upwind(int first, int last, struct fluid *fl)
 static inline void split_jump(const struct fluid *fl, int f, int o, int n,
                               double s, double q)
 {
-    const struct piso *const ps = fl->piso;
-    const double j = fl->options.rho * ps->convecting_flux[f] * q / ps->SS[f] *
+    const struct face_jump *const jump = fl->jump;
+    const double j = fl->options.rho * fl->levels->convecting_flux[f] * q /
+                     fl->geometry->SS[f] *
                      (1.0 / fl->eps[o] - 1.0 / fl->eps[n]);
 
-    ps->jump_owner[f] = (1.0 - s) * j;
-    ps->jump_neighbour[f] = s * j;
+    jump->owner_part[f] = (1.0 - s) * j;
+    jump->neighbour_part[f] = s * j;
 }
 
 FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
@@ -78,13 +86,13 @@ FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
         (1.0 - w) * fl->eps[n] * (v[0] * S[0] + v[1] * S[1] + v[2] * S[2]);
 
     split_jump(fl, f, o, n,
-               fl->piso->owner_weight[f] - fl->piso->upwind_bias[f], q);
+               fl->momentum->owner_weight[f] - fl->jump->upwind_bias[f], q);
 }
 
 FACE_KERNEL split_by_flux(int f, int o, int n, const struct fluid *fl)
 {
-    split_jump(fl, f, o, n, fl->piso->owner_weight[f],
-               fl->piso->convecting_flux[f]);
+    split_jump(fl, f, o, n, fl->momentum->owner_weight[f],
+               fl->levels->convecting_flux[f]);
 }
 
 static void split_jumps(struct fluid *fl)
@@ -98,11 +106,11 @@ static void split_jumps(struct fluid *fl)
 /* The forces of the jumps on the cells, part times S. */
 static void inertia_rows(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
 
     faces_sum_vectors(fl->faces, first, last, fl->faces->n_inner,
-                      ps->jump_owner, 1.0, ps->jump_neighbour, fl->mesh->S,
-                      ps->inertia);
+                      jump->owner_part, 1.0, jump->neighbour_part, fl->mesh->S,
+                      jump->inertia);
 }
 
 /* Restores the jump force to the cells that the unbiased scheme would give it
@@ -110,14 +118,15 @@ static void inertia_rows(int first, int last, const struct fluid *fl)
 static void restore_jump_force(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int f = 0; f < m->n_internal; f++) {
-        const double j = ps->jump_owner[f] + ps->jump_neighbour[f];
+        const double j = jump->owner_part[f] + jump->neighbour_part[f];
         for (int k = 0; k < 3; k++) {
-            const double force = ps->upwind_bias[f] * j * m->S[3 * f + k];
-            ps->b[3 * m->owner[f] + k] += force;
-            ps->b[3 * m->neighbour[f] + k] -= force;
+            const double force = jump->upwind_bias[f] * j * m->S[3 * f + k];
+            momentum->b[3 * m->owner[f] + k] += force;
+            momentum->b[3 * m->neighbour[f] + k] -= force;
         }
     }
 }
@@ -133,16 +142,21 @@ void face_jump_update(struct fluid *fl)
  * jumps, with the present H and u [N/m^3]. */
 static void smooth_force_rows(int first, int last, struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
+    const struct time_levels *const levels = fl->levels;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int c = first; c < last; c++) {
         const double V = fl->mesh->V[c];
-        const double older = ps->ddt_older != NULL ? ps->ddt_older[c] : 0.0;
-        const double own = ps->diag[c] - ps->ddt[c] - older - fl->K[c] * V;
+        const double older =
+            levels->ddt_older != NULL ? levels->ddt_older[c] : 0.0;
+        const double own =
+            momentum->diag[c] - levels->ddt[c] - older - fl->K[c] * V;
         for (int k = 0; k < 3; k++) {
             const int i = 3 * c + k;
-            ps->smooth_force[i] =
-                (ps->H[i] - ps->inertia[i] - own * fl->u[i]) / V - fl->F[i];
+            jump->smooth_force[i] =
+                (momentum->H[i] - jump->inertia[i] - own * fl->u[i]) / V -
+                fl->F[i];
         }
     }
 }
@@ -152,13 +166,13 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
                                        int n)
 {
     const double w = fl->mesh->w[f];
-    return w * (1.0 - w) * fl->piso->Sd[f] / fl->piso->SS[f] *
+    return w * (1.0 - w) * fl->geometry->Sd[f] / fl->geometry->SS[f] *
            (1.0 / piso_gamma(fl, o) - 1.0 / piso_gamma(fl, n));
 }
 
 static inline double along(const struct fluid *fl, int c, int f)
 {
-    const double *const t = &fl->piso->smooth_force[3 * c];
+    const double *const t = &fl->jump->smooth_force[3 * c];
     const double *const S = &fl->mesh->S[3 * f];
     return t[0] * S[0] + t[1] * S[1] + t[2] * S[2];
 }
@@ -167,7 +181,7 @@ static inline double along(const struct fluid *fl, int c, int f)
 FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
 {
     fl->phi[f] +=
-        fl->piso->conductance[f] *
+        fl->pressure->conductance[f] *
         (gamma_jump_factor(fl, f, o, n) * (along(fl, n, f) - along(fl, o, f)));
 }
 

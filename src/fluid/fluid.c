@@ -6,82 +6,30 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "fluid/piso.h"
+#include "base/parallel_ranges.h"
 #include "linear/vec3.h"
-
-static double *filled(int n, double value)
-{
-    double *const x = alloc_doubles(n);
-    for (int i = 0; i < n; i++)
-        x[i] = value;
-    return x;
-}
-
-static struct faces *faces_of(const struct mesh *m)
-{
-    struct faces *const f = alloc_zeroed(1, sizeof *f);
-
-    *f = (struct faces){.n_inner = m->n_internal,
-                        .n = m->n_faces,
-                        .owner = m->owner,
-                        .neighbour = m->neighbour,
-                        .cell_start = m->cell_start,
-                        .cell_face = m->cell_face,
-                        .out = m->out};
-    faces_divide(f);
-    return f;
-}
+#include "fluid/momentum_system.h"
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 struct fluid *fluid_create(const struct mesh *mesh,
                            const struct fluid_options *options)
 {
-    const int n = mesh->n_cells;
     struct fluid *const fl = alloc_zeroed(1, sizeof *fl);
 
     fl->mesh = mesh;
     fl->options = *options;
-    fl->faces = faces_of(mesh);
-    fl->u = alloc_doubles(3 * n);
-    fl->p = alloc_doubles(n);
-    fl->p_face = alloc_doubles(mesh->n_faces);
-    fl->grad_p = alloc_doubles(3 * n);
-    fl->phi = alloc_doubles(mesh->n_faces);
-    fl->eps = filled(n, 1.0);
-    fl->eps_n = filled(n, 1.0);
-    fl->eps_nm1 = filled(n, 1.0);
-    if (options->coupled) {
-        fl->F = alloc_doubles(3 * n);
-        fl->K = alloc_doubles(n);
-        fl->eps_us = alloc_doubles(3 * n);
-    }
-    if (options->time != NULL && options->time->time_levels > 1) {
-        fl->u_older = alloc_doubles(3 * n);
-        fl->phi_older = alloc_doubles(mesh->n_faces);
-    }
     memcpy(fl->mean_gradient, options->mean_gradient, sizeof fl->mean_gradient);
-    fl->piso = piso_create(fl);
+    systems_create(fl);
+    for (int c = 0; c < mesh->n_cells; c++)
+        fl->eps[c] = fl->eps_n[c] = fl->eps_nm1[c] = 1.0;
     return fl;
 }
 
 void fluid_free(struct fluid *fl)
 {
     if (fl == NULL) return;
-    piso_free(fl->piso);
-    faces_release(fl->faces);
-    free(fl->faces);
-    free(fl->u);
-    free(fl->p);
-    free(fl->p_face);
-    free(fl->grad_p);
-    free(fl->phi);
-    free(fl->eps);
-    free(fl->eps_n);
-    free(fl->eps_nm1);
-    free(fl->F);
-    free(fl->K);
-    free(fl->eps_us);
-    free(fl->u_older);
-    free(fl->phi_older);
+    systems_free(fl);
     free(fl);
 }
 
@@ -136,7 +84,7 @@ static void add_unpaid(int first, int last, const struct fluid *fl,
         for (int i = 0; i < n; i++)
             mass[i] = fl->options.rho * eps[first + i] * fl->mesh->V[first + i];
         vec3_sum(n, mass, fl->u + 3L * first, s->has);
-        vec3_sum(n, one, fl->piso->momentum_residual + 3L * first, s->owes);
+        vec3_sum(n, one, fl->momentum->residual + 3L * first, s->owes);
     }
 }
 

@@ -1,4 +1,5 @@
-/* fluid.h -- the locally averaged Navier-Stokes equations.  Chapter 5.
+/* fluid.h -- the locally averaged Navier-Stokes equations.
+ * Chapter "Averaged flow".
  *
  *   d(eps rho u)/dt + div(eps rho u u) = -gamma grad p + mu lap u + F - K u
  *
@@ -22,6 +23,7 @@
 #ifndef FLUID_FLUID_H
 #define FLUID_FLUID_H
 
+#include "base/model.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
 #include "fluid/velocity_gradient.h"
@@ -30,6 +32,7 @@
 #include "mesh/mesh.h"
 
 enum continuity { CONTINUITY_MIXTURE, CONTINUITY_VOID_RATE };
+extern const struct model *const fluid_continuity_forms[]; /* ended by NULL */
 
 struct fluid_options {
     double rho;                     /* [kg/m^3] */
@@ -109,7 +112,11 @@ struct fluid {
                         minus that which replaced removed ones: fluid_replace */
     double replaced_momentum[3]; /* [N s] and its momentum */
     struct fluid_report report;
-    struct piso *piso; /* matrices and work space */
+    struct momentum_system *momentum; /* matrices and work space */
+    struct pressure_system *pressure;
+    struct face_jump *jump;
+    struct time_levels *levels;
+    struct face_geometry *geometry;
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */
@@ -137,10 +144,15 @@ int fluid_step(struct fluid *fl);
 int fluid_advance(struct fluid *fl, double dt);
 
 /* Momentum of the fluid [N s], including the residual of the last step, which
- * is added to the next one. With the void-rate form it changes only by forces
- * and boundary fluxes; with the mixture form also by `relabelled`. (BDF2
- * distributes an impulse over several steps; the part still to come is
- * included.) */
+ * is added to the next one. It changes by forces, boundary fluxes and
+ * `relabelled`: rho dt sum u (d(eps V)/dt + sum phi), with the masses and the
+ * flux that the momentum equation uses. In the void-rate form `relabelled` is
+ * zero to solver tolerance if these are of the same step: with outer iterations
+ * always, without them for implicit Euler at a constant step. Where the step
+ * changes, the flux of the last step does not bring the mass of this one; and
+ * the flux that BDF2 extrapolates does not follow a change of eps that varies
+ * from step to step. (BDF2 distributes an impulse over several steps; the part
+ * still to come is included.) */
 void fluid_momentum(const struct fluid *fl, double momentum[3]);
 
 /* Mean superficial velocity [m/s], over all of the mesh. */

@@ -8,9 +8,13 @@
  * consistent with both gradients. With equal forces it is the linear mean. A
  * pressure jump by inertia is added.
  */
-#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 
 #include <stddef.h>
+
+#include "linear/face_loops.h"
+#include "fluid/face_jump.h"
+#include "fluid/piso.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3
@@ -29,14 +33,16 @@ static inline double drag_implicit_part(const struct fluid *fl, int c)
 /* p_f minus the linear mean: offset - (pressure per flux) phi. */
 FACE_KERNEL face_offset(int f, int o, int n, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
     const double w = fl->mesh->w[f];
-    const double reach = w * (1.0 - w) / ps->face_coefficient[f]; /* [1/m] */
+    const double reach =
+        w * (1.0 - w) / fl->geometry->face_coefficient[f]; /* [1/m] */
 
-    ps->face_pressure_offset[f] =
+    jump->pressure_offset[f] =
         reach * (drag_explicit_part(fl, o, f) - drag_explicit_part(fl, n, f)) +
-        piso_jump_above(fl, f, o) - (1.0 - w) * piso_jump(fl, f, o, n);
-    ps->face_pressure_per_flux[f] =
+        face_jump_above_owner(fl, f, o) -
+        (1.0 - w) * face_jump_of_pressure(fl, f, o, n);
+    jump->pressure_per_flux[f] =
         reach * (drag_implicit_part(fl, o) - drag_implicit_part(fl, n));
 }
 
@@ -55,11 +61,11 @@ FACE_KERNEL offset_pressure(int f, int o, int n, const double *w,
                             const double *p, const struct fluid *fl,
                             double *p_face)
 {
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
 
     linear_pressure(f, o, n, w, p, p_face);
-    p_face[f] += ps->face_pressure_offset[f] -
-                 ps->face_pressure_per_flux[f] * fl->phi[f];
+    p_face[f] +=
+        jump->pressure_offset[f] - jump->pressure_per_flux[f] * fl->phi[f];
 }
 
 static void inner_pressures(struct fluid *fl)
@@ -70,7 +76,7 @@ static void inner_pressures(struct fluid *fl)
         FOR_EACH_FACE(fl->faces, 4, offset_pressure, w, fl->p, fl, fl->p_face);
     else
         FOR_EACH_FACE(fl->faces, 4, linear_pressure, w, fl->p, fl->p_face);
-    if (fl->piso->smooth_force != NULL) face_jump_add_gamma_pressures(fl);
+    if (fl->jump->smooth_force != NULL) face_jump_add_gamma_pressures(fl);
 }
 
 static void boundary_pressures(struct fluid *fl)
@@ -88,7 +94,7 @@ static void boundary_pressures(struct fluid *fl)
             else if (fl->options.coupled)
                 fl->p_face[f] += (drag_explicit_part(fl, o, f) -
                                   drag_implicit_part(fl, o) * fl->phi[f]) /
-                                 fl->piso->face_coefficient[f];
+                                 fl->geometry->face_coefficient[f];
         }
     }
 }

@@ -12,7 +12,7 @@
  * so G is the difference of the prescribed and the present mean over the change
  * of the mean per unit of G.
  */
-#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 
 int mean_gradient_exists(const struct fluid_options *o)
 {
@@ -26,15 +26,15 @@ int mean_gradient_exists(const struct fluid_options *o)
 static double fitting(const struct fluid *fl, int k)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
     double flow = 0.0, loss = 0.0, V = 0.0;
 
     for (int c = 0; c < m->n_cells; c++)
         V += m->V[c];
     for (int f = 0; f < m->n_internal; f++) {
         const double dp = fl->p[m->neighbour[f]] - fl->p[m->owner[f]];
-        flow += (fl->phi[f] - ps->conductance[f] * dp) * m->d[3 * f + k];
-        loss += ps->m_face[f] * m->S[3 * f + k] * m->d[3 * f + k];
+        flow += (fl->phi[f] - pressure->conductance[f] * dp) * m->d[3 * f + k];
+        loss += pressure->m_face[f] * m->S[3 * f + k] * m->d[3 * f + k];
     }
     if (loss == 0.0) return 0.0; /* one cell across: no periodic flow */
     return (flow - V * fl->options.mean_flow[k]) / loss;
@@ -50,6 +50,6 @@ void mean_gradient_add(struct fluid *fl)
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f];
         fl->phi[f] -=
-            fl->piso->m_face[f] * (G[0] * S[0] + G[1] * S[1] + G[2] * S[2]);
+            fl->pressure->m_face[f] * (G[0] * S[0] + G[1] * S[1] + G[2] * S[2]);
     }
 }

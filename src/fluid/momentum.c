@@ -11,22 +11,26 @@
  * is minus the sum of the row. Where phi satisfies continuity the subtracted
  * term is zero; where it does not (mixture form), `defect` is its coefficient.
  */
-#include "fluid/piso.h"
+#include "fluid/momentum_system.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "linear/face_loops.h"
 #include "linear/vec3.h"
+#include "fluid/face_jump.h"
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 /* The two coefficients of each face. */
 static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
-    const double *restrict carry = fl->piso->convecting_flux;
-    const double *restrict link = fl->piso->face_coefficient;
-    double *restrict share = fl->piso->owner_weight;
-    double *restrict upper = fl->piso->momentum->upper;
-    double *restrict lower = fl->piso->momentum->lower;
+    const double *restrict carry = fl->levels->convecting_flux;
+    const double *restrict link = fl->geometry->face_coefficient;
+    double *restrict share = fl->momentum->owner_weight;
+    double *restrict upper = fl->momentum->matrix->upper;
+    double *restrict lower = fl->momentum->matrix->lower;
     const struct convection_faces faces = {last - first, carry + first,
                                            fl->mesh->w + first, o->blend};
 
@@ -41,13 +45,12 @@ static void face_coefficients(int first, int last, struct fluid *fl)
 }
 
 /* Change in the step of the fluid fraction of the convected mass. */
-static double mass_change(const struct piso *ps, int c)
+static double mass_change(const struct time_levels *l, int c)
 {
-    const struct time_weights *const w = &ps->weights;
-    const double change = w->now * ps->eps_new[c] - w->old * ps->eps_old[c];
+    const struct time_weights *const w = &l->weights;
+    const double change = w->now * l->eps_new[c] - w->old * l->eps_old[c];
 
-    return ps->eps_older != NULL ? change + w->older * ps->eps_older[c]
-                                 : change;
+    return l->eps_older != NULL ? change + w->older * l->eps_older[c] : change;
 }
 
 FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
@@ -59,20 +62,21 @@ FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
-    double *restrict diag = ps->diag, *restrict defect = ps->defect;
+    struct time_levels *const levels = fl->levels;
+    struct momentum_system *const momentum = fl->momentum;
+    double *restrict diag = momentum->diag, *restrict defect = momentum->defect;
 
-    ldu_row_sums(first, last, ps->momentum, diag);
+    ldu_row_sums(first, last, momentum->matrix, diag);
     for (int c = first; c < last; c++) {
-        diag[c] = ps->ddt[c] - diag[c];
-        defect[c] = mass_change(ps, c) * m->V[c] / fl->options.dt;
+        diag[c] = levels->ddt[c] - diag[c];
+        defect[c] = mass_change(fl->levels, c) * m->V[c] / fl->options.dt;
     }
     SUM_OVER_FACES(fl->faces, first, last, defect, outflow,
-                   ps->convecting_flux);
-    for (int c = first; c < last && ps->ddt_older != NULL; c++)
-        diag[c] += ps->ddt_older[c];
+                   levels->convecting_flux);
+    for (int c = first; c < last && levels->ddt_older != NULL; c++)
+        diag[c] += levels->ddt_older[c];
     for (int i = 3 * first; i < 3 * last; i++)
-        ps->b[i] = ps->momentum_residual[i];
+        momentum->b[i] = momentum->residual[i];
 }
 
 /* [XS11 3.13, 3.14]: the explicit part of the drag to the right, the implicit
@@ -80,50 +84,51 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
 static void add_drag(int first, int last, struct fluid *fl)
 {
     const double *restrict V = fl->mesh->V, *restrict F = fl->F;
-    struct piso *const ps = fl->piso;
+    struct momentum_system *const momentum = fl->momentum;
 
     for (int c = first; c < last; c++)
-        ps->diag[c] += fl->K[c] * V[c];
-    vec3_add(last - first, 1.0, V + first, F + 3L * first, ps->b + 3L * first);
+        momentum->diag[c] += fl->K[c] * V[c];
+    vec3_add(last - first, 1.0, V + first, F + 3L * first,
+             momentum->b + 3L * first);
 }
 
 /* The inlet velocity is phi over the area times eps. */
 static void add_inlet_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const S = &m->S[3 * f], phi = fl->piso->convecting_flux[f];
+    const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
     const int c = m->owner[f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double a =
-        fl->options.mu * fl->piso->face_coefficient[f] - fl->options.rho * phi;
+    const double a = fl->options.mu * fl->geometry->face_coefficient[f] -
+                     fl->options.rho * phi;
 
-    fl->piso->diag[c] += a;
+    fl->momentum->diag[c] += a;
     for (int k = 0; k < 3; k++)
-        fl->piso->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
+        fl->momentum->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
 }
 
 /* A wall, which may move along itself. */
 static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
-    const double D = fl->options.mu * fl->piso->face_coefficient[f];
+    const double D = fl->options.mu * fl->geometry->face_coefficient[f];
 
-    fl->piso->diag[c] += D;
+    fl->momentum->diag[c] += D;
     for (int k = 0; k < 3; k++)
-        fl->piso->b[3 * c + k] += D * wall[k];
+        fl->momentum->b[3 * c + k] += D * wall[k];
 }
 
 static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
 {
     const int c = fl->mesh->owner[f];
-    const double phi = fl->piso->convecting_flux[f];
+    const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_NO_SLIP)
         add_wall_face(fl, b->wall, f);
     else if (b->kind == BOUNDARY_INLET)
         add_inlet_face(fl, f);
     else if (b->kind == BOUNDARY_OUTLET && phi < 0.0) { /* enters at rest */
-        fl->piso->diag[c] -= fl->options.rho * phi;
+        fl->momentum->diag[c] -= fl->options.rho * phi;
         fl->report.backflow_faces++;
     }
 }
@@ -136,32 +141,34 @@ static void add_slip_face(struct fluid *fl, int f)
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f];
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-    const double D = fl->options.mu * fl->piso->face_coefficient[f];
+    const double D = fl->options.mu * fl->geometry->face_coefficient[f];
 
     const int c = m->owner[f];
 
     for (int k = 0; k < 3; k++)
-        fl->piso->diag3[3 * c + k] += D * S[k] * S[k] / SS;
+        fl->momentum->diag3[3 * c + k] += D * S[k] * S[k] / SS;
 }
 
 /* Three diagonals a cell, equal until slip walls add theirs. */
-static void spread_diagonal(int first, int last, struct piso *ps)
+static void spread_diagonal(int first, int last, struct momentum_system *eqn)
 {
-    vec3_spread(last - first, ps->diag + first, ps->diag3 + 3L * first);
+    vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);
 }
 
 /* Sets the diagonal that divides the velocity. H contains the force of the slip
  * walls with the old velocity. Where viscous diffusion crosses the cell within
  * a step this would be unstable from one corrector to the next, and the force
  * is implicit in the new velocity. */
-static void slip_diagonal(int first, int last, struct piso *ps)
+static void slip_diagonal(int first, int last, struct fluid *fl)
 {
+    struct momentum_system *const momentum = fl->momentum;
+
     for (int c = first; c < last; c++)
         for (int i = 3 * c; i < 3 * c + 3; i++) {
-            const double slip = ps->diag3[i] - ps->diag[c];
-            const int stiff = slip > 0.25 * ps->ddt[c];
-            ps->slip[i] = slip;
-            ps->slip_implicit[i] = stiff ? slip : 0.0;
+            const double slip = momentum->diag3[i] - momentum->diag[c];
+            const int stiff = slip > 0.25 * fl->levels->ddt[c];
+            momentum->slip[i] = slip;
+            momentum->slip_implicit[i] = stiff ? slip : 0.0;
         }
 }
 
@@ -175,13 +182,12 @@ static void add_slip_faces(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_slip_face(fl, f);
     }
-    PARALLEL_RANGES(m->n_cells, 12, slip_diagonal, fl->piso);
+    PARALLEL_RANGES(m->n_cells, 12, slip_diagonal, fl);
 }
 
 static void add_boundaries(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
 
     fl->report.backflow_faces = 0;
     for (int i = 0; i < m->n_patches; i++) {
@@ -189,20 +195,20 @@ static void add_boundaries(struct fluid *fl)
         for (int f = p->first; f < p->first + p->n; f++)
             add_boundary_face(fl, &fl->options.boundaries[i], f);
     }
-    PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, ps);
-    if (ps->slip != NULL) add_slip_faces(fl);
+    PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, fl->momentum);
+    if (fl->momentum->slip != NULL) add_slip_faces(fl);
 }
 
 /* [XS11 2.8] without its pressure; with eps = 1 and no particles [LS 3.13]. */
 void momentum_assemble(struct fluid *fl)
 {
     PARALLEL_RANGES(fl->mesh->n_internal, 4, face_coefficients, fl);
-    ldu_update(fl->piso->momentum);
+    ldu_update(fl->momentum->matrix);
     PARALLEL_RANGES(fl->mesh->n_cells, 12, cell_coefficients, fl);
     if (fl->options.coupled) {
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);
     }
-    if (fl->piso->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
     add_boundaries(fl);
 }

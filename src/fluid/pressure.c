@@ -16,12 +16,17 @@
  * term with phi_old is the time derivative at the face itself: in a steady flow
  * it cancels, and the solution does not depend on the time step.
  */
-#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "linear/face_loops.h"
 #include "linear/reduce.h"
+#include "fluid/face_jump.h"
+#include "fluid/momentum_system.h"
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 static inline double dot3(const double *a, const double *b)
 {
@@ -38,13 +43,14 @@ static int is_outlet(const struct fluid *fl, int patch)
  * forces; and 1 / m_P. */
 static void cell_resistances(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
-    const double *restrict diag = ps->diag;
-    const double *restrict storage = ps->ddt, *restrict eps_phi = fl->eps_n;
-    double *restrict per_flux = ps->per_flux, *restrict per_force =
-                                                  ps->per_force;
-    double *restrict resistance = ps->resistance;
+    const double *restrict diag = fl->momentum->diag;
+    const double *restrict storage = fl->levels->ddt, *restrict eps_phi =
+                                                          fl->eps_n;
+    double *restrict per_flux = pressure->per_flux, *restrict per_force =
+                                                        pressure->per_force;
+    double *restrict resistance = pressure->resistance;
 
     for (int c = first; c < last; c++) {
         per_force[c] = 1.0 / (piso_gamma(fl, c) * V[c]);
@@ -56,85 +62,96 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
 /* The same for the flux one step earlier, in a two-step scheme. */
 static double older_per_flux(const struct fluid *fl, int c)
 {
-    return fl->piso->ddt_older[c] * fl->piso->per_force[c] / fl->eps_nm1[c];
+    return fl->levels->ddt_older[c] * fl->pressure->per_force[c] /
+           fl->eps_nm1[c];
 }
 
 /* Two-step scheme: the contribution of the flux one step before the last. */
 static void store_old_time_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
 
     for (int f = 0; f < m->n_internal; f++)
-        ps->explicit_flux[f] +=
-            ps->m_face[f] * fl->phi_older[f] *
+        pressure->explicit_flux[f] +=
+            pressure->m_face[f] * fl->phi_older[f] *
             ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
              m->w[f] * older_per_flux(fl, m->neighbour[f]));
     for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
-        ps->explicit_flux[f] +=
-            ps->m_face[f] * fl->phi_older[f] * older_per_flux(fl, m->owner[f]);
+        pressure->explicit_flux[f] += pressure->m_face[f] * fl->phi_older[f] *
+                                      older_per_flux(fl, m->owner[f]);
 }
 
 /* m_f, and the terms that are the same for all correctors: the conductance and
  * the part of the flux by the time derivative. */
-FACE_KERNEL inner_mobility(int f, int o, int n, const double *w,
-                           const struct piso *ps)
+FACE_KERNEL inner_mobility(int f, int o, int n, const struct fluid *fl)
 {
-    const double *const r = ps->resistance, *const per_flux = ps->per_flux;
-    const double m = 1.0 / ((1.0 - w[f]) * r[o] + w[f] * r[n]);
+    const struct pressure_system *const pressure = fl->pressure;
+    const double *const r = pressure->resistance;
+    const double *const per_flux = pressure->per_flux;
+    const double w = fl->mesh->w[f];
+    const double m = 1.0 / ((1.0 - w) * r[o] + w * r[n]);
 
-    ps->m_face[f] = m;
-    ps->conductance[f] = m * ps->face_coefficient[f];
-    ps->explicit_flux[f] =
-        m * ((1.0 - w[f]) * per_flux[o] + w[f] * per_flux[n]) * ps->phi_old[f];
+    pressure->m_face[f] = m;
+    pressure->conductance[f] = m * fl->geometry->face_coefficient[f];
+    pressure->explicit_flux[f] = m *
+                                 ((1.0 - w) * per_flux[o] + w * per_flux[n]) *
+                                 fl->levels->phi_old[f];
 }
 
 /* The inertia at jumps of eps acts as a jump of the pressure and not as a
  * gradient: it is subtracted from H, the forces of the cells. */
 FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct face_jump *const jump = fl->jump;
+    const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
     const double slope =
-        (1.0 - w) * ps->per_force[o] * dot3(&ps->inertia[3 * o], S) +
-        w * ps->per_force[n] * dot3(&ps->inertia[3 * n], S);
+        (1.0 - w) * pressure->per_force[o] * dot3(&jump->inertia[3 * o], S) +
+        w * pressure->per_force[n] * dot3(&jump->inertia[3 * n], S);
 
-    ps->explicit_flux[f] +=
-        ps->conductance[f] * piso_jump(fl, f, o, n) - ps->m_face[f] * slope;
+    pressure->explicit_flux[f] +=
+        pressure->conductance[f] * face_jump_of_pressure(fl, f, o, n) -
+        pressure->m_face[f] * slope;
 }
 
 static void store_jump_fluxes(const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
 
     FOR_EACH_FACE(fl->faces, 8, inner_jump, fl);
     for (int f = m->n_internal; f < m->n_faces;
          f++) { /* m_face: outlets only */
         const int o = m->owner[f];
-        ps->explicit_flux[f] -= ps->m_face[f] * ps->per_force[o] *
-                                dot3(&ps->inertia[3 * o], &m->S[3 * f]);
+        pressure->explicit_flux[f] -=
+            pressure->m_face[f] * pressure->per_force[o] *
+            dot3(&fl->jump->inertia[3 * o], &m->S[3 * f]);
     }
 }
 
 static void face_mobilities(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
+    struct time_levels *const levels = fl->levels;
+    struct pressure_system *const pressure = fl->pressure;
 
     PARALLEL_RANGES(m->n_cells, 12, cell_resistances, fl);
-    FOR_EACH_FACE(fl->faces, 4, inner_mobility, m->w, ps);
+    FOR_EACH_FACE(fl->faces, 4, inner_mobility, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++) {
             const int o = m->owner[f];
-            ps->m_face[f] = is_outlet(fl, i) ? 1.0 / ps->resistance[o] : 0.0;
-            ps->conductance[f] = ps->m_face[f] * ps->face_coefficient[f];
-            ps->explicit_flux[f] =
-                ps->m_face[f] * ps->per_flux[o] * ps->phi_old[f];
+            pressure->m_face[f] =
+                is_outlet(fl, i) ? 1.0 / pressure->resistance[o] : 0.0;
+            pressure->conductance[f] =
+                pressure->m_face[f] * fl->geometry->face_coefficient[f];
+            pressure->explicit_flux[f] = pressure->m_face[f] *
+                                         pressure->per_flux[o] *
+                                         levels->phi_old[f];
         }
     }
-    if (ps->ddt_older != NULL) store_old_time_fluxes(fl);
+    if (levels->ddt_older != NULL) store_old_time_fluxes(fl);
     if (fl->options.coupled) store_jump_fluxes(fl);
 }
 
@@ -146,52 +163,52 @@ static double pin_pressure(const struct fluid *fl, int c)
     double sum = 0.0;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-        sum += fl->piso->conductance[m->cell_face[a]];
+        sum += fl->pressure->conductance[m->cell_face[a]];
     return sum > 0.0 ? sum : 1.0; /* a single cell */
 }
 
 void pressure_assemble(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
+    struct pressure_system *const pressure = fl->pressure;
 
     face_mobilities(fl);
-    memset(ps->boundary_conductance, 0,
-           (size_t)m->n_cells * sizeof *ps->boundary_conductance);
+    memset(pressure->boundary_conductance, 0,
+           (size_t)m->n_cells * sizeof *pressure->boundary_conductance);
     for (int f = m->n_internal; f < m->n_faces; f++)
-        ps->boundary_conductance[m->owner[f]] += ps->conductance[f];
-    if (ps->pinned_cell >= 0)
-        ps->boundary_conductance[ps->pinned_cell] +=
-            pin_pressure(fl, ps->pinned_cell);
-    multigrid_set_coefficients(ps->mg, ps->conductance,
-                               ps->boundary_conductance);
+        pressure->boundary_conductance[m->owner[f]] += pressure->conductance[f];
+    if (pressure->pinned_cell >= 0)
+        pressure->boundary_conductance[pressure->pinned_cell] +=
+            pin_pressure(fl, pressure->pinned_cell);
+    multigrid_set_coefficients(pressure->mg, pressure->conductance,
+                               pressure->boundary_conductance);
 }
 
-FACE_KERNEL inner_flux(int f, int o, int n, const struct mesh *m,
-                       const struct piso *ps, double *phi)
+FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
 {
-    const double w = m->w[f];
-    const double from_o = (1.0 - w) * ps->per_force[o];
-    const double from_n = w * ps->per_force[n];
-    const double *const a = &ps->H[3 * o], *const b = &ps->H[3 * n];
-    const double *const S = &m->S[3 * f];
+    const struct pressure_system *const pressure = fl->pressure;
+    const double w = fl->mesh->w[f], *const H = fl->momentum->H;
+    const double from_o = (1.0 - w) * pressure->per_force[o];
+    const double from_n = w * pressure->per_force[n];
+    const double *const S = &fl->mesh->S[3 * f];
 
-    phi[f] = ps->explicit_flux[f] +
-             ps->m_face[f] * (from_o * dot3(a, S) + from_n * dot3(b, S));
+    fl->phi[f] = pressure->explicit_flux[f] +
+                 pressure->m_face[f] * (from_o * dot3(&H[3 * o], S) +
+                                        from_n * dot3(&H[3 * n], S));
 }
 
 /* The pressure gradient that balances the momentum equation of a cell [Pa/m]
  * with the present velocities of its neighbours. */
 static void asked_gradient(const struct fluid *fl, int c, double slope[3])
 {
-    const struct piso *const ps = fl->piso;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int k = 0; k < 3; k++) {
         const int i = 3 * c + k;
-        slope[k] =
-            (ps->H[i] + ps->old_time_source[i] - ps->diag[c] * fl->u[i]) *
-                ps->per_force[c] -
-            fl->mean_gradient[k];
+        slope[k] = (momentum->H[i] + fl->levels->old_time_source[i] -
+                    momentum->diag[c] * fl->u[i]) *
+                       fl->pressure->per_force[c] -
+                   fl->mean_gradient[k];
     }
 }
 
@@ -208,8 +225,8 @@ FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
     mesh_oblique_part(fl->mesh, f, rest);
     asked_gradient(fl, o, a);
     asked_gradient(fl, n, b);
-    fl->phi[f] -=
-        fl->piso->m_face[f] * (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
+    fl->phi[f] -= fl->pressure->m_face[f] *
+                  (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
 }
 
 /* phi without the part of the pressure. The fluxes of walls and inlets are
@@ -217,18 +234,18 @@ FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
 static void predicted_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
+    struct pressure_system *const pressure = fl->pressure;
 
-    FOR_EACH_FACE(fl->faces, 8, inner_flux, m, ps, fl->phi);
-    if (ps->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
+    FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
+    if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
     if (m->oblique) FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
             const int o = m->owner[f];
-            fl->phi[f] =
-                ps->explicit_flux[f] + ps->m_face[f] * ps->per_force[o] *
-                                           dot3(&ps->H[3 * o], &m->S[3 * f]);
+            fl->phi[f] = pressure->explicit_flux[f] +
+                         pressure->m_face[f] * pressure->per_force[o] *
+                             dot3(&fl->momentum->H[3 * o], &m->S[3 * f]);
         }
     }
 }
@@ -241,11 +258,12 @@ FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
 /* The residual of continuity of these fluxes, to be corrected by p. */
 static void rhs_rows(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
 
     for (int c = first; c < last; c++)
-        ps->divergence[c] = -ps->source[c];
-    SUM_OVER_FACES(fl->faces, first, last, ps->divergence, inflow, fl->phi);
+        pressure->divergence[c] = -pressure->source[c];
+    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, inflow,
+                   fl->phi);
 }
 
 FACE_SUM_KERNEL size(int f, double out, const double *phi,
@@ -259,13 +277,14 @@ FACE_SUM_KERNEL size(int f, double out, const double *phi,
  * [(m^3/s)^2]; the array of the divergence serves as work space. */
 static double scale_rows(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
 
     for (int c = first; c < last; c++)
-        ps->divergence[c] = fabs(ps->source[c]);
-    SUM_OVER_FACES(fl->faces, first, last, ps->divergence, size, fl->phi,
-                   ps->phi_old);
-    return reduce_range(first, last, ps->divergence, ps->divergence);
+        pressure->divergence[c] = fabs(pressure->source[c]);
+    SUM_OVER_FACES(fl->faces, first, last, pressure->divergence, size, fl->phi,
+                   fl->levels->phi_old);
+    return reduce_range(first, last, pressure->divergence,
+                        pressure->divergence);
 }
 
 /* The right-hand side of the pressure equation. In the first corrector of a
@@ -274,20 +293,20 @@ static double scale_rows(int first, int last, const struct fluid *fl)
 static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    struct piso *const ps = fl->piso;
+    struct pressure_system *const pressure = fl->pressure;
 
     if (fl->report.correctors == 0) {
         double squares;
 
         PARALLEL_SUM(squares, m->n_cells, 8, scale_rows, fl);
-        ps->scale = sqrt(squares);
+        pressure->scale = sqrt(squares);
     }
     PARALLEL_RANGES(m->n_cells, 8, rhs_rows, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
-            ps->divergence[m->owner[f]] +=
-                ps->conductance[f] * fl->options.boundaries[i].pressure;
+            pressure->divergence[m->owner[f]] +=
+                pressure->conductance[f] * fl->options.boundaries[i].pressure;
     }
 }
 
@@ -300,30 +319,31 @@ FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
 static void add_pressure_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct piso *const ps = fl->piso;
+    const struct pressure_system *const pressure = fl->pressure;
 
-    FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, ps->conductance, fl->p,
-                  fl->phi);
+    FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, pressure->conductance,
+                  fl->p, fl->phi);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         const double outside = fl->options.boundaries[i].pressure;
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
-            fl->phi[f] -= ps->conductance[f] * (outside - fl->p[m->owner[f]]);
+            fl->phi[f] -=
+                pressure->conductance[f] * (outside - fl->p[m->owner[f]]);
     }
 }
 
 struct solve_report pressure_correct(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct pressure_system *const pressure = fl->pressure;
 
     predicted_fluxes(fl);
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
     const struct solve_report report =
-        cg_reduce(NULL, ps->mg, ps->divergence, fl->p,
+        cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
                   last ? 0.0 : fl->options.p_relative_tolerance,
-                  fl->options.tolerance * ps->scale, 500, ps->cg);
+                  fl->options.tolerance * pressure->scale, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -10,6 +10,15 @@ static struct time_weights weights_euler(double r)
     return (struct time_weights){1.0, 1.0, 0.0, 0.0};
 }
 
+const struct time_scheme time_scheme_euler = {
+    .name = "euler",
+    .what = "implicit Euler: first order, never rings",
+    .equations = "XS11",
+    .function = "weights_euler",
+    .time_levels = 1,
+    .weights = weights_euler,
+};
+
 /* The derivative at the end of the parabola through three time levels. With r =
  * 0 it is that of the line through the last two: the first step is implicit
  * Euler. */
@@ -19,19 +28,10 @@ static struct time_weights weights_bdf2(double r)
                                  r * r / (1.0 + r), r};
 }
 
-const struct time_scheme time_scheme_euler = {
-    .name = "euler",
-    .cite = "XS11",
-    .what = "implicit Euler: first order, never rings",
-    .function = "weights_euler",
-    .time_levels = 1,
-    .weights = weights_euler,
-};
-
 const struct time_scheme time_scheme_bdf2 = {
     .name = "bdf2",
-    .cite = "Curtiss52",
     .what = "backward differences over two steps: second order",
+    .equations = "Curtiss52",
     .function = "weights_bdf2",
     .time_levels = 2,
     .weights = weights_bdf2,

@@ -1,4 +1,5 @@
-/* time_scheme.h -- schemes for the time derivative of momentum. Chapter 19.
+/* time_scheme.h -- schemes for the time derivative of momentum.
+ * Chapter "The flow, verified".
  *
  *   d(eps u)/dt = (now (eps u)^(n+1) - old (eps u)^n + older (eps u)^(n-1)) /
  * dt
@@ -10,22 +11,25 @@
 #ifndef FLUID_TIME_SCHEME_H
 #define FLUID_TIME_SCHEME_H
 
+#include "base/key.h"
+
 struct time_weights {
     double now, old, older; /* [-] */
     double ahead;           /* [-] */
 };
 
 struct time_scheme {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
-    const char *function;
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     int time_levels; /* [-] number of old time levels: 1 or 2 */
     /* r: this step over the one before it; 0 where there is none. */
     struct time_weights (*weights)(double r /* [-] */);
 };
 
-/* All schemes, ended by NULL; NULL for an unknown name. */
+/* All schemes, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct time_scheme *const time_schemes[];
 const struct time_scheme *time_scheme_named(const char *name);
 

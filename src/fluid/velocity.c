@@ -2,11 +2,15 @@
 /* velocity.c -- the velocity from the momentum equation: predictor, corrector,
  * and the residual of the equation.
  */
-#include "fluid/piso.h"
+#include "fluid/momentum_system.h"
 
 #include <math.h>
+#include <stddef.h>
 
+#include "base/parallel_ranges.h"
 #include "linear/vec3.h"
+#include "fluid/piso.h"
+#include "fluid/time_levels.h"
 
 /* The remaining part of the wall force, -D n_k (n . u - n_k u_k) at a wall that
  * is not normal to an axis, is explicit, with the present velocity. */
@@ -22,7 +26,7 @@ static void add_slip_residual(const struct fluid *fl, double *right)
             const double *const u = &fl->u[3 * m->owner[f]];
             const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
             const double Su = S[0] * u[0] + S[1] * u[1] + S[2] * u[2];
-            const double D = fl->options.mu * fl->piso->face_coefficient[f];
+            const double D = fl->options.mu * fl->geometry->face_coefficient[f];
             for (int k = 0; k < 3; k++)
                 right[3 * m->owner[f] + k] -=
                     D * S[k] * (Su - S[k] * u[k]) / SS;
@@ -52,7 +56,7 @@ static void spread_weights(int first, int last, const struct fluid *fl,
 static void add_known(int first, int last, const struct fluid *fl,
                       const double *restrict to, double *restrict right)
 {
-    const double *restrict past = fl->piso->old_time_source + 3L * first;
+    const double *restrict past = fl->levels->old_time_source + 3L * first;
     const double *restrict grad_p = fl->grad_p + 3L * first;
     double share[3 * VEC3_BLOCK];
 
@@ -63,26 +67,27 @@ static void add_known(int first, int last, const struct fluid *fl,
 
 static void known_rows(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int end; first < last; first = end) {
         end = block_end(first, last);
-        add_known(first, end, fl, ps->b + 3L * first, ps->rhs + 3L * first);
+        add_known(first, end, fl, momentum->b + 3L * first,
+                  momentum->rhs + 3L * first);
     }
 }
 
 struct solve_report velocity_predict(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct momentum_system *const momentum = fl->momentum;
 
     PARALLEL_RANGES(fl->mesh->n_cells, 12, known_rows, fl);
-    if (ps->oblique_slip) add_slip_residual(fl, ps->rhs);
+    if (momentum->oblique_slip) add_slip_residual(fl, momentum->rhs);
     const double tolerance = fl->options.u_tolerance > 0.0
                                  ? fl->options.u_tolerance
                                  : fl->options.tolerance;
 
-    return bicgstab_solve(ps->momentum, ps->diag3, ps->rhs, fl->u, tolerance,
-                          1e-300, 200, ps->bicgstab);
+    return bicgstab_solve(momentum->matrix, momentum->diag3, momentum->rhs,
+                          fl->u, tolerance, 1e-300, 200, momentum->bicgstab);
 }
 
 /* H = b - slip u - sum a_N u_N after the predictor: the sum follows from rhs,
@@ -90,15 +95,16 @@ struct solve_report velocity_predict(struct fluid *fl)
 static void predicted_rows(int first, int last, const struct fluid *fl,
                            const double *residual)
 {
-    const struct piso *const ps = fl->piso;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
-        const double *restrict b = ps->b + at, *restrict rhs = ps->rhs + at;
+        const double *restrict b = momentum->b + at, *restrict rhs =
+                                                         momentum->rhs + at;
         const double *restrict u = fl->u + at, *restrict r = residual + at;
-        double *restrict H = ps->H + at, diag[3 * VEC3_BLOCK];
+        double *restrict H = momentum->H + at, diag[3 * VEC3_BLOCK];
         end = block_end(first, last);
-        vec3_spread(end - first, ps->diag + first, diag);
+        vec3_spread(end - first, momentum->diag + first, diag);
         for (int i = 0; i < 3 * (end - first); i++)
             H[i] = b[i] - rhs[i] + r[i] + diag[i] * u[i];
     }
@@ -106,38 +112,38 @@ static void predicted_rows(int first, int last, const struct fluid *fl,
 
 void velocity_predicted_sum(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct momentum_system *const momentum = fl->momentum;
 
     PARALLEL_RANGES(fl->mesh->n_cells, 12, predicted_rows, fl,
-                    bicgstab_residual(ps->bicgstab));
-    if (ps->oblique_slip) add_slip_residual(fl, ps->H);
+                    bicgstab_residual(momentum->bicgstab));
+    if (momentum->oblique_slip) add_slip_residual(fl, momentum->H);
 }
 
 /* H = b - slip u - sum a_N u_N */
 static void neighbour_rows(int first, int last, const struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
-    const double *restrict b = ps->b, *restrict u = fl->u;
-    double *restrict H = ps->H;
+    const struct momentum_system *const momentum = fl->momentum;
+    const double *restrict b = momentum->b, *restrict u = fl->u;
+    double *restrict H = momentum->H;
 
-    ldu_rows(first, last, ps->momentum, NULL, u, H);
+    ldu_rows(first, last, momentum->matrix, NULL, u, H);
     for (int i = 3 * first; i < 3 * last; i++)
         H[i] = b[i] - H[i];
-    for (int i = 3 * first; i < 3 * last && ps->slip != NULL; i++)
-        H[i] -= ps->slip[i] * u[i];
+    for (int i = 3 * first; i < 3 * last && momentum->slip != NULL; i++)
+        H[i] -= momentum->slip[i] * u[i];
 }
 
 void velocity_neighbour_sum(struct fluid *fl)
 {
-    struct piso *const ps = fl->piso;
+    struct momentum_system *const momentum = fl->momentum;
 
     PARALLEL_RANGES(fl->mesh->n_cells, 12, neighbour_rows, fl);
-    if (ps->oblique_slip) add_slip_residual(fl, ps->H);
+    if (momentum->oblique_slip) add_slip_residual(fl, momentum->H);
 }
 
 static void correct_rows(int first, int last, struct fluid *fl)
 {
-    const struct piso *const ps = fl->piso;
+    const struct momentum_system *const momentum = fl->momentum;
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
@@ -145,11 +151,11 @@ static void correct_rows(int first, int last, struct fluid *fl)
         double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK];
         end = block_end(first, last);
         const int n = 3 * (end - first);
-        add_known(first, end, fl, ps->H + at, right);
-        vec3_spread(end - first, ps->diag + first, a);
-        for (int i = 0; i < n && ps->slip_implicit != NULL; i++) {
-            right[i] += ps->slip_implicit[at + i] * u[i];
-            a[i] += ps->slip_implicit[at + i];
+        add_known(first, end, fl, momentum->H + at, right);
+        vec3_spread(end - first, momentum->diag + first, a);
+        for (int i = 0; i < n && momentum->slip_implicit != NULL; i++) {
+            right[i] += momentum->slip_implicit[at + i] * u[i];
+            a[i] += momentum->slip_implicit[at + i];
         }
         for (int i = 0; i < n; i++)
             u[i] = right[i] / a[i];
@@ -174,18 +180,18 @@ static double larger(double a, double b)
 static void residual_rows(int first, int last, struct fluid *fl,
                           struct rest *rest)
 {
-    struct piso *const ps = fl->piso;
+    struct momentum_system *const momentum = fl->momentum;
     struct rest r = {0.0, 0.0};
     const int partial = parallel_ranges_of(fl->mesh->n_cells, first);
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
         const double *restrict u = fl->u + at;
-        double *restrict owed = ps->momentum_residual + at;
+        double *restrict owed = momentum->residual + at;
         double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK];
         end = block_end(first, last);
-        add_known(first, end, fl, ps->H + at, right);
-        vec3_spread(end - first, ps->diag + first, a);
+        add_known(first, end, fl, momentum->H + at, right);
+        vec3_spread(end - first, momentum->diag + first, a);
         for (int i = 0; i < 3 * (end - first); i++) {
             owed[i] = right[i] - a[i] * u[i];
             r.worst = larger(r.worst, fabs(owed[i]));

@@ -92,18 +92,23 @@ static void least_squares(const struct mesh *m, const double *u,
     }
 }
 
+const struct key velocity_gradient_keys[] = {
+    {"fluid.gradient", KEY_NAME, "", "", "gauss",
+     "slope of the velocity, where a scheme asks for it", "", ""},
+    KEY_END};
+
 const struct velocity_gradient_scheme velocity_gradient_gauss = {
     .name = "gauss",
-    .cite = "",
     .what = "by the theorem of Gauss; conserves",
+    .equations = "",
     .function = "gauss",
     .fill = gauss,
 };
 
 const struct velocity_gradient_scheme velocity_gradient_least_squares = {
     .name = "least-squares",
-    .cite = "",
     .what = "exact for a linear field on any mesh",
+    .equations = "",
     .function = "least_squares",
     .fill = least_squares,
 };

@@ -1,4 +1,5 @@
-/* velocity_gradient.h -- the gradient of the velocity in the cells. Chapter 19.
+/* velocity_gradient.h -- the gradient of the velocity in the cells.
+ * Chapter "The flow, verified".
  *
  * Gauss: (1/V) sum u_f S, u_f linear between the two cells of a face. Least
  * squares: the gradient that best gives the differences to all neighbours,
@@ -8,20 +9,25 @@
 #ifndef FLUID_VELOCITY_GRADIENT_H
 #define FLUID_VELOCITY_GRADIENT_H
 
+#include "base/key.h"
 #include "mesh/mesh.h"
 
 /* Fills slope, 9 a cell: [9 * c + 3 * k + j] is d u_k / d x_j [1/s]. u: 3 a
  * cell; u_b: 3 a boundary face, from that face's first on [m/s]. */
 struct velocity_gradient_scheme {
-    const char *name; /* as a case spells it */
-    const char *cite;
-    const char *what;
-    const char *function;
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     void (*fill)(const struct mesh *m, const double *u, const double *u_b,
                  double *slope);
 };
 
-/* All schemes, ended by NULL; NULL for an unknown name. */
+/* The key that chooses one, for the schemes of convection that use it. */
+extern const struct key velocity_gradient_keys[];
+
+/* All schemes, ended by NULL, the default first; NULL for an unknown name. */
 extern const struct velocity_gradient_scheme *const velocity_gradient_schemes[];
 const struct velocity_gradient_scheme *
 velocity_gradient_scheme_named(const char *name);

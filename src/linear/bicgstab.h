@@ -1,5 +1,6 @@
 /* bicgstab.h -- BiCGStab for the three components of a momentum equation.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  *
  * The components are interleaved, x[3 * i + k]. They have the same off-diagonal
  * entries; each has its own diagonal, diag3[3 * i + k], which is also the

@@ -1,5 +1,6 @@
 /* cg.h -- conjugate gradients for a symmetric positive definite matrix.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  */
 #ifndef LINEAR_CG_H
 #define LINEAR_CG_H

@@ -1,4 +1,5 @@
-/* csr.h -- a sparse matrix whose pattern is a list of links.  Chapter 7.
+/* csr.h -- a sparse matrix whose pattern is a list of links.
+ * Chapter "Linear solvers".
  *
  * Link l joins two unknowns, owner[l] and neighbour[l], and stands for the two
  * entries (owner, neighbour) and (neighbour, owner). The rows are stored one

@@ -1,4 +1,5 @@
-/* dense.h -- direct solution of a small symmetric system.  Chapter 7.
+/* dense.h -- direct solution of a small symmetric system.
+ * Chapter "Linear solvers".
  *
  * A = L D L^T, L with a unit diagonal. If a pivot is zero within rounding (in a
  * singular system, such as that of the pressure between walls), its unknown is

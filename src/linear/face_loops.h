@@ -1,33 +1,32 @@
-/* face_loops.h -- the loops of faces.h, as macros. Chapter 7. */
+/* face_loops.h -- the loops of faces.h, as macros. Chapter "Linear solvers".
+ *
+ * The function of one face is declared with FACE_KERNEL or FACE_SUM_KERNEL: the
+ * compiler forms one vectorised loop only if the function is inlined.
+ */
 #ifndef LINEAR_FACE_LOOPS_H
 #define LINEAR_FACE_LOOPS_H
 
 #include "base/parallel_ranges.h"
 #include "linear/faces.h"
 
-#include <stddef.h>
-
-/* The function of one face is declared with one of these prefixes, because the
- * compiler forms one vectorised loop only if the function is inlined. */
 #define FACE_KERNEL static inline __attribute__((always_inline)) void
 #define FACE_SUM_KERNEL static inline __attribute__((always_inline)) double
 
 /* clang-format off: it would break the pragmas apart. */
 
-/* each(f, owner, neighbour, ...) for all inner faces, whose loop handles m
+/* each(f, owner, neighbour, ...) for all inner faces, where the loop handles m
  * numbers a face. */
 #define FOR_EACH_FACE(of, m, each, ...)                                        \
-    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each,                \
-                    __VA_ARGS__)
+    PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each, __VA_ARGS__)
 
 /* The same for the inner faces first .. last - 1. */
 #define FACES_OF_RANGE(first, last, of, each, ...)                             \
     do {                                                                       \
         const struct faces *const fs_ = (of);                                  \
-        if (fs_->pieces == NULL)                                               \
-            FACES_BY_LISTS(fs_, first, last, each, __VA_ARGS__);               \
-        else                                                                   \
+        if (fs_->pieces)                                                       \
             FACES_BY_PIECES(fs_, first, last, each, __VA_ARGS__);              \
+        else                                                                   \
+            FACES_BY_LISTS(fs_, first, last, each, __VA_ARGS__);               \
     } while (0)
 
 #define FACES_BY_LISTS(fs, first, last, each, ...)                             \
@@ -54,28 +53,20 @@
 #define SUM_OVER_FACES(of, first, last, sum, each, ...)                        \
     do {                                                                       \
         const struct faces *const fs_ = (of);                                  \
-        if (fs_->pieces == NULL)                                               \
-            SUM_BY_LISTS(fs_, first, last, sum, each, __VA_ARGS__);            \
-        else                                                                   \
-            SUM_BY_PIECES(fs_, first, last, sum, each, __VA_ARGS__);           \
-    } while (0)
-
-#define SUM_BY_LISTS(fs, first, last, sum, each, ...)                          \
-    do {                                                                       \
-        const int *const start_ = (fs)->cell_start;                            \
-        for (int c_ = (first); c_ < (last); c_++) {                            \
-            double s_ = (sum)[c_];                                             \
-            for (int a_ = start_[c_]; a_ < start_[c_ + 1]; a_++)               \
-                s_ += each((fs)->cell_face[a_], (fs)->out[a_], __VA_ARGS__);   \
-            (sum)[c_] = s_;                                                    \
+        if (fs_->pieces)                                                       \
+            SUM_BY_PIECES(fs_->pieces, first, last, sum, each, __VA_ARGS__);   \
+        for (int c_ = (first); !fs_->pieces && c_ < (last); c_++) {            \
+            const int *const start_ = &fs_->cell_start[c_];                    \
+            for (int a_ = start_[0]; a_ < start_[1]; a_++)                     \
+                (sum)[c_] +=                                                   \
+                    each(fs_->cell_face[a_], fs_->out[a_], __VA_ARGS__);       \
         }                                                                      \
     } while (0)
 
-#define SUM_BY_PIECES(fs, first, last, sum, each, ...)                         \
+#define SUM_BY_PIECES(r, first, last, sum, each, ...)                          \
     do {                                                                       \
-        const struct face_pieces *const r_ = (fs)->pieces;                     \
         struct face_piece p_ = {0};                                            \
-        while (r_->next_of_cells(r_, first, last, &p_)) {                      \
+        while ((r)->next_of_cells(r, first, last, &p_)) {                      \
             double *const s_ = (sum) + p_.cell;                                \
             const int f_ = p_.face, m_ = p_.n;                                 \
             const double out_ = p_.out;                                        \

@@ -8,9 +8,9 @@
 void faces_divide(struct faces *f)
 {
     f->pieces = NULL;
-    for (int i = 0; face_orders[i] != NULL && f->pieces == NULL; i++)
+    for (int i = 0; faces_orders[i] != NULL && f->pieces == NULL; i++)
         f->pieces =
-            face_orders[i]->create(f->n_inner, f->n, f->owner, f->neighbour);
+            faces_orders[i]->create(f->n_inner, f->n, f->owner, f->neighbour);
 }
 
 void faces_release(struct faces *f)

@@ -1,5 +1,6 @@
 /* faces.h -- loops over the faces of a mesh, and over the faces of its cells.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  *
  * A loop is written once, as an inline function of one face: FOR_EACH_FACE of
  * face_loops.h calls it for each inner face, SUM_OVER_FACES for each face of
@@ -39,12 +40,12 @@ struct face_pieces {
 
 /* A way to find the pieces: create returns NULL if there are none that are
  * worth it. All ways, ended by NULL. */
-struct face_order {
+struct faces_order {
     const char *name;
     struct face_pieces *(*create)(int n_inner, int n, const int *owner,
                                   const int *neighbour);
 };
-extern const struct face_order *const face_orders[];
+extern const struct faces_order *const faces_orders[];
 
 /* The faces of a mesh; all arrays are borrowed. */
 struct faces {

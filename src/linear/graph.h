@@ -1,5 +1,6 @@
 /* graph.h -- cells and the links between them, and the coarser graphs whose
- * cells are aggregates of cells. Chapter 7.
+ * cells are aggregates of cells.
+ * Chapter "Linear solvers".
  */
 #ifndef LINEAR_GRAPH_H
 #define LINEAR_GRAPH_H

@@ -1,5 +1,6 @@
 /* ldu.h -- a matrix with two numbers a link, for three components at a time.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  *
  * upper[l] is the entry (owner, neighbour), lower[l] the entry (neighbour,
  * owner): assembly writes both arrays link by link, in memory order. Where

@@ -1,5 +1,6 @@
 /* level.h -- one level of multigrid: its matrix, its vectors, and the map from
- * the unknowns and links of the finer level to its own. Chapter 7.
+ * the unknowns and links of the finer level to its own.
+ * Chapter "Linear solvers".
  */
 #ifndef LINEAR_LEVEL_H
 #define LINEAR_LEVEL_H

@@ -1,4 +1,5 @@
-/* multigrid.h -- the pressure solver's preconditioner.  Chapter 7.
+/* multigrid.h -- the pressure solver's preconditioner.
+ * Chapter "Linear solvers".
  *
  * Cells are joined into aggregates, and aggregates into larger ones, until a
  * few are left. The aggregates depend on the geometry alone and are formed

@@ -1,5 +1,6 @@
 /* pairwise_aggregation.h -- pairwise aggregation of cells, by geometry alone.
- * Chapter 7.
+ *
+ * Chapter "Linear solvers".
  *
  * One coarsening takes the directions x, y, z in turn and joins cells in pairs
  * along the links closest to that direction, in the order of their numbers; a

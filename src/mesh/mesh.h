@@ -1,4 +1,5 @@
-/* mesh.h -- space as a list of faces.  Chapter 4.
+/* mesh.h -- space as a list of faces.
+ * Chapter "The mesh".
  *
  * A face has an owner and, inside, a neighbour; its area vector S points from
  * the owner to the neighbour, or out of the domain. What leaves one cell

@@ -199,7 +199,7 @@ void profile_add(struct profile *p, double time, double dt)
 static char **column_names(const struct profile *p)
 {
     char **const names =
-        alloc_zeroed((size_t)(1 + 2 * p->n_fields), sizeof names[0]);
+        alloc_zeroed(1 + 2 * (size_t)p->n_fields, sizeof names[0]);
 
     names[0] = alloc_zeroed(8, 1);
     snprintf(names[0], 8, "%c [m]", "xyz"[p->line.along]);

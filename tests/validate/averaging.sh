@@ -21,7 +21,7 @@ gnuplot figures/21-mueller.gp
 sh figures/21-break.sh # how pcm ends on the finest meshes
 awk -f figures/21-mueller.awk figures/data/mueller-2009.txt figures/21-mueller.txt
 
-# Is it the averaging or the drag that leaves the walls too dilute? (Chapter 21)
+# Is it the averaging or the drag that leaves the walls too dilute? (chapter "Averaging, compared")
 winnow run cases/mueller-bed.cfg --quiet -o out/21-mueller/gidaspow \
     -s exchange.drag=gidaspow -s output.end=5 -s output.every=0.5 >/dev/null
 sh chapters/tools/transcript.sh -w "$(command -v winnow)" figures/21-count.txt

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Long runs of the coupling: Cases 1, 2 and 4 of XS11, with the kernel and with
 # sums of each cell, on two meshes, with other seeds and springs. Hours; the
-# figures of chapter 20 are made of what they leave.
+# figures of chapter "Which treatment is stable" are made of what they leave.
 #
 #   sh tests/validate/coupling.sh build/winnow [two|sensor|ramp|seepage|springs|weight ...]
 #

@@ -17,7 +17,19 @@ struct bandwidth {
     double *D;     /* [-] of each internal face */
 };
 
-const char *const bandwidth_rules[] = {"uniform", "cells", "grains", NULL};
+const struct model bandwidth_cells = {
+    .name = "cells",
+    .what = "less what a cell smears by its width",
+    .equations = "SX15 section 2.2.3",
+    .function = "bandwidth_minus_cell",
+};
+
+const struct model bandwidth_grains = {
+    .name = "grains",
+    .what = "as the mean diameter of the grains in a cell",
+    .equations = "SX15 section 2.2.3",
+    .function = "follow_grains",
+};
 
 static int is_in(const struct averaging_region *r, const double x[3])
 {
@@ -91,9 +103,6 @@ static void find_faces(struct bandwidth *w)
 struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
                                    const struct averaging_options *o)
 {
-    const int uniform = strcmp(o->vary, bandwidth_rules[0]) == 0;
-
-    if (uniform && o->n_regions == 0) return NULL;
     struct bandwidth *const w = alloc_zeroed(1, sizeof *w);
 
     w->h = h;
@@ -147,3 +156,19 @@ double bandwidth_largest(const struct bandwidth *w)
     }
     return base * gsl_pow_2(d_max * volume / sum);
 }
+
+static int has_rule(const char *vary)
+{
+    return strcmp(vary, "uniform") == 0 || strcmp(vary, "cells") == 0 ||
+           strcmp(vary, "grains") == 0;
+}
+
+const struct diffusion_variation bandwidth_variation = {
+    .has_rule = has_rule,
+    .is_by_lines = bandwidth_is_by_lines,
+    .create = bandwidth_create,
+    .free = bandwidth_free,
+    .bind = bandwidth_bind,
+    .D = bandwidth_D,
+    .largest = bandwidth_largest,
+};

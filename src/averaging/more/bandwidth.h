@@ -1,4 +1,5 @@
-/* bandwidth.h -- a bandwidth of the diffusion that varies in space. Chapter 21.
+/* bandwidth.h -- a bandwidth of the diffusion that varies in space.
+ * Chapter "Averaging, compared".
  *
  *     d phi / d tau = div (D grad phi),  D = (b(x) / b)^2 [-]
  *                                           [SX15 section 2.2.3]
@@ -23,10 +24,12 @@
 #define AVERAGING_MORE_BANDWIDTH_H
 
 #include "averaging/averaging.h"
+#include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
+#include "base/model.h"
 
-/* The names for options.vary, ended by NULL; the first is the default: not. */
-extern const char *const bandwidth_rules[];
+/* All of this, for the diffusion. */
+extern const struct diffusion_variation bandwidth_variation;
 
 /* D minus the smoothing by a cell of width dx [m], where D = 1 for the
  * bandwidth b [m]: the rule "cells". [-] */
@@ -38,7 +41,7 @@ int bandwidth_is_by_lines(const struct averaging_options *o);
 
 struct bandwidth;
 
-/* NULL if the options name no variation; the cells are borrowed. */
+/* For options that name a rule or regions; the cells are borrowed. */
 struct bandwidth *bandwidth_create(const struct cell_of_particle *h,
                                    const struct averaging_options *o);
 void bandwidth_free(struct bandwidth *w);

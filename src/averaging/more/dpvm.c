@@ -227,8 +227,8 @@ static void dpvm_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method dpvm_method = {
     .name = "dpvm",
-    .cite = "SX15 section 1, LS section 5.4",
     .what = "a cell takes the parts of particles in it",
+    .equations = "SX15 section 1, LS section 5.4",
     .function = "dpvm_weights",
     .reach_d = 0.5,
     .create = dpvm_create,
@@ -240,8 +240,8 @@ const struct averaging_method dpvm_method = {
 
 const struct averaging_method dpvm_cube_method = {
     .name = "cube",
-    .cite = "EW18 section 2.4",
     .what = "a cell takes the parts of the particles' cubes in it",
+    .equations = "EW18 section 2.4",
     .function = "dpvm_weights",
     .reach_d = 0.5 * M_SQRT3,
     .create = cube_create,

@@ -1,4 +1,5 @@
-/* dpvm.h -- a particle divided among the cells that it overlaps.  Chapter 8.
+/* dpvm.h -- a particle divided among the cells that it overlaps.
+ * Chapter "Averaging".
  *
  *     w_ic = |body_i and cell c| / sum_m |body_i and cell m|
  *

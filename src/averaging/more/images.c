@@ -266,9 +266,10 @@ static void images_free(void *state)
 
 const struct averaging_method images_method = {
     .name = "images",
-    .cite = "EW18 17-21",
     .what = "a Gaussian weight, with mirror images at walls",
+    .equations = "EW18 17-21",
     .function = "find_shares",
+    .keys = {averaging_bandwidth_keys, averaging_delta_keys},
     .needs_bandwidth = 1,
     .create = images_create,
     .free = images_free,

@@ -1,4 +1,5 @@
-/* overlap.h -- the volume of a sphere in a box.  Chapter 8.
+/* overlap.h -- the volume of a sphere in a box.
+ * Chapter "Averaging".
  *
  * Exact, in closed form. What is common to a ball and a box is a sum over the
  * corners of the box, with alternating signs, of what is common to the ball

@@ -12,7 +12,7 @@
 
 #include "averaging/more/bandwidth.h"
 #include "base/alloc.h"
-#include "linear/fast/chebyshev.h"
+#include "linear/chebyshev.h"
 
 enum {
     WIDTH = 16,       /* numbers side by side: two of the widest vectors */
@@ -325,3 +325,25 @@ void separable_apply(struct separable *s, int m, double *u)
     for (int k = 0; k < 3; k++)
         if (s->direction[k].n > 1) apply_direction(s, k, m, u);
 }
+
+static void *create(const struct mesh *mesh, double T, double b, double tail)
+{
+    return separable_create(&mesh->box, T, b, tail);
+}
+
+static void release(void *state)
+{
+    separable_free(state);
+}
+
+static void apply(void *state, int m, double *u)
+{
+    separable_apply(state, m, u);
+}
+
+const struct diffusion_exponential separable_exponential = {
+    .name = "separable",
+    .create = create,
+    .free = release,
+    .apply = apply,
+};

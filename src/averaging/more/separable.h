@@ -1,4 +1,5 @@
-/* separable.h -- diffusion in a box, direction by direction. Chapter 8.
+/* separable.h -- diffusion in a box, direction by direction.
+ * Chapter "Averaging".
  *
  * The Laplacian of a box of cells is a sum of three, one for each direction,
  * and these commute. So the exponential is a product:
@@ -18,7 +19,11 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
+#include "averaging/diffusion.h"
 #include "mesh/mesh.h"
+
+/* All of this, for the diffusion. */
+extern const struct diffusion_exponential separable_exponential;
 
 struct separable;
 

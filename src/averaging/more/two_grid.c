@@ -255,9 +255,11 @@ static void two_grid_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method two_grid_method = {
     .name = "two-grid",
-    .cite = "LS section 5.4",
     .what = "pcm on a coarser grid, then moved to the mesh",
+    .equations = "LS section 5.4",
     .function = "two_grid_spread",
+    .keys = {averaging_bandwidth_keys},
+    .lays_grid = 1,
     .needs_bandwidth = 1,
     .create = two_grid_create,
     .free = two_grid_free,

@@ -150,8 +150,8 @@ static void images_poly_gather(void *state, int m, const double *field,
 
 const struct averaging_method images_poly_method = {
     .name = "images",
-    .cite = "EW18 17-21",
     .what = "a Gaussian weight, with mirror images at walls",
+    .equations = "EW18 17-21",
     .function = "images_weights",
     .needs_bandwidth = 1,
     .reach_b = 3.0,

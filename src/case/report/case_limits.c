@@ -65,10 +65,7 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v)
     k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
     k.d = smaller(k.d, case_population_smallest(s, m));
     if (k.d <= 0.0) return k;
-    if (of.young > 0.0)
-        k.rayleigh =
-            limits_rayleigh(0.5 * k.d, k.density,
-                            of.young / (2.0 * (1.0 + of.poisson)), of.poisson);
+    k.rayleigh = law->wave_time(&of, 0.5 * k.d, k.density);
     k.contact = limits_contact_time(law, &of, k.d, k.density, v);
     k.suggested = limits_step(law, &of, k.d, k.density, v);
     k.longest = limits_longest_step(law, &of, k.d, k.density, v);

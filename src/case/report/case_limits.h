@@ -9,7 +9,7 @@ struct case_limits {
     int material;     /* [-] its number */
     double d;         /* [m] */
     double density;   /* [kg/m^3] */
-    double rayleigh;  /* [s] T_R [LS 5.11]; 0 without Young's modulus */
+    double rayleigh;  /* [s] T_R [LS 5.11]; HUGE_VAL: the law has none */
     double contact;   /* [s] duration of an impact */
     double suggested; /* [s] */
     double longest;   /* [s] that still resolves the impact */

@@ -79,6 +79,12 @@ static void print_eval(const char *key)
                    e->inputs);
 }
 
+static void print_formula(const char *key, int indent)
+{
+    for (const struct equation *e = equations_all; e->key != NULL; e++)
+        if (is_wanted(e->key, key)) printf("%*s%s\n", indent, "", e->formula);
+}
+
 static const struct equation_index_row *row_of(const char *key)
 {
     const struct equation_index_row *r = equation_index_rows;
@@ -95,6 +101,7 @@ static void print_equation(const struct equation_index_row *r)
         r = row_of(r[1].name);
         printf("  %-13s %s: %s\n", "the same as", r->key, r->name);
     }
+    print_formula(r->key, 2);
     if (is_of(r + 1, r->key) && r[1].kind == EQUATION_INDEX_STATUS)
         printf("  %s\n", r[1].name);
     print_kind(r, EQUATION_INDEX_FUNCTION, "computed by");
@@ -140,6 +147,38 @@ static int list_document(const char *document)
                    : "");
     }
     return 0;
+}
+
+/* Where a function stands, and the equations that it computes. */
+int equation_index_explain_function(const char *name)
+{
+    const char *file = "";
+    struct nearest n;
+    int found = 0;
+
+    nearest_init(&n, name);
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++) {
+        if (r->kind != EQUATION_INDEX_FUNCTION) continue;
+        nearest_offer(&n, r->name);
+        if (strcmp(r->name, name) != 0) continue;
+        if (strcmp(r->file, file) != 0) printf("%s, %s\n", name, r->file);
+        file = r->file;
+        printf("  %-13s %s: %s\n", found++ == 0 ? "computes" : "", r->key,
+               row_of(r->key)->name);
+        print_formula(r->key, 18);
+    }
+    if (found > 0) return 0;
+    fprintf(stderr, "winnow: no equation is computed by %s%s%s%s\n", name,
+            nearest_best(&n) != NULL ? "; did you mean " : "",
+            nearest_best(&n) != NULL ? nearest_best(&n) : "",
+            nearest_best(&n) != NULL ? "?" : "");
+    return 2;
+}
+
+int equation_index_is_function(const char *word)
+{
+    return word[strspn(word, "abcdefghijklmnopqrstuvwxyz_0123456789")] == '\0';
 }
 
 int equation_index_explain(const char *key)

@@ -31,6 +31,12 @@ extern const struct equation_index_row equation_index_rows[];
  * document, XS11, and not as the name of a case file. */
 int equation_index_is_key(const char *word);
 
+/* 1 if the word may be the name of a function: small letters, digits and _. */
+int equation_index_is_function(const char *word);
+
+/* Prints the equations that a function computes. 0, or 2 after a message. */
+int equation_index_explain_function(const char *name);
+
 /* Prints what is known of an equation, or of all parts (5a, 5b, ...) of one;
  * of a document, a line for each. Returns the exit code: 0, or 2 after a
  * message that names the nearest. */

@@ -14,6 +14,7 @@ enum { EQUATIONS_INPUTS = 8, EQUATIONS_TEXT = 32 };
 struct equation {
     const char *key;      /* document:number, "XS11:2.13" */
     const char *what;     /* its name */
+    const char *formula;  /* as one would type it */
     const char *inputs;   /* each with its unit: "Re [-], eps_f [-]" */
     const char *out;      /* symbol of the value */
     const char *unit;     /* and its unit, "-" for a pure number */

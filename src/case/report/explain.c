@@ -2,8 +2,7 @@
 #include "case/report/explain.h"
 
 #include "case/case_materials.h"
-#include "case/models.h"
-#include "case/schema.h"
+#include "case/model_choice.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -51,70 +50,6 @@ static void print_line(const char *source, const char *function,
            kind[0] != '\0' ? ": " : "", what);
 }
 
-/* 1 if a side of the box is the patch, or a group with it as key. */
-static int is_some_side(const struct settings *s, const char *patch)
-{
-    const char *side;
-
-    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
-        char key[128];
-
-        if (!settings_has(s, side)) continue;
-        if (settings_text(s, side) != NULL) {
-            if (strcmp(settings_text(s, side), patch) == 0) return 1;
-            continue;
-        }
-        snprintf(key, sizeof key, "%s.%s", side, patch);
-        if (strcmp(patch, "no-slip") != 0 && strcmp(patch, "slip") != 0 &&
-            settings_has(s, key))
-            return 1;
-    }
-    return 0;
-}
-
-/* 1 if the group that a kind's key is in is at work. */
-static int is_at_work(const struct settings *s, const struct kind *kind)
-{
-    char group[64];
-
-    snprintf(group, sizeof group, "%s", kind->key);
-    if (strrchr(group, '.') != NULL) *strrchr(group, '.') = '\0';
-    if (strcmp(kind->name, "scheme") == 0 && settings_has(s, group))
-        return strcmp(settings_text(s, "averaging.method"), "diffusion") == 0;
-    if (strcmp(kind->name, "interpolation") == 0)
-        return settings_has(s, "exchange");
-    return settings_has(s, group);
-}
-
-/* 1 if one of the groups of a list chose that model. */
-static int is_in_list(const struct settings *s, const char *path,
-                      const char *model)
-{
-    const char *const dot = strrchr(path, '.');
-    char list[64];
-
-    snprintf(list, sizeof list, "%.*s", (int)(dot - path), path);
-    for (int i = 0; i < settings_length(s, list); i++)
-        if (strcmp(settings_item_text(s, list, i, dot + 1), model) == 0)
-            return 1;
-    return 0;
-}
-
-static int is_on(const struct settings *s, const struct kind *kind,
-                 const struct model *m)
-{
-    char path[128];
-
-    if (!is_at_work(s, kind)) return 0;
-    if (strcmp(kind->name, "patch") == 0) return is_some_side(s, m->name);
-    if (strcmp(kind->name, "sizes") == 0 || strcmp(kind->name, "surface") == 0)
-        return is_in_list(s, kind->key, m->name);
-    if (strcmp(kind->name, "effect") != 0)
-        return strcmp(settings_text(s, kind->key), m->name) == 0;
-    snprintf(path, sizeof path, "effects.%s", m->name);
-    return settings_has(s, path);
-}
-
 static void print_on(const struct settings *s)
 {
     struct model m;
@@ -124,10 +59,10 @@ static void print_on(const struct settings *s)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         for (int i = 0; k->model(i, &m); i++)
-            if (is_on(s, k, &m)) {
+            if (model_choice_is_on(s, k, &m)) {
                 char name[128];
                 snprintf(name, sizeof name, "%s %s", k->name, m.name);
-                print_line(m.source, m.function, name, m.what);
+                print_line(m.equations, m.function, name, m.what);
             }
 }
 
@@ -142,7 +77,7 @@ static void print_off(const struct settings *s)
         int n = 0;
 
         for (int i = 0; k->model(i, &m); i++)
-            if (!is_on(s, k, &m)) {
+            if (!model_choice_is_on(s, k, &m)) {
                 if (n++ == 0) printf("  %s:", k->name);
                 printf(" %s", m.name);
             }

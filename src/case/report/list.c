@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/list.h"
 
-#include "coupling/effects.h"
 #include "case/models.h"
 #include "case/nearest.h"
 #include "case/schema.h"
@@ -36,40 +35,85 @@ static void print_key(const struct key *key, const char *indent)
 
     schema_expected(key, expected);
     printf("%s%s = %s", indent, key->path, expected);
-    if (key->fallback == NULL)
+    if (schema_is_required(key))
         printf("; required");
-    else if (key->fallback[0] != '\0')
+    else if (schema_has_default(key))
         printf("; default %s", key->fallback);
     if (key->needs[0] != '\0') printf("; needs %s", key->needs);
     printf("\n%s    %s", indent, key->what);
     print_source(key->source);
 }
 
-static void print_keys_named(const char *paths)
+static void print_keys_of(const struct model *m)
 {
-    const struct key *tables[CASE_FILE_TABLES];
-    char path[SCHEMA_TEXT];
-    int used;
-
-    case_file_tables(tables);
-    for (; sscanf(paths, "%255s%n", path, &used) == 1; paths += used)
-        if (schema_find(tables, path) != NULL)
-            print_key(schema_find(tables, path), "        ");
+    for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
+        for (const struct key *k = m->keys[t]; k->path != NULL; k++)
+            print_key(k, "        ");
 }
 
-static void print_keys_of_effect(const char *name)
+/* How many letters of a path name its part of a case: "fluid", "title". */
+static size_t part_of(const char *path)
 {
-    for (const struct key *k = effects_named(name)->keys; k->path != NULL; k++)
-        print_key(k, "        ");
+    return strcspn(path, ".");
 }
 
-static void print_all_keys(void)
+/* The keys of one part, those of its groups and those of its models. */
+static int print_part(const struct key *const *tables, const char *part,
+                      size_t length)
+{
+    const struct key *key;
+    int n = 0;
+
+    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
+        if (part_of(key->path) == length &&
+            strncmp(key->path, part, length) == 0) {
+            print_key(key, "");
+            n++;
+        }
+    return n;
+}
+
+/* The first row of each part, in the order of the tables; NULL past the last.
+ */
+static const struct key *next_part(const struct key *const *tables, int *i)
+{
+    const struct key *key;
+
+    for (; (key = schema_at(tables, *i)) != NULL; ++*i)
+        if (strchr(key->path, '.') == NULL) {
+            ++*i;
+            return key;
+        }
+    return NULL;
+}
+
+static int unknown_part(const struct key *const *tables, const char *name)
+{
+    const struct key *key;
+    struct nearest n;
+
+    nearest_init(&n, name);
+    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
+        nearest_offer(&n, key->path);
+    fprintf(stderr, "winnow: no part of a case is called %s; %s%s%s\n", name,
+            nearest_best(&n) != NULL ? "did you mean " : "winnow list keys",
+            nearest_best(&n) != NULL ? nearest_best(&n) : " names all keys",
+            nearest_best(&n) != NULL ? "?" : "");
+    return 2;
+}
+
+int list_keys(const char *part)
 {
     const struct key *tables[CASE_FILE_TABLES], *key;
 
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
-        print_key(key, "");
+    if (part != NULL)
+        return print_part(tables, part, strlen(part)) > 0
+                   ? 0
+                   : unknown_part(tables, part);
+    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
+        print_part(tables, key->path, strlen(key->path));
+    return 0;
 }
 
 static int unknown_kind(const char *name)
@@ -95,17 +139,13 @@ int list_models(const char *name)
     const struct kind *const kind = models_kind(name);
     struct model m;
 
-    if (strcmp(name, "keys") == 0) {
-        print_all_keys();
-        return 0;
-    }
+    if (strcmp(name, "keys") == 0) return list_keys(NULL);
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
     for (int i = 0; kind->model(i, &m); i++) {
         printf("    %s: %s", m.name, m.what);
-        print_source(m.source);
-        print_keys_named(m.keys);
-        if (strcmp(name, "effect") == 0) print_keys_of_effect(m.name);
+        print_source(m.equations);
+        print_keys_of(&m);
     }
     return 0;
 }

@@ -9,4 +9,8 @@ void list_kinds(void);
  * keys. 0, or 2 after a message if there is no such kind. */
 int list_models(const char *kind);
 
+/* The keys of one part of a case ("fluid"), or of all for NULL. Returns the
+ * exit code, 2 after a message if there is no such part. */
+int list_keys(const char *part);
+
 #endif

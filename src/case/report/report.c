@@ -202,7 +202,7 @@ static void print_resolution(const struct case_scales *k)
 
 static void print_one(const struct case_scales *k, const struct case_limits *m)
 {
-    if (m->rayleigh > 0.0) {
+    if (m->rayleigh < HUGE_VAL) {
         line("T_R", m->rayleigh, "s",
              "Rayleigh's wave around the smallest particle");
         line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
@@ -280,14 +280,10 @@ static void print_flow(const struct case_scales *k)
 }
 
 /* Weights at the centres of cells want a bandwidth that reaches from one large
- * cell to the next; else the small ones beside it get what is its due. So many
- * widths make an even bed even to about two per cent. */
+ * cell to the next; else the small ones beside it get what is its due. */
 static void print_bandwidth(const struct mesh *m, double b, double S_c,
-                            const char *method)
+                            double widths)
 {
-    const double widths = strcmp(method, "kernel") == 0     ? 1.5
-                          : strcmp(method, "gaussian") == 0 ? 0.75
-                                                            : 0.0;
     double V, least, mean;
 
     mesh_volumes(m, &least, &V, &mean);
@@ -311,7 +307,7 @@ static void print_averaging(const struct settings *s,
 
     puts("Averaging");
     if (o.bandwidth > 0.0)
-        print_bandwidth(m, o.bandwidth, k->S_c, method->name);
+        print_bandwidth(m, o.bandwidth, k->S_c, method->even_widths);
     if (steps > 0)
         line("averaging.steps", steps, "-",
              "needed: with fewer the fields undershoot");

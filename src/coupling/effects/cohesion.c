@@ -31,7 +31,8 @@ const struct effect cohesion_electrostatic = {
     .equations = "LS 4.13",
     .function = "electrostatic_force",
     .keys = electrostatic_keys,
-    .create = create};
+    .create = create,
+};
 
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -45,13 +46,14 @@ static const struct key van_der_waals_keys[] = {
      "longest gap between two surfaces at which it acts", "", ""},
     {0}};
 
-const struct effect cohesion_van_der_waals = {.name = "van_der_waals",
-                                              .what =
-                                                  "van der Waals attraction",
-                                              .equations = "LS 4.14",
-                                              .function = "van_der_waals_force",
-                                              .keys = van_der_waals_keys,
-                                              .create = create};
+const struct effect cohesion_van_der_waals = {
+    .name = "van_der_waals",
+    .what = "van der Waals attraction",
+    .equations = "LS 4.14",
+    .function = "van_der_waals_force",
+    .keys = van_der_waals_keys,
+    .create = create,
+};
 
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -67,12 +69,14 @@ static const struct key capillary_keys[] = {
      ""},
     {0}};
 
-const struct effect cohesion_capillary = {.name = "capillary",
-                                          .what = "pull of bridges of liquid",
-                                          .equations = "LS 4.15",
-                                          .function = "capillary_force",
-                                          .keys = capillary_keys,
-                                          .create = create};
+const struct effect cohesion_capillary = {
+    .name = "capillary",
+    .what = "pull of bridges of liquid",
+    .equations = "LS 4.15",
+    .function = "capillary_force",
+    .keys = capillary_keys,
+    .create = create,
+};
 
 const struct effect *const cohesion_all[] = {&cohesion_electrostatic,
                                              &cohesion_van_der_waals,

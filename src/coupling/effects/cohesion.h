@@ -1,4 +1,5 @@
-/* cohesion.h -- the attractions of dem/cohesion as effects.  Chapter 17.
+/* cohesion.h -- the attractions of dem/cohesion as effects.
+ * Chapter "Materials, rolling and cohesion".
  *
  * They act within the steps of the particles, and while a bed settles:
  * therefore the particles are created with them, and the hooks of these effects

@@ -31,4 +31,5 @@ const struct effect energy_budget_effect = {
     .equations = "LS 4.16",
     .function = "energy_collect",
     .keys = keys,
-    .create = energy_budget_create};
+    .create = energy_budget_create,
+};

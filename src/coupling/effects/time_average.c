@@ -71,4 +71,5 @@ const struct effect time_average_effect = {
     .keys = keys,
     .create = time_average_create,
     .after_step = time_average_after_step,
-    .free = time_average_free};
+    .free = time_average_free,
+};

@@ -1,4 +1,5 @@
-/* time_average.h -- fading means of the averaged fields.  Chapter 10.
+/* time_average.h -- fading means of the averaged fields.
+ * Chapter "The coupled loop".
  *
  *   d<eps>/dt = (eps - <eps>) / b_t                            [SX15 11-13]
  *   <eps>^n = (1 - alpha) eps^n + alpha <eps>^(n-1)            [SX15 14]

@@ -142,4 +142,5 @@ const struct effect virtual_mass_effect = {
     .create = virtual_mass_create,
     .before_particles = virtual_mass_before_particles,
     .after_particles = virtual_mass_after_particles,
-    .free = virtual_mass_free};
+    .free = virtual_mass_free,
+};

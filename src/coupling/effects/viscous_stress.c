@@ -115,4 +115,5 @@ const struct effect viscous_stress_effect = {
     .keys = keys,
     .create = viscous_stress_create,
     .before_particles = viscous_stress_before_particles,
-    .free = viscous_stress_free};
+    .free = viscous_stress_free,
+};

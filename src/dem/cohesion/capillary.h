@@ -1,4 +1,5 @@
-/* capillary.h -- the force of a capillary bridge. Chapter 17.
+/* capillary.h -- the force of a capillary bridge.
+ * Chapter "Materials, rolling and cohesion".
  *
  *   F = -2 pi R* gamma cos theta                                [LS 4.15]
  *

@@ -1,4 +1,5 @@
-/* electrostatic.h -- the force between charged spheres.  Chapter 17.
+/* electrostatic.h -- the force between charged spheres.
+ * Chapter "Materials, rolling and cohesion".
  *
  *   F = q_i q_j / (4 pi eps_0 eps_r l^2)                        [LS 4.13]
  *

@@ -1,4 +1,5 @@
-/* van_der_waals.h -- van der Waals' attraction. Chapter 17.
+/* van_der_waals.h -- van der Waals' attraction.
+ * Chapter "Materials, rolling and cohesion".
  *
  *   F = A / (12 l^2) D_i D_j / (D_i + D_j)                      [LS 4.14]
  *

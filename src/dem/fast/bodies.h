@@ -1,4 +1,5 @@
-/* bodies.h -- the particles in the layout of the contact loop. Chapter 2.
+/* bodies.h -- the particles in the layout of the contact loop.
+ * Chapter "Particles and contact".
  *
  * Outside a run the particles are a structure of arrays (particles.h). During a
  * run each particle has two short rows of 32 and 64 bytes: the difference of

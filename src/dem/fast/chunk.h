@@ -1,4 +1,5 @@
-/* chunk.h -- the particles in chunks, and their neighbour lists. Chapter 3.
+/* chunk.h -- the particles in chunks, and their neighbour lists.
+ * Chapter "Neighbours".
  *
  * The particles, sorted in space, are divided into chunks, whose number depends
  * on the number of particles alone and never on the number of threads. Each

@@ -1,4 +1,5 @@
-/* chunk_gap.h -- how far a particle is from another one or a wall.  Chapter 3.
+/* chunk_gap.h -- how far a particle is from another one or a wall.
+ * Chapter "Neighbours".
  */
 #ifndef DEM_FAST_CHUNK_GAP_H
 #define DEM_FAST_CHUNK_GAP_H

@@ -1,4 +1,5 @@
-/* chunk_step.h -- one time step of the chunks of a thread. Chapter 3.
+/* chunk_step.h -- one time step of the chunks of a thread.
+ * Chapter "Neighbours".
  *
  * A chunk is processed in blocks of particles: first the contacts that a block
  * owns, then its motion, while the data are still in the cache. Particles that

@@ -1,4 +1,5 @@
-/* contact_sweep.h -- the loop over the contacts of a chunk. Chapter 2.
+/* contact_sweep.h -- the loop over the contacts of a chunk.
+ * Chapter "Particles and contact".
  *
  * A law is one inlined function (contact_respond), and the options of a case
  * (CONTACT_PERIODIC and so on) are constants, so that each law has its own

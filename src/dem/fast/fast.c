@@ -182,12 +182,17 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
     report(dem, nb->rebuilds - before, r);
 }
 
+static const struct key skin_keys[] = {
+    {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
+     "margin of the neighbour list beyond touching", "LS 5.15", ""},
+    KEY_END};
+
 const struct dem_method fast_verlet = {
     .name = "verlet",
     .what = "pairs up to a skin apart, kept until they have moved it",
-    .cite = "LS 5.15, 5.16",
+    .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
-    .keys = "particles.skin",
+    .keys = {skin_keys},
     .unknown = unknown,
     .skin = skin_of,
     .create = create,

@@ -1,4 +1,5 @@
-/* grid.h -- particles sorted into cells, and the pairs found there.  Chapter 3.
+/* grid.h -- particles sorted into cells, and the pairs found there.
+ * Chapter "Neighbours".
  *
  * The cells are as wide as the largest distance of a pair in the neighbour
  * list, so that the partners of a particle are in its own cell and the 26

@@ -1,4 +1,5 @@
-/* neighbours.h -- when and how the lists are rebuilt. Chapter 3.
+/* neighbours.h -- when and how the lists are rebuilt.
+ * Chapter "Neighbours".
  *
  * The gap of two particles with speeds of at most v decreases by at most 2 v dt
  * in a step [LS 5.16]. The contacts are chosen with a margin; while the sum of

@@ -1,4 +1,5 @@
-/* sweep_energy.h -- the energy budget of the contacts. Chapter 15.
+/* sweep_energy.h -- the energy budget of the contacts.
+ * Chapter "Insertion, removal and energy".
  *
  * One more stage of the contact loop, between springs and loads, for a run that
  * keeps an energy budget; the loops of all others are compiled without it. In

@@ -1,4 +1,5 @@
-/* sweep_rolling.h -- rolling friction in the contact loop. Chapter 17.
+/* sweep_rolling.h -- rolling friction in the contact loop.
+ * Chapter "Materials, rolling and cohesion".
  *
  * One more stage of the loop, for cases with rolling friction (rolling.h); the
  * loops of all others are compiled without it.

@@ -1,4 +1,5 @@
-/* bed_file.h -- a settled bed as a file.  Chapter 2.
+/* bed_file.h -- a settled bed as a file.
+ * Chapter "Particles and contact".
  *
  * Text: what the bed was made with, line by line; then the particles and the
  * springs of their contacts in hexadecimal numbers, which read back to the same

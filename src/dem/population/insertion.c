@@ -310,8 +310,8 @@ static int parse(const char *line, struct insertion_sphere *one, int *is_one)
     if (!*is_one) return 0;
     return sscanf(text, "%lf %lf %lf %lf %c", &one->x[0], &one->x[1],
                   &one->x[2], &one->d, &rest) != 4 ||
-           !(one->d > 0.0) ||
-           !isfinite(one->x[0] + one->x[1] + one->x[2] + one->d);
+           !number_is_length(one->d) || !number_is_coordinate(one->x[0]) ||
+           !number_is_coordinate(one->x[1]) || !number_is_coordinate(one->x[2]);
 }
 
 struct insertion_sphere *insertion_read(const char *path, long *n)
@@ -345,8 +345,9 @@ struct insertion_sphere *insertion_read(const char *path, long *n)
     fclose(f);
     if (!wrong && *n > 0) return list;
     fprintf(stderr,
-            "winnow: %s:%ld: expected x y z d, four numbers [m], d > 0\n", path,
-            number);
+            "winnow: %s:%ld: expected x y z d, four numbers [m], d from 1e-12 "
+            "to 1e12\n",
+            path, number);
     free(list);
     return NULL;
 }

@@ -1,4 +1,5 @@
-/* insertion.h -- insertion of particles during a run. Chapter 15.
+/* insertion.h -- insertion of particles during a run.
+ * Chapter "Insertion, removal and energy".
  *
  * A source inserts spheres at random positions in a region where they overlap
  * no other particle: all at once, or at a given rate. Diameter and positions of

@@ -2,6 +2,9 @@
 #include "dem/population/overlaps.h"
 
 #include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
 
 /* Each round moves pairs apart by a little more than their overlap, or rounding
  * and neighbours would leave some for ever. */
@@ -22,18 +25,85 @@ static double apart(const struct particles *ps, const struct box_domain *box,
     return sqrt(r2);
 }
 
+/* A sphere's coordinate along the direction that all are sorted by. */
+struct placed {
+    double x; /* [m] */
+    int i;
+};
+
+static int by_x(const void *a, const void *b)
+{
+    const struct placed *const p = a, *const q = b;
+    return (p->x > q->x) - (p->x < q->x);
+}
+
+static double widest(const struct particles *ps)
+{
+    double d = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        d = fmax(d, ps->d[i]);
+    return d;
+}
+
+/* The direction in which the spheres spread the farthest. */
+static int longest(const struct particles *ps)
+{
+    const double *const x[3] = {ps->x, ps->y, ps->z};
+    double most = -1.0;
+    int along = 0;
+
+    for (int k = 0; k < 3; k++) {
+        double lo = HUGE_VAL, hi = -HUGE_VAL;
+        for (int i = 0; i < ps->n; i++) {
+            lo = fmin(lo, x[k][i]);
+            hi = fmax(hi, x[k][i]);
+        }
+        if (hi - lo > most) {
+            most = hi - lo;
+            along = k;
+        }
+    }
+    return along;
+}
+
+/* The deeper one; of two that are equal the first by i, then by j. */
+static void keep_deeper(struct overlap *found, const struct particles *ps,
+                        const struct box_domain *box, int a, int b)
+{
+    const int i = a > b ? a : b, j = a > b ? b : a;
+    double d[3];
+    const double mean = 0.5 * (ps->d[i] + ps->d[j]);
+    const double depth = 1.0 - apart(ps, box, i, j, d) / mean;
+
+    if (depth > found->depth ||
+        (depth > 0.0 && depth == found->depth &&
+         (i < found->j || (i == found->j && j < found->i))))
+        *found = (struct overlap){j, i, depth};
+}
+
+/* In the order of one coordinate only those in reach have to be looked at; in a
+ * period the first follow the last. */
 struct overlap overlaps_deepest(const struct particles *ps,
                                 const struct box_domain *box)
 {
+    struct placed *const list = alloc_zeroed((size_t)ps->n, sizeof *list);
+    const int k = longest(ps);
+    const double *const x = k == 0 ? ps->x : k == 1 ? ps->y : ps->z;
+    const double reach = widest(ps) * (1.0 + 1e-9), L = box->length[k];
     struct overlap found = {0, -1, 0.0};
 
     for (int i = 0; i < ps->n; i++)
-        for (int j = 0; j < i; j++) {
-            const double mean = 0.5 * (ps->d[i] + ps->d[j]);
-            double d[3];
-            const double depth = 1.0 - apart(ps, box, i, j, d) / mean;
-            if (depth > found.depth) found = (struct overlap){j, i, depth};
+        list[i] = (struct placed){box_domain_inside(box, k, x[i]), i};
+    qsort(list, (size_t)ps->n, sizeof *list, by_x);
+    for (int p = 0; p < ps->n; p++)
+        for (int next = p + 1; next < p + ps->n; next++) {
+            const int wrapped = next >= ps->n, q = next - wrapped * ps->n;
+            if (wrapped && L == 0.0) break;
+            if (list[q].x + (wrapped ? L : 0.0) - list[p].x > reach) break;
+            keep_deeper(&found, ps, box, list[p].i, list[q].i);
         }
+    free(list);
     return found;
 }
 

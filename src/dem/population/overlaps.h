@@ -1,4 +1,5 @@
-/* overlaps.h -- spheres that overlap before time 0. Chapter 15.
+/* overlaps.h -- spheres that overlap before time 0.
+ * Chapter "Insertion, removal and energy".
  *
  * A contact stores k delta^2 / 2, so spheres that overlap strongly at the start
  * separate at high speed. Such a case is either refused, or the spheres are
@@ -21,7 +22,7 @@ struct overlap {
     double depth; /* [-] over the mean diameter of the two */
 };
 
-/* The deepest of all pairs, nearest images. Looks at every pair. */
+/* The deepest of all pairs, nearest images. */
 struct overlap overlaps_deepest(const struct particles *ps,
                                 const struct box_domain *box);
 

@@ -1,4 +1,5 @@
-/* population.h -- insertion and removal of particles. Chapter 15.
+/* population.h -- insertion and removal of particles.
+ * Chapter "Insertion, removal and energy".
  *
  * Between two steps of the loop the sources insert particles and the sinks
  * remove them. An id is used once, so a removed particle is never confused with

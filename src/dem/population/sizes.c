@@ -1,224 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dem/population/sizes.h"
+#include "dem/population/sizes_internal.h"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_math.h>
-#include <gsl/gsl_randist.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 
-/* Diameters from a to b, spread with a density that goes as d^-falling; all of
- * one size where a is b. */
-struct piece {
-    double a, b;  /* [m] */
-    double below; /* [-] share of the particles in the pieces before it */
-    double share; /* [-] of the particles, in this one */
-};
+const struct key sizes_range_keys[] = {
+    {"particles.sizes.min", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "smallest diameter; asked for by uniform and normal", "XS11 section 4.4",
+     ""},
+    {"particles.sizes.max", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "largest diameter; asked for by uniform and normal", "XS11 section 4.4",
+     ""},
+    KEY_END};
 
-struct sizes {
-    const struct sizes_law *law;
-    double min, max; /* [m] */
-    /* normal, of d [m]; lognormal, of ln(d / 1 m) [-] */
-    double mu, sigma;
-    double low, high; /* [-] shares of the whole bell below the cut-offs */
-    /* uniform, discrete, table */
-    int n, falling;
-    struct piece *piece;
-};
-
-/* --- pieces -------------------------------------------------------------- */
-
-/* int_a^b d^n dd. */
-static double power_integral(int n, double a, double b)
-{
-    return n == -1 ? log(b / a)
-                   : (gsl_pow_int(b, n + 1) - gsl_pow_int(a, n + 1)) / (n + 1);
-}
-
-static double pieces_moment(const struct sizes *s, int k, double x)
-{
-    const int q = s->falling;
-    double sum = 0.0;
-
-    for (int i = 0; i < s->n; i++) {
-        const struct piece *const p = &s->piece[i];
-        const double end = GSL_MIN_DBL(x, p->b);
-        if (x < p->a) continue;
-        sum += p->share * (p->b > p->a ? power_integral(k - q, p->a, end) /
-                                             power_integral(-q, p->a, p->b)
-                                       : gsl_pow_int(p->a, k));
-    }
-    return sum;
-}
-
-/* Within a piece the share f lies below a + f (b - a), or, with a density that
- * falls as d^-3, below the d of 1/d^2 = 1/a^2 - f (1/a^2 - 1/b^2). */
-static double pieces_quantile(const struct sizes *s, double p)
-{
-    int i = 0;
-
-    while (i + 1 < s->n && p >= s->piece[i + 1].below)
-        i++;
-    const struct piece *const in = &s->piece[i];
-    const double a = in->a, b = in->b;
-    const double f = in->share > 0.0 ? (p - in->below) / in->share : 0.0;
-    if (s->falling == 0) return a + GSL_MIN_DBL(f, 1.0) * (b - a);
-    const double w = 1.0 - GSL_MIN_DBL(f, 1.0) * (1.0 - gsl_pow_2(a / b));
-    return a / sqrt(w);
-}
-
-/* Adds the piece a ... b with the share that the case gives it. Of that share
- * of the mass, the particles are the more, the smaller they are. */
-static void add_piece(struct sizes *s, double a, double b, double share,
-                      int by_mass)
-{
-    double weight = 1.0;
-
-    if (by_mass)
-        weight = b > a ? power_integral(-3, a, b) / (b - a) : 1.0 / (a * a * a);
-    s->piece[s->n++] = (struct piece){a, b, 0.0, share * weight};
-}
-
-static void close_pieces(struct sizes *s)
-{
-    double sum = 0.0, below = 0.0;
-
-    for (int i = 0; i < s->n; i++)
-        sum += s->piece[i].share;
-    for (int i = 0; i < s->n; i++) {
-        s->piece[i].share /= sum;
-        s->piece[i].below = below;
-        below += s->piece[i].share;
-    }
-    s->min = s->piece[0].a;
-    s->max = s->piece[s->n - 1].b;
-}
-
-static void cut_pieces(struct sizes *s, const struct sizes_options *o)
-{
-    const int discrete = strcmp(o->law->name, "discrete") == 0;
-
-    s->falling = o->by_mass ? 3 : 0;
-    s->piece = alloc_zeroed((size_t)o->n + 1, sizeof *s->piece);
-    if (o->n == 0) add_piece(s, o->min, o->max, 1.0, o->by_mass);
-    for (int i = 0; i < o->n && discrete; i++)
-        add_piece(s, o->point[i][0], o->point[i][0], o->point[i][1],
-                  o->by_mass);
-    for (int i = 0; i + 1 < o->n && !discrete; i++)
-        add_piece(s, o->point[i][0], o->point[i + 1][0],
-                  o->point[i + 1][1] - o->point[i][1], o->by_mass);
-    close_pieces(s);
-}
-
-/* --- bells --------------------------------------------------------------- */
-
-static double normal_quantile(const struct sizes *s, double p)
-{
-    return s->mu +
-           s->sigma * gsl_cdf_ugaussian_Pinv(s->low + p * (s->high - s->low));
-}
-
-/* By parts: M_k = mu M_(k-1) + (k - 1) sigma^2 M_(k-2) - sigma [d^(k-1) phi],
- * over the share of the bell that the cut-offs leave. */
-static double normal_moment(const struct sizes *s, int k, double x)
-{
-    const double a = s->min, b = GSL_MIN_DBL(x, s->max);
-    const double t_a = (a - s->mu) / s->sigma, t_b = (b - s->mu) / s->sigma;
-    const double left = s->high - s->low;
-    double before = 0.0, m = (gsl_cdf_ugaussian_P(t_b) - s->low) / left;
-
-    if (x <= a) return 0.0;
-    for (int j = 1; j <= k; j++) {
-        const double ends = gsl_pow_int(b, j - 1) * gsl_ran_ugaussian_pdf(t_b) -
-                            gsl_pow_int(a, j - 1) * gsl_ran_ugaussian_pdf(t_a);
-        const double next = s->mu * m + (j - 1) * s->sigma * s->sigma * before -
-                            s->sigma * ends / left;
-        before = m;
-        m = next;
-    }
-    return m;
-}
-
-static double lognormal_quantile(const struct sizes *s, double p)
-{
-    return exp(normal_quantile(s, p));
-}
-
-/* d^k times a bell in ln d is a bell again, k sigma^2 higher up. */
-static double lognormal_moment(const struct sizes *s, int k, double x)
-{
-    const double up = k * s->sigma, end = GSL_MIN_DBL(x, s->max);
-    const double t_a = (log(s->min) - s->mu) / s->sigma - up;
-    const double t_b = (log(end) - s->mu) / s->sigma - up;
-
-    if (x <= s->min) return 0.0;
-    return exp(k * s->mu + 0.5 * up * up) *
-           (gsl_cdf_ugaussian_P(t_b) - gsl_cdf_ugaussian_P(t_a)) /
-           (s->high - s->low);
-}
-
-/* A lognormal mass is a lognormal number, 3 sigma^2 lower down. */
-static void shape_bell(struct sizes *s, const struct sizes_options *o)
-{
-    const int logarithmic = strcmp(o->law->name, "lognormal") == 0;
-    double a = o->min, b = o->max > 0.0 ? o->max : HUGE_VAL;
-
-    s->min = a;
-    s->max = b;
-    s->mu = logarithmic ? log(o->median) : o->mean;
-    s->sigma = logarithmic ? log(o->ratio) : o->deviation;
-    if (logarithmic) {
-        if (o->by_mass) s->mu -= 3.0 * s->sigma * s->sigma;
-        a = log(a);
-        b = log(b);
-    }
-    s->low = gsl_cdf_ugaussian_P((a - s->mu) / s->sigma);
-    s->high = gsl_cdf_ugaussian_P((b - s->mu) / s->sigma);
-}
-
-/* --- all ----------------------------------------------------------------- */
-
-const struct sizes_law sizes_uniform = {
-    .name = "uniform",
-    .what = "every diameter between two as often",
-    .cite = "",
-    .quantile = pieces_quantile,
-    .moment = pieces_moment,
-};
-
-const struct sizes_law sizes_normal = {
-    .name = "normal",
-    .what = "Gauss's bell between two cut-offs",
-    .cite = "XS11 section 4.4",
-    .quantile = normal_quantile,
-    .moment = normal_moment,
-};
-
-const struct sizes_law sizes_lognormal = {
-    .name = "lognormal",
-    .what = "a bell in the logarithm of the diameter",
-    .cite = "",
-    .quantile = lognormal_quantile,
-    .moment = lognormal_moment,
-};
-
-const struct sizes_law sizes_discrete = {
-    .name = "discrete",
-    .what = "some diameters, each with its share",
-    .cite = "",
-    .quantile = pieces_quantile,
-    .moment = pieces_moment,
-};
-
-const struct sizes_law sizes_table = {
-    .name = "table",
-    .what = "the share below a diameter, linear between points",
-    .cite = "",
-    .quantile = pieces_quantile,
-    .moment = pieces_moment,
-};
+const struct key sizes_by_keys[] = {{"particles.sizes.by", KEY_NAME, "",
+                                     "number | mass", "number",
+                                     "what the shares are parts of", "", ""},
+                                    KEY_END};
 
 const struct sizes_law *sizes_law_named(const char *name)
 {
@@ -227,59 +28,10 @@ const struct sizes_law *sizes_law_named(const char *name)
     return NULL;
 }
 
-static const char *points_wrong(const struct sizes_options *o, int table)
-{
-    double sum = 0.0;
-
-    if (o->n < (table ? 2 : 1)) return "it has too few points";
-    for (int i = 0; i < o->n; i++) {
-        const double share = o->point[i][1];
-        if (!(o->point[i][0] > 0.0)) return "a diameter must be > 0";
-        if (i > 0 && o->point[i][0] <= o->point[i - 1][0])
-            return "the diameters must rise";
-        if (!(share >= 0.0)) return "a share must be >= 0";
-        if (table && i > 0 && share < o->point[i - 1][1])
-            return "the share below a diameter must not fall";
-        sum += share;
-    }
-    if (table && (o->point[0][1] != 0.0 || o->point[o->n - 1][1] != 1.0))
-        return "the share below the first diameter must be 0, below the last 1";
-    return sum > 0.0 ? NULL : "the shares must not all be 0";
-}
-
-/* Less than this share of a bell between the cut-offs is a mistake, and not
- * computed well. */
-static const double least_left = 1e-6;
-
-static const char *bell_wrong(const struct sizes_options *o, int logarithmic)
-{
-    struct sizes s = {.n = 0};
-
-    if (logarithmic && !(o->median > 0.0 && o->ratio > 1.0))
-        return "it asks for median > 0 and ratio > 1";
-    if (!logarithmic && !(o->mean > 0.0 && o->deviation > 0.0))
-        return "it asks for mean > 0 and deviation > 0";
-    if (!logarithmic && !(o->min > 0.0 && o->max > 0.0))
-        return "it asks for least and most: a bell has no ends of its own, "
-               "and its diameters would even be negative";
-    if (!logarithmic && o->by_mass)
-        return "it counts by number only; for shares by mass give a table";
-    shape_bell(&s, o);
-    if (s.high - s.low < least_left)
-        return "least and most leave less than 1e-6 of it";
-    return NULL;
-}
-
 const char *sizes_wrong(const struct sizes_options *o)
 {
-    const char *const law = o->law->name;
-
     if (o->max > 0.0 && o->min >= o->max) return "least must be below most";
-    if (strcmp(law, "discrete") == 0) return points_wrong(o, 0);
-    if (strcmp(law, "table") == 0) return points_wrong(o, 1);
-    if (strcmp(law, "normal") == 0) return bell_wrong(o, 0);
-    if (strcmp(law, "lognormal") == 0) return bell_wrong(o, 1);
-    return o->min > 0.0 && o->max > 0.0 ? NULL : "it asks for least and most";
+    return o->law->wrong(o);
 }
 
 struct sizes *sizes_create(const struct sizes_options *o)
@@ -287,10 +39,7 @@ struct sizes *sizes_create(const struct sizes_options *o)
     struct sizes *const s = alloc_zeroed(1, sizeof *s);
 
     s->law = o->law;
-    if (o->law->quantile == pieces_quantile)
-        cut_pieces(s, o);
-    else
-        shape_bell(s, o);
+    o->law->shape(s, o);
     return s;
 }
 

@@ -1,4 +1,5 @@
-/* sizes.h -- distributions of particle diameters. Chapter 15.
+/* sizes.h -- distributions of particle diameters.
+ * Chapter "Insertion, removal and energy".
  *
  * A distribution of diameters d is described by its partial moments, the mean
  * of d^k over all particles, in which those larger than x are counted as zero:
@@ -11,13 +12,21 @@
 #ifndef DEM_POPULATION_SIZES_H
 #define DEM_POPULATION_SIZES_H
 
+#include "base/key.h"
+
 struct sizes;
+struct sizes_options;
 
 /* One kind of distribution. */
 struct sizes_law {
-    const char *name; /* as a case spells it */
-    const char *what; /* one line */
-    const char *cite; /* key in chapters/references.md */
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    /* What is wrong with the options, as the end of a sentence; or NULL. */
+    const char *(*wrong)(const struct sizes_options *o);
+    void (*shape)(struct sizes *s, const struct sizes_options *o);
     double (*quantile)(const struct sizes *s, double p);
     double (*moment)(const struct sizes *s, int k, double x);
 };

@@ -1,4 +1,5 @@
-/* near_faces.h -- the faces of surfaces near each particle. Chapter 14.
+/* near_faces.h -- the faces of surfaces near each particle.
+ * Chapter "Walls".
  *
  * As with pairs (chunk.h) there are two lists for the particles of a chunk: the
  * neighbour list, with all faces of gap <= skin, and from it, chosen every few

@@ -1,5 +1,6 @@
 /* prescribed_motion.h -- prescribed motion of surfaces and particles, for the
- * chunks of this thread. Chapter 14.
+ * chunks of this thread.
+ * Chapter "Walls".
  */
 #ifndef DEM_SURFACES_PRESCRIBED_MOTION_H
 #define DEM_SURFACES_PRESCRIBED_MOTION_H

@@ -1,5 +1,6 @@
 /* prescribed_particles.h -- single particles that move as prescribed.
- * Chapter 14.
+ *
+ * Chapter "Walls".
  *
  * During its prescribed motion a particle moves as a point of a rigid body;
  * before and after it is free. In contacts it acts like a wall: its 1/m is 0.

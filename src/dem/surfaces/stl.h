@@ -1,4 +1,5 @@
-/* stl.h -- triangles from an STL file.  Chapter 14.
+/* stl.h -- triangles from an STL file.
+ * Chapter "Walls".
  *
  * Text ("solid ... facet ... endsolid", any number of solids) or binary (80
  * bytes of anything, the number of triangles, 50 bytes each). Which one, says

@@ -130,3 +130,58 @@ int surface_wrong(const struct surface *s)
         fprintf(stderr, "winnow: surface \"%s\": %s\n", s->name, what);
     return what != NULL;
 }
+
+static const struct key point_keys[] = {
+    {"particles.surfaces.point", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
+     "a point of the plane or of the axis; where the origin of a file is", "",
+     ""},
+    KEY_END};
+
+static const struct key plane_keys[] = {
+    {"particles.surfaces.normal", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
+     "from the plane to the particles, of any length", "", ""},
+    KEY_END};
+
+static const struct key cylinder_keys[] = {
+    {"particles.surfaces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
+     "direction of the cylinder, of any length", "", ""},
+    {"particles.surfaces.radius", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "of the cylinder; asked for by it", "", ""},
+    {"particles.surfaces.particles", KEY_NAME, "", "inside | outside", "inside",
+     "where they are, of a cylinder", "", ""},
+    KEY_END};
+
+static const struct key file_keys[] = {
+    {"particles.surfaces.file", KEY_FILE, "", "", KEY_OPTIONAL,
+     "STL file, text or binary; beside the case unless it begins with /", "",
+     ""},
+    {"particles.surfaces.scale", KEY_REAL, "m", "> 0", "1.0",
+     "length of the file's unit: 1e-3 for millimetres", "", ""},
+    KEY_END};
+
+const struct model surface_plane = {
+    .name = "plane",
+    .what = "its solid behind it, no end",
+    .equations = "",
+    .function = "surface_nearest",
+    .keys = {point_keys, plane_keys},
+    .value = SURFACE_PLANE,
+};
+
+const struct model surface_cylinder = {
+    .name = "cylinder",
+    .what = "the particles inside or outside, no ends",
+    .equations = "",
+    .function = "surface_nearest",
+    .keys = {point_keys, cylinder_keys},
+    .value = SURFACE_CYLINDER,
+};
+
+const struct model surface_stl = {
+    .name = "stl",
+    .what = "triangles from a file; a seam, an edge, a vertex count once",
+    .equations = "LS section 4.3",
+    .function = "surface_contact_points_find",
+    .keys = {point_keys, file_keys},
+    .value = SURFACE_TRIANGLES,
+};

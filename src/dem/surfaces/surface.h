@@ -1,4 +1,5 @@
-/* surface.h -- a wall that is not one of the box.  Chapter 14.
+/* surface.h -- a wall that is not one of the box.
+ * Chapter "Walls".
  *
  * The solid of a plane lies behind it, that of a cylinder around or in it: a
  * sphere whose centre is in the solid is pushed out. Triangles have two sides
@@ -7,10 +8,12 @@
 #ifndef DEM_SURFACES_SURFACE_H
 #define DEM_SURFACES_SURFACE_H
 
+#include "base/model.h"
 #include "dem/surfaces/motion.h"
 #include "dem/surfaces/triangles.h"
 
 enum surface_shape { SURFACE_PLANE, SURFACE_CYLINDER, SURFACE_TRIANGLES };
+extern const struct model *const surface_shapes[]; /* ended by NULL */
 
 struct surface {
     const char *name; /* borrowed */

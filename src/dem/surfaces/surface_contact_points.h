@@ -1,5 +1,6 @@
 /* surface_contact_points.h -- the contact points of a sphere with surfaces,
- * without duplicates. Chapter 14.
+ * without duplicates.
+ * Chapter "Walls".
  *
  * A sphere that lies over the seam of two triangles overlaps both. There is one
  * contact for each point of the wall. Of the faces in the order of their

@@ -1,5 +1,6 @@
 /* surface_history_list.h -- the springs of surfaces among all springs.
- * Chapter 14.
+ *
+ * Chapter "Walls".
  *
  * They stand at the end of the list that dem_springs gives.
  */

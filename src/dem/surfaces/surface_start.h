@@ -1,4 +1,4 @@
-/* surface_start.h -- particles that begin in a wall.  Chapter 14. */
+/* surface_start.h -- particles that begin in a wall.  Chapter "Walls". */
 #ifndef DEM_SURFACES_SURFACE_START_H
 #define DEM_SURFACES_SURFACE_START_H
 

@@ -1,4 +1,5 @@
-/* surfaces.h -- all surfaces of a run, for the loop over its steps. Chapter 14.
+/* surfaces.h -- all surfaces of a run, for the loop over its steps.
+ * Chapter "Walls".
  *
  * One surface_contacts a chunk, so that each thread has its own and the sums
  * have the same bits for any number of threads. Functions with a chunk number s

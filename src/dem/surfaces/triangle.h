@@ -1,4 +1,4 @@
-/* triangle.h -- a point and a triangle.  Chapter 14. */
+/* triangle.h -- a point and a triangle.  Chapter "Walls". */
 #ifndef DEM_SURFACES_TRIANGLE_H
 #define DEM_SURFACES_TRIANGLE_H
 

@@ -1,4 +1,5 @@
-/* triangles.h -- a set of triangles with a search for near ones. Chapter 14.
+/* triangles.h -- a set of triangles with a search for near ones.
+ * Chapter "Walls".
  *
  * They lie in a grid of cells about as wide as a triangle, each in every cell
  * that its bounding box meets. They never move: for a moving surface points are

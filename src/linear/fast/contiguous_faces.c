@@ -160,4 +160,4 @@ static struct face_pieces *find_ranges(int n_inner, int n, const int *owner,
     return NULL;
 }
 
-const struct face_order contiguous_faces_order = {"contiguous", find_ranges};
+const struct faces_order contiguous_faces_order = {"contiguous", find_ranges};

@@ -1,5 +1,6 @@
 /* contiguous_faces.h -- contiguous ranges of faces between contiguous ranges of
- * cells. Chapter 7.
+ * cells.
+ * Chapter "Linear solvers".
  *
  * Between a row of cells and the next row of a box, face f + 1 joins the cells
  * after those that face f joins. A loop over such a range needs no list of
@@ -36,6 +37,6 @@ struct contiguous_faces {
 /* Finds the ranges of the n_inner faces that have neighbours and of the
  * boundary faces after them; creates nothing if the ranges are too short on
  * average. */
-extern const struct face_order contiguous_faces_order;
+extern const struct faces_order contiguous_faces_order;
 
 #endif

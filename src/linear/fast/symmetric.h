@@ -1,4 +1,5 @@
-/* symmetric.h -- a symmetric matrix stored by diagonals.  Chapter 7.
+/* symmetric.h -- a symmetric matrix stored by diagonals.
+ * Chapter "Linear solvers".
  *
  * On a box, owner and neighbour of a link are almost always one of a few
  * distances apart: 1, n_x, n_x n_y. Such links are stored by distance, each

@@ -1,5 +1,6 @@
 /* poly.h -- meshes of OpenFOAM: points, faces, owner, neighbour, boundary.
- * Chapter 4.
+ *
+ * Chapter "The mesh".
  */
 #ifndef MESH_POLY_POLY_H
 #define MESH_POLY_POLY_H

@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/input.h"
 
 void poly_file_wrong(struct poly_file *p, const char *format, ...)
@@ -117,8 +118,8 @@ double poly_file_real(struct poly_file *p)
     poly_file_word(p, word);
     if (p->failed) return 0.0;
     const double value = strtod(word, &end);
-    if (*end == '\0' && value - value == 0.0) return value;
-    poly_file_wrong(p, "expected a number [m], found %s", word);
+    if (*end == '\0' && number_is_coordinate(value)) return value;
+    poly_file_wrong(p, "expected a number [m] of at most 1e12, found %s", word);
     return 0.0;
 }
 

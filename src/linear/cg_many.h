@@ -1,4 +1,5 @@
-/* cg_many.h -- conjugate gradients for several fields at once.  Chapter 7.
+/* cg_many.h -- conjugate gradients for several fields at once.
+ * Chapter "Linear solvers".
  *
  * The m fields are interleaved, x[m * i + k], and have the same matrix, so each
  * coefficient is read once for all fields. Each field has its own step lengths,
@@ -9,8 +10,8 @@
  * the field u of b = V u keeps sum_i V_i x_i to rounding: all residuals and
  * directions then have the sum, or the V-weighted sum, zero.
  */
-#ifndef LINEAR_FAST_CG_MANY_H
-#define LINEAR_FAST_CG_MANY_H
+#ifndef LINEAR_CG_MANY_H
+#define LINEAR_CG_MANY_H
 
 #include "linear/csr.h"
 #include "linear/report.h"

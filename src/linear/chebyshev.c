@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/fast/chebyshev.h"
+#include "linear/chebyshev.h"
 
 #include "base/alloc.h"
 #include "base/field_groups.h"

@@ -1,4 +1,5 @@
-/* chebyshev.h -- diffusion over a time T without a time step.  Chapter 8.
+/* chebyshev.h -- diffusion over a time T without a time step.
+ * Chapter "Averaging".
  *
  * With L = V^-1 K the solution of du/dt = -L u is u(T) = exp(-T L) u(0). All
  * eigenvalues of L lie in [0, lambda], so the exponential is a short series of
@@ -13,8 +14,8 @@
  * that the c_k sum to one: then sum_i V_i u_i is kept to rounding. An
  * undershoot is at most the tail times the largest |u|.
  */
-#ifndef LINEAR_FAST_CHEBYSHEV_H
-#define LINEAR_FAST_CHEBYSHEV_H
+#ifndef LINEAR_CHEBYSHEV_H
+#define LINEAR_CHEBYSHEV_H
 
 #include "linear/csr.h"
 

@@ -1,0 +1,23 @@
+/* model.h -- what a case and its reader are told about a model.
+ *
+ * A model that a case chooses by name has one descriptor. Its first members are
+ * those of struct model; then follow its functions and numbers, as in struct
+ * drag_law. A kind whose models differ by a constant of an enumeration has
+ * nothing more, and its descriptors are of this type. The allowed words of a
+ * key, `winnow list`, `explain` and `check` are made from the descriptors.
+ */
+#ifndef BASE_MODEL_H
+#define BASE_MODEL_H
+
+#include "base/key.h"
+
+struct model {
+    const char *name;      /* as a case spells it */
+    const char *what;      /* one line */
+    const char *equations; /* keys in chapters/references.md; "" if none */
+    const char *function;  /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    int value;                          /* of the enumeration */
+};
+
+#endif

@@ -1,0 +1,70 @@
+/* momentum_system.h -- the momentum equation of the cells and its solution.
+ * Chapter "Averaged flow".
+ *
+ * The equation of cell P, in newtons:
+ *
+ *   a_P u_P + sum_N a_N u_N = b_P + (rho eps_nm1 V / dt) u_P^old
+ *                             - gamma_P V_P (grad p)_P
+ */
+#ifndef FLUID_MOMENTUM_SYSTEM_H
+#define FLUID_MOMENTUM_SYSTEM_H
+
+#include "fluid/fluid.h"
+#include "linear/bicgstab.h"
+#include "linear/ldu.h"
+
+struct momentum_system {
+    struct ldu *matrix; /* [kg/s] the a_N */
+    double *diag;       /* [kg/s] a_P */
+    double *diag3;      /* [kg/s] a_P and, on slip walls, their stress */
+    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it so
+                                     stiff that it must act on the new velocity;
+                                     3 a cell, NULL without slip walls */
+    int oblique_slip;             /* 1: a slip wall is not normal to an axis */
+    double *b;            /* [N] right side but for pressure and storage */
+    double *rhs;          /* [N] */
+    double *H;            /* [N] b - sum a_N u_N */
+    double *residual;     /* [N] residual carried into the next step */
+    double *defect;       /* [m^3/s] d(eps V)/dt + sum phi of the convecting
+                             flux: the residual of continuity */
+    double *owner_weight; /* [-] weight of the owner in the face velocity */
+    double *velocity_gradient,
+        *u_boundary; /* [1/s], [m/s] 9 a cell, 3 a boundary face; NULL if no
+                        scheme needs more than two cells */
+    struct bicgstab_work *bicgstab;
+};
+
+/* momentum.c: fills the matrix, diag3 and b from the state. */
+void momentum_assemble(struct fluid *fl);
+
+/* deferred_correction.c: 1 if a scheme needs more than the two cells of a face;
+ * adds its explicit part to b from the velocities known so far. */
+int deferred_correction_exists(const struct fluid *fl);
+void deferred_correction_add(struct fluid *fl);
+
+/* velocity.c: solves for u with the present grad_p. */
+struct solve_report velocity_predict(struct fluid *fl);
+/* H = b - sum a_N u_N with the present u: velocity_predicted_sum directly after
+ * the predictor, from the residual of its solver, velocity_neighbour_sum at any
+ * time. */
+void velocity_predicted_sum(struct fluid *fl);
+void velocity_neighbour_sum(struct fluid *fl);
+/* u = (H + past - gamma V grad p) / a. */
+void velocity_correct(struct fluid *fl);
+/* Stores the residual of the momentum equation with the present u and p;
+ * returns its largest entry over the largest term of the equation [-]. */
+double velocity_residual(struct fluid *fl);
+
+/* boundary_face.c: the velocity at boundary face f as used in the momentum
+ * equation; the present fluxes of the inlets. */
+void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
+                            int f, double u[3]);
+void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi);
+
+/* momentum_balance.c: change of the fluid's momentum from `before` the step to
+ * now minus the impulse of the forces, over the sum of their magnitudes [-].
+ * relabelled: fl->relabelled before the step. */
+double momentum_balance_residual(const struct fluid *fl, const double before[3],
+                                 const double relabelled[3]);
+
+#endif

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* systems.c -- creates and frees what a fluid computes with. */
+#include "fluid/piso.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "linear/faces.h"
+#include "fluid/face_jump.h"
+#include "fluid/momentum_system.h"
+#include "fluid/pressure_system.h"
+#include "fluid/time_levels.h"
+
+static int has(const struct fluid *fl, enum boundary_kind kind)
+{
+    for (int i = 0; i < fl->mesh->n_patches; i++)
+        if (fl->options.boundaries[i].kind == kind) return 1;
+    return 0;
+}
+
+/* 1 if a slip wall is not normal to an axis. */
+static int has_inclined_slip(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const S = &m->S[3 * f];
+            const double least =
+                fmin(fmin(fabs(S[0]) + fabs(S[1]), fabs(S[1]) + fabs(S[2])),
+                     fabs(S[2]) + fabs(S[0]));
+            if (least > 1e-12 * (fabs(S[0]) + fabs(S[1]) + fabs(S[2])))
+                return 1;
+        }
+    }
+    return 0;
+}
+
+/* 1 if the time scheme uses two old levels. */
+static int two_steps(const struct fluid_options *o)
+{
+    return o->time != NULL && o->time->time_levels > 1;
+}
+
+/* What an array has its numbers for, and when it is needed. */
+enum place { CELL, FACE, INNER_FACE, BOUNDARY_FACE, PLACES };
+enum need {
+    ALWAYS,
+    COUPLED,    /* with particles */
+    BIASED,     /* with a nondissipative scheme */
+    SMOOTH,     /* which also shares the pressure gradient with particles */
+    SLIP_WALLS, /* at least one */
+    TWO_STEPS,  /* in a two-step scheme */
+    OWN_FLUX,   /* if momentum is not convected by the last step's flux */
+    GRADIENTS,  /* if a scheme uses more than two cells */
+    NEEDS
+};
+
+struct array {
+    double **at;
+    int per; /* [-] numbers for each cell or face */
+    enum place place;
+    enum need need;
+};
+
+enum { MOST_ARRAYS = 64 };
+
+/* The table of all arrays; returns their number. It does not read the mesh,
+ * which may no longer exist when the arrays are freed. Of 60 lines, because it
+ * has a row for each array. */
+static int list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
+{
+    const struct array rows[] = {
+        {&fl->u, 3, CELL, ALWAYS},
+        {&fl->grad_p, 3, CELL, ALWAYS},
+        {&fl->p, 1, CELL, ALWAYS},
+        {&fl->eps, 1, CELL, ALWAYS},
+        {&fl->eps_n, 1, CELL, ALWAYS},
+        {&fl->eps_nm1, 1, CELL, ALWAYS},
+        {&fl->p_face, 1, FACE, ALWAYS},
+        {&fl->phi, 1, FACE, ALWAYS},
+        {&fl->F, 3, CELL, COUPLED},
+        {&fl->eps_us, 3, CELL, COUPLED},
+        {&fl->K, 1, CELL, COUPLED},
+        {&fl->u_older, 3, CELL, TWO_STEPS},
+        {&fl->phi_older, 1, FACE, TWO_STEPS},
+        {&fl->momentum->diag, 1, CELL, ALWAYS},
+        {&fl->momentum->defect, 1, CELL, ALWAYS},
+        {&fl->momentum->diag3, 3, CELL, ALWAYS},
+        {&fl->momentum->b, 3, CELL, ALWAYS},
+        {&fl->momentum->rhs, 3, CELL, ALWAYS},
+        {&fl->momentum->H, 3, CELL, ALWAYS},
+        {&fl->momentum->residual, 3, CELL, ALWAYS},
+        {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
+        {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
+        {&fl->momentum->owner_weight, 1, INNER_FACE, ALWAYS},
+        {&fl->momentum->velocity_gradient, 9, CELL, GRADIENTS},
+        {&fl->momentum->u_boundary, 3, BOUNDARY_FACE, GRADIENTS},
+        {&fl->pressure->per_force, 1, CELL, ALWAYS},
+        {&fl->pressure->resistance, 1, CELL, ALWAYS},
+        {&fl->pressure->per_flux, 1, CELL, ALWAYS},
+        {&fl->pressure->boundary_conductance, 1, CELL, ALWAYS},
+        {&fl->pressure->source, 1, CELL, ALWAYS},
+        {&fl->pressure->divergence, 1, CELL, ALWAYS},
+        {&fl->pressure->m_face, 1, FACE, ALWAYS},
+        {&fl->pressure->conductance, 1, FACE, ALWAYS},
+        {&fl->pressure->explicit_flux, 1, FACE, ALWAYS},
+        {&fl->jump->owner_part, 1, INNER_FACE, COUPLED},
+        {&fl->jump->neighbour_part, 1, INNER_FACE, COUPLED},
+        {&fl->jump->pressure_offset, 1, INNER_FACE, COUPLED},
+        {&fl->jump->pressure_per_flux, 1, INNER_FACE, COUPLED},
+        {&fl->jump->inertia, 3, CELL, COUPLED},
+        {&fl->jump->upwind_bias, 1, INNER_FACE, BIASED},
+        {&fl->jump->smooth_force, 3, CELL, SMOOTH},
+        {&fl->levels->ddt, 1, CELL, ALWAYS},
+        {&fl->levels->old_time_source, 3, CELL, ALWAYS},
+        {&fl->levels->phi_old, 1, FACE, ALWAYS},
+        {&fl->levels->convecting_flux_own, 1, FACE, OWN_FLUX},
+        {&fl->levels->ddt_older, 1, CELL, TWO_STEPS},
+        {&fl->levels->u_known, 3, CELL, TWO_STEPS},
+        {&fl->geometry->SS, 1, FACE, ALWAYS},
+        {&fl->geometry->Sd, 1, FACE, ALWAYS},
+        {&fl->geometry->face_coefficient, 1, FACE, ALWAYS}};
+    const int n = sizeof rows / sizeof *rows;
+
+    assert(n <= MOST_ARRAYS);
+    memcpy(list, rows, sizeof rows);
+    return n;
+}
+
+static void allocate_arrays(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct fluid_options *const o = &fl->options;
+    const int biased = piso_nondissipative(fl);
+    const int count[PLACES] = {[CELL] = m->n_cells,
+                               [FACE] = m->n_faces,
+                               [INNER_FACE] = m->n_internal,
+                               [BOUNDARY_FACE] = m->n_faces - m->n_internal};
+    const int needed[NEEDS] = {[ALWAYS] = 1,
+                               [COUPLED] = o->coupled,
+                               [BIASED] = biased,
+                               [SMOOTH] = biased && o->pressure_shared,
+                               [SLIP_WALLS] = has(fl, BOUNDARY_SLIP),
+                               [TWO_STEPS] = two_steps(o),
+                               [OWN_FLUX] = ddt_uses_new_time(o),
+                               [GRADIENTS] = deferred_correction_exists(fl)};
+    struct array list[MOST_ARRAYS];
+    const int n = list_arrays(fl, list);
+
+    for (int i = 0; i < n; i++)
+        if (needed[list[i].need])
+            *list[i].at = alloc_doubles(list[i].per * count[list[i].place]);
+}
+
+static void free_arrays(struct fluid *fl)
+{
+    struct array list[MOST_ARRAYS];
+    const int n = list_arrays(fl, list);
+
+    for (int i = 0; i < n; i++)
+        free(*list[i].at);
+}
+
+/* Geometric coefficients of each face, computed once. */
+static void fill_geometry(struct face_geometry *g, const struct mesh *m)
+{
+    for (int f = 0; f < m->n_faces; f++) {
+        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        g->SS[f] = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+        g->Sd[f] = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+        g->face_coefficient[f] = g->SS[f] / g->Sd[f];
+    }
+}
+
+static struct faces *faces_of(const struct mesh *m)
+{
+    struct faces *const f = alloc_zeroed(1, sizeof *f);
+
+    *f = (struct faces){.n_inner = m->n_internal,
+                        .n = m->n_faces,
+                        .owner = m->owner,
+                        .neighbour = m->neighbour,
+                        .cell_start = m->cell_start,
+                        .cell_face = m->cell_face,
+                        .out = m->out};
+    faces_divide(f);
+    return f;
+}
+
+void systems_create(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const int n = m->n_cells;
+
+    fl->momentum = alloc_zeroed(1, sizeof *fl->momentum);
+    fl->pressure = alloc_zeroed(1, sizeof *fl->pressure);
+    fl->jump = alloc_zeroed(1, sizeof *fl->jump);
+    fl->levels = alloc_zeroed(1, sizeof *fl->levels);
+    fl->geometry = alloc_zeroed(1, sizeof *fl->geometry);
+    fl->faces = faces_of(m);
+    allocate_arrays(fl);
+    fill_geometry(fl->geometry, m);
+    fl->momentum->matrix =
+        ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
+    fl->momentum->oblique_slip = has_inclined_slip(fl);
+    fl->momentum->bicgstab = bicgstab_work_create(n);
+    fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
+    fl->pressure->mg =
+        multigrid_create(n, m->n_internal, m->owner, m->neighbour,
+                         fl->geometry->face_coefficient, m->d, m->V);
+    fl->pressure->cg = cg_work_create(n);
+}
+
+void systems_free(struct fluid *fl)
+{
+    ldu_free(fl->momentum->matrix);
+    bicgstab_work_free(fl->momentum->bicgstab);
+    multigrid_free(fl->pressure->mg);
+    cg_work_free(fl->pressure->cg);
+    free_arrays(fl);
+    faces_release(fl->faces);
+    free(fl->faces);
+    free(fl->momentum);
+    free(fl->pressure);
+    free(fl->jump);
+    free(fl->levels);
+    free(fl->geometry);
+}
