@@ -31,7 +31,6 @@ double contact_hertz_radius(double R_i, double R_j);
 
 /* [N/m^1.5] k_n = (4/3) E* sqrt(R*) [LS 4.9]. */
 double contact_hertz_stiffness(double E_star, double R_star);
-
 /* [s] of an elastic head-on impact at v [m/s]: 2.9432 delta_max / v. */
 double contact_hertz_time(double E_star, double R_star, double m_star,
                           double v);

@@ -25,7 +25,7 @@ const struct integrator integrators_heun = {
     .name = "heun",
     .what = "second order, damped or not; gains energy",
     .equations = "LS section 4.2",
-    .function = "integrators_correct",
+    .function = "heun_correct",
     .predicts = 1,
 };
 
