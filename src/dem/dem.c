@@ -83,7 +83,8 @@ struct dem *dem_create(struct particles *ps, const struct dem_options *o)
     dem->deepest = (struct dem_overlap){
         .id = -1, .other = -1, .expected = HUGE_VAL, .most = HUGE_VAL};
     if (o->integrator == NULL) dem->options.integrator = integrators[0];
-    dem->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *dem->constants);
+    dem->constants =
+        alloc_zeroed((size_t)n * (size_t)n, sizeof *dem->constants);
     materials_table(o->law, &o->material, o->materials, dem->constants);
     if (dem->method->create(dem) == 0) return dem;
     dem_free(dem);

@@ -13,7 +13,7 @@ struct dem_spring *fast_springs(struct dem *dem, int *n)
         neighbours_contact_history(nb, n);
     const int more = surface_history_list(nb->surfaces, ps, NULL);
     struct dem_spring *const list =
-        alloc_zeroed((size_t)(*n + more), sizeof *list);
+        alloc_zeroed((size_t)*n + (size_t)more, sizeof *list);
 
     for (int q = 0; q < *n; q++) {
         list[q].id = id[kept[q].owner];
