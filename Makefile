@@ -27,6 +27,8 @@ TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
 STEPS := $(patsubst chapters/steps/%.c,$B/steps/%,$(wildcard chapters/steps/*.c))
 BENCH := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/bench/*.c))
+FUZZ_SECONDS = 60
+FUZZ_SEED    = 1
 # All cores, unless make was told how many.
 CORES  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 
@@ -68,6 +70,7 @@ LONG := $(patsubst %,$B/tests/test_%,attraction boundary contact_loop face_jump 
         hard_beds hard_cases images_poly manufactured verified)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
+	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
@@ -100,6 +103,13 @@ $B/steps/%: chapters/steps/%.c
 
 validate: $B/winnow ## long runs against measurements and papers (hours)
 	for script in tests/validate/*.sh; do sh $$script $B/winnow || exit 1; done
+
+fuzz: ## broken input for FUZZ_SECONDS (60) from FUZZ_SEED (1), under sanitizers
+	$(MAKE) $(CORES) $B/san/tests/fuzz B=$B/san OPT="$(SANITIZE)" WERROR=
+	OMP_NUM_THREADS=1 $B/san/tests/fuzz search $(FUZZ_SEED) $(FUZZ_SECONDS) $B/fuzz tests/data/fuzz
+# What was once found, and the scenes that the search begins with.
+replay: $B/tests/fuzz
+	@OMP_NUM_THREADS=1 $< replay tests/data/fuzz/*
 
 weave: ## refresh what the chapters quote from source and results
 	sh chapters/tools/weave.sh
@@ -151,13 +161,18 @@ $B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	@$(CC) $(OPT) -fopenmp -o $@ $^ $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) -fopenmp -o $@ $(filter %.o,$^) $(filter %.a,$^) $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 # Run anew each time: cases and data may have changed, too.
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
+# The program within a test: its main by another name.
+$B/tests/winnow_main.o: $B/src/main.o
+	@objcopy --redefine-sym main=winnow_main $< $@
+$B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
-        steps steps-check cli vtk tools commands faults-slow pairs-slow commands-slow sanitized-slow style-slow solutions results \
-        text pages validate bench figures weave book help clean tests always
+        steps steps-check cli vtk tools commands faults-slow pairs-slow \
+        commands-slow sanitized-slow style-slow solutions results text pages \
+        validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
--include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/src/main.d
+-include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -199,9 +199,9 @@ static void table_of(const struct scene *s)
     for (int w = 1; diffusion_schemes[w] != NULL; w++) { /* with products */
         printf("# %s: steps, products, error, lowest over highest, share "
                "below zero\n",
-               diffusion_schemes[w]);
+               diffusion_schemes[w]->name);
         for (int k = 0; k < (w == 1 ? 1 : 10); k++) {
-            diffuse(s, diffusion_schemes[w], steps[k], 1e-6, field, &r);
+            diffuse(s, diffusion_schemes[w]->name, steps[k], 1e-6, field, &r);
             printf("%2d %4d %.2e %8.4f %.4f\n", steps[k], r.products,
                    error(s->mesh, field, exact), r.lowest / r.highest,
                    r.negative);

@@ -76,7 +76,7 @@ rooms() {
 # A room's own files need none of its subfolders, which can be taken away; a
 # folder needs others only where its models.txt says so. This many includes
 # still do; the number may only become smaller.
-seams_left=44
+seams_left=40
 seams() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
     { # src/room/[folder/]file:line:#include "other/[folder/]file"
@@ -134,7 +134,7 @@ variables() {
 
 # Headers that are longer than 80 lines, until they are made shorter: loops that
 # several modules compile, and the parts of one large struct.
-long_headers='averaging/averaging.h base/parallel_ranges.h case/settings.h
+long_headers='averaging/averaging.h averaging/diffusion.h base/parallel_ranges.h case/settings.h
 coupling/coupling.h dem/bed.h dem/cohesion/attraction_sweep.h dem/contact.h
 dem/dem.h dem/fast/bodies.h dem/fast/chunk.h dem/fast/contact_sweep.h
 dem/fast/neighbours.h dem/fast/sweep_buffers.h dem/fast/sweep_energy.h
@@ -200,7 +200,9 @@ unused() {
     if command -v cppcheck >/dev/null; then
         cppcheck -q --std=c11 --enable=unusedFunction -Isrc -Itests \
             --template='{file}:{line}: {id} {message}' src tests figures 2>&1 |
-            grep ' unusedFunction ' | grep '^src' | wrong 'cppcheck'
+            grep ' unusedFunction ' | grep '^src' |
+            grep -v "'team_size'" | # a pragma calls it
+            wrong 'cppcheck'
     else
         echo "style: no cppcheck here, left out"
     fi

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linear/bicgstab.h"
-#include "linear/fast/contiguous_faces.h"
+#include "linear/faces.h"
 
 #include "facts.h"
 #include "linear_case.h"
@@ -13,7 +13,7 @@
 struct setting {
     struct links b;
     struct csr *A; /* the same as rows, to compare with */
-    struct face_pieces *runs;
+    struct faces faces;
     struct ldu *M;
     double *diag, *rhs, *x;
 };
@@ -28,9 +28,12 @@ static struct setting convection(int nx, int ny, int nz, double flux)
         s.A->a[s.A->lower[l]] -= flux; /* what comes from the owner */
         s.A->diag[s.b.owner[l]] += flux;
     }
-    s.runs = contiguous_faces_order.create(s.b.n_links, s.b.n_links, s.b.owner,
-                                           s.b.neighbour);
-    s.M = ldu_create(n, s.b.n_links, s.b.owner, s.b.neighbour, s.runs);
+    s.faces = (struct faces){.n_inner = s.b.n_links,
+                             .n = s.b.n_links,
+                             .owner = s.b.owner,
+                             .neighbour = s.b.neighbour};
+    faces_divide(&s.faces);
+    s.M = ldu_create(n, s.b.n_links, s.b.owner, s.b.neighbour, s.faces.pieces);
     for (int l = 0; l < s.b.n_links; l++) {
         s.M->upper[l] = s.A->a[s.A->upper[l]];
         s.M->lower[l] = s.A->a[s.A->lower[l]];
@@ -51,7 +54,7 @@ static void release(struct setting *s)
     free(s->x);
     csr_free(s->A);
     ldu_free(s->M);
-    if (s->runs != NULL) s->runs->free(s->runs);
+    faces_release(&s->faces);
     links_free(&s->b);
 }
 

@@ -257,6 +257,27 @@ START_TEST(inserted_mass_is_present_or_removed)
 }
 END_TEST
 
+/* Those that are due and find no room wait; the next time the same ones do,
+ * and none of them is counted twice. */
+START_TEST(particles_that_find_no_room_wait_and_are_counted_once)
+{
+    struct run r = begin();
+    struct insertion_options *const o = &r.life->sources[0].options;
+
+    o->count = 200;
+    o->rate = 0.0;
+    o->lo[0] = o->lo[1] = o->lo[2] = 0.0;
+    o->hi[0] = o->hi[1] = o->hi[2] = 0.012;
+    for (int k = 0; k < 3; k++) {
+        population_insert(r.life, r.ps, r.dem, 0.0);
+        ck_assert_int_gt((int)r.life->totals.waiting, 0);
+        ck_assert_int_eq(
+            (int)(r.life->totals.inserted + r.life->totals.waiting), 200);
+    }
+    end(&r);
+}
+END_TEST
+
 /* The tangential displacements of the remaining particles are unchanged when
  * another is removed: the same force on the same contact, to rounding. */
 START_TEST(remaining_particles_keep_their_tangential_displacements)
@@ -404,6 +425,7 @@ FACTS("life")
     FACT(a_source_inserts_at_its_rate);
     FACT(ids_are_never_given_twice);
     FACT(inserted_mass_is_present_or_removed);
+    FACT(particles_that_find_no_room_wait_and_are_counted_once);
     FACT(remaining_particles_keep_their_tangential_displacements);
     FACT(a_resumed_run_with_insertion_has_the_same_bits);
     FACT(inserted_particles_have_no_data_of_removed_ones);

@@ -294,6 +294,8 @@ START_TEST(wrong_override_is_named_as_such)
     refused(good, "title=two words", "quote a text with blanks");
     refused(good, "title.x=1", "leads through something");
     refused(good, "output.profiles.7.height=1", "leads through something");
+    refused(good, "output.profiles.4294967296.height=1", "leads through");
+    refused(good, "output.profiles.0x.height=1", "leads through something");
     refused(good, "fluid.density=nan", "found the text \"nan\"");
     refused(good, "fluid.density=", "not one value");
     refused(good, "fluid.density=1;title=2", "not one value");

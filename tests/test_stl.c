@@ -100,6 +100,11 @@ START_TEST(broken_text_is_refused_with_its_line)
             "a.stl:4: expected a number, found \"0,5\"");
     refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n",
             "a.stl:4: expected a number, found \"inf\"");
+    /* Cut off after 63 letters, it would be another number. */
+    refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 "
+            "1000000000000000000000000000000000000000000000000000000000000000"
+            "000e-66\n",
+            "a.stl:4: expected a number, found \"1000");
     refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0",
             "a.stl:4: expected a number, found the end of the file");
     refused("solid a\nendsolid a\nfacet normal 0 0 1\n",

@@ -10,6 +10,7 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
+#include "averaging/diffusion_parts.h"
 #include "base/alloc.h"
 #include "linear/cg_many.h"
 #include "linear/chebyshev.h"
@@ -26,7 +27,7 @@ struct diffusion {
     int fields;       /* [-] fields for which the arrays below are allocated */
     double tolerance; /* [-] */
     double dtau;      /* [m^2] T / steps */
-    const struct diffusion_exponential *direct;
+    const struct diffusion_operator *direct;
     void *exponential; /* state of direct; NULL: the series is used */
     struct csr *K;     /* [m] -V times div (D grad) */
     double max_fields; /* [-] largest D for which the series holds */
@@ -295,8 +296,8 @@ static void find_direct(struct diffusion *d, const struct averaging_options *o)
 
     if (d->scheme != &schemes[0]) return;
     if (d->vary != NULL && !d->variation->is_by_lines(o)) return;
-    for (int i = 0; diffusion_exponentials[i] != NULL; i++) {
-        d->direct = diffusion_exponentials[i];
+    for (int i = 0; diffusion_operators[i] != NULL; i++) {
+        d->direct = diffusion_operators[i];
         d->exponential =
             d->direct->create(d->h->mesh, d->dtau * o->steps, b, o->tolerance);
         if (d->exponential != NULL) return;

@@ -226,8 +226,9 @@ static int check_source(const struct settings *s, int i)
 
 static int check_sink(const struct settings *s, int i)
 {
-    const int side = settings_item_has(s, sinks, i, "side") &&
-                     strcmp(settings_item_text(s, sinks, i, "side"), "none") != 0;
+    const int side =
+        settings_item_has(s, sinks, i, "side") &&
+        strcmp(settings_item_text(s, sinks, i, "side"), "none") != 0;
     const int box = settings_item_has(s, sinks, i, "from") +
                     settings_item_has(s, sinks, i, "to");
 

@@ -10,25 +10,19 @@
 #include "output/series.h"
 #include "output/vtk.h"
 
+enum { MOST_ARRAYS = 16 }; /* [-] of the fluid in a file */
+
 struct field_output {
     const struct mesh *mesh;
-    const struct time_average *means; /* NULL where that effect is off */
     const struct simulation *sim;
     struct folder *folder;                       /* borrowed */
     struct series *fluid, *particles, *surfaces; /* NULL where there are none */
     struct outline outline;
     struct vtk_writer *writer;
-    struct vtk_cells *cells; /* NULL for a box */
-    double last;             /* [s] */
+    const struct vtk_grid *grid; /* the form of a mesh that is no box */
+    void *cells;                 /* its state; NULL for a box */
+    double last;                 /* [s] */
 };
-
-static const struct time_average *means_of(const struct simulation *sim)
-{
-    for (int i = 0; i < sim->n_effects; i++)
-        if (sim->effects[i].effect == &time_average_effect)
-            return sim->effects[i].memory;
-    return NULL;
-}
 
 /* The collection NAME.pvd and a folder for its files. */
 static struct series *create_series(struct folder *f, const char *name,
@@ -46,6 +40,18 @@ static struct series *create_series(struct folder *f, const char *name,
     return made;
 }
 
+/* The first form that holds the mesh; NULL, for a box, if none does. */
+static void *create_cells(struct field_output *p)
+{
+    void *made = NULL;
+
+    for (int i = 0; vtk_grids[i] != NULL && made == NULL; i++) {
+        p->grid = vtk_grids[i];
+        made = p->grid->create(p->mesh);
+    }
+    return made;
+}
+
 struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder)
 {
@@ -54,11 +60,10 @@ struct field_output *field_output_create(const struct simulation *sim,
     p->sim = sim;
     p->folder = folder;
     p->mesh = sim->mesh;
-    p->means = means_of(sim);
     p->writer = vtk_writer_create();
     p->last = -1.0;
     if (sim->fluid != NULL && p->mesh->shape != NULL)
-        p->cells = vtk_cells_create(p->mesh);
+        p->cells = create_cells(p);
     if (sim->fluid != NULL)
         p->fluid =
             create_series(folder, "fluid", p->cells != NULL ? "vtu" : "vtr");
@@ -81,7 +86,7 @@ void field_output_free(struct field_output *p)
     series_free(p->particles);
     series_free(p->surfaces);
     outline_release(&p->outline);
-    vtk_cells_free(p->cells);
+    if (p->cells != NULL) p->grid->free(p->cells);
     vtk_writer_free(p->writer);
     free(p);
 }
@@ -93,9 +98,27 @@ static const char *next_of(struct field_output *p, struct series *s)
     return folder_list(p->folder, path) == 0 ? path : NULL;
 }
 
+/* The fields of the effects, after the n that are there. */
+static int add_effects(const struct simulation *sim, int n,
+                       struct vtk_array *arrays)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect *const e = sim->effects[i].effect;
+        struct effect_field f[EFFECT_FIELDS];
+        const int more =
+            e->fields == NULL ? 0 : e->fields(sim->effects[i].memory, f);
+        for (int k = 0; k < more && n < MOST_ARRAYS; k++)
+            arrays[n++] = (struct vtk_array){.name = f[k].name,
+                                             .components = f[k].components,
+                                             .values = f[k].values,
+                                             .single = 1};
+    }
+    return n;
+}
+
 static int add_fluid(struct field_output *p, const struct snapshot *s)
 {
-    struct vtk_array arrays[8] = {
+    struct vtk_array arrays[MOST_ARRAYS] = {
         {.name = "void_fraction", .components = 1, .values = s->eps},
         {.name = "velocity", .components = 3, .values = s->u, .single = 1},
         {.name = "pressure", .components = 1, .values = s->p, .single = 1}};
@@ -106,21 +129,13 @@ static int add_fluid(struct field_output *p, const struct snapshot *s)
                                          .components = 3,
                                          .values = s->u_s,
                                          .single = 1};
-    if (p->means != NULL) {
-        arrays[n++] = (struct vtk_array){.name = "mean_void_fraction",
-                                         .components = 1,
-                                         .values = p->means->eps,
-                                         .single = 1};
-        arrays[n++] = (struct vtk_array){.name = "mean_solid_flux",
-                                         .components = 3,
-                                         .values = p->means->eps_us,
-                                         .single = 1};
-    }
+    n = add_effects(p->sim, n, arrays);
     const char *const path = next_of(p, p->fluid);
     if (path == NULL) return 1;
     const int failed =
         p->cells != NULL
-            ? vtk_write_cells(p->writer, path, p->cells, s->t, n, arrays)
+            ? vtk_write_cells(p->writer, path, p->grid, p->cells, s->t, n,
+                              arrays)
             : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
     return failed != 0 || series_add(p->fluid, s->t) != 0;
 }

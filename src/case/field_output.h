@@ -2,7 +2,7 @@
 #ifndef CASE_FIELD_OUTPUT_H
 #define CASE_FIELD_OUTPUT_H
 
-#include "coupling/effects/time_average.h"
+#include "coupling/simulation.h"
 #include "output/folder.h"
 #include "case/snapshot.h"
 

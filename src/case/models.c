@@ -4,7 +4,6 @@
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
 #include "averaging/interpolation.h"
-#include "averaging/more/bandwidth.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/dem_method.h"

@@ -93,11 +93,15 @@ static int refuse(const char *text, const char *why)
     return 2;
 }
 
-/* The member of that name, or the element of that number. */
+/* The member of that name, or the element of that number: digits alone, and no
+ * more of them than any list has elements. */
 static config_setting_t *below(config_setting_t *s, const char *name)
 {
+    const size_t digits = strspn(name, "0123456789");
+
     if (config_setting_is_group(s)) return config_setting_get_member(s, name);
-    if (config_setting_is_aggregate(s) && isdigit((unsigned char)name[0]))
+    if (config_setting_is_aggregate(s) && digits > 0 && digits < 10 &&
+        name[digits] == '\0')
         return config_setting_get_elem(s, (unsigned)atoi(name));
     return NULL;
 }

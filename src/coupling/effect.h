@@ -21,6 +21,14 @@ struct effect_state {
     void *memory; /* released by effect->free; may be NULL */
 };
 
+/* A field of the cells that an effect has written with those of the fluid. */
+struct effect_field {
+    const char *name;
+    int components;
+    const double *values; /* borrowed */
+};
+enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
+
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -32,6 +40,7 @@ struct effect {
     void (*before_particles)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
+    int (*fields)(const void *memory, struct effect_field *f); /* how many */
     void (*free)(void *memory);
 };
 

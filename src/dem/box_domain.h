@@ -1,4 +1,4 @@
-/* box_domain.h -- the box of the particles.  Chapter 2.
+/* box_domain.h -- the box of the particles.  Chapter "Particles and contact".
  *
  * It has six walls, or fewer where a direction is periodic. The numbers that a
  * direction with walls does not need are 0, so that the nearest image is the

@@ -1,4 +1,5 @@
-/* dem_method.h -- how pairs are found and loads computed. Chapters 2, 3.
+/* dem_method.h -- how pairs are found and loads computed. Chapters "Particles
+ * and contact" and "Neighbours".
  *
  * The motion of the particles is computed by one of several methods, which
  * give the same numbers up to rounding: the reference loop (reference.h) for

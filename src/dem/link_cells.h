@@ -1,4 +1,5 @@
-/* link_cells.h -- particles in cells, to find those that are near. Chapter 3.
+/* link_cells.h -- particles in cells, to find those that are near. Chapter
+ * "Neighbours".
  *
  * The box is divided into cells that are at least as wide as the distance
  * looked for. Whoever is nearer to a particle than that is in its own cell or

@@ -1,4 +1,4 @@
-/* reference.h -- the readable contact loop.  Chapter 2.
+/* reference.h -- the readable contact loop.  Chapter "Particles and contact".
  *
  * Every pair is looked at, one after the other, and every formula stands as it
  * is printed: no lists, no chunks, no vectors, one thread. The candidates are

@@ -1,4 +1,5 @@
-/* rolling.h -- rolling friction of a contact. Chapter 17.
+/* rolling.h -- rolling friction of a contact. Chapter "Materials, rolling and
+ * cohesion".
  *
  * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring theta
  * that is wound up by the relative rotation of the two, and slips like the

@@ -70,7 +70,7 @@ void continuity_source(struct fluid *fl)
 
 /* The largest values of a range of cells. */
 struct largest {
-    double rest, through, cfl; /* [m^3/s], [m^3/s], [-] */
+    double defect, through, cfl; /* [m^3/s], [m^3/s], [-] */
 };
 
 static double larger(double a, double b)
@@ -89,19 +89,19 @@ static void residual_rows(int first, int last, const struct fluid *fl,
 {
     const struct mesh *const m = fl->mesh;
     const double *restrict source = fl->pressure->source, *restrict V = m->V;
-    double *restrict rest =
-        fl->pressure->divergence; /* room that is free now */
+    double *restrict defect =
+        fl->pressure->divergence; /* work space that is not in use here */
     double *restrict through = fl->pressure->resistance;
     struct largest l = {0.0, 0.0, 0.0};
 
     for (int c = first; c < last; c++) {
-        rest[c] = source[c];
+        defect[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->faces, first, last, rest, outflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, defect, outflow, fl->phi);
     SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
-        l.rest = larger(l.rest, fabs(rest[c]));
+        l.defect = larger(l.defect, fabs(defect[c]));
         l.through = larger(l.through, through[c] + 0.5 * fabs(source[c]));
         l.cfl =
             larger(l.cfl, through[c] * fl->options.dt / (fl->eps[c] * V[c]));
@@ -116,12 +116,12 @@ double continuity_residual(struct fluid *fl)
 
     PARALLEL_RANGES(fl->mesh->n_cells, 8, residual_rows, fl, partial);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
-        all.rest = larger(all.rest, partial[s].rest);
+        all.defect = larger(all.defect, partial[s].defect);
         all.through = larger(all.through, partial[s].through);
         all.cfl = larger(all.cfl, partial[s].cfl);
     }
     fl->report.cfl = all.cfl; /* [LS 5.9, 5.10], summed over the directions */
-    return all.through > 0.0 ? all.rest / all.through : 0.0;
+    return all.through > 0.0 ? all.defect / all.through : 0.0;
 }
 
 const struct model fluid_continuity_mixture = {

@@ -121,7 +121,8 @@ static double crossed(const struct fluid *fl, int c)
  * two. */
 static const double *continued(const struct fluid *fl)
 {
-    double *const to = fl->momentum->rhs; /* room that is free now */
+    double *const to =
+        fl->momentum->rhs; /* work space that is not in use here */
     const double *const known = fl->levels->u_known, *const u = fl->u;
 
     if (known == NULL) return u;

@@ -66,14 +66,14 @@ double fluid_replace(struct fluid *fl, const double *eps_before)
 
 /* Sums over a range of cells of the momentum and of the residual force that is
  * added to the next step [N s], [N]. */
-struct unpaid_momentum {
-    double has[3], owes[3];
+struct momentum_sums {
+    double momentum[3], residual[3];
 };
 
-static void add_unpaid(int first, int last, const struct fluid *fl,
-                       const double *eps, struct unpaid_momentum *partial)
+static void add_momentum(int first, int last, const struct fluid *fl,
+                         const double *eps, struct momentum_sums *partial)
 {
-    struct unpaid_momentum *const s =
+    struct momentum_sums *const s =
         &partial[parallel_ranges_of(fl->mesh->n_cells, first)];
     double mass[VEC3_BLOCK], one[VEC3_BLOCK];
 
@@ -83,8 +83,8 @@ static void add_unpaid(int first, int last, const struct fluid *fl,
         n = last - first < VEC3_BLOCK ? last - first : VEC3_BLOCK;
         for (int i = 0; i < n; i++)
             mass[i] = fl->options.rho * eps[first + i] * fl->mesh->V[first + i];
-        vec3_sum(n, mass, fl->u + 3L * first, s->has);
-        vec3_sum(n, one, fl->momentum->residual + 3L * first, s->owes);
+        vec3_sum(n, mass, fl->u + 3L * first, s->momentum);
+        vec3_sum(n, one, fl->momentum->residual + 3L * first, s->residual);
     }
 }
 
@@ -94,13 +94,13 @@ void fluid_momentum(const struct fluid *fl, double momentum[3])
         ddt_uses_new_time(&fl->options) ? fl->eps_n : fl->eps_nm1;
     const double dt =
         fl->dt_older; /* the residual is a force during the last step */
-    struct unpaid_momentum partial[PARALLEL_RANGES_COUNT] = {{{0.0}, {0.0}}};
+    struct momentum_sums partial[PARALLEL_RANGES_COUNT] = {{{0.0}, {0.0}}};
 
-    PARALLEL_RANGES(fl->mesh->n_cells, 8, add_unpaid, fl, eps, partial);
+    PARALLEL_RANGES(fl->mesh->n_cells, 8, add_momentum, fl, eps, partial);
     for (int k = 0; k < 3; k++) {
         momentum[k] = fl->impulse_ahead[k];
         for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
-            momentum[k] += partial[s].has[k] + dt * partial[s].owes[k];
+            momentum[k] += partial[s].momentum[k] + dt * partial[s].residual[k];
     }
 }
 

@@ -26,21 +26,21 @@
 static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
-    const double *restrict carry = fl->levels->convecting_flux;
-    const double *restrict link = fl->geometry->face_coefficient;
-    double *restrict share = fl->momentum->owner_weight;
+    const double *restrict flux = fl->levels->convecting_flux;
+    const double *restrict coefficient = fl->geometry->face_coefficient;
+    double *restrict weight = fl->momentum->owner_weight;
     double *restrict upper = fl->momentum->matrix->upper;
     double *restrict lower = fl->momentum->matrix->lower;
-    const struct convection_faces faces = {last - first, carry + first,
+    const struct convection_faces faces = {last - first, flux + first,
                                            fl->mesh->w + first, o->blend};
 
-    o->convection->owner_weights(&faces, share + first);
+    o->convection->owner_weights(&faces, weight + first);
     if (piso_nondissipative(fl)) face_jump_bias_upwind(first, last, fl);
     for (int f = first; f < last; f++) {
-        const double flow = o->rho * carry[f]; /* [kg/s] */
-        const double D = o->mu * link[f];
-        upper[f] = flow * (1.0 - share[f]) - D;
-        lower[f] = -flow * share[f] - D;
+        const double flow = o->rho * flux[f]; /* [kg/s] */
+        const double D = o->mu * coefficient[f];
+        upper[f] = flow * (1.0 - weight[f]) - D;
+        lower[f] = -flow * weight[f] - D;
     }
 }
 

@@ -49,7 +49,7 @@ struct solve_report velocity_predict(struct fluid *fl);
  * time. */
 void velocity_predicted_sum(struct fluid *fl);
 void velocity_neighbour_sum(struct fluid *fl);
-/* u = (H + past - gamma V grad p) / a. */
+/* u = (H + old_time_source - gamma V grad p) / a. */
 void velocity_correct(struct fluid *fl);
 /* Stores the residual of the momentum equation with the present u and p;
  * returns its largest entry over the largest term of the equation [-]. */

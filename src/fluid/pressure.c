@@ -199,7 +199,7 @@ FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
 
 /* The pressure gradient that balances the momentum equation of a cell [Pa/m]
  * with the present velocities of its neighbours. */
-static void asked_gradient(const struct fluid *fl, int c, double slope[3])
+static void balancing_gradient(const struct fluid *fl, int c, double slope[3])
 {
     const struct momentum_system *const momentum = fl->momentum;
 
@@ -223,8 +223,8 @@ FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
     double rest[3], a[3], b[3];
 
     mesh_oblique_part(fl->mesh, f, rest);
-    asked_gradient(fl, o, a);
-    asked_gradient(fl, n, b);
+    balancing_gradient(fl, o, a);
+    balancing_gradient(fl, n, b);
     fl->phi[f] -= fl->pressure->m_face[f] *
                   (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
 }

@@ -209,12 +209,12 @@ void systems_create(struct fluid *fl)
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
-    fl->momentum->bicgstab = bicgstab_work_create(n);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     fl->pressure->mg =
         multigrid_create(n, m->n_internal, m->owner, m->neighbour,
                          fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
+    fl->momentum->bicgstab = bicgstab_work_create(n);
 }
 
 void systems_free(struct fluid *fl)

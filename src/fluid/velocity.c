@@ -41,14 +41,14 @@ static int block_end(int first, int last)
 }
 
 /* gamma V of a block's cells, three times each. */
-static void spread_weights(int first, int last, const struct fluid *fl,
-                           double *share3)
+static void spread_gamma_volumes(int first, int last, const struct fluid *fl,
+                                 double *weight3)
 {
-    double share[VEC3_BLOCK];
+    double weight[VEC3_BLOCK];
 
     for (int c = first; c < last; c++)
-        share[c - first] = piso_gamma(fl, c) * fl->mesh->V[c];
-    vec3_spread(last - first, share, share3);
+        weight[c - first] = piso_gamma(fl, c) * fl->mesh->V[c];
+    vec3_spread(last - first, weight, weight3);
 }
 
 /* right = to plus the other terms of the right-hand side for a given pressure
@@ -56,13 +56,13 @@ static void spread_weights(int first, int last, const struct fluid *fl,
 static void add_known(int first, int last, const struct fluid *fl,
                       const double *restrict to, double *restrict right)
 {
-    const double *restrict past = fl->levels->old_time_source + 3L * first;
+    const double *restrict old = fl->levels->old_time_source + 3L * first;
     const double *restrict grad_p = fl->grad_p + 3L * first;
-    double share[3 * VEC3_BLOCK];
+    double weight[3 * VEC3_BLOCK];
 
-    spread_weights(first, last, fl, share);
+    spread_gamma_volumes(first, last, fl, weight);
     for (int i = 0; i < 3 * (last - first); i++)
-        right[i] = to[i] + (past[i] - share[i] * grad_p[i]);
+        right[i] = to[i] + (old[i] - weight[i] * grad_p[i]);
 }
 
 static void known_rows(int first, int last, const struct fluid *fl)
@@ -168,7 +168,7 @@ void velocity_correct(struct fluid *fl)
 }
 
 /* The largest residual and the largest term, one pair for each range. */
-struct rest {
+struct extremes {
     double worst, largest; /* [N] */
 };
 
@@ -178,39 +178,40 @@ static double larger(double a, double b)
 }
 
 static void residual_rows(int first, int last, struct fluid *fl,
-                          struct rest *rest)
+                          struct extremes *extremes)
 {
     struct momentum_system *const momentum = fl->momentum;
-    struct rest r = {0.0, 0.0};
+    struct extremes r = {0.0, 0.0};
     const int partial = parallel_ranges_of(fl->mesh->n_cells, first);
 
     for (int end; first < last; first = end) {
         const long at = 3L * first;
         const double *restrict u = fl->u + at;
-        double *restrict owed = momentum->residual + at;
+        double *restrict residual = momentum->residual + at;
         double right[3 * VEC3_BLOCK], a[3 * VEC3_BLOCK];
         end = block_end(first, last);
         add_known(first, end, fl, momentum->H + at, right);
         vec3_spread(end - first, momentum->diag + first, a);
         for (int i = 0; i < 3 * (end - first); i++) {
-            owed[i] = right[i] - a[i] * u[i];
-            r.worst = larger(r.worst, fabs(owed[i]));
+            residual[i] = right[i] - a[i] * u[i];
+            r.worst = larger(r.worst, fabs(residual[i]));
             r.largest = larger(r.largest, fabs(a[i] * u[i]));
         }
     }
-    rest[partial] = r;
+    extremes[partial] = r;
 }
 
 double velocity_residual(struct fluid *fl)
 {
     const int n = fl->mesh->n_cells;
-    struct rest rest[PARALLEL_RANGES_COUNT] = {{0.0, 0.0}}, all = {0.0, 0.0};
+    struct extremes extremes[PARALLEL_RANGES_COUNT] = {{0.0, 0.0}},
+                    all = {0.0, 0.0};
 
     velocity_neighbour_sum(fl);
-    PARALLEL_RANGES(n, 12, residual_rows, fl, rest);
+    PARALLEL_RANGES(n, 12, residual_rows, fl, extremes);
     for (int s = 0; s < PARALLEL_RANGES_COUNT; s++) {
-        all.worst = fmax(all.worst, rest[s].worst);
-        all.largest = fmax(all.largest, rest[s].largest);
+        all.worst = fmax(all.worst, extremes[s].worst);
+        all.largest = fmax(all.largest, extremes[s].largest);
     }
     return all.largest > 0.0 ? all.worst / all.largest : 0.0;
 }

@@ -43,20 +43,21 @@ void level_init(struct level *v, const struct graph *g, int finest)
 {
     v->n = g->n;
     v->n_links = g->n_links;
-    v->A = symmetric_create(g->n, g->n_links, g->owner, g->neighbour, finest);
+    v->kind = level_matrix_best();
+    v->A = v->kind->create(g->n, g->n_links, g->owner, g->neighbour, finest);
     v->g = alloc_doubles(g->n_links);
     v->sums = alloc_doubles(g->n);
     v->b = alloc_floats(g->n);
     v->r = alloc_floats(g->n);
-    v->x = symmetric_vector(v->A);
-    v->y = symmetric_vector(v->A);
+    v->x = v->kind->vector(v->A);
+    v->y = v->kind->vector(v->A);
 }
 
 void level_release(struct level *v)
 {
-    symmetric_vector_free(v->A, v->x);
-    symmetric_vector_free(v->A, v->y);
-    symmetric_free(v->A);
+    v->kind->vector_free(v->A, v->x);
+    v->kind->vector_free(v->A, v->y);
+    v->kind->free(v->A);
     free(v->g);
     free(v->sums);
     free(v->b);
@@ -98,7 +99,7 @@ void level_set_fine(struct level *v, const double *g, const double *sums,
 {
     memcpy(v->g, g, (size_t)v->n_links * sizeof *g);
     memcpy(v->sums, sums, (size_t)v->n * sizeof *sums);
-    symmetric_fill(v->A, v->g, v->sums, unit);
+    v->kind->fill(v->A, v->g, v->sums, unit);
 }
 
 /* coarse[i] = the members of i among the fine, summed. */
@@ -119,7 +120,7 @@ void level_galerkin_coarsen(struct level *v, const struct level *fine,
 {
     PARALLEL_RANGES(v->n_links, 8, gather, &v->links, fine->g, v->g);
     PARALLEL_RANGES(v->n, 8, gather, &v->cells, fine->sums, v->sums);
-    symmetric_fill(v->A, v->g, v->sums, unit);
+    v->kind->fill(v->A, v->g, v->sums, unit);
 }
 
 static void restrict_rows(int first, int last, struct level *v, const float *r)

@@ -7,7 +7,7 @@
 
 #include "linear/csr.h"
 #include "linear/graph.h"
-#include "linear/fast/symmetric.h"
+#include "linear/level_matrix.h"
 
 /* A sum over members: entry i is the sum of the members list[start[i]] ..
  * list[start[i + 1] - 1], each times its weight. */
@@ -18,7 +18,8 @@ struct level_members {
 
 struct level {
     int n, n_links;
-    struct symmetric *A;
+    const struct level_matrix_kind *kind; /* how A is stored */
+    void *A;
     double *g;    /* coefficient of each link: minus the entry */
     double *sums; /* row sums of A: the coefficients to a given value outside */
     float *b, *r; /* right-hand side, residual */
@@ -43,7 +44,7 @@ void level_connect(struct level *v, const struct graph *fine,
 
 /* Sets the coefficients and row sums: on the finest level those given, on each
  * coarser level the Galerkin sums over the finer level. unit as in
- * symmetric_fill. */
+ * level_matrix.h. */
 void level_set_fine(struct level *v, const double *g, const double *sums,
                     double unit);
 void level_galerkin_coarsen(struct level *v, const struct level *fine,

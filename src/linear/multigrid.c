@@ -160,7 +160,7 @@ static struct weights smoothing(void)
 /* x = weight D^-1 b over a range */
 static void jacobi_rows(int first, int last, struct level *v, float weight)
 {
-    const float *const inverse = v->A->inverse;
+    const float *const inverse = v->kind->inverse(v->A);
 
     for (int i = first; i < last; i++)
         v->x[i] = weight * inverse[i] * v->b[i];
@@ -172,8 +172,7 @@ static void smooth_from_zero(struct level *v)
     const struct weights w = smoothing();
 
     PARALLEL_RANGES(v->n, 1, jacobi_rows, v, w.first);
-    symmetric_relax(v->A, v->b, v->x, 1.0F + w.turn, v->x, 0.0F, w.second,
-                    v->y);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.turn, v->x, 0.0F, w.second, v->y);
 }
 
 /* The same, starting from the present y. */
@@ -181,9 +180,9 @@ static void smooth(struct level *v)
 {
     const struct weights w = smoothing();
 
-    symmetric_relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
-    symmetric_relax(v->A, v->b, v->x, 1.0F + w.turn, v->y, -w.turn, w.second,
-                    v->y);
+    v->kind->relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.turn, v->y, -w.turn, w.second,
+                   v->y);
 }
 
 static void solve_coarsest(struct multigrid *mg)
@@ -212,7 +211,7 @@ static void cycle(struct multigrid *mg)
 
     for (int k = 0; k + 1 < mg->n_levels; k++) {
         smooth_from_zero(&v[k]);
-        symmetric_residual(v[k].A, v[k].b, v[k].y, v[k].r);
+        v[k].kind->residual(v[k].A, v[k].b, v[k].y, v[k].r);
         level_restrict(&v[k + 1], &v[k]);
     }
     solve_coarsest(mg);
@@ -256,7 +255,7 @@ double multigrid_apply(struct multigrid *mg, const double *r, double *z)
 double multigrid_multiply(const struct multigrid *mg, const double *x,
                           double *y)
 {
-    return symmetric_multiply(mg->level[0].A, x, y);
+    return mg->level[0].kind->multiply(mg->level[0].A, x, y);
 }
 
 int multigrid_levels(const struct multigrid *mg)

@@ -236,9 +236,3 @@ int profile_write(const struct profile *p, const char *path)
     free(table);
     return failed;
 }
-
-double *profile_state(struct profile *p, int *n)
-{
-    *n = 3 * p->mean->n;
-    return mean_state(p->mean);
-}

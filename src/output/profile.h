@@ -51,7 +51,4 @@ void profile_add(struct profile *p, double time, double dt);
  * where the weight was always 0. Non-zero after a message. */
 int profile_write(const struct profile *p, const char *path);
 
-/* The whole state, *n doubles in one array, for a checkpoint. */
-double *profile_state(struct profile *p, int *n);
-
 #endif

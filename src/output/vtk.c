@@ -2,7 +2,7 @@
 #include "output/vtk.h"
 
 #include "base/alloc.h"
-#include "output/poly/vtk_cells.h"
+#include "output/vtk_file.h"
 
 #include <stdlib.h>
 
@@ -59,14 +59,14 @@ int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
 }
 
 int vtk_write_cells(struct vtk_writer *w, const char *path,
-                    const struct vtk_cells *c, double time, int n_arrays,
-                    const struct vtk_array *arrays)
+                    const struct vtk_grid *grid, const void *cells, double time,
+                    int n_arrays, const struct vtk_array *arrays)
 {
     struct vtk_file *const f = w->file;
 
     if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
-    vtk_cells_put(f, c);
-    vtk_file_section(f, "CellData", vtk_cells_number(c), n_arrays, arrays);
+    grid->put(f, cells);
+    vtk_file_section(f, "CellData", grid->number(cells), n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);
 }

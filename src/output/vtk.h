@@ -25,14 +25,22 @@ void vtk_writer_free(struct vtk_writer *w);
 int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays);
 
-/* The same for a mesh that is no box, .vtu: hexahedra and tetrahedra with these
- * types, all other cells as polyhedra. */
-struct vtk_cells;
-struct vtk_cells *vtk_cells_create(const struct mesh *m);
-void vtk_cells_free(struct vtk_cells *c);
+/* A form of a mesh that is no box: put opens the <Piece> and declares its
+ * points and cells. All that are built in, ended by NULL. */
+struct vtk_file;
+struct vtk_grid {
+    const char *name;
+    void *(*create)(const struct mesh *m); /* the mesh is borrowed */
+    void (*free)(void *cells);
+    int (*number)(const void *cells);
+    void (*put)(struct vtk_file *f, const void *cells);
+};
+extern const struct vtk_grid *const vtk_grids[];
+
+/* The same for such a mesh, .vtu; cells is what the grid has created. */
 int vtk_write_cells(struct vtk_writer *w, const char *path,
-                    const struct vtk_cells *c, double time, int n_arrays,
-                    const struct vtk_array *arrays);
+                    const struct vtk_grid *grid, const void *cells, double time,
+                    int n_arrays, const struct vtk_array *arrays);
 
 /* n particles, 0 allowed, with centres x[0][i], x[1][i], x[2][i] [m]. */
 int vtk_write_particles(struct vtk_writer *w, const char *path, int n,

@@ -341,7 +341,7 @@ static void apply(void *state, int m, double *u)
     separable_apply(state, m, u);
 }
 
-const struct diffusion_exponential separable_exponential = {
+const struct diffusion_operator separable_exponential = {
     .name = "separable",
     .create = create,
     .free = release,

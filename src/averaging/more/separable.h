@@ -19,11 +19,11 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
-#include "averaging/diffusion.h"
+#include "averaging/diffusion_parts.h"
 #include "mesh/mesh.h"
 
 /* All of this, for the diffusion. */
-extern const struct diffusion_exponential separable_exponential;
+extern const struct diffusion_operator separable_exponential;
 
 struct separable;
 

@@ -134,8 +134,8 @@ struct gaussian_moments *gaussian_moments_create(const struct facets *f,
 
     s->start = alloc_ints(n_cells + 1);
     s->spread = alloc_doubles(9 * n_cells);
-    s->moment =
-        alloc_zeroed((size_t)n_cells + (size_t)m->start[n_cells], sizeof *s->moment);
+    s->moment = alloc_zeroed((size_t)n_cells + (size_t)m->start[n_cells],
+                             sizeof *s->moment);
     for (int c = 0; c < n_cells; c++) {
         const struct gaussian_moment *const own = &s->moment[n];
         find_normal(f, c, 0.5 * b * b, &s->moment[n++], &s->spread[9 * c]);

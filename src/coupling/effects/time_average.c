@@ -55,6 +55,15 @@ static void time_average_after_step(void *memory, struct simulation *sim)
     time_average_update(alpha, 3 * n, fl->eps_us, self->eps_us);
 }
 
+static int time_average_fields(const void *memory, struct effect_field *f)
+{
+    const struct time_average *const self = memory;
+
+    f[0] = (struct effect_field){"mean_void_fraction", 1, self->eps};
+    f[1] = (struct effect_field){"mean_solid_flux", 3, self->eps_us};
+    return 2;
+}
+
 static const struct key keys[] = {
     {"effects.time_average", KEY_GROUP, "", "", KEY_OPTIONAL,
      "fading time means of eps_f and eps_s u_s, written with the fluid",
@@ -71,5 +80,6 @@ const struct effect time_average_effect = {
     .keys = keys,
     .create = time_average_create,
     .after_step = time_average_after_step,
+    .fields = time_average_fields,
     .free = time_average_free,
 };

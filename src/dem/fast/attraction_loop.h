@@ -1,4 +1,5 @@
-/* attraction_loop.h -- the attractions of a chunk. Chapter 17. */
+/* attraction_loop.h -- the attractions of a chunk. Chapter "Materials, rolling
+ * and cohesion". */
 #ifndef DEM_FAST_ATTRACTION_LOOP_H
 #define DEM_FAST_ATTRACTION_LOOP_H
 

@@ -1,4 +1,5 @@
-/* budget.h -- the energy budget as the sum over the chunks. Chapter 15. */
+/* budget.h -- the energy budget as the sum over the chunks. Chapter "Insertion,
+ * removal and energy". */
 #ifndef DEM_FAST_BUDGET_H
 #define DEM_FAST_BUDGET_H
 

@@ -1,4 +1,5 @@
-/* contact_loops.h -- the compiled loops of the contact laws. Chapter 2.
+/* contact_loops.h -- the compiled loops of the contact laws. Chapter "Particles
+ * and contact".
  *
  * A law of which nothing is said here runs in a loop that calls its `respond`
  * for each contact: the same numbers, but slower.

@@ -1,5 +1,5 @@
 /* drag_rows.h -- implicit drag and added mass in the layout of the contact
- * loop. Chapter 20.
+ * loop. Chapter "Which treatment is stable".
  *
  * A particle with an implicit drag (implicit_drag.h) has one more row, of r,
  * g(r dt), g(r dt/2) and 1/(m + m_a). Other cases have no such rows, and

@@ -1,4 +1,5 @@
-/* fast_internal.h -- what the files behind fast.h share.  Chapter 3. */
+/* fast_internal.h -- what the files behind fast.h share.  Chapter "Neighbours".
+ */
 #ifndef DEM_FAST_FAST_INTERNAL_H
 #define DEM_FAST_FAST_INTERNAL_H
 

@@ -1,4 +1,5 @@
-/* heun.h -- Heun's method on the chunks of the fast loop. Chapter 15.
+/* heun.h -- Heun's method on the chunks of the fast loop. Chapter "Insertion,
+ * removal and energy".
  *
  *   x*, v* = x + v dt, v + a dt
  *   x += (v + v*) dt/2,  v += (a + a*) dt/2

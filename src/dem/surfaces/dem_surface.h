@@ -1,4 +1,4 @@
-/* dem_surface.h -- what the particles do to a surface. Chapter 14. */
+/* dem_surface.h -- what the particles do to a surface. Chapter "Walls". */
 #ifndef DEM_SURFACES_DEM_SURFACE_H
 #define DEM_SURFACES_DEM_SURFACE_H
 

@@ -127,7 +127,7 @@ static int read_binary(struct source *in, struct stl *s)
 
 /* --- text ----------------------------------------------------------------- */
 
-/* The next word; "" at the end. */
+/* The next word; "" at the end; of a long one its first WORD - 1 letters. */
 static void next_word(struct source *in, char word[WORD])
 {
     size_t n = 0;
@@ -156,7 +156,8 @@ static int three_numbers(struct source *in, double x[3])
         char word[WORD], *end;
         next_word(in, word);
         x[k] = strtod(word, &end);
-        if (word[0] == '\0' || *end != '\0' || !isfinite(x[k]))
+        if (word[0] == '\0' || *end != '\0' || !isfinite(x[k]) ||
+            strlen(word) == WORD - 1)
             return wrong(
                 in, "expected a number, found %s%s%s", word[0] ? "\"" : "",
                 word[0] ? word : "the end of the file", word[0] ? "\"" : "");

@@ -57,7 +57,7 @@ static const struct contiguous_faces *contiguous(const struct face_pieces *p)
     return (const struct contiguous_faces *)p;
 }
 
-/* The first run of [begin, end) that reaches beyond an owner or a face. */
+/* The first range of [begin, end) that reaches beyond an owner or a face. */
 static int first_beyond(const struct contiguous_range *run, int begin, int end,
                         int at, int by_face)
 {
@@ -73,7 +73,8 @@ static int first_beyond(const struct contiguous_range *run, int begin, int end,
     return begin;
 }
 
-/* The part of the run whose faces (by_face) or owners lie within [first, last).
+/* The part of the range whose faces (by_face) or owners lie within [first,
+ * last).
  */
 static void cut(const struct contiguous_range *run, int first, int last,
                 int by_face, struct face_piece *p)
@@ -88,7 +89,7 @@ static void cut(const struct contiguous_range *run, int first, int last,
 }
 
 /* p->group counts the sides of the groups: 2 g from the owner, 2 g + 1 from the
- * neighbour; p->run is the run to look at next, 0 until it has been found. */
+ * neighbour; p->range is the range of the next piece, 0 until it is known. */
 static int next_of_cells(const struct face_pieces *pieces, int first, int last,
                          struct face_piece *p)
 {

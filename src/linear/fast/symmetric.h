@@ -32,7 +32,7 @@ struct symmetric {
     float *diag, *inverse;          /* the diagonal and one over it */
     float *band[SYMMETRIC_BANDS];   /* padded */
     double *exact_diag;             /* the same in double and in the unit of */
-    double *exact[SYMMETRIC_BANDS]; /* the matrix; NULL if not asked for */
+    double *exact[SYMMETRIC_BANDS]; /* the matrix; NULL unless exact */
     int *band_of_link,
         *index_in_band; /* [-] of link l: its band and place there; or -1 and
            its link in rest; -2: joins a cell to itself */

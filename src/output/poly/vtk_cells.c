@@ -173,7 +173,7 @@ static void add_cell(struct vtk_cells *v, int c)
     v->faces_end[c] = n == 0 ? v->faces.n : -1;
 }
 
-struct vtk_cells *vtk_cells_create(const struct mesh *m)
+static void *create(const struct mesh *m)
 {
     struct vtk_cells *const v = alloc_zeroed(1, sizeof *v);
 
@@ -186,9 +186,10 @@ struct vtk_cells *vtk_cells_create(const struct mesh *m)
     return v;
 }
 
-void vtk_cells_free(struct vtk_cells *v)
+static void release(void *cells)
 {
-    if (v == NULL) return;
+    struct vtk_cells *const v = cells;
+
     free(v->points.value);
     free(v->faces.value);
     free(v->end);
@@ -197,13 +198,15 @@ void vtk_cells_free(struct vtk_cells *v)
     free(v);
 }
 
-int vtk_cells_number(const struct vtk_cells *v)
+static int number(const void *cells)
 {
+    const struct vtk_cells *const v = cells;
     return v->mesh->n_cells;
 }
 
-void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
+static void put(struct vtk_file *f, const void *cells)
 {
+    const struct vtk_cells *const v = cells;
     const struct mesh *const m = v->mesh;
     const struct vtk_array points = {
         .name = "position", .components = 3, .values = m->shape->point};
@@ -240,3 +243,11 @@ void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *v)
     }
     fprintf(vtk_file_stream(f), "</Cells>\n");
 }
+
+const struct vtk_grid vtk_cells_grid = {
+    .name = "cells",
+    .create = create,
+    .free = release,
+    .number = number,
+    .put = put,
+};

@@ -5,9 +5,7 @@
 #include "output/vtk.h"
 #include "output/vtk_file.h"
 
-int vtk_cells_number(const struct vtk_cells *c);
-
-/* Opens the <Piece> and declares its points and cells. */
-void vtk_cells_put(struct vtk_file *f, const struct vtk_cells *c);
+/* Hexahedra and tetrahedra with these types, all other cells as polyhedra. */
+extern const struct vtk_grid vtk_cells_grid;
 
 #endif
