@@ -21,14 +21,6 @@ const struct integrator integrators_symplectic_euler = {
     .first = 1.0,
 };
 
-const struct integrator integrators_heun = {
-    .name = "heun",
-    .what = "second order, damped or not; gains energy",
-    .equations = "LS section 4.2",
-    .function = "heun_correct",
-    .predicts = 1,
-};
-
 const struct integrator *integrators_named(const char *name)
 {
     for (int i = 0; integrators[i] != NULL; i++)

@@ -6,6 +6,15 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "dem/integrators.h"
+
+const struct integrator heun_integrator = {
+    .name = "heun",
+    .what = "second order, damped or not; gains energy",
+    .equations = "LS section 4.2",
+    .function = "heun_correct",
+    .predicts = 1,
+};
 
 struct heun *heun_create(int capacity)
 {
