@@ -208,7 +208,7 @@ const struct model bandwidth_uniform = {
     .name = "uniform",
     .what = "the same everywhere, but for regions",
     .equations = "",
-    .function = "diffusion_method",
+    .function = "bandwidth_create",
 };
 
 static int is_uniform(const struct averaging_options *o)

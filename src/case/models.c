@@ -20,12 +20,12 @@
     static int kind(int i, struct model *m)                                    \
     {                                                                          \
         for (int k = 0; k <= i; k++)                                           \
-            if (list[k] == NULL) return 0;                                     \
-        *m = (struct model){.name = list[i]->name,                             \
-                            .what = list[i]->what,                             \
-                            .equations = list[i]->equations,                   \
-                            .function = list[i]->function};                    \
-        memcpy(m->keys, list[i]->keys, sizeof m->keys);                        \
+            if ((list)[k] == NULL) return 0;                                   \
+        *m = (struct model){.name = (list)[i]->name,                           \
+                            .what = (list)[i]->what,                           \
+                            .equations = (list)[i]->equations,                 \
+                            .function = (list)[i]->function};                  \
+        memcpy(m->keys, (list)[i]->keys, sizeof m->keys);                      \
         return 1;                                                              \
     }
 

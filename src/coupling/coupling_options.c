@@ -32,7 +32,7 @@ const struct model coupling_exponential = {
     .name = "exponential",
     .what = "the drag that relaxes as the particle gives in to it",
     .equations = "XS11 3.16",
-    .function = "implicit_drag_advance",
+    .function = "drag_rows_advance",
     .value = SLIP_INTEGRATION_EXPONENTIAL,
 };
 

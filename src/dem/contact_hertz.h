@@ -25,13 +25,11 @@ double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j);
 /* G* [Pa]: 1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j, G = E/(2 (1 + nu)).
  * [LS 4.10] prints 1 - nu^2 for 2 - nu here; this is Mindlin's. */
 double contact_hertz_shear(double E_i, double nu_i, double E_j, double nu_j);
-
 /* R* = R_i R_j / (R_i + R_j) [m]. */
 double contact_hertz_radius(double R_i, double R_j);
 
 /* [N/m^1.5] k_n = (4/3) E* sqrt(R*) [LS 4.9]. */
 double contact_hertz_stiffness(double E_star, double R_star);
-
 /* [s] of an elastic head-on impact at v [m/s]: 2.9432 delta_max / v. */
 double contact_hertz_time(double E_star, double R_star, double m_star,
                           double v);

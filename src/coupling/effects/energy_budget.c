@@ -29,7 +29,7 @@ const struct effect energy_budget_effect = {
     .name = "energy_budget",
     .what = "where the particles' energy goes",
     .equations = "LS 4.16",
-    .function = "energy_collect",
+    .function = "budget_collect",
     .keys = keys,
     .create = energy_budget_create,
 };
