@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "dem/surfaces/surface.h"
 #include "dem/contact_hertz.h"
 #include "dem/dem.h"
 

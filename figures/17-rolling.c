@@ -13,7 +13,7 @@ int main(void)
     const double m = 2500.0 * pi / 6.0 * 8.0 * R * R * R, I = 1.4 * m * R * R;
     const double k_t = 2.0 / 7.0 * 2.0 / (1.0 / 2e4 + 1.0 / 2e3);
     const double k_r = k_t * R * R, most = mu_r * R * m * g;
-    const double C_r = 2.0 * sweep_rolling_damping_ratio * sqrt(I * k_r);
+    const double C_r = 2.0 * rolling_damping_ratio * sqrt(I * k_r);
     const double n[3] = {0.0, 1.0, 0.0}, start = most / I * 1.006e-3;
     double theta[3] = {0.0, 0.0, -most / k_r}, M[3];
     double spring[3] = {0.0, 0.0, -start}, constant = start;

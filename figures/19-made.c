@@ -5,7 +5,7 @@
  * together; and the orders from the mesh before.
  *
  *   sh figures/run.sh figures/19-made.c */
-#include "../tests/made.h"
+#include "../tests/manufactured.h"
 
 #include <stdio.h>
 

@@ -14,7 +14,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
-#include "../tests/hard_scenes.h"
+#include "../tests/hard_beds.h"
 
 struct found {
     double swing, square, mass, exchange, speed;

@@ -35,11 +35,12 @@ static const char good[] =
                                                                           */
     "};\n"; /* 14 */
 
-static char folder[] = "/tmp/winnow-settings-XXXXXX";
+static char folder[32];
 static char path[64];
 
 static void make_folder(void)
 {
+    strcpy(folder, "/tmp/winnow-settings-XXXXXX");
     ck_assert_ptr_nonnull(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/case.cfg", folder);
 }
