@@ -175,7 +175,7 @@ END_TEST
 
 /* So many that there are two chunks, of several blocks each: what a block
  * leaves out or does too late, or a chunk adds to another, would be missing. */
-START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips)
+START_TEST(the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks)
 {
     static const int periodic[] = {0, 7};
     const struct scene s = {.n = 2101,
@@ -235,6 +235,6 @@ FACTS("contact_loop")
 {
     FACT_FOR_EACH(the_contact_loop_is_the_sum_over_all_pairs_in_any_box, 8);
     FACT_FOR_EACH(
-        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_strips, 2);
+        the_contact_loop_is_the_sum_over_all_pairs_in_blocks_and_chunks, 2);
     FACT(a_block_does_its_own_contacts_and_no_more_than_fill_its_lanes);
 }
