@@ -5,7 +5,7 @@
  */
 #include <stdio.h>
 
-#include "dem/fast/sweep_rolling.h"
+#include "dem/rolling.h"
 
 int main(void)
 {
@@ -22,7 +22,7 @@ int main(void)
         if (step % 9 == 0)
             printf("%.2f %.4g %.4g\n", step * dt * 1e3, -spring[2] * R * 1e6,
                    constant * R * 1e6);
-        sweep_roll(M, theta, spring, n, k_r, C_r, most, dt);
+        rolling_moment(M, theta, spring, n, k_r, C_r, most, dt);
         spring[2] += M[2] / I * dt;
         constant -= (constant > 0.0 ? 1.0 : -1.0) * most / I * dt;
     }

@@ -10,9 +10,9 @@
  * writes it to OUT. Round k of a seed is the same each time.
  */
 #include "base/key.h"
+#include "case/case_file.h"
+#include "case/schema.h"
 #include "fuzz_run.h"
-#include "scene/rows.h"
-#include "scene/scene.h"
 
 enum { SCENES = 400 };
 
@@ -22,14 +22,14 @@ enum { SCENES = 400 };
 /* One more option -s with a key that there is. */
 static void change_setting(struct scene *s, gsl_rng *r)
 {
-    const struct key *tables[SCENE_TABLES], *key;
-    char option[512], path[ROWS_TEXT];
+    const struct key *tables[CASE_FILE_TABLES], *key;
+    char option[1024], path[SCHEMA_TEXT];
     int n = 0;
 
-    scene_tables(tables);
-    while (rows_at(tables, n) != NULL)
+    case_file_tables(tables);
+    while (schema_at(tables, n) != NULL)
         n++;
-    key = rows_at(tables, (int)mutate_below(r, (size_t)n));
+    key = schema_at(tables, (int)mutate_below(r, (size_t)n));
     snprintf(path, sizeof path, "%s", key->path);
     for (char *p; (p = strstr(path, "<patch>")) != NULL;)
         memcpy(p, "top    ", 7), memmove(p + 3, p + 7, strlen(p + 7) + 1);
