@@ -108,7 +108,8 @@ static void counts(struct particles *ps, const struct neighbours *nb)
         near += nb->chunks[s].pairs.n;
         chosen += nb->chunks[s].contacts.n_pairs;
     }
-    printf("all = %d\ncells = %d\nneighbour_list = %d\ncontacts = %d\ntouch = %d\n",
+    printf("all = %d\ncells = %d\nneighbour_list = %d\ncontacts = %d\ntouch = "
+           "%d\n",
            ps->n * (ps->n - 1) / 2, beside, near, chosen, touch);
     printf("chunks = %d\n", nb->n_chunks);
 }
