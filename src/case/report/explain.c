@@ -2,10 +2,13 @@
 #include "case/report/explain.h"
 
 #include "case/case_materials.h"
+#include "case/command.h"
 #include "case/model_choice.h"
+#include "case/report/equation_index.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What a case computes as soon as it names a group. */
 struct part {
@@ -92,3 +95,31 @@ int explain_case(const struct settings *s)
     print_off(s);
     return 0;
 }
+
+/* A word is a key, a function, or else the file of a case. */
+static int act(const struct command_line *l)
+{
+    const char *const word = l->words[0];
+    int code;
+
+    if (equation_index_is_key(word)) return equation_index_explain(word);
+    if (equation_index_is_function(word) && access(word, F_OK) != 0)
+        return equation_index_explain_function(word);
+
+    struct settings *const s = command_settings(l, &code);
+
+    if (s != NULL) code = explain_case(s);
+    settings_free(s);
+    return code;
+}
+
+const struct command command_explain = {
+    "explain",
+    "CASE [-s path.to.key=value]... | KEY | FUNCTION",
+    "the equations that a case switches on, and what it leaves off; or where "
+    "an equation is computed, tested and explained; or what a function "
+    "computes",
+    "s",
+    1,
+    1,
+    act};

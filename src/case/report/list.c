@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/list.h"
 
+#include "case/command.h"
 #include "case/models.h"
 #include "case/nearest.h"
 #include "case/schema.h"
@@ -149,3 +150,31 @@ int list_models(const char *name)
     }
     return 0;
 }
+
+static int wrong_word(const char *word)
+{
+    fprintf(stderr,
+            "winnow: %s: one argument too many\n"
+            "winnow list [KIND] | keys [PART]\n",
+            word);
+    return 2;
+}
+
+static int act(const struct command_line *l)
+{
+    if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
+        return list_keys(l->words[1]);
+    if (l->n_words > 1) return wrong_word(l->words[1]);
+    if (l->n_words > 0) return list_models(l->words[0]);
+    list_kinds();
+    return 0;
+}
+
+const struct command command_list = {
+    "list",
+    "[KIND] | keys [PART]",
+    "the models of a kind with their keys; or the keys of a part of a case",
+    "",
+    0,
+    2,
+    act};
