@@ -14,7 +14,7 @@
 #include "output/folder.h"
 #include "case/breakdown.h"
 #include "case/build.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_overlap.h"
 #include "case/case_steps.h"
 #include "case/command.h"
@@ -104,7 +104,7 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     thread_tuner_restore(&crew);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
-    case_population_report(sim);
+    case_part_after_run(sim);
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
