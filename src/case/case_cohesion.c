@@ -11,6 +11,7 @@
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
 #include "case/case_materials.h"
+#include "case/check_line.h"
 #include "case/case_file.h"
 
 static int count_materials(const struct settings *s)
@@ -63,12 +64,6 @@ int case_cohesion_check(const struct settings *s)
                           settings_real(s, "effects.van_der_waals.min_gap"));
 }
 
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
-
 static void print_electrostatic(const struct settings *s,
                                 const struct attraction *a, double d,
                                 double weight)
@@ -77,11 +72,11 @@ static void print_electrostatic(const struct settings *s,
 
     for (int k = 0; k < count_materials(s); k++)
         most = fmax(most, fabs(a->charge[k]));
-    line("electrostatic / weight",
-         electrostatic_force(most, most, a->strength, d) / weight, "-",
-         "of the largest charge on touching spheres");
-    line("electrostatic at its range / touching", gsl_pow_2(d / (d + a->range)),
-         "-", "what the range cuts off");
+    check_line("electrostatic / weight",
+               electrostatic_force(most, most, a->strength, d) / weight, "-",
+               "of the largest charge on touching spheres");
+    check_line("electrostatic at its range / touching",
+               gsl_pow_2(d / (d + a->range)), "-", "what the range cuts off");
 }
 
 static void print_van_der_waals(const struct attraction *a, double d,
@@ -89,15 +84,17 @@ static void print_van_der_waals(const struct attraction *a, double d,
 {
     const double D = van_der_waals_diameter(d, d);
 
-    line("van der Waals / weight",
-         van_der_waals_force(a->strength, D, a->closest) / weight, "-",
-         "at the closest gap");
-    line("van der Waals at its range / closest",
-         gsl_pow_2(a->closest / a->range), "-", "what the range cuts off");
-    line("closest gap / way of a step", a->closest / travel, "-",
-         a->closest >= travel
-             ? "the well is resolved"
-             : "NOT RESOLVED: what an impact gains in the well is by chance");
+    check_line("van der Waals / weight",
+               van_der_waals_force(a->strength, D, a->closest) / weight, "-",
+               "at the closest gap");
+    check_line("van der Waals at its range / closest",
+               gsl_pow_2(a->closest / a->range), "-",
+               "what the range cuts off");
+    check_line(
+        "closest gap / way of a step", a->closest / travel, "-",
+        a->closest >= travel
+            ? "the well is resolved"
+            : "NOT RESOLVED: what an impact gains in the well is by chance");
 }
 
 void case_cohesion_print(const struct settings *s, double d, double density,
@@ -114,9 +111,9 @@ void case_cohesion_print(const struct settings *s, double d, double density,
         if (a->law == &van_der_waals)
             print_van_der_waals(a, d, weight, speed * dt);
         if (a->law == &capillary)
-            line("capillary / weight",
-                 -capillary_force(a->strength, 0.5 * d) / weight, "-",
-                 "of two of the smallest particles");
+            check_line("capillary / weight",
+                       -capillary_force(a->strength, 0.5 * d) / weight, "-",
+                       "of two of the smallest particles");
     }
     free(all);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder.h"
 
+#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -23,9 +24,9 @@
 #include "case/profiles.h"
 #include "case/field_output.h"
 #include "case/probes.h"
-#include "case/surface_table.h"
+#include "case/recorder_part.h"
 
-enum { MOST_COLUMNS = 64 };
+enum { MOST_COLUMNS = 64, MOST_PARTS = 16 };
 
 struct recorder {
     const struct settings *settings;
@@ -38,8 +39,12 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
+    struct animation *animation; /* NULL: off */
+    int n_parts;
+    struct {
+        const struct recorder_part *part;
+        void *state;
+    } parts[MOST_PARTS]; /* those that this simulation has */
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
@@ -56,7 +61,8 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    for (int i = 0; i < r->n_parts; i++)
+        r->parts[i].part->free(r->parts[i].state);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -105,7 +111,12 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    if (table_add(r->history, row) != 0) return 1;
+    for (int i = 0; i < r->n_parts; i++)
+        if (r->parts[i].part->row != NULL &&
+            r->parts[i].part->row(r->parts[i].state) != 0)
+            return 1;
+    return 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -130,6 +141,10 @@ static int add_fields(struct recorder *r)
     const struct picture p = picture_of(r);
 
     if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
+    for (int i = 0; i < r->n_parts; i++)
+        if (r->parts[i].part->fields != NULL &&
+            r->parts[i].part->fields(r->parts[i].state, r->snapshot->t) != 0)
+            return 1;
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
@@ -142,9 +157,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -285,6 +298,22 @@ static int begin(struct recorder *r)
     return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
 }
 
+/* The files that folders add. */
+static int create_folder_parts(struct recorder *r)
+{
+    int failed = 0;
+
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        void *const state =
+            recorder_parts[i]->create(r->sim, r->folder, &failed);
+        if (state == NULL) continue;
+        assert(r->n_parts < MOST_PARTS);
+        r->parts[r->n_parts].part = recorder_parts[i];
+        r->parts[r->n_parts++].state = state;
+    }
+    return failed;
+}
+
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
@@ -300,10 +329,7 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (create_folder_parts(r) != 0) return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }

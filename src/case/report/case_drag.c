@@ -8,12 +8,7 @@
 #include "coupling/drag.h"
 #include "coupling/stability.h"
 #include "case/build_particles.h"
-
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
+#include "case/check_line.h"
 
 /* tau_p [s] of spheres of diameter d [m] that take eps_s of the room. */
 static double relaxation_time(const struct settings *s,
@@ -50,17 +45,20 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
         1.0 - k->eps_s, relaxation_time(s, k, mean_diameter(s), k->eps_s));
     const double densest = stability_max_solid_fraction(C, rho_s, rho_f);
 
-    line("longest step for a packed bed", longest, "s",
-         k->dt <= longest ? "2 eps_f^2 tau_p: the step is below"
-                          : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
-    line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
-         "mass of the bed over that of the fluid in it");
-    line("swing of the pressure",
-         stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
-         k->eps_s < densest ? "part of it left after a step: it dies out"
-                            : "NOT STABLE: it grows where the bed is packed");
-    line("densest bed without it", densest, "-",
-         helped ? "eps_s, with virtual mass" : "eps_s, without virtual mass");
+    check_line("longest step for a packed bed", longest, "s",
+               k->dt <= longest
+                   ? "2 eps_f^2 tau_p: the step is below"
+                   : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
+    check_line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
+               "mass of the bed over that of the fluid in it");
+    check_line("swing of the pressure",
+               stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
+               k->eps_s < densest
+                   ? "part of it left after a step: it dies out"
+                   : "NOT STABLE: it grows where the bed is packed");
+    check_line("densest bed without it", densest, "-",
+               helped ? "eps_s, with virtual mass"
+                      : "eps_s, without virtual mass");
 }
 
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
@@ -69,10 +67,12 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     const double bed = relaxation_time(s, k, k->d, k->eps_s);
 
     puts("Drag");
-    line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
-    line("tau_p", relaxation_time(s, k, k->d, 0.0), "s", "of a lone particle");
-    line("sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
-         asked > 0 ? "as the case asks" : "drag updates in a step, about");
+    check_line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
+    check_line("tau_p", relaxation_time(s, k, k->d, 0.0), "s",
+               "of a lone particle");
+    check_line(
+        "sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
+        asked > 0 ? "as the case asks" : "drag updates in a step, about");
     if (settings_has(s, "particles.bed") &&
         settings_int(s, "particles.bed.count") > 0)
         print_bed(s, k);
