@@ -40,11 +40,9 @@ struct recorder {
     struct snapshot *snapshot;
     struct field_output *pictures;
     struct animation *animation; /* NULL: off */
-    int n_parts;
-    struct {
-        const struct recorder_part *part;
-        void *state;
-    } parts[MOST_PARTS]; /* those that this simulation has */
+    int n_parts; /* of those that folders add, in this simulation */
+    const struct recorder_part *part[MOST_PARTS];
+    void *part_state[MOST_PARTS];
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
@@ -62,7 +60,7 @@ void recorder_free(struct recorder *r)
     if (r == NULL) return;
     table_free(r->history);
     for (int i = 0; i < r->n_parts; i++)
-        r->parts[i].part->free(r->parts[i].state);
+        r->part[i]->free(r->part_state[i]);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -111,12 +109,10 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    if (table_add(r->history, row) != 0) return 1;
-    for (int i = 0; i < r->n_parts; i++)
-        if (r->parts[i].part->row != NULL &&
-            r->parts[i].part->row(r->parts[i].state) != 0)
-            return 1;
-    return 0;
+    int failed = table_add(r->history, row);
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
+    return failed;
 }
 
 /* The present state as a picture (picture.h). */
@@ -139,13 +135,13 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
+    int failed = field_output_add(r->pictures, r->snapshot);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
-    for (int i = 0; i < r->n_parts; i++)
-        if (r->parts[i].part->fields != NULL &&
-            r->parts[i].part->fields(r->parts[i].state, r->snapshot->t) != 0)
-            return 1;
-    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->fields != NULL)
+            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
+    if (failed || r->animation == NULL) return failed;
+    return animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -304,12 +300,11 @@ static int create_folder_parts(struct recorder *r)
     int failed = 0;
 
     for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
-        void *const state =
-            recorder_parts[i]->create(r->sim, r->folder, &failed);
-        if (state == NULL) continue;
         assert(r->n_parts < MOST_PARTS);
-        r->parts[r->n_parts].part = recorder_parts[i];
-        r->parts[r->n_parts++].state = state;
+        r->part[r->n_parts] = recorder_parts[i];
+        r->part_state[r->n_parts] =
+            recorder_parts[i]->create(r->sim, r->folder, &failed);
+        r->n_parts += r->part_state[r->n_parts] != NULL;
     }
     return failed;
 }
