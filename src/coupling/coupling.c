@@ -11,7 +11,7 @@
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -185,11 +185,13 @@ static void finish_step(struct simulation *sim)
 static int insert_and_remove(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
-    const int removed = population_mark(sim->population, ps, sim->dt);
+    struct population *const population = sim->population;
+    const struct population_functions *const f = population->functions;
+    const int removed = f->mark(population, ps, sim->dt);
 
     if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
-    if (removed > 0) population_remove(sim->population, sim->dem);
-    const int first = population_insert(sim->population, ps, sim->dem, sim->t);
+    if (removed > 0) f->remove(population, sim->dem);
+    const int first = f->insert(population, ps, sim->dem, sim->t);
     if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
     return replacement_apply(sim, first);
 }
