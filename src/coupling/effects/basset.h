@@ -26,7 +26,7 @@ struct basset_kernel {
 };
 
 /* The terms for steps of dt [s] and a largest relative error `tolerance` [-],
- * from 2e-5 (50 terms) to 0.1 (10). */
+ * from 2e-5 (51 terms) to 0.1 (10). */
 struct basset_kernel basset_kernel_create(double dt, double tolerance);
 
 /* The sum at time t [s]: about 1/sqrt(t). */
