@@ -27,7 +27,7 @@ struct scene {
     int viscous_stress;
     double basset; /* [-] tolerance of the kernel; 0: the effect is off */
     int saffman, magnus, fluid_torque;
-    double roughness; /* [m] of the lubrication; 0: off */
+    double roughness;     /* [m] of the lubrication; 0: off */
     double mean_gradient; /* [Pa/m] along x */
     double rho, mu, dt;
     double rho_s, d;
@@ -195,7 +195,8 @@ static inline struct simulation *build(const struct scene *s)
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
     if (s->virtual_mass > 0.0)
         add_effect(sim, effects_named("virtual_mass"), &s->virtual_mass);
-    if (s->viscous_stress) add_effect(sim, effects_named("viscous_stress"), NULL);
+    if (s->viscous_stress)
+        add_effect(sim, effects_named("viscous_stress"), NULL);
     if (s->basset > 0.0) add_effect(sim, effects_named("basset"), &s->basset);
     if (s->saffman) add_effect(sim, effects_named("saffman"), NULL);
     if (s->fluid_torque) add_effect(sim, effects_named("fluid_torque"), NULL);

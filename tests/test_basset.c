@@ -13,8 +13,8 @@ static const int terms[] = {15, 25, 37, 51};
 static const double tolerances[] = {2e-2, 2e-3, 2e-4, 2e-5};
 
 /* Between one step and a million the sum differs from 1/sqrt(t) by at most the
- * tolerance. If it were less than a half of that, there would be more terms than
- * needed. */
+ * tolerance. If it were less than a half of that, there would be more terms
+ * than needed. */
 START_TEST(ls_5_4_the_sum_of_exponentials_is_one_over_the_root)
 {
     const double dt = 3e-4, tolerance = tolerances[_i];

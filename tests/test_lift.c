@@ -127,9 +127,9 @@ START_TEST(ls_5_7_slow_spin_is_rubinow_and_keller)
     spin_lift(rho, mu, d, w, Omega, F);
     vector_cross(w, Omega, cross);
     for (int k = 0; k < 3; k++) /* exp(-0.057 Re_r^0.4 Re^0.3): 3e-5 */
-        ck_assert_double_eq_tol(F[k], M_PI / 8.0 * rho * gsl_pow_3(d) * cross[k],
-                                1e-3 * M_PI / 8.0 * rho * gsl_pow_3(d) *
-                                    vector_length(cross));
+        ck_assert_double_eq_tol(
+            F[k], M_PI / 8.0 * rho * gsl_pow_3(d) * cross[k],
+            1e-3 * M_PI / 8.0 * rho * gsl_pow_3(d) * vector_length(cross));
     ck_assert_double_eq_tol(spin_force(rho, 0.5, d, 2.0),
                             0.25 * M_PI * rho * d * d, 1e-20);
 }
@@ -164,7 +164,8 @@ START_TEST(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not)
 }
 END_TEST
 
-/* --- the torque ------------------------------------------------------------ */
+/* --- the torque ------------------------------------------------------------
+ */
 
 /* In slow rotation I domega/dt = -pi mu d^3 Omega. The two branches meet at
  * Re_r = 32 within 0.2 %. */
@@ -202,7 +203,8 @@ START_TEST(torque_takes_the_spin_to_that_of_the_fluid)
 }
 END_TEST
 
-/* --- the path of a spinning ball --------------------------------------------- */
+/* --- the path of a spinning ball ---------------------------------------------
+ */
 
 /* State x, y, v_x, v_y, omega of a ball in a fluid at rest. */
 static void slope(const struct scene *s, const double q[5], double dq[5])
@@ -210,8 +212,7 @@ static void slope(const struct scene *s, const double q[5], double dq[5])
     const double m = s->rho_s * M_PI / 6.0 * gsl_pow_3(s->d);
     const double w[3] = {-q[2], -q[3], 0.0}, Omega[3] = {0.0, 0.0, q[4]};
     const double Re = s->rho * vector_length(w) * s->d / s->mu;
-    const double k =
-        3.0 * M_PI * s->mu * s->d * (1.0 + 0.15 * pow(Re, 0.687));
+    const double k = 3.0 * M_PI * s->mu * s->d * (1.0 + 0.15 * pow(Re, 0.687));
     double F[3];
 
     spin_lift(s->rho, s->mu, s->d, w, Omega, F);

@@ -46,8 +46,8 @@ START_TEST(cox67_force_begins_at_its_range_and_ends_at_the_roughness)
 
     ck_assert_double_eq(lubrication_coefficient(mu, R, z_out, z_min, z_out),
                         0.0);
-    ck_assert_double_eq_tol(
-        lubrication_coefficient(mu, R, 1e-5, z_min, z_out), k * 9e4, 1e-17);
+    ck_assert_double_eq_tol(lubrication_coefficient(mu, R, 1e-5, z_min, z_out),
+                            k * 9e4, 1e-17);
     ck_assert_double_eq(lubrication_coefficient(mu, R, 0.0, z_min, z_out),
                         lubrication_coefficient(mu, R, z_min, z_min, z_out));
 }
@@ -89,8 +89,8 @@ START_TEST(cox67_speed_lost_on_approach_is_the_logarithm_of_the_gaps)
     }
     /* From here on z is between z_min and z_out. */
     ck_assert_double_gt(z, z_min);
-    ck_assert_double_eq_tol((v - speed) / (K * (log(z_out / z) + z / z_out - 1.0)),
-                            1.0, 1e-3);
+    ck_assert_double_eq_tol(
+        (v - speed) / (K * (log(z_out / z) + z / z_out - 1.0)), 1.0, 1e-3);
     if (!wall) ck_assert_double_eq(ps->vx[0], -ps->vx[1]);
     particles_free(ps);
 }
@@ -110,8 +110,8 @@ START_TEST(lubrication_is_stable_however_stiff)
         for (int j = -2; j < 2; j++)
             for (int k = -2; k < 2; k++) {
                 const double h = (d + 0.01 * z_out) / sqrt(2.0);
-                const int n = spheres_add(ps, h * (j + k), h * (i + k),
-                                          h * (i + j), d);
+                const int n =
+                    spheres_add(ps, h * (j + k), h * (i + k), h * (i + j), d);
                 spheres_throw(ps, n, 0.01 * spheres_random(&state),
                               0.01 * spheres_random(&state),
                               0.01 * spheres_random(&state));

@@ -40,8 +40,8 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     for (int k = 0; k < materials; k++)
         charge[k] = case_materials_one(s, k).charge;
     const struct attraction_scene scene = {
-        charge, settings_has(s, "fluid") ? settings_real(s, "fluid.viscosity")
-                                         : 0.0};
+        charge,
+        settings_has(s, "fluid") ? settings_real(s, "fluid.viscosity") : 0.0};
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         const struct effect *const e = effects[k];
         if (!is_attraction(s, e)) continue;

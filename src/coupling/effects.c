@@ -45,8 +45,8 @@ static void add(struct effect_tally *t, double size, double share)
 void effects_report(struct simulation *sim, const double f[3], double share)
 {
     if (sim->at_work == NULL || !effects_are_measured(sim)) return;
-    add(&sim->at_work->tally,
-        sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]), share);
+    add(&sim->at_work->tally, sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]),
+        share);
 }
 
 void effects_measure_scale(struct simulation *sim)

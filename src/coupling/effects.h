@@ -14,7 +14,6 @@
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
 
-
 /* All of them, ended by NULL, and the one of that name or NULL. */
 extern const struct effect *const effects[];
 const struct effect *effects_named(const char *name);
@@ -35,7 +34,8 @@ void effects_call(struct simulation *sim, enum effects_moment when);
 int effects_are_measured(const struct simulation *sim);
 
 /* Reports the force f [N] of the effect at work on one particle, which acts
- * during this share of the step [-]. A hook that no step calls reports nothing. */
+ * during this share of the step [-]. A hook that no step calls reports nothing.
+ */
 void effects_report(struct simulation *sim, const double f[3], double share);
 
 /* Measures the scale after the particles have moved. */

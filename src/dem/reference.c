@@ -223,8 +223,7 @@ static void add_attractions(struct reference *r, struct sphere *a,
             F += one->law->pair(one, a->material, b->material, a->R, b->R, gap);
         if (b == NULL && one->law->wall != NULL)
             F += one->law->wall(one, a->R, gap);
-        if (one->law->damping != NULL)
-            F += damping(one, a, b, x, gap, dt);
+        if (one->law->damping != NULL) F += damping(one, a, b, x, gap, dt);
     }
     if (F == 0.0) return;
     for (int k = 0; k < 3; k++) {

@@ -31,8 +31,8 @@ enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
  * but `held` and `start` are the past that the force remembers. */
 struct basset {
     struct basset_kernel kernel;
-    double decay[BASSET_TERMS]; /* [-] exp(-s_k dt) */
-    double gain[BASSET_TERMS];  /* [-] g(s_k dt) */
+    double decay[BASSET_TERMS];            /* [-] exp(-s_k dt) */
+    double gain[BASSET_TERMS];             /* [-] g(s_k dt) */
     double *E[BASSET_TERMS / TERMS_A_ROW]; /* [m/s] ROW each */
     double *change; /* [m/s] of w in the step before, 3 */
     double *u;      /* [m/s] of the fluid in the step before, 3 */
@@ -98,8 +98,9 @@ static double mass(const struct simulation *sim, int i)
 /* The held force over the added mass [m/s^2]: component a of particle i, whose
  * fluid has changed by du [m/s]. Of a first slip w_0 the mean over the step is
  * 2 w_0/sqrt(dt). */
-static double known_part(const struct basset *self, const struct simulation *sim,
-                         int i, int a, double du, double w_0)
+static double known_part(const struct basset *self,
+                         const struct simulation *sim, int i, int a, double du,
+                         double w_0)
 {
     const double dt = sim->dt;
     double older = 0.0;
@@ -125,8 +126,8 @@ static void basset_before_particles(void *memory, struct simulation *sim)
         for (int a = 0; a < 3; a++) {
             const int j = 3 * i + a;
             const double du = is_new ? 0.0 : u[j] - self->u[j];
-            self->held[j] = m * known_part(self, sim, i, a, du,
-                                           is_new ? u[j] - v[a] : 0.0);
+            self->held[j] =
+                m * known_part(self, sim, i, a, du, is_new ? u[j] - v[a] : 0.0);
             sim->held_force[j] += self->held[j];
             self->start[j] = v[a];
         }
@@ -163,8 +164,7 @@ static void basset_after_particles(void *memory, struct simulation *sim)
             const double du = is_new ? 0.0 : u[j] - self->u[j];
             impulse[a] = self->held[j] * sim->dt - m * dv;
             force[a] = impulse[a] / sim->dt;
-            remember(self, i, a, du - dv,
-                     is_new ? u[j] - self->start[j] : 0.0);
+            remember(self, i, a, du - dv, is_new ? u[j] - self->start[j] : 0.0);
             self->u[j] = u[j];
         }
         self->age[i] = 1.0;
@@ -179,8 +179,8 @@ static double share(const struct effect_scales *k, const char **remark)
     *remark = k->slip * k->d * k->rho_f > k->mu
                   ? "right after a change of the slip; Re > 1: too large"
                   : "right after a change of the slip";
-    return basset_coefficient(k->rho_f, k->mu, k->d) * k->slip /
-           sqrt(k->tau) / k->force;
+    return basset_coefficient(k->rho_f, k->mu, k->d) * k->slip / sqrt(k->tau) /
+           k->force;
 }
 
 static const struct key keys[] = {

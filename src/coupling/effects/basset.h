@@ -1,7 +1,7 @@
 /* basset.h -- Basset's history force.  Chapter "Further forces".
  *
- *   F = (3/2) d^2 sqrt(pi rho mu) [ int_0^t w'(s)/sqrt(t - s) ds + w(0)/sqrt(t) ]
- *                                                                    [LS 5.4]
+ *   F = (3/2) d^2 sqrt(pi rho mu) [ int_0^t w'(s)/sqrt(t - s) ds + w(0)/sqrt(t)
+ * ] [LS 5.4]
  *
  * with w = u - v at the particle and w' along its path. The kernel is a sum of
  * exponentials,

@@ -21,7 +21,7 @@ static void *create(struct simulation *sim, const double *parameters)
 }
 
 static struct attraction electrostatic_of(const double *p,
-                                  const struct attraction_scene *scene)
+                                          const struct attraction_scene *scene)
 {
     return (struct attraction){.law = &electrostatic,
                                .strength = p[0],
@@ -50,7 +50,7 @@ const struct effect cohesion_electrostatic = {
 };
 
 static struct attraction van_der_waals_of(const double *p,
-                                  const struct attraction_scene *scene)
+                                          const struct attraction_scene *scene)
 {
     (void)scene;
     return (struct attraction){.law = &van_der_waals,
@@ -82,7 +82,7 @@ const struct effect cohesion_van_der_waals = {
 };
 
 static struct attraction capillary_of(const double *p,
-                                  const struct attraction_scene *scene)
+                                      const struct attraction_scene *scene)
 {
     (void)scene;
     return (struct attraction){.law = &capillary,

@@ -53,11 +53,11 @@ static double share(const struct effect_scales *k, const char **remark)
            k->force;
 }
 
-static const struct key keys[] = {
-    {"effects.magnus", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "lift on a particle that spins", "LS 5.7",
-     "fluid particles averaging exchange"},
-    {0}};
+static const struct key keys[] = {{"effects.magnus", KEY_GROUP, "", "",
+                                   KEY_OPTIONAL,
+                                   "lift on a particle that spins", "LS 5.7",
+                                   "fluid particles averaging exchange"},
+                                  {0}};
 
 const struct effect magnus_effect = {
     .name = "magnus",

@@ -14,8 +14,8 @@ double spin_reynolds(double rho, double mu, double d, double Omega)
 /* Re_r/Re = d |Omega|/|w| is the coefficient at small Re. */
 double spin_lift_coefficient(double Re, double Re_r)
 {
-    return 0.45 + (Re_r / Re - 0.45) *
-                      exp(-0.05684 * pow(Re_r, 0.4) * pow(Re, 0.3));
+    return 0.45 +
+           (Re_r / Re - 0.45) * exp(-0.05684 * pow(Re_r, 0.4) * pow(Re, 0.3));
 }
 
 double spin_force(double rho, double C_LR, double d, double u_r)
@@ -30,12 +30,12 @@ void spin_lift(double rho, double mu, double d, const double w[3],
     double size = 0.0;
 
     if (speed > 0.0 && spin > 0.0)
-        size = spin_force(rho,
-                          spin_lift_coefficient(
-                              rho * speed * d / mu,
-                              spin_reynolds(rho, mu, d, spin)),
-                          d, speed) /
-               (speed * spin);
+        size =
+            spin_force(rho,
+                       spin_lift_coefficient(rho * speed * d / mu,
+                                             spin_reynolds(rho, mu, d, spin)),
+                       d, speed) /
+            (speed * spin);
     vector_cross(w, Omega, F);
     for (int a = 0; a < 3; a++)
         F[a] *= size;

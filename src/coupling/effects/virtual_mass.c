@@ -108,8 +108,7 @@ static void virtual_mass_before_particles(void *memory, struct simulation *sim)
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         for (int k = 0; k < 3; k++) {
             self->start[3 * i + k] = v[k];
-            sim->held_force[3 * i + k] +=
-                self->mass[i] * self->at[3 * i + k];
+            sim->held_force[3 * i + k] += self->mass[i] * self->at[3 * i + k];
         }
     }
 }

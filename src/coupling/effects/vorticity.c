@@ -36,7 +36,8 @@ void vorticity_update(struct vorticity *v, struct simulation *sim)
     fluid_boundary_velocity(fl, v->u_b);
     velocity_gradient_schemes[0]->fill(fl->mesh, fl->u, v->u_b, v->gradient);
     for (int c = 0; c < fl->mesh->n_cells; c++) {
-        const double *const g = &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */
+        const double *const g =
+            &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */
         v->curl[3 * c] = g[7] - g[5];
         v->curl[3 * c + 1] = g[2] - g[6];
         v->curl[3 * c + 2] = g[3] - g[1];
