@@ -7,8 +7,8 @@
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/build_particles.h"
-#include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
+#include "case/report/report_cohesion.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
 #include "case/case_materials.h"
@@ -226,8 +226,7 @@ int report_case(const struct settings *s)
     print_resolution(&k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
-    if (k.particles > 0)
-        case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
+    if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
     for (int i = 0; case_parts[i] != NULL; i++)
         if (case_parts[i]->print != NULL) case_parts[i]->print(s, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
