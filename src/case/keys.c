@@ -79,7 +79,7 @@ const struct key keys_core[] = {
      "the run stops at a deeper overlap", "LS 4.7", ""},
     {"particles.integrator", KEY_NAME, "", "", "velocity-verlet",
      "how the particles step through time", "LS section 4.2", ""},
-    {"particles.list", KEY_NAME, "", "", "verlet",
+    {"particles.list", KEY_NAME, "", "", KEY_FIRST,
      "how pairs are found: fast from a list that lasts, or in each step anew",
      "LS 5.15", ""},
     {"particles.grains", KEY_GROUP, "", "", NULL,

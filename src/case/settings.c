@@ -188,7 +188,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(schema_find(s->tables, path) != NULL);
+    assert(schema_knows(s->tables, path));
     return found != NULL && !source_is_default(found);
 }
 
@@ -281,7 +281,7 @@ int settings_length(const struct settings *s, const char *list)
 {
     const config_setting_t *const found = config_lookup(&s->tree, list);
 
-    assert(schema_find(s->tables, list) != NULL);
+    assert(schema_knows(s->tables, list));
     return found != NULL ? config_setting_length(found) : 0;
 }
 
