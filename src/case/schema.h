@@ -22,7 +22,8 @@ extern const char *const schema_patches[];
 const struct key *schema_find(const struct key *const *tables,
                               const char *path);
 
-/* 1 if there is such a row, or would be in a build that leaves no folder out. */
+/* 1 if there is such a row, or would be in a build that leaves no folder out.
+ */
 int schema_knows(const struct key *const *tables, const char *path);
 
 /* The i-th row over all tables, or NULL after the last. */
