@@ -71,6 +71,16 @@ static int bed_lost(const struct bed_report *r)
     return 3;
 }
 
+static int leave_room(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o)
+{
+    const int n = settings_int(s, "particles.bed.count");
+
+    sim->particles = particles_create(n + case_population_count(s));
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
 /* The bed from its file, or made anew and kept there. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
@@ -254,18 +264,19 @@ int build_particles_check(const struct settings *s)
     return code;
 }
 
-int build_particles(const struct settings *s, struct simulation *sim)
+int build_particles(const struct settings *s, struct simulation *sim,
+                    int with_bed)
 {
     struct dem_options o;
     int code = furnish(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
-        code = create_bed(s, sim, &o);
+        code = with_bed ? create_bed(s, sim, &o) : leave_room(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
-    if (driven_missing(s, sim->particles) != 0) return 2;
+    if (with_bed && driven_missing(s, sim->particles) != 0) return 2;
     dem_clock(sim->dem, 0);
     case_overlap_limit(s, sim);
     double lo[3], hi[3];
@@ -278,6 +289,6 @@ int build_particles(const struct settings *s, struct simulation *sim)
         sim->population->sources[i].options.region =
             case_walls_placement_region(sim->walls);
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, sim->held_force, 3);
+    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     return 0;
 }

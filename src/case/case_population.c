@@ -337,6 +337,11 @@ struct population *case_population_create(const struct settings *s,
     return NULL;
 }
 
+int case_population_waits(const struct simulation *sim)
+{
+    return sim->population != NULL && sim->population->totals.waiting > 0;
+}
+
 void case_population_report(const struct simulation *sim)
 {
     const struct population *const l = sim->population;

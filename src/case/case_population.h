@@ -23,6 +23,9 @@ struct population *case_population_create(const struct settings *s,
                                           const struct box_domain *box,
                                           int *code);
 
+/* Whether spheres that are due have found no room yet. */
+int case_population_waits(const struct simulation *sim);
+
 /* Says which sources have spheres that are due and found no room. */
 void case_population_report(const struct simulation *sim);
 

@@ -107,6 +107,11 @@ const char *settings_file(const struct settings *s)
     return s->file;
 }
 
+const struct config_setting_t *settings_root(const struct settings *s)
+{
+    return config_root_setting(&s->tree);
+}
+
 void settings_be_quiet(struct settings *s)
 {
     s->quiet = 1;
@@ -135,8 +140,7 @@ static const config_setting_t *find(const struct settings *s, const char *path,
 
     assert(key != NULL && key->type == type);
     assert(found != NULL);
-    (void)key;
-    (void)type;
+    (void)key, (void)type;
     return found;
 }
 
@@ -157,8 +161,7 @@ static const config_setting_t *find_in(const struct settings *s,
     found = config_setting_get_member(
         config_setting_get_elem(groups, (unsigned)i), name);
     assert(found != NULL);
-    (void)key;
-    (void)type;
+    (void)key, (void)type;
     return found;
 }
 

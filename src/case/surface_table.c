@@ -67,6 +67,19 @@ void surface_table_free(struct surface_table *t)
     free(t);
 }
 
+void surface_table_state(struct surface_table *t, struct state *s)
+{
+    if (t == NULL) return;
+    struct dem_surface *const all = t->before;
+    const int n = t->sim->n_surfaces;
+    state_begin(s, "surface_table");
+    table_state(t->table, s);
+    state_real(s, "t", "s", &t->t);
+    state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
+    state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
+    state_end(s);
+}
+
 int surface_table_add(struct surface_table *t)
 {
     if (t == NULL) return 0;

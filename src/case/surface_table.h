@@ -17,6 +17,9 @@ struct surface_table *surface_table_create(const struct simulation *sim,
                                            struct folder *folder);
 void surface_table_free(struct surface_table *t);
 
+/* The rows so far, and what the next one needs (state.h). */
+void surface_table_state(struct surface_table *t, struct state *s);
+
 /* A row for the present time; non-zero after a message. No table, no row. */
 int surface_table_add(struct surface_table *t);
 

@@ -61,6 +61,9 @@ void surfaces_clear_history(struct surfaces *sf);
 void surfaces_restore_history(struct surfaces *sf,
                               const struct surface_history *one);
 
+/* All that the next run depends on (state.h). */
+void surfaces_state(struct surfaces *sf, struct state *s);
+
 /* Before a run, and after it: contacts that touch [-], and the largest overlap
  * of the run over the diameter [-]. */
 void surfaces_begin_run(struct surfaces *sf);
