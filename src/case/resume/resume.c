@@ -91,7 +91,7 @@ static int copy_state(struct resume *r)
 static int write_copy(struct resume *r)
 {
     r->written = clock_now();
-    return state_image_write(&r->image, r->path, r->before);
+    return state_file_write(&r->image, r->path, r->before);
 }
 
 static int save(struct resume *r)

@@ -22,7 +22,7 @@
 #include "coupling/coupling.h"
 
 struct virtual_mass {
-    double C;      /* [-] */
+    double C; /* [-] */
     int n_cells;
     double *past;  /* [m/s] u of the step before, 3 a cell */
     double *Du;    /* [m/s^2] Du/Dt, 3 a cell */

@@ -70,8 +70,7 @@ void surfaces_begin_run(struct surfaces *sf);
 int surfaces_contacts(const struct surfaces *sf);
 double surfaces_deepest(const struct surfaces *sf);
 
-/* The energy budget of the contacts with them, chunk by chunk. */
-struct chunk_energy *surfaces_energy(struct surfaces *sf, int s);
+struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
 double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
 
 /* The totals of a surface over all chunks. */

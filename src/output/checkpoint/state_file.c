@@ -242,8 +242,8 @@ struct state_image state_file_image(struct state_file *f)
 /* The old file gets its second name when the new one has been written, so a
  * full disk leaves both as they were; a file system without such names keeps
  * one. */
-int state_image_write(const struct state_image *image, const char *path,
-                      const char *before)
+int state_file_write(const struct state_image *image, const char *path,
+                     const char *before)
 {
     struct file *const f = file_create(path);
 

@@ -10,7 +10,7 @@
  *     state_file_put_text(f, "program", "winnow 0.1.0");
  *     simulation_state(sim, state_file_state(f));
  *     struct state_image image = state_file_image(f);   releases f
- *     state_image_write(&image, "checkpoint", "checkpoint.before");
+ *     state_file_write(&image, "checkpoint", "checkpoint.before");
  */
 #ifndef OUTPUT_CHECKPOINT_STATE_FILE_H
 #define OUTPUT_CHECKPOINT_STATE_FILE_H
@@ -41,8 +41,8 @@ struct state_image state_file_image(struct state_file *f);
 /* Writes the file to PATH.partial, flushes and renames it; an older PATH is
  * then called `before`. At any moment there is a whole one. Non-zero after a
  * message. */
-int state_image_write(const struct state_image *image, const char *path,
-                      const char *before);
+int state_file_write(const struct state_image *image, const char *path,
+                     const char *before);
 
 /* A file that was written, all of it read and its checksum verified. NULL, with
  * the reason in words in `why`; then why is NULL if there is no such file. */
