@@ -16,6 +16,7 @@
 struct simulation;
 struct effect;
 struct effect_scales;
+struct effect_estimate;
 struct attraction;
 struct attraction_scene;
 
@@ -61,9 +62,9 @@ struct effect {
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
-    /* The share of the larger one of weight and drag that the force has by the
-     * scales of a case, for the effect named or not [-] (effect_scales.h). */
-    double (*share)(const struct effect_scales *k, const char **remark);
+    /* How large the force is by the scales of a case, for the effect named or
+     * not (effect_scales.h). */
+    struct effect_estimate (*estimate)(const struct effect_scales *k);
 };
 
 #endif

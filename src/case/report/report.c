@@ -9,6 +9,7 @@
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
+#include "case/report/case_effects.h"
 #include "case/case_population.h"
 #include "case/report/case_limits.h"
 #include "case/case_materials.h"
@@ -379,6 +380,9 @@ int report_case(const struct settings *s)
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);
+    if (k.particles > 0)
+        case_effects_print(s, &(struct case_effects_input){
+                                  k.particles, k.volume, k.inlet, k.S_c});
     print_cost(s, &k);
     return 0;
 }
