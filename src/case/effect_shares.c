@@ -3,18 +3,26 @@
 
 #include <stdio.h>
 
+/* [N] */
+static double mean(const struct effect_tally *t)
+{
+    return t->weight > 0.0 ? t->sum / t->weight : 0.0;
+}
+
+static double over_scale(const struct simulation *sim, double force)
+{
+    return mean(&sim->force_scale) > 0.0 ? force / mean(&sim->force_scale)
+                                         : 0.0;
+}
+
 double effect_shares_mean(const struct simulation *sim, int i)
 {
-    const double scale = sim->force_scale.sum;
-    return scale > 0.0 ? sim->effects[i].tally.sum / scale : 0.0;
+    return over_scale(sim, mean(&sim->effects[i].tally));
 }
 
 double effect_shares_largest(const struct simulation *sim, int i)
 {
-    const struct effect_tally *const scale = &sim->force_scale;
-    return scale->sum > 0.0
-               ? sim->effects[i].tally.largest / (scale->sum / (double)scale->n)
-               : 0.0;
+    return over_scale(sim, sim->effects[i].tally.largest);
 }
 
 void effect_shares_write(struct summary *f, const struct simulation *sim)

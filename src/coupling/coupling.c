@@ -12,7 +12,7 @@
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -31,6 +31,7 @@ struct coupling *coupling_create(struct simulation *sim,
     cp->unpaid_impulse = alloc_doubles(3 * n);
     cp->smooth = alloc_doubles(3 * n);
     cp->amount = alloc_doubles(4 * n);
+    cp->rate = alloc_doubles(n);
     cp->field = alloc_doubles(4 * cells);
     if (options->interpolation == interpolation_named("linear"))
         cp->u_b =
@@ -52,6 +53,7 @@ void coupling_free(struct coupling *cp)
     free(cp->u_f);
     free(cp->eps);
     free(cp->k);
+    free(cp->rate);
     free(cp->u_mean);
     free(cp->unpaid_impulse);
     free(cp->smooth);
@@ -175,11 +177,13 @@ static void finish_step(struct simulation *sim)
 static int insert_and_remove(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
-    const int removed = population_mark(sim->population, ps, sim->dt);
+    struct population *const population = sim->population;
+    const struct population_functions *const f = population->functions;
+    const int removed = f->mark(population, ps, sim->dt);
 
     if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
-    if (removed > 0) population_remove(sim->population, sim->dem);
-    const int first = population_insert(sim->population, ps, sim->dem, sim->t);
+    if (removed > 0) f->remove(population, sim->dem);
+    const int first = f->insert(population, ps, sim->dem, sim->t);
     if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
     return replacement_apply(sim, first);
 }
@@ -208,7 +212,6 @@ int coupling_step(struct simulation *sim)
         failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
                                        : move_freely(sim, &clock);
         if (!failed) effects_call(sim, EFFECTS_AFTER_PARTICLES);
-        effects_measure_scale(sim);
 
         /* 5. New eps_s and u_s; from them Omega and A for the next step. */
         if (sim->coupling != NULL && !failed) {
@@ -216,6 +219,7 @@ int coupling_step(struct simulation *sim)
             clock_add(&sim->seconds.averaging, &clock);
             if (!failed) transfer_drag_terms(sim);
         }
+        if (!failed) effects_measure_scale(sim);
     }
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);

@@ -20,12 +20,12 @@ struct effect_estimate;
 struct attraction;
 struct attraction_scene;
 
-/* The forces that an effect has exerted, of the steps that are measured. */
+/* The forces that an effect has exerted. */
 struct effect_tally {
     double sum;     /* [N] of their sizes, over particles and steps */
     double largest; /* [N] on one particle */
-    double seconds; /* [s] wall-clock time in its hooks, of all steps */
-    long n;         /* [-] particles, over all those steps */
+    double weight;  /* [-] number of these */
+    double seconds; /* [s] wall-clock time in its hooks */
 };
 
 /* An active effect: its descriptor and its state. */

@@ -90,11 +90,10 @@ static void print_coupling(const struct settings *s,
                        : "below 1e-6: one-way will do",
          one_way && needed > 1 ? "exchange.coupling is one-way" : "");
     line("mass loading", stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
-         "", "of the particles over the fluid where they are");
+         "of the particles over the fluid where they are", "");
 }
 
-void case_effects_print(const struct settings *s,
-                        const struct case_effects_input *in)
+void case_effects_print(const struct settings *s, const struct case_scales *in)
 {
     struct effect_scales k = case_effects_scales(s, in);
 

@@ -4,23 +4,14 @@
 #define CASE_REPORT_CASE_EFFECTS_H
 
 #include "coupling/effect_scales.h"
-#include "case/settings.h"
-
-/* What report.h has already computed of a case. */
-struct case_effects_input {
-    int particles; /* [-] */
-    double volume; /* [m^3] of a bed; 0: there is none */
-    double inlet;  /* [m/s] superficial */
-    double S_c;    /* [m] of the mean cell */
-};
+#include "case/case_scales.h"
 
 /* The scales from which the effects estimate their forces. */
 struct effect_scales case_effects_scales(const struct settings *s,
-                                         const struct case_effects_input *in);
+                                         const struct case_scales *in);
 
 /* Prints the estimate of every effect, named or not, and how the phases should
  * be coupled. */
-void case_effects_print(const struct settings *s,
-                        const struct case_effects_input *in);
+void case_effects_print(const struct settings *s, const struct case_scales *in);
 
 #endif

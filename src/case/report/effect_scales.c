@@ -104,7 +104,7 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
  * changes by the slip over a few cells, and what a bubble leaves falls for the
  * time of a diameter. */
 static void bed_scales(const struct settings *s, struct effect_scales *k,
-                       const struct case_effects_input *in)
+                       const struct case_scales *in)
 {
     k->eps_s = in->inlet > 0.0 ? expanded(s, k, in->inlet) : packed;
     k->carried = k->eps_s < packed;
@@ -120,8 +120,7 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
 
 /* Spheres that are far from each other: they fall, or the stream takes them. */
 static void dilute_scales(const struct settings *s, struct effect_scales *k,
-                          const struct case_effects_input *in,
-                          const struct placed *p)
+                          const struct case_scales *in, const struct placed *p)
 {
     double lo[3], size[3];
 
@@ -138,7 +137,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,
-                                         const struct case_effects_input *in)
+                                         const struct case_scales *in)
 {
     const struct placed p = placed_of(s);
     double g[3];
