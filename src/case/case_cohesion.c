@@ -18,6 +18,13 @@ static int count_materials(const struct settings *s)
     return 1 + settings_length(s, "particles.materials");
 }
 
+/* 1 if the program has the effect and the case names it. */
+static int is_named(const struct settings *s, const char *path)
+{
+    const char *const name = path + sizeof "effects." - 1;
+    return effects_named(name) != NULL && settings_has(s, path);
+}
+
 static int is_attraction(const struct settings *s, const struct effect *e)
 {
     return e->attraction != NULL && settings_has(s, e->keys[0].path);
@@ -57,11 +64,19 @@ int case_cohesion_check(const struct settings *s)
 
     for (int k = 0; k < count_materials(s); k++)
         charged |= case_materials_one(s, k).charge != 0.0;
-    if (settings_has(s, "effects.electrostatic") && !charged)
+    if (is_named(s, "effects.electrostatic") && !charged)
         return settings_wrong(s, "effects.electrostatic",
                               "no material has a charge: give "
                               "particles.grains.charge [C]");
-    if (!settings_has(s, "effects.van_der_waals") ||
+    if (is_named(s, "effects.lubrication") &&
+        settings_real(s, "effects.lubrication.roughness") >=
+            settings_real(s, "effects.lubrication.range"))
+        return settings_wrong(s, "effects.lubrication",
+                              "the range must be longer than the roughness, "
+                              "%g m",
+                              settings_real(s,
+                                            "effects.lubrication.roughness"));
+    if (!is_named(s, "effects.van_der_waals") ||
         settings_real(s, "effects.van_der_waals.min_gap") <
             settings_real(s, "effects.van_der_waals.range"))
         return 0;

@@ -12,6 +12,10 @@
 
 static const double packed = 0.6; /* [-] solids fraction of a bed at rest */
 
+/* What was measured in bubbling beds: the mean acceleration of a grain, most of
+ * it by contacts, over that of a fall [-], and its spin over slip/d [-]. */
+static const double pushed = 5.0, spun = 0.1;
+
 /* The mean diameter [m], velocity [m/s] and spin [rad/s] of placed spheres. */
 struct placed {
     double d, speed, spin;
@@ -112,9 +116,9 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
     k->length = 2.0 * in->S_c;
     k->shear = k->slip / k->length;
     if (!k->carried) return;
-    k->spin = 0.1 * k->slip / k->d;
-    k->acceleration =
-        k->gravity * fabs(k->rho_s - k->rho_f) / (k->rho_s + k->rho_f);
+    k->spin = spun * k->slip / k->d;
+    k->acceleration = pushed * k->gravity * fabs(k->rho_s - k->rho_f) /
+                      (k->rho_s + 0.5 * k->rho_f);
     k->time = sqrt(k->d / k->gravity);
 }
 
@@ -134,6 +138,7 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     k->spin = p->spin;
     k->time = settings_real(s, "output.end");
     k->acceleration = k->slip / k->time;
+    if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,
@@ -157,7 +162,8 @@ struct effect_scales case_effects_scales(const struct settings *s,
             dilute_scales(s, &k, in, &p);
         k.drag = drag_at(s, &k, k.eps_s, k.slip);
         k.tau = k.slip > 0.0 ? k.rho_s * volume(&k) * k.slip / k.drag : 0.0;
-        k.acceleration = fmin(k.acceleration, k.slip / k.tau);
+        if (k.time == 0.0) k.time = k.tau;
+        k.acceleration = fmin(k.acceleration, k.slip / k.time);
     }
     k.force = fmax(k.weight, k.drag);
     return k;
