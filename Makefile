@@ -13,7 +13,9 @@ SANITIZE = -O2 -g1 $(TUNE) $(MATH) -fsanitize=address,undefined \
 OPT      = $(FAST)
 B        = build
 LIGHTLY  = -O1
-LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
+# Debian has HDF5 in a folder of its own, which pkg-config knows.
+HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
+LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
 # What is built: the rooms' own files, and the folders in them that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
@@ -60,7 +62,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli vtk tools \
+checks: solutions results sanitized pairs facts style faults steps-check cli free vtk tools \
         commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -77,6 +79,8 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+free: $B/winnow
+	@sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 pairs: $B/winnow
@@ -146,6 +150,7 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
+$B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
@@ -173,7 +178,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
-        steps steps-check cli vtk tools commands faults-slow pairs-slow \
+        steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:

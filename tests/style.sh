@@ -11,6 +11,7 @@ trap 'rm -f "$found"' EXIT
 
 flags='-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -Itests -fsyntax-only
 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror'
+flags="$flags $(pkg-config --cflags hdf5 2>/dev/null)"
 sources=$(find src tests -name '*.[ch]' | sort)
 modules=$(find src -name '*.c' | sort)
 headers=$(find src -name '*.h' | sort)

@@ -79,6 +79,7 @@ struct coupling {
                        NULL unless the interpolation is linear */
     double *smooth; /* [m/s] adjoint of averaging applied to u, 3 a particle */
     double *amount; /* up to 4 a particle */
+    double *rate;   /* [kg/s] k at the end of the step */
     double *field;  /* up to 4 a cell */
     struct replacement *replacement; /* NULL without insertion and removal */
 };
@@ -95,6 +96,10 @@ int coupling_start(struct simulation *sim);
  * steps 1, 2 and 5, one without particles only step 1. Non-zero if the
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);
+
+/* Visits what coupling, insertion and removal keep from step to step besides
+ * the particles (state.h). */
+void coupling_state(struct simulation *sim, struct state *s);
 
 /* Adds an impulse [N s] of the fluid on particle i, whose reaction acts on the
  * fluid in its next step. For effects, while the particles are advanced. */

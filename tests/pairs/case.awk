@@ -270,6 +270,11 @@ function put_effects() {
     if (on("pressure_gradient")) put("  pressure_gradient = {};")
     if (on("viscous_stress")) put("  viscous_stress = {};")
     if (is("virtual_mass", "half")) put("  virtual_mass = {};")
+    if (on("basset")) put("  basset = {};")
+    if (is("lift", "saffman both")) put("  saffman = {};")
+    if (is("lift", "magnus both")) put("  magnus = {};")
+    if (on("fluid_torque")) put("  fluid_torque = {};")
+    if (on("lubrication")) put("  lubrication = { roughness = 1e-6; range = 1e-4; };")
     if (on("time_average")) put("  time_average = { time = 1e-3; };")
     put("};")
 }
