@@ -230,6 +230,19 @@ static void write_life(struct summary *f, const struct recorder *r)
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
 }
 
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -258,6 +271,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_seconds(f, r);
     write_speed(f, r);
     write_residuals(f, r);
+    write_counts(f, r);
     write_means(f, r);
     return summary_commit(f);
 }

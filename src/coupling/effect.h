@@ -29,6 +29,13 @@ struct effect_field {
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
 
+/* How often something has happened in the run so far. */
+struct effect_count {
+    const char *name; /* as in summary.json */
+    long value;
+};
+enum { EFFECT_COUNTS = 4 };
+
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -42,6 +49,12 @@ struct effect {
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     void (*free)(void *memory);
+    /* Changes the drag coefficients [kg/s], k[stride * i] of particle i, for
+     * the slip that it has now, before they are used. */
+    void (*drag)(void *memory, const struct simulation *sim, double *k,
+                 int stride);
+    /* What the summary of the run says of it; how many. */
+    int (*counts)(const void *memory, struct effect_count *c);
 };
 
 #endif

@@ -7,6 +7,7 @@
 extern const struct effect energy_budget_effect;
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
+extern const struct effect stochastic_drag_effect;
 extern const struct effect virtual_mass_effect;
 extern const struct effect viscous_stress_effect;
 extern const struct effect time_average_effect;
