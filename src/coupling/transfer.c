@@ -52,6 +52,11 @@ static void find_drag_rates(struct simulation *sim, double *k, int stride)
     }
 }
 
+double transfer_drag(const struct simulation *sim, int i)
+{
+    return drag_rate(sim, i) * slip_speed(sim, i);
+}
+
 /* From m fields a cell, of which the first is eps_s and the next, if there are
  * any, are eps_s u_s. */
 static void take_solids(struct simulation *sim, int m)

@@ -35,11 +35,10 @@ static double relaxation_time(const struct settings *s,
  * by all its sizes. */
 static double mean_diameter(const struct settings *s)
 {
-    struct sizes *sizes;
-    const struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
     const double volume = bed_range(&b).volume;
 
-    sizes_free(sizes);
+    build_bed_release(&b);
     return cbrt(6.0 / M_PI * volume / b.count);
 }
 

@@ -2,6 +2,7 @@
 #include "case/report/eval.h"
 
 #include "case/report/equations.h"
+#include "case/command.h"
 #include "case/nearest.h"
 
 #include <math.h>
@@ -88,3 +89,15 @@ int eval_print(const char *key, int n, const char *const *inputs)
     printf("%s = %.12g [%s]\n", e->out, value, e->unit);
     return 0;
 }
+
+static int act(const struct command_line *l)
+{
+    if (l->n_words > 0)
+        return eval_print(l->words[0], l->n_words - 1, l->words + 1);
+    eval_list();
+    return 0;
+}
+
+const struct command command_eval = {
+    "eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,
+    act};
