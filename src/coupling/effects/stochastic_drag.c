@@ -93,7 +93,7 @@ static void stochastic_drag_free(void *memory)
     free(self);
 }
 
-/* The normal number of particle i in a step, counted from 1. */
+/* The normal number of particle i in a step, counted from 1 [EW18 34]. */
 static double normal_of(const struct stochastic_drag *self,
                         const struct particles *ps, int i, long step)
 {
