@@ -23,6 +23,7 @@
 #include "case/profiles.h"
 #include "case/field_output.h"
 #include "case/probes.h"
+#include "case/recorder_part.h"
 #include "case/surface_table.h"
 
 enum { MOST_COLUMNS = 64 };
@@ -42,6 +43,7 @@ struct recorder {
     struct surface_table *surfaces; /* NULL without any */
     struct profiles *lines;
     struct probes *probes;
+    struct recorder_part_list parts;
     long row_every, picture_every; /* [-] steps of the loop */
     /* For the summary: the worst of the whole run, and means over its second
      * half. */
@@ -61,6 +63,7 @@ void recorder_free(struct recorder *r)
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
+    recorder_part_free(&r->parts);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -143,7 +146,8 @@ int recorder_sample(struct recorder *r)
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
         if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
+            surface_table_add(r->surfaces) != 0 ||
+            recorder_part_add(&r->parts) != 0)
             return 1;
     }
     if (step % r->picture_every != 0) return 0;
@@ -319,7 +323,8 @@ static int create_parts(struct recorder *r)
         if (r->surfaces == NULL) return 1;
     }
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
-    return r->probes == NULL;
+    return r->probes == NULL ||
+           recorder_part_create(&r->parts, r->settings, sim, folder) != 0;
 }
 
 struct recorder *recorder_create(const struct settings *s,
@@ -365,7 +370,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }

@@ -19,8 +19,9 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
+static const char *const below[] = {".",          "fluid",   "particles",
+                                    "surfaces",   "picture", "profiles",
+                                    "statistics", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -40,7 +41,9 @@ static const char *const ours[] = {"./summary.json",
                                    "frames/frame_*.txt",
                                    "frames/bed.gp",
                                    "frames/gnuplot.log",
-                                   "profiles/*.csv"};
+                                   "profiles/*.csv",
+                                   "statistics/*.csv",
+                                   "statistics/summary.json"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]
