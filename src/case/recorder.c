@@ -24,7 +24,6 @@
 #include "case/field_output.h"
 #include "case/probes.h"
 #include "case/recorder_part.h"
-#include "case/surface_table.h"
 
 enum { MOST_COLUMNS = 64 };
 
@@ -39,11 +38,10 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
+    struct animation *animation;     /* NULL: off */
+    struct recorder_part_list parts; /* what folders add */
     struct profiles *lines;
     struct probes *probes;
-    struct recorder_part_list parts;
     long row_every, picture_every; /* [-] steps of the loop */
     /* For the summary: the worst of the whole run, and means over its second
      * half. */
@@ -58,12 +56,11 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
-    recorder_part_free(&r->parts);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -108,7 +105,7 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -132,7 +129,9 @@ static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
@@ -145,10 +144,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0 ||
-            recorder_part_add(&r->parts) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -318,13 +314,10 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
-    return r->probes == NULL ||
-           recorder_part_create(&r->parts, r->settings, sim, folder) != 0;
+    return r->probes == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,

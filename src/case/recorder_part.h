@@ -1,7 +1,7 @@
-/* recorder_part.h -- output that a folder adds to the recorder's own.
+/* recorder_part.h -- a file of results that a folder adds to those of a run.
  *
- * Its descriptor is named in the models.txt of the folder; its keys are those
- * of a part of a case (case_part.h). It is on where its group is given.
+ * Its descriptor is named in the models.txt of the folder. row, fields and
+ * finish may be NULL; they return non-zero after a message.
  */
 #ifndef CASE_RECORDER_PART_H
 #define CASE_RECORDER_PART_H
@@ -11,29 +11,34 @@
 #include "output/folder.h"
 
 struct recorder_part {
-    const char *group; /* "output.statistics" */
-    /* All borrowed; NULL after a message. */
+    /* What the functions below get, released by free. NULL if this simulation
+     * has nothing of the kind, and, with *failed, after a message if the file
+     * cannot be written. */
     void *(*create)(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder);
-    int (*add)(void *memory);    /* with each row; non-zero after a message */
-    int (*finish)(void *memory); /* at the end; non-zero after a message */
-    void (*free)(void *memory);
+                    struct folder *folder, int *failed);
+    void (*free)(void *part);
+    int (*row)(void *part);              /* with each row of history.csv */
+    int (*fields)(void *part, double t); /* with the fields of time t [s] */
+    int (*finish)(void *part);           /* at the end of the run */
 };
 
-/* All descriptors, ended by NULL. */
+/* All of them, ended by NULL. */
 extern const struct recorder_part *const recorder_parts[];
 
-/* Those that are on; the others have no memory. */
-enum { RECORDER_PART_MOST = 8 };
+/* Those that this simulation has something of. */
+enum { RECORDER_PART_MOST = 16 };
 struct recorder_part_list {
-    void *memory[RECORDER_PART_MOST];
+    int n;
+    const struct recorder_part *part[RECORDER_PART_MOST];
+    void *state[RECORDER_PART_MOST];
 };
 
-/* Non-zero after a message. */
+/* The same of all parts together. */
 int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
                          const struct simulation *sim, struct folder *folder);
-int recorder_part_add(const struct recorder_part_list *l);
-int recorder_part_finish(const struct recorder_part_list *l);
 void recorder_part_free(struct recorder_part_list *l);
+int recorder_part_row(const struct recorder_part_list *l);
+int recorder_part_fields(const struct recorder_part_list *l, double t);
+int recorder_part_finish(const struct recorder_part_list *l);
 
 #endif
