@@ -2,7 +2,7 @@
 #include "coupling/effects/stochastic_drag.h"
 
 #include "base/random.h"
-#include "coupling/drag_laws/coefficient.h"
+#include "coupling/effect_count.h"
 #include "facts.h"
 #include "suspension.h"
 

@@ -52,3 +52,9 @@ int recorder_part_finish(const struct recorder_part_list *l)
             failed = l->part[i]->finish(l->state[i]);
     return failed;
 }
+
+void recorder_part_state(const struct recorder_part_list *l, struct state *s)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->state != NULL) l->part[i]->state(l->state[i], s);
+}

@@ -1,11 +1,12 @@
 /* recorder_part.h -- a file of results that a folder adds to those of a run.
  *
  * Its descriptor is named in the models.txt of the folder. row, fields and
- * finish may be NULL; they return non-zero after a message.
+ * finish and state may be NULL; they return non-zero after a message.
  */
 #ifndef CASE_RECORDER_PART_H
 #define CASE_RECORDER_PART_H
 
+#include "base/state.h"
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "output/folder.h"
@@ -20,6 +21,8 @@ struct recorder_part {
     int (*row)(void *part);              /* with each row of history.csv */
     int (*fields)(void *part, double t); /* with the fields of time t [s] */
     int (*finish)(void *part);           /* at the end of the run */
+    /* Visits what the rows to come depend on (state.h). */
+    void (*state)(void *part, struct state *s);
 };
 
 /* All of them, ended by NULL. */
@@ -40,5 +43,6 @@ void recorder_part_free(struct recorder_part_list *l);
 int recorder_part_row(const struct recorder_part_list *l);
 int recorder_part_fields(const struct recorder_part_list *l, double t);
 int recorder_part_finish(const struct recorder_part_list *l);
+void recorder_part_state(const struct recorder_part_list *l, struct state *s);
 
 #endif

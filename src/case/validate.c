@@ -336,24 +336,11 @@ static int check_fields(const struct settings *s)
                           "exchange.coupling = \"two-way\"");
 }
 
-/* Its sigma goes from one Reynolds number up to another. */
-static int check_stochastic_drag(const struct settings *s)
-{
-    static const char *const high = "effects.stochastic_drag.Re_high";
-
-    if (!settings_has(s, "effects.stochastic_drag") ||
-        settings_real(s, high) >=
-            settings_real(s, "effects.stochastic_drag.Re_low"))
-        return 0;
-    return settings_wrong(s, high, "it is below Re_low = %g",
-                          settings_real(s, "effects.stochastic_drag.Re_low"));
-}
-
 static int check_output(const struct settings *s)
 {
     double lo[3], hi[3];
 
-    if (check_fields(s) != 0 || check_stochastic_drag(s) != 0) return 2;
+    if (check_fields(s) != 0) return 2;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
         const double y = settings_item_real(s, "output.profiles", i, "height");

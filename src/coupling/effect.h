@@ -12,10 +12,12 @@
 #define COUPLING_EFFECT_H
 
 #include "base/key.h"
+#include "base/state.h"
 
 struct simulation;
 struct effect;
 struct effect_scales;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
 
@@ -42,13 +44,6 @@ struct effect_field {
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
 
-/* How often something has happened in the run so far. */
-struct effect_count {
-    const char *name; /* as in summary.json */
-    long value;
-};
-enum { EFFECT_COUNTS = 4 };
-
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -64,13 +59,13 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
+    /* Visits what the next step depends on, but for arrays that are attached to
+     * the particles. */
+    void (*state)(void *memory, struct state *s);
     void (*free)(void *memory);
-    /* Changes the drag coefficients [kg/s], k[stride * i] of particle i, for
-     * the slip that it has now, before they are used. */
-    void (*drag)(void *memory, const struct simulation *sim, double *k,
-                 int stride);
-    /* What the summary of the run says of it; how many. */
-    int (*counts)(const void *memory, struct effect_count *c);
+    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);

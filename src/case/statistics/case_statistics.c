@@ -130,6 +130,20 @@ static int add(void *memory)
     return 0;
 }
 
+static void visit(void *memory, struct state *s)
+{
+    struct case_statistics *const self = memory;
+
+    state_begin(s, "statistics");
+    state_count(s, "rows", &self->n, self->rows);
+    state_whole(s, "first", "-", &self->first);
+    state_reals(s, "series", "s m2/s2 m2/s2 m m Pa", self->series, self->n,
+                1 + self->n_scalars);
+    if (self->layers != NULL) layers_state(self->layers, s);
+    if (self->grains != NULL) grain_series_state(self->grains, s);
+    state_end(s);
+}
+
 static int finish(void *memory)
 {
     return statistics_files_write(memory);
@@ -164,5 +178,8 @@ static int check(const struct settings *s)
 
 const struct case_part case_statistics_part = {.keys = keys, .check = check};
 
-const struct recorder_part case_statistics_output = {
-    .create = create, .free = release, .row = add, .finish = finish};
+const struct recorder_part case_statistics_output = {.create = create,
+                                                     .free = release,
+                                                     .row = add,
+                                                     .finish = finish,
+                                                     .state = visit};

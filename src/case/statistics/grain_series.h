@@ -3,6 +3,7 @@
 #ifndef CASE_STATISTICS_GRAIN_SERIES_H
 #define CASE_STATISTICS_GRAIN_SERIES_H
 
+#include "base/state.h"
 #include "coupling/simulation.h"
 
 struct grain_series {
@@ -17,5 +18,6 @@ void grain_series_free(struct grain_series *g);
 /* C_d [EW18 26] of the whole force, the drag over eps, with the coefficient
  * that the fluid is charged with, and Re_p [EW18 27]. */
 void grain_series_add(struct grain_series *g, const struct simulation *sim);
+void grain_series_state(struct grain_series *g, struct state *s);
 
 #endif

@@ -60,3 +60,9 @@ void layers_add(struct layers *l, const double *eps)
     for (int c = 0; c < l->cells; c++)
         row[l->layer[c]] += eps[c] * l->V[c] / l->volume[l->layer[c]];
 }
+
+void layers_state(struct layers *l, struct state *s)
+{
+    state_count(s, "layer_rows", &l->n_rows, l->rows);
+    state_reals(s, "layer_eps", "-", l->eps, l->n_rows, l->n);
+}

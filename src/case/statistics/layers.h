@@ -3,6 +3,7 @@
 #ifndef CASE_STATISTICS_LAYERS_H
 #define CASE_STATISTICS_LAYERS_H
 
+#include "base/state.h"
 #include "mesh/mesh.h"
 
 struct layers {
@@ -23,5 +24,6 @@ void layers_free(struct layers *l);
 
 /* A sample of the field eps of the cells. */
 void layers_add(struct layers *l, const double *eps);
+void layers_state(struct layers *l, struct state *s);
 
 #endif

@@ -75,5 +75,11 @@ static int add(void *part, double t)
            series_add(p->series, t) != 0;
 }
 
+static void visit(void *part, struct state *s)
+{
+    struct surface_fields *const p = part;
+    series_state(p->series, s);
+}
+
 const struct recorder_part surface_fields_part = {
-    .create = create, .free = release, .fields = add};
+    .create = create, .free = release, .fields = add, .state = visit};

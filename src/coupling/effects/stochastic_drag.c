@@ -25,6 +25,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_count.h"
 #include "coupling/drag_laws/coefficient.h"
 #include "coupling/effects.h"
 
@@ -82,7 +83,7 @@ static void *stochastic_drag_create(struct simulation *sim,
     self->T = parameters[5];
     self->seed = (unsigned long)parameters[6];
     self->y = alloc_doubles(sim->particles->capacity);
-    particles_attach(sim->particles, self->y, 1);
+    particles_attach(sim->particles, "stochastic_y", "-", self->y, 1);
     return self;
 }
 
@@ -121,7 +122,7 @@ static double random_coefficient(const struct stochastic_drag *self,
     return M_PI / 8.0 * o->rho * d * d * eps * eps * w * C; /* [EW18 26] */
 }
 
-static void stochastic_drag_drag(void *memory, const struct simulation *sim,
+static void stochastic_drag_drag(void *memory, struct simulation *sim,
                                  double *k, int stride)
 {
     struct stochastic_drag *const self = memory;
@@ -154,6 +155,22 @@ static void stochastic_drag_after_particles(void *memory,
         self->y[i] = stochastic_drag_step(
             a, 1.0, self->y[i],
             normal_of(self, sim->particles, i, sim->steps + 1));
+}
+
+static void stochastic_drag_state(void *memory, struct state *s)
+{
+    struct stochastic_drag *const self = memory;
+
+    state_long(s, "uses", "-", &self->uses);
+    state_long(s, "cuts", "-", &self->cuts);
+}
+
+/* Sigma goes from one Reynolds number up to another. */
+static const char *wrong(const double *parameters,
+                         const struct attraction_scene *scene)
+{
+    (void)scene;
+    return parameters[3] < parameters[2] ? "Re_high is below Re_low" : NULL;
 }
 
 static int stochastic_drag_counts(const void *memory, struct effect_count *c)
@@ -197,4 +214,6 @@ const struct effect stochastic_drag_effect = {
     .free = stochastic_drag_free,
     .drag = stochastic_drag_drag,
     .counts = stochastic_drag_counts,
+    .state = stochastic_drag_state,
+    .wrong = wrong,
 };

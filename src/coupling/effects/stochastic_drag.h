@@ -24,7 +24,8 @@ double stochastic_drag_mean(double a, double n, double C);
 double stochastic_drag_variance(double a, double b, double n);
 
 /* sigma(C_d) [-] at Re_p [-]: low at Re_low and high at Re_high, held beyond,
- * between them a power of Re_p, or linear where that is asked for or low is 0. */
+ * between them a power of Re_p, or linear where that is asked for or low is 0.
+ */
 struct stochastic_drag_sigma {
     double low, high;
     double Re_low, Re_high;
