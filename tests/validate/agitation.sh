@@ -72,6 +72,22 @@ row() {
 columns="sqrt_T_axial error sqrt_T_transverse error height error drop/weight error\
  C_d sigma/C_d T cuts"
 
+# The rows of such a table by name, for the text; in which columns the words are.
+numbers() {
+    awk -v first="$1" -v second="$2" -v columns="$columns" '
+        BEGIN { n = split(columns, name, " ") }
+        /^# Made/ { print }
+        /^#/ { next }
+        {
+            print "## " $first "-" $second
+            for (i = 1; i <= n; i++) {
+                key = name[i] == "error" ? name[i - 1] "_error" : name[i]
+                gsub("/", "_over_", key)
+                print key " = " $(NF - n + i) " [-]"
+            }
+        }'
+}
+
 # NAME FILE [EVERY]: a block for gnuplot, of a table of the run.
 block() {
     echo "# $1"
@@ -105,6 +121,7 @@ liquid() {
             for way in $ways; do row "$way-$re" "$re" "$way"; done
         done
     } >$figures/23-liquid.txt
+    numbers 2 1 <$figures/23-liquid.txt >$figures/23-numbers.txt
     for file in series profile correlation density; do
         {
             made liquid
