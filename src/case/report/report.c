@@ -3,7 +3,7 @@
 
 #include "averaging/averaging.h"
 #include "base/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/poly/quality.h"
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/build_particles.h"
