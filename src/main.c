@@ -12,6 +12,7 @@
 #include "case/nearest.h"
 #include "case/run.h"
 #include "case/case_file.h"
+#include "study/study.h"
 
 #include <fcntl.h>
 #include <omp.h>
@@ -31,7 +32,8 @@ struct line {
 
 struct command {
     const char *name, *arguments, *what;
-    const char *options; /* first letters of those it takes */
+    const char *options; /* first letters of those it takes; NULL: it takes
+                            all that follows as words */
     int least, most;     /* words after the name; most < 0: any number */
     int (*act)(const struct line *l);
 };
@@ -119,6 +121,11 @@ static int list(const struct line *l)
     return 0;
 }
 
+static int study(const struct line *l)
+{
+    return study_command(l->n_words, l->words);
+}
+
 static int eval(const struct line *l)
 {
     if (l->n_words > 0)
@@ -144,6 +151,9 @@ static const struct command commands[] = {
      "", 0, 2, list},
     {"eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,
      eval},
+    {"study", STUDY_ARGUMENTS,
+     "variants of a case, or those of a study file: what accuracy costs", NULL,
+     1, -1, study},
     {NULL, NULL, NULL, NULL, 0, 0, NULL}};
 
 static void usage(FILE *out)
@@ -238,7 +248,7 @@ static int perform(const struct command *c, int argc, char **argv,
                    struct line *l)
 {
     for (int i = 2; i < argc; i++) {
-        if (argv[i][0] != '-')
+        if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
         else if (take_option(c, argc, argv, &i, l) != 0)
             return 2;
