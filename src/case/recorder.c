@@ -30,9 +30,9 @@ enum { MOST_COLUMNS = 64 };
 struct recorder {
     const struct settings *settings;
     const struct simulation *sim;
-    struct folder *folder;  /* borrowed */
-    double began;           /* [s] wall clock */
-    double ended;           /* [s] the same; 0 while the run goes on */
+    struct folder *folder; /* borrowed */
+    double began;          /* [s] wall clock */
+    double ended;          /* [s] the same; 0 while the run goes on */
     int n_columns;
     const struct history_column *column[MOST_COLUMNS];
     struct table *history;

@@ -90,7 +90,7 @@ static int fill(struct choice *c, char **entry)
 {
     int wrong = 0;
 
-    c->value = alloc_zeroed((size_t)(c->n * c->n_keys), sizeof *c->value);
+    c->value = alloc_zeroed((size_t)c->n * (size_t)c->n_keys, sizeof *c->value);
     for (int i = 0; i < c->n; i++)
         wrong |= fill_entry(c, i, entry[i]);
     return wrong;
@@ -148,7 +148,7 @@ int choices_add(struct choices *c, const char *text)
         choice_free(&one);
         return refuse(text, why);
     }
-    c->of = realloc(c->of, (size_t)(c->n + 1) * sizeof *c->of);
+    c->of = realloc(c->of, ((size_t)c->n + 1) * sizeof *c->of);
     if (c->of == NULL) exit(4);
     c->of[c->n++] = one;
     return 0;

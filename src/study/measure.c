@@ -45,7 +45,7 @@ static const char *take_how(struct measure *m, const char *text)
 
     for (int i = 0; i < 5; i++)
         if (strncmp(text, words[i], strlen(words[i])) == 0) {
-            m->how = i;
+            m->how = (enum measure_how)i;
             return text + strlen(words[i]);
         }
     m->how = MEASURE_LAST;
@@ -185,20 +185,6 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
 }
 
 /* --- what was found ------------------------------------------------------- */
-
-struct curve curve_create(int n)
-{
-    return (struct curve){n, alloc_doubles(n), alloc_doubles(n),
-                          alloc_doubles(n)};
-}
-
-void curve_free(struct curve *c)
-{
-    free(c->x);
-    free(c->value);
-    free(c->error);
-    *c = (struct curve){0};
-}
 
 static struct curve point(double x, double value, double error)
 {

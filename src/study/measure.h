@@ -14,28 +14,25 @@
 #define STUDY_MEASURE_H
 
 #include "case/settings.h"
+#include "study/curve.h"
 
 enum { MEASURE_NAME = 128 };
 
+enum measure_how {
+    MEASURE_LAST,
+    MEASURE_MEAN,
+    MEASURE_MAX,
+    MEASURE_MIN,
+    MEASURE_CURVE
+};
+
 struct measure {
-    enum {
-        MEASURE_LAST,
-        MEASURE_MEAN,
-        MEASURE_MAX,
-        MEASURE_MIN,
-        MEASURE_CURVE
-    } how;
+    enum measure_how how;
     char text[MEASURE_NAME]; /* as it was given */
     char file[MEASURE_NAME]; /* of the run's folder */
     char name[MEASURE_NAME]; /* of the column, or path in the summary */
     int column;              /* of the table; -1: by name */
     double from, to;         /* [s] or [m] along the first column */
-};
-
-/* What was found: points x with value and standard error, one of a number. */
-struct curve {
-    int n;
-    double *x, *value, *error;
 };
 
 /* Takes a measure apart; the case says which probes and profiles there are. 0,
@@ -46,8 +43,5 @@ int measure_parse(struct measure *m, const char *text,
 /* Looks into the folder of a run. The curve has no points if the run has
  * nothing there; NULL arrays then. */
 struct curve measure_take(const struct measure *m, const char *folder);
-
-struct curve curve_create(int n);
-void curve_free(struct curve *c);
 
 #endif

@@ -120,25 +120,6 @@ static int finest(const struct outcomes *o, int v)
     return v;
 }
 
-/* A curve of one point has its value everywhere. */
-static double at(const struct curve *c, double x)
-{
-    if (c->n == 1) return c->value[0];
-    return c->n > 1 ? statistics_between(c->n, c->x, c->value, x) : NAN;
-}
-
-/* Root of the sum of squared differences at the points of the second. */
-static double difference(const struct curve *a, const struct curve *b)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < b->n; i++) {
-        const double d = at(a, b->x[i]) - b->value[i];
-        if (isfinite(d)) sum += d * d;
-    }
-    return sqrt(sum);
-}
-
 /* The last three entries of a line, from coarse to fine. */
 struct last_three {
     const struct curve *c[3];
@@ -157,8 +138,8 @@ static struct last_three last_of(const struct outcomes *o, int v, int m)
                       .found;
         l.h[k] = choices_size(axis, entry);
     }
-    l.p = statistics_richardson(l.h, difference(l.c[0], l.c[1]) /
-                                         difference(l.c[1], l.c[2]));
+    l.p = statistics_richardson(l.h, curve_difference(l.c[0], l.c[1]) /
+                                         curve_difference(l.c[1], l.c[2]));
     return l;
 }
 
@@ -174,11 +155,12 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     if (t->kind == TRUTH_FINEST) {
         const struct curve *const c = &o->variant[finest(o, v)].of[m].found;
         if (c->n == 1) *doubt = c->error[0];
-        return at(c, x);
+        return curve_at(c, x);
     }
     const struct last_three l = last_of(o, v, m);
-    const double fine = at(l.c[2], x);
-    return fine + (fine - at(l.c[1], x)) / (pow(l.h[1] / l.h[2], l.p) - 1.0);
+    const double fine = curve_at(l.c[2], x);
+    return fine +
+           (fine - curve_at(l.c[1], x)) / (pow(l.h[1] / l.h[2], l.p) - 1.0);
 }
 
 /* Compares a variant with the truth where there is one. */

@@ -37,7 +37,7 @@ static void add_fixed(struct plan *p, const char *format, const char *value)
     char *const text = alloc_zeroed(room, 1);
 
     snprintf(text, room, format, value);
-    p->fixed = realloc(p->fixed, (size_t)(p->n_fixed + 1) * sizeof *p->fixed);
+    p->fixed = realloc(p->fixed, ((size_t)p->n_fixed + 1) * sizeof *p->fixed);
     if (p->fixed == NULL) exit(4);
     p->fixed[p->n_fixed++] = text;
 }
@@ -78,7 +78,7 @@ char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
     int n_choices, at = 0;
     char **const choices = choices_overrides(&p->choices, variant, &n_choices);
     char **const texts = alloc_zeroed(
-        (size_t)(p->n_fixed + p->n_seeds + n_choices), sizeof *texts);
+        (size_t)p->n_fixed + PLAN_SEEDS + (size_t)n_choices, sizeof *texts);
 
     for (int i = 0; i < p->n_fixed; i++)
         texts[at++] = strdup(p->fixed[i]);

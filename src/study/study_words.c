@@ -144,7 +144,7 @@ static int is_study(const char *file, int *code)
 /* A text that lives as long as the words. */
 static const char *keep(struct study_words *w, char *text)
 {
-    w->text = realloc(w->text, (size_t)(w->n_texts + 1) * sizeof *w->text);
+    w->text = realloc(w->text, ((size_t)w->n_texts + 1) * sizeof *w->text);
     if (w->text == NULL) exit(4);
     w->text[w->n_texts++] = text;
     return text;
@@ -174,7 +174,7 @@ static void add_choices(struct study_words *w)
 {
     const int n = settings_length(w->study, "vary");
     const char **const all =
-        alloc_zeroed((size_t)(n + w->n_choices), sizeof *all);
+        alloc_zeroed((size_t)n + (size_t)w->n_choices, sizeof *all);
     int at = 0;
 
     for (int i = 0; i < n; i++) {

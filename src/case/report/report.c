@@ -334,7 +334,8 @@ static void print_cost(const struct settings *s, const struct case_scales *k)
     line("steps", steps, "-", "");
     line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
-    line("time", case_cost_seconds(s), "s", "about, after settling, on one core");
+    line("time", case_cost_seconds(s), "s",
+         "about, after settling, on one core");
 }
 
 /* In a step a wall should move a small part of a particle, as particles do. */
