@@ -85,9 +85,10 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
     fputs("- the case as it stands: ", out);
     put_variant(o, v, m, out);
     fputc('\n', out);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0, told = v; i < 2; i++) {
         const int other = best_for(o, m, share[i].of * o->variant[v].cost);
-        if (other < 0 || other == v) continue;
+        if (other < 0 || other == told) continue;
+        told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);
         fputc('\n', out);
@@ -97,6 +98,7 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
 void study_report_advice(const struct outcomes *o, FILE *out)
 {
     for (int m = 0; m < o->plan->n_measures; m++) {
+        if (o->plan->truth[m].kind == TRUTH_NONE) continue;
         fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
                 o->plan->truth[m].text);
         put_limits(o, m, out);

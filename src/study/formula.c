@@ -131,10 +131,11 @@ static void *create(const char *text)
     r.at += strspn(r.at, " ");
     if (!r.wrong && *r.at == '\0') return strdup(text);
     fprintf(stderr,
-            "winnow: study: truth %s: not understood from \"%s\" on; expected "
+            "winnow: study: truth %s: not understood %s%s%s; expected "
             "a formula of t or x, an equation KEY name=value ..., FILE.csv, "
-            "finest or extrapolated\n",
-            text, r.at);
+            "finest, extrapolated or none\n",
+            text, *r.at == '\0' ? "at its end" : "from \"", r.at,
+            *r.at == '\0' ? "" : "\" on");
     return NULL;
 }
 

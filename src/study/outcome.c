@@ -150,11 +150,12 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     const struct truth *const t = &o->plan->truth[m];
 
     *doubt = 0.0;
+    if (t->kind == TRUTH_NONE) return NAN;
     if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
         return truth_value(t, x);
     if (t->kind == TRUTH_FINEST) {
         const struct curve *const c = &o->variant[finest(o, v)].of[m].found;
-        if (c->n == 1) *doubt = c->error[0];
+        if (c->n == 1 && finest(o, v) != v) *doubt = c->error[0];
         return curve_at(c, x);
     }
     const struct last_three l = last_of(o, v, m);

@@ -83,20 +83,21 @@ static char *name_of(const struct plan *p, const struct run *r)
     int changed = 0;
 
     for (const char *c = label; *c != '\0'; c++) {
-        if (*c == ' ' && n > 0 && name[n - 1] == ',') continue;
+        if (*c == ' ' && c[-1] == ',') continue;
         if (n == LONGEST_NAME) changed = 1;
         if (n == LONGEST_NAME) break;
-        const int plain =
-            isalnum((unsigned char)*c) || strchr("=,.+-_", *c) != NULL;
-        name[n++] = plain ? *c : '_';
+        const int plain = isalnum((unsigned char)*c) ||
+                          strchr("=.+-_", *c) != NULL ||
+                          (*c == ',' && c[1] == ' ');
+        name[n++] = *c == ',' && c[1] == ' ' ? '+' : plain ? *c : '_';
         changed |= !plain;
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
     if (changed)
         n += (size_t)sprintf(name + n, "-%08x",
                              (unsigned)hash_of(label, strlen(label)));
-    if (p->seeds > 1) n += (size_t)sprintf(name + n, ",seed-%d", r->seed);
-    if (p->times > 1) sprintf(name + n, ",time-%d", r->time);
+    if (p->seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
+    if (p->times > 1) sprintf(name + n, "+time-%d", r->time);
     free(label);
     return name;
 }

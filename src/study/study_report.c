@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "base/input.h"
 #include "base/number.h"
 #include "study/results.h"
 
@@ -169,11 +170,30 @@ static void put_finding(const struct finding *f, FILE *out)
     if (isfinite(f->order)) fprintf(out, "%.2f", f->order);
 }
 
+/* Why a run did not come to its end: its summary says so, or the first line of
+ * what it said. To be freed. */
+static char *reason_of(const struct run *r)
+{
+    char *const summary = file_join(r->folder, "summary.json");
+    char *const log = file_join(r->folder, "log.txt");
+    char *reason = results_text(summary, "exit_reason");
+    const char *why;
+    size_t length;
+    char *const text = input_text(log, &length, &why);
+
+    if (r->code != 3 && text != NULL) {
+        free(reason);
+        reason = strndup(text, strcspn(text, "\n"));
+    }
+    free(text);
+    free(summary);
+    free(log);
+    return reason != NULL ? reason : strdup("its log.txt says nothing");
+}
+
 static void put_variant(const struct outcomes *o, const struct outcome *v,
                         FILE *out)
 {
-    char *reason = NULL;
-
     fprintf(out, "| %s | ", v->label);
     put_rounded(out, v->seconds);
     if (strcmp(o->plan->cost.name, PLAN_COST) != 0) {
@@ -181,16 +201,13 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
         put_rounded(out, v->cost);
     }
     if (v->broken != NULL) {
-        char *const summary = file_join(v->broken->folder, "summary.json");
-        reason = results_text(summary, "exit_reason");
-        free(summary);
-        fprintf(out, " | exit code %d: %s", v->broken->code,
-                reason != NULL ? reason : "see log.txt in its folder");
+        char *const reason = reason_of(v->broken);
+        fprintf(out, " | exit code %d: %s", v->broken->code, reason);
+        free(reason);
     } else
         for (int m = 0; m < o->plan->n_measures; m++)
             put_finding(&v->of[m], out);
     fputs(" |\n", out);
-    free(reason);
 }
 
 static void put_table(const struct outcomes *o, FILE *out)

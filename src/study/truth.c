@@ -33,9 +33,14 @@ static int read_table(struct truth *t)
 
 int truth_parse(struct truth *t, const char *text)
 {
+    static const char *const words[] = {"finest", "extrapolated", "none"};
+
     *t = (struct truth){.text = text};
-    t->kind = strcmp(text, "finest") == 0 ? TRUTH_FINEST : TRUTH_EXTRAPOLATED;
-    if (t->kind == TRUTH_FINEST || strcmp(text, "extrapolated") == 0) return 0;
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, words[i]) == 0) {
+            t->kind = (enum truth_kind)(TRUTH_FINEST + i);
+            return 0;
+        }
     if (is_table(text)) return read_table(t);
     t->kind = TRUTH_FUNCTION;
     for (int i = 0; truth_functions[i] != NULL && t->function == NULL; i++)

@@ -7,6 +7,7 @@
  *     finest                          the last entry of every choice
  *     extrapolated                    Richardson's, along the axis, from the
  *                                     last three entries; its order is told
+ *     none                            the measure is only listed
  */
 #ifndef STUDY_TRUTH_H
 #define STUDY_TRUTH_H
@@ -24,8 +25,16 @@ struct truth_function {
     void (*free)(void *of);
 };
 
+enum truth_kind {
+    TRUTH_FUNCTION,
+    TRUTH_TABLE,
+    TRUTH_FINEST,
+    TRUTH_EXTRAPOLATED,
+    TRUTH_NONE
+};
+
 struct truth {
-    enum { TRUTH_FUNCTION, TRUTH_TABLE, TRUTH_FINEST, TRUTH_EXTRAPOLATED } kind;
+    enum truth_kind kind;
     const char *text; /* as it was given, borrowed */
     const struct truth_function *function;
     void *of;
