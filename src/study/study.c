@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "case/command.h"
 #include "study/outcome.h"
 #include "study/plan.h"
 #include "study/runs.h"
@@ -97,10 +98,10 @@ static int perform(const struct plan *p, int n, struct run *runs)
     return code;
 }
 
-int study_command(int n_words, const char *const *words)
+static int study(const struct command_line *l)
 {
     struct plan p;
-    int n, code = plan_create(&p, n_words, words);
+    int n, code = plan_create(&p, l->n_words, l->words);
 
     if (code != 0) return code;
     interrupt_hold();
@@ -113,3 +114,12 @@ int study_command(int n_words, const char *const *words)
     plan_free(&p);
     return code;
 }
+
+const struct command study_command = {
+    "study",
+    STUDY_ARGUMENTS,
+    "variants of a case, or those of a study file: what accuracy costs",
+    NULL,
+    1,
+    -1,
+    study};
