@@ -4,9 +4,6 @@
 
 #include "case/settings.h"
 
-/* Particles that the case has, those that are yet to be inserted included. */
-double case_cost_particles(const struct settings *s);
-
 /* About the time of one core, without settling [s]. */
 double case_cost_seconds(const struct settings *s);
 

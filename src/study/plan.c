@@ -60,8 +60,8 @@ static int add_seeds(struct plan *p, const struct settings *s)
     if (settings_has(s, "particles") && settings_has(s, "particles.bed"))
         p->seed[p->n_seeds++] = (struct plan_seed){
             "particles.bed.seed", settings_int(s, "particles.bed.seed")};
-    for (int i = 0; settings_has(s, "particles") &&
-                    i < settings_length(s, list) && p->n_seeds < PLAN_SEEDS;
+    for (int i = 0; settings_is_list(s, list) && i < settings_length(s, list) &&
+                    p->n_seeds < PLAN_SEEDS;
          i++) {
         struct plan_seed *const one = &p->seed[p->n_seeds++];
         snprintf(one->key, sizeof one->key, "%s.%d.seed", list, i);
