@@ -43,7 +43,7 @@ START_TEST(values_split_at_top_level_commas_and_keys_cross)
         free(set[i]);
     free(set);
     char *const label = choices_label(&c, 2, 0);
-    ck_assert_str_eq(label, "mesh.cells=[8,4,1], b=\"x,y\"");
+    ck_assert_str_eq(label, "cells=[8,4,1], b=\"x,y\"");
     free(label);
     ck_assert_int_eq(choices_with(&c, 3, 0, 2), 5);
     choices_free(&c);

@@ -214,6 +214,22 @@ char **choices_overrides(const struct choices *c, int variant, int *n)
     return texts;
 }
 
+/* The last part of a key, where no other key of the study ends so; else all. */
+static const char *short_key(const struct choices *c, const char *key)
+{
+    const char *const dot = strrchr(key, '.');
+    const char *const last = dot != NULL ? dot + 1 : key;
+
+    for (int i = 0; i < c->n; i++)
+        for (int k = 0; k < c->of[i].n_keys; k++) {
+            const char *const other = c->of[i].key[k];
+            const size_t n = strlen(other), m = strlen(last);
+            if (other != key && n >= m && strcmp(other + n - m, last) == 0)
+                return key;
+        }
+    return last;
+}
+
 char *choices_label(const struct choices *c, int variant, int but)
 {
     char *text = NULL;
@@ -227,7 +243,7 @@ char *choices_label(const struct choices *c, int variant, int but)
 
         if (of->n < 2 || i == but) continue;
         for (int k = 0; k < of->n_keys; k++, between = ", ")
-            fprintf(out, "%s%s=%s", between, of->key[k],
+            fprintf(out, "%s%s=%s", between, short_key(c, of->key[k]),
                     of->value[entry * of->n_keys + k]);
     }
     fclose(out);

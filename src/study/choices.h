@@ -36,9 +36,9 @@ int choices_with(const struct choices *c, int variant, int i, int entry);
 /* All that a variant sets, "key=value" each; to be freed with its texts. */
 char **choices_overrides(const struct choices *c, int variant, int *n);
 
-/* What tells a variant from others, "fluid.step=1e-3, averaging.method=pcm",
- * without the choice `but` (-1: with all); "" if nothing is left. To be freed.
- */
+/* What tells a variant from others, "step=1e-3, method=pcm", without the choice
+ * `but` (-1: with all); a key as short as it can be, "" if nothing is left. To
+ * be freed. */
 char *choices_label(const struct choices *c, int variant, int but);
 
 /* A number that falls from entry to entry as they get finer: the value of the

@@ -35,7 +35,7 @@ int truth_parse(struct truth *t, const char *text)
 {
     static const char *const words[] = {"finest", "extrapolated", "none"};
 
-    *t = (struct truth){.text = text};
+    *t = (struct truth){.text = strdup(text)};
     for (int i = 0; i < 3; i++)
         if (strcmp(text, words[i]) == 0) {
             t->kind = (enum truth_kind)(TRUTH_FINEST + i);
@@ -54,6 +54,7 @@ void truth_free(struct truth *t)
 {
     if (t->of != NULL) t->function->free(t->of);
     results_table_free(t->table);
+    free(t->text);
     *t = (struct truth){0};
 }
 

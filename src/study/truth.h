@@ -35,7 +35,7 @@ enum truth_kind {
 
 struct truth {
     enum truth_kind kind;
-    const char *text; /* as it was given, borrowed */
+    char *text; /* as it was given */
     const struct truth_function *function;
     void *of;
     struct results_table *table;
