@@ -52,7 +52,7 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
 
     fprintf(out, "%s%s, error ", number_rounded(o->variant[v].cost, 3, text),
             unit(o->plan));
-    fprintf(out, "%s %%", number_rounded(100.0 * f->error, 2, text));
+    fprintf(out, "%s %%", number_rounded(100.0 * f->error, 3, text));
     if (f->doubt > 0.0)
         fprintf(out, " +- %s %%", number_rounded(100.0 * f->doubt, 2, text));
     fprintf(out, ": %s", o->variant[v].label);

@@ -185,7 +185,7 @@ static void put_labels(const struct plan *p, int m, FILE *out)
         fputs(" noenhanced\n", out);
     }
     snprintf(text, sizeof text, "error of %s [%%]", p->measure[m].text);
-    fputs("set ylabel ", out);
+    fputs("set ylabel font ',12' ", out);
     put_quoted(out, text);
     fputs(" noenhanced\n", out);
 }
