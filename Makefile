@@ -62,8 +62,8 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli free vtk tools \
-        commands text pages
+checks: solutions results sanitized pairs facts style faults steps-check cli free study \
+        vtk tools commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
 	@echo "$(words $^) programs: $$(cat $^ | wc -l) facts hold"
@@ -83,6 +83,8 @@ free: $B/winnow
 	@sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
+study: $B/winnow
+	@sh tests/study.sh $B/winnow
 pairs: $B/winnow
 	@sh tests/pairs.sh $B/winnow
 pairs-slow: $B/winnow
@@ -177,7 +179,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
+.PHONY: all run check checks check-slow slow facts sanitized style faults pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always

@@ -128,7 +128,7 @@ static int perform(const struct command *c, int argc, char **argv,
                    struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
-        if (argv[i][0] != '-')
+        if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
         else if (take_option(c, argc, argv, &i, l) != 0)
             return 2;

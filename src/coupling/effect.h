@@ -18,6 +18,7 @@ struct simulation;
 struct effect;
 struct effect_scales;
 struct effect_estimate;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
 
@@ -63,6 +64,9 @@ struct effect {
      * the particles. */
     void (*state)(void *memory, struct state *s);
     void (*free)(void *memory);
+    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
