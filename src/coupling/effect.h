@@ -41,6 +41,9 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
+    const char *const *columns; /* in history.csv, with units; ended by NULL */
+    /* The values of the columns now; how many. */
+    int (*row)(void *memory, const struct simulation *sim, double *values);
     void (*free)(void *memory);
 };
 

@@ -271,6 +271,8 @@ function put_effects() {
     if (on("viscous_stress")) put("  viscous_stress = {};")
     if (is("virtual_mass", "half")) put("  virtual_mass = {};")
     if (on("time_average")) put("  time_average = { time = 1e-3; };")
+    if (on("bubbles")) put("  bubbles = { height = 0.004; threshold = 0.7; };")
+    if (on("mixing")) put("  mixing = { sample = 0.004; direction = [1.0, 1.0, 0.0]; };")
     put("};")
 }
 

@@ -54,6 +54,8 @@ BEGIN {
     choice("cm", "viscous_stress", "off on")
     choice("cm", "virtual_mass", "off half none")
     choice("c", "time_average", "off on")
+    choice("cm", "bubbles", "off on")
+    choice("cpm", "mixing", "off on")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")

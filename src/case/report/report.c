@@ -8,6 +8,7 @@
 #include "case/build.h"
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
+#include "case/report/case_averaging_report.h"
 #include "case/report/case_drag.h"
 #include "case/case_population.h"
 #include "case/report/case_limits.h"
@@ -30,7 +31,6 @@ static const double packed = 0.6;
  * one, and 5.1e5 cell steps with all that the coupling needs. */
 static const double particle_steps_per_second = 8e6;
 static const double cell_steps_per_second = 5e5;
-static const double report_threshold = 10e6; /* [byte] */
 
 /* The case in numbers. 0 where it has no such thing. */
 struct case_scales {
@@ -279,44 +279,6 @@ static void print_flow(const struct case_scales *k)
                             : "the step is above: stable, not accurate");
 }
 
-/* Weights at the centres of cells want a bandwidth that reaches from one large
- * cell to the next; else the small ones beside it get what is its due. */
-static void print_bandwidth(const struct mesh *m, double b, double S_c,
-                            double widths)
-{
-    double V, least, mean;
-
-    mesh_volumes(m, &least, &V, &mean);
-    line("bandwidth / S_c", b / S_c, "-", "");
-    if (cbrt(V) > 1.01 * S_c)
-        line("bandwidth / width of the largest cell", b / cbrt(V), "-",
-             b < widths * cbrt(V) ? "LOW: small cells beside it are too full"
-                                  : "");
-}
-
-/* Crank-Nicolson needs so many steps not to undershoot. */
-static void print_averaging(const struct settings *s,
-                            const struct case_scales *k)
-{
-    struct mesh *const m = case_mesh_outline(s);
-    const struct averaging_options o = build_averaging_options(s);
-    const struct averaging_method *const method =
-        averaging_method_named(settings_text(s, "averaging.method"));
-    const int steps = averaging_check(method, m, &o);
-    const double bytes = averaging_bytes(method, m, k->d_most, &o);
-
-    puts("Averaging");
-    if (o.bandwidth > 0.0)
-        print_bandwidth(m, o.bandwidth, k->S_c, method->even_widths);
-    if (steps > 0)
-        line("averaging.steps", steps, "-",
-             "needed: with fewer the fields undershoot");
-    if (bytes > report_threshold)
-        line("memory for the cells near each", 1e-6 * bytes, "MB",
-             "about, besides that below");
-    mesh_free(m);
-}
-
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
@@ -375,7 +337,9 @@ int report_case(const struct settings *s)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
     if (walls.surfaces > 0) print_walls(&walls, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
-    if (settings_has(s, "averaging")) print_averaging(s, &k);
+    if (settings_has(s, "averaging"))
+        case_averaging_print(
+            s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);
