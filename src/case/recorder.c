@@ -24,10 +24,10 @@
 #include "case/profiles.h"
 #include "case/field_output.h"
 #include "case/probes.h"
+#include "case/recorder_part.h"
 #include "case/second_half.h"
-#include "case/surface_table.h"
 
-enum { MOST_COLUMNS = 128 };
+enum { MOST_COLUMNS = 128, MOST_PARTS = 16 };
 
 struct recorder {
     const struct settings *settings;
@@ -41,8 +41,10 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
+    struct animation *animation; /* NULL: off */
+    int n_parts; /* of those that folders add, in this simulation */
+    const struct recorder_part *part[MOST_PARTS];
+    void *part_state[MOST_PARTS];
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
@@ -57,7 +59,8 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    for (int i = 0; i < r->n_parts; i++)
+        r->part[i]->free(r->part_state[i]);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -102,7 +105,10 @@ static int add_row(struct recorder *r)
     for (int i = 0; i < r->sim->n_effects; i++)
         if (effects[i].effect->columns != NULL)
             n += effects[i].effect->row(effects[i].memory, r->sim, &row[n]);
-    return table_add(r->history, row);
+    int failed = table_add(r->history, row);
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
+    return failed;
 }
 
 /* The present state as a picture (picture.h). */
@@ -125,9 +131,13 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
+    int failed = field_output_add(r->pictures, r->snapshot);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
-    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->fields != NULL)
+            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
+    if (failed || r->animation == NULL) return failed;
+    return animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -139,9 +149,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         second_half_add(r->second_half);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -279,6 +287,21 @@ static int begin(struct recorder *r)
     return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
 }
 
+/* The files that folders add. */
+static int create_folder_parts(struct recorder *r)
+{
+    int failed = 0;
+
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        assert(r->n_parts < MOST_PARTS);
+        r->part[r->n_parts] = recorder_parts[i];
+        r->part_state[r->n_parts] =
+            recorder_parts[i]->create(r->sim, r->folder, &failed);
+        r->n_parts += r->part_state[r->n_parts] != NULL;
+    }
+    return failed;
+}
+
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
@@ -294,10 +317,7 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (create_folder_parts(r) != 0) return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }

@@ -64,6 +64,9 @@ struct effect {
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
+    /* What of its parameters is impossible, in words; NULL: nothing is. */
+    const char *(*wrong)(const double *parameters,
+                         const struct attraction_scene *scene);
     /* The share of the larger one of weight and drag that the force has by the
      * scales of a case, for the effect named or not [-] (effect_scales.h). */
     double (*share)(const struct effect_scales *k, const char **remark);

@@ -5,6 +5,7 @@
 #include "averaging/averaging_method.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
+#include "case/check_line.h"
 #include "mesh/mesh.h"
 
 #include <math.h>
@@ -21,11 +22,6 @@ static const double narrow = 1.5, wide = 3.0;
  * that of a dilute bed, and more gas is needed to carry it. */
 static const double few = 6.0;
 
-static void line(const char *name, double value, const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, "-", remark);
-}
-
 /* Weights at the centres of cells want a bandwidth that reaches from one large
  * cell to the next; else the small ones beside it get what is its due. */
 static void print_bandwidth(const struct mesh *m, double b, double S_c,
@@ -34,11 +30,12 @@ static void print_bandwidth(const struct mesh *m, double b, double S_c,
     double V, least, mean;
 
     mesh_volumes(m, &least, &V, &mean);
-    line("bandwidth / S_c", b / S_c, "");
+    check_line("bandwidth / S_c", b / S_c, "-", "");
     if (cbrt(V) > 1.01 * S_c)
-        line("bandwidth / width of the largest cell", b / cbrt(V),
-             b < widths * cbrt(V) ? "LOW: small cells beside it are too full"
-                                  : "");
+        check_line("bandwidth / width of the largest cell", b / cbrt(V), "-",
+                   b < widths * cbrt(V)
+                       ? "LOW: small cells beside it are too full"
+                       : "");
 }
 
 /* How wide the Gaussian is for the spheres and for a bed of them. */
@@ -49,17 +46,19 @@ static void print_smearing(const struct settings *s, double b,
     const int is_bed = build_gravity(s, g) && k->volume > 0.0;
 
     if (k->d <= 0.0) return;
-    line("Gaussian's b / d", b / k->d,
-         is_bed && b > wide * k->d ? "WIDE: bubbles are smeared; better 2 to 3"
-         : is_bed && b < narrow * k->d
-             ? "NARROW: single spheres show in the fields"
-             : "of the largest particle");
+    check_line("Gaussian's b / d", b / k->d, "-",
+               is_bed && b > wide * k->d
+                   ? "WIDE: bubbles are smeared; better 2 to 3"
+               : is_bed && b < narrow * k->d
+                   ? "NARROW: single spheres show in the fields"
+                   : "of the largest particle");
     if (settings_mesh(s) != NULL || !is_bed) return;
     case_mesh_ends(s, lo, size);
     const double height = k->volume / (k->eps_s * size[0] * size[2]);
-    line("height of the packed bed / b", height / b,
-         height < few * b ? "LOW: its ends are smeared, it fluidizes too late"
-                          : "at eps_s = 0.6");
+    check_line("height of the packed bed / b", height / b, "-",
+               height < few * b
+                   ? "LOW: its ends are smeared, it fluidizes too late"
+                   : "at eps_s = 0.6");
 }
 
 /* One cell in the depth averages over all of it, whatever the bandwidth. */
@@ -70,10 +69,11 @@ static void print_depth(const struct mesh *m, double b)
 
     if (m->face_centre != NULL || m->box.periodic[2]) return;
     if (n > 1 || depth > 2.0 * b)
-        line("cells over the depth", n,
-             n == 1                ? "FEW: the depth is several bandwidths"
-             : n * b < 0.5 * depth ? "FEW: they are wider than two bandwidths"
-                                   : "");
+        check_line("cells over the depth", n, "-",
+                   n == 1 ? "FEW: the depth is several bandwidths"
+                   : n * b < 0.5 * depth
+                       ? "FEW: they are wider than two bandwidths"
+                       : "");
 }
 
 void case_averaging_print(const struct settings *s,
@@ -95,10 +95,10 @@ void case_averaging_print(const struct settings *s,
         print_depth(m, b);
     }
     if (steps > 0)
-        line("averaging.steps", steps,
-             "needed: with fewer the fields undershoot");
+        check_line("averaging.steps", steps, "-",
+                   "needed: with fewer the fields undershoot");
     if (bytes > report_threshold)
-        printf("  %-38s %10.4g %-4s %s\n", "memory for the cells near each",
-               1e-6 * bytes, "MB", "about, besides that below");
+        check_line("memory for the cells near each", 1e-6 * bytes, "MB",
+                   "about, besides that below");
     mesh_free(m);
 }

@@ -1,0 +1,28 @@
+/* recorder_part.h -- a file of results that a folder adds to those of a run.
+ *
+ * Its descriptor is named in the models.txt of the folder. row or fields may be
+ * NULL.
+ */
+#ifndef CASE_RECORDER_PART_H
+#define CASE_RECORDER_PART_H
+
+#include "coupling/simulation.h"
+#include "output/folder.h"
+
+struct recorder_part {
+    /* What the functions below get, released by free. NULL if this simulation
+     * has nothing of the kind, and, with *failed, after a message if the file
+     * cannot be written. */
+    void *(*create)(const struct simulation *sim, struct folder *folder,
+                    int *failed);
+    void (*free)(void *part);
+    /* With each row of history.csv, and with the fields of time t [s]. Both
+     * return non-zero after a message. */
+    int (*row)(void *part);
+    int (*fields)(void *part, double t);
+};
+
+/* All of them, ended by NULL. */
+extern const struct recorder_part *const recorder_parts[];
+
+#endif
