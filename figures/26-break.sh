@@ -16,7 +16,7 @@ for mesh in C,18,50,4 D,36,100,8 E,72,200,16; do
         cap=
         [ "${how#*,}" = "$how" ] || cap="-s averaging.cap=${how#*,}"
         # shellcheck disable=SC2086 # two words or none
-        winnow run cases/mueller-bed.cfg --quiet -o "$dir" -s output.end=0.01 \
+        winnow run cases/mueller-bed-sx15.cfg --quiet -o "$dir" -s output.end=0.01 \
             -s mesh.cells="[${mesh#*,}]" -s averaging.method="${how%,*}" $cap \
             >"$dir.log" 2>&1 || true
         echo "${mesh%%,*} $how $(value simulated_seconds)" \

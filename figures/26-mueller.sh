@@ -20,7 +20,7 @@ run() { # mesh cells method end
         lines="$lines{field=\"${line%,*}\";height=${line#*,};from=1.0;},"
     done
     # shellcheck disable=SC2086 # two words or none
-    winnow run cases/mueller-bed.cfg --quiet -o "$dir" -s mesh.cells="[$2]" \
+    winnow run cases/mueller-bed-sx15.cfg --quiet -o "$dir" -s mesh.cells="[$2]" \
         -s averaging.method="$3" $cap -s output.end="$4" -s output.every=0.5 \
         -s output.profiles="(${lines%,})" >"$dir.log" 2>&1 ||
         echo "$1, $3: $(grep '^winnow' "$dir.log")" >&2

@@ -22,6 +22,6 @@ sh figures/26-break.sh # how pcm ends on the finest meshes
 awk -f figures/26-mueller.awk figures/data/mueller-2009.txt figures/26-mueller.txt
 
 # Is it the averaging or the drag that leaves the walls too dilute? (chapter "Averaging, compared")
-winnow run cases/mueller-bed.cfg --quiet -o out/26-mueller/gidaspow \
+winnow run cases/mueller-bed-sx15.cfg --quiet -o out/26-mueller/gidaspow \
     -s exchange.drag=gidaspow -s output.end=5 -s output.every=0.5 >/dev/null
 sh chapters/tools/transcript.sh -w "$(command -v winnow)" figures/26-count.txt
