@@ -119,7 +119,8 @@ static void count_and_create_effects(const struct settings *s,
     create_effects(s, sim);
 }
 
-struct simulation *build_simulation(const struct settings *s, int *code)
+static struct simulation *build(const struct settings *s, int with_bed,
+                                int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
@@ -127,7 +128,7 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     sim->mesh = build_mesh(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    if (settings_has(s, "particles")) *code = build_particles(s, sim);
+    if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
     if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
@@ -139,6 +140,16 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     }
     build_free(sim);
     return NULL;
+}
+
+struct simulation *build_simulation(const struct settings *s, int *code)
+{
+    return build(s, 1, code);
+}
+
+struct simulation *build_to_resume(const struct settings *s, int *code)
+{
+    return build(s, 0, code);
 }
 
 void build_free(struct simulation *sim)

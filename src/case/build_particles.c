@@ -71,6 +71,16 @@ static int bed_lost(const struct bed_report *r)
     return 3;
 }
 
+static int leave_room(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o)
+{
+    const int n = settings_int(s, "particles.bed.count");
+
+    sim->particles = particles_create(n + case_part_count_later(s));
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
 /* The bed from its file, or made anew and kept there. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
@@ -195,14 +205,15 @@ int build_particles_check(const struct settings *s)
     return code;
 }
 
-int build_particles(const struct settings *s, struct simulation *sim)
+int build_particles(const struct settings *s, struct simulation *sim,
+                    int with_bed)
 {
     struct dem_options o;
     int code = furnish(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
-        code = create_bed(s, sim, &o);
+        code = with_bed ? create_bed(s, sim, &o) : leave_room(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
@@ -211,6 +222,6 @@ int build_particles(const struct settings *s, struct simulation *sim)
     code = case_part_add(s, sim);
     if (code != 0) return code;
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, sim->held_force, 3);
+    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     return 0;
 }

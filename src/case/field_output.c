@@ -163,6 +163,17 @@ int field_output_add(struct field_output *p, const struct snapshot *s)
     return 0;
 }
 
+void field_output_state(struct field_output *p, struct state *s)
+{
+    struct series *const all[] = {p->fluid, p->particles};
+
+    state_begin(s, "field_output");
+    for (int i = 0; i < 2; i++)
+        if (all[i] != NULL) series_state(all[i], s);
+    state_real(s, "last", "s", &p->last);
+    state_end(s);
+}
+
 double field_output_last(const struct field_output *p)
 {
     return p->last;

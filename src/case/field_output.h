@@ -21,6 +21,9 @@ struct series *field_output_series(struct folder *f, const char *name,
 /* Non-zero after a message. */
 int field_output_add(struct field_output *p, const struct snapshot *s);
 
+/* The files so far (state.h). */
+void field_output_state(struct field_output *p, struct state *s);
+
 /* The time of the last one [s]; -1 before the first. */
 double field_output_last(const struct field_output *p);
 

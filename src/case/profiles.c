@@ -111,6 +111,17 @@ void profiles_summary(const struct profiles *l, struct summary *to)
     summary_end(to);
 }
 
+void profiles_state(struct profiles *l, struct state *s)
+{
+    state_begin(s, "profiles");
+    for (int i = 0; i < l->n; i++) {
+        state_begin(s, l->line[i].name);
+        profile_state(l->line[i].profile, s);
+        state_end(s);
+    }
+    state_end(s);
+}
+
 static int write_line(const struct line *l, struct folder *folder)
 {
     char name[sizeof l->name + sizeof "profiles/.csv"];

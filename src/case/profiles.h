@@ -30,6 +30,9 @@ void profiles_add(struct profiles *l, double dt);
  * (output/profile.h), as a group "profiles". */
 void profiles_summary(const struct profiles *l, struct summary *to);
 
+/* The means so far (state.h). */
+void profiles_state(struct profiles *l, struct state *s);
+
 /* Writes DIR/profiles/...; non-zero after a message. */
 int profiles_write(const struct profiles *l, struct folder *folder);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/recorder.h"
+#include "case/recorder_internal.h"
 
 #include <assert.h>
 #include <math.h>
@@ -13,47 +13,10 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
-#include "output/folder.h"
-#include "output/animation.h"
 #include "output/picture.h"
 #include "output/summary.h"
-#include "output/table.h"
 #include "dem/population.h"
 #include "case/case_steps.h"
-#include "case/history.h"
-#include "case/profiles.h"
-#include "case/field_output.h"
-#include "case/probes.h"
-#include "case/recorder_part.h"
-#include "case/second_half.h"
-
-enum { MOST_COLUMNS = 128, MOST_PARTS = 16 };
-
-struct recorder {
-    const struct settings *settings;
-    const struct simulation *sim;
-    struct folder *folder; /* borrowed */
-    double began;          /* [s] wall clock */
-    double ended;          /* [s] the same; 0 while the run goes on */
-    int n_columns; /* [-] of the table; those of effects follow the others */
-    int n_own;     /* [-] the others */
-    const struct history_column *column[MOST_COLUMNS];
-    struct table *history;
-    struct snapshot *snapshot;
-    struct field_output *pictures;
-    struct animation *animation; /* NULL: off */
-    int n_parts; /* of those that folders add, in this simulation */
-    const struct recorder_part *part[MOST_PARTS];
-    void *part_state[MOST_PARTS];
-    struct profiles *lines;
-    struct probes *probes;
-    long row_every, picture_every; /* [-] steps of the loop */
-    struct second_half *second_half;
-    /* For the summary: the worst of the whole run. */
-    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
-    double eps_lowest;
-    long capped_steps;
-};
 
 void recorder_free(struct recorder *r)
 {
@@ -278,13 +241,23 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed; non-zero after a message. */
-static int begin(struct recorder *r)
+/* What is there of a run that is killed. */
+int recorder_begin(const struct recorder *r)
 {
-    if (folder_begin(r->folder) != 0) return 1;
+    return write_summary(r, "running", STILL_RUNNING);
+}
+
+/* A summary from the start; that of a run that goes on stays as it is until the
+ * state is loaded. Non-zero after a message. */
+static int begin(struct recorder *r, int resume)
+{
+    if (resume)
+        folder_resume(r->folder);
+    else if (folder_begin(r->folder) != 0)
+        return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);
-    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+    return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
 /* The files that folders add. */
@@ -324,7 +297,7 @@ static int create_parts(struct recorder *r)
 
 struct recorder *recorder_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 struct folder *folder)
+                                 struct folder *folder, int resume)
 {
     struct recorder *const r = alloc_zeroed(1, sizeof *r);
 
@@ -338,9 +311,10 @@ struct recorder *recorder_create(const struct settings *s,
     r->snapshot = snapshot_create(sim);
     r->second_half = second_half_create(sim, settings_real(s, "output.end"));
     r->lines = profiles_create(s, sim, r->snapshot);
-    if (r->lines != NULL && begin(r) == 0) {
+    if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
-        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+        if (!resume)
+            write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
     }
     recorder_free(r);
     return NULL;

@@ -1,11 +1,12 @@
 /* recorder_part.h -- a file of results that a folder adds to those of a run.
  *
- * Its descriptor is named in the models.txt of the folder. row or fields may be
- * NULL.
+ * Its descriptor is named in the models.txt of the folder. row, fields and
+ * state may be NULL.
  */
 #ifndef CASE_RECORDER_PART_H
 #define CASE_RECORDER_PART_H
 
+#include "base/state.h"
 #include "coupling/simulation.h"
 #include "output/folder.h"
 
@@ -20,6 +21,8 @@ struct recorder_part {
      * return non-zero after a message. */
     int (*row)(void *part);
     int (*fields)(void *part, double t);
+    /* Visits what the rows to come depend on (state.h). */
+    void (*state)(void *part, struct state *s);
 };
 
 /* All of them, ended by NULL. */

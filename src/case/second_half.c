@@ -80,6 +80,20 @@ void second_half_add(struct second_half *h)
     block_means_add(h->blocks, row, once);
 }
 
+void second_half_state(struct second_half *h, struct state *s)
+{
+    state_begin(s, "second_half");
+    state_long(s, "rows", "-", &h->rows);
+    state_real(s, "drop", "Pa", &h->drop);
+    state_real(s, "weight", "Pa", &h->weight);
+    state_real(s, "lean", "-", &h->lean);
+    state_real(s, "speed", "m2/s2", &h->speed);
+    state_real(s, "horizontal", "m2/s2", &h->horizontal);
+    state_real(s, "vertical", "m2/s2", &h->vertical);
+    block_means_state(h->blocks, s);
+    state_end(s);
+}
+
 int second_half_has_any(const struct second_half *h)
 {
     return h->rows > 0;

@@ -16,6 +16,7 @@
 #ifndef CASE_SECOND_HALF_H
 #define CASE_SECOND_HALF_H
 
+#include "base/state.h"
 #include "coupling/simulation.h"
 #include "output/summary.h"
 
@@ -28,6 +29,9 @@ void second_half_free(struct second_half *h);
 
 /* Takes a sample, if there is a fluid and it is late enough. */
 void second_half_add(struct second_half *h);
+
+/* The sums so far (state.h). */
+void second_half_state(struct second_half *h, struct state *s);
 
 /* The means so far; 0 samples: 0 and nothing written. */
 int second_half_has_any(const struct second_half *h);

@@ -12,6 +12,7 @@
 #define COUPLING_EFFECT_H
 
 #include "base/key.h"
+#include "base/state.h"
 
 struct simulation;
 struct effect;
@@ -57,6 +58,9 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
+    /* Visits what the next step depends on, but for arrays that are attached to
+     * the particles. */
+    void (*state)(void *memory, struct state *s);
     const char *const *columns; /* in history.csv, with units; ended by NULL */
     /* The values of the columns now; how many. */
     int (*row)(void *memory, const struct simulation *sim, double *values);

@@ -60,4 +60,8 @@ struct simulation {
     struct seconds seconds;
 };
 
+/* Visits all parts that decide the next step (state.h); a simulation that is
+ * loaded was built from the same case. Non-zero after a message. */
+int simulation_state(struct simulation *sim, struct state *s);
+
 #endif

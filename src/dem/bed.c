@@ -214,7 +214,7 @@ static double *set_added_mass(struct particles *ps,
     if (bed->sizes == NULL) return NULL;
     double *const own = alloc_doubles(ps->capacity);
     memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
-    particles_attach(ps, own, 1);
+    particles_attach(ps, "own_mass", "kg", own, 1);
     for (int i = 0; i < ps->n; i++)
         ps->m[i] = fmax(own[i], mean);
     return own;

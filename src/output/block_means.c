@@ -97,3 +97,14 @@ double block_means_error(const struct block_means *b, int i)
         largest = fmax(largest, error_of(b, i, joined)); /* not the nan */
     return largest;
 }
+
+void block_means_state(struct block_means *b, struct state *s)
+{
+    state_begin(s, "blocks");
+    state_count(s, "full", &b->full, MOST_BLOCKS - 1);
+    state_long(s, "length", "-", &b->length);
+    state_long(s, "filled", "-", &b->filled);
+    state_reals(s, "weight", "of the weights", b->weight, MOST_BLOCKS, b->n);
+    state_reals(s, "amount", "weight value", b->amount, MOST_BLOCKS, b->n);
+    state_end(s);
+}

@@ -15,6 +15,8 @@
 #ifndef OUTPUT_BLOCK_MEANS_H
 #define OUTPUT_BLOCK_MEANS_H
 
+#include "base/state.h"
+
 struct block_means;
 
 /* For n numbers at once. */
@@ -28,5 +30,8 @@ void block_means_add(struct block_means *b, const double *x, const double *w);
 /* The error of the mean of number i, in its unit; nan while there are fewer
  * than 8 blocks. A block that is not full yet is left out. */
 double block_means_error(const struct block_means *b, int i);
+
+/* The blocks so far (state.h). */
+void block_means_state(struct block_means *b, struct state *s);
 
 #endif

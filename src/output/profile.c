@@ -246,6 +246,12 @@ double profile_block_error(const struct profile *p, int f)
     return sqrt(sum / p->n);
 }
 
+void profile_state(struct profile *p, struct state *s)
+{
+    mean_state(p->mean, s);
+    block_means_state(p->blocks, s);
+}
+
 /* "x [m]", then "NAME_mean [UNIT]" and so on of each field. */
 static char **column_names(const struct profile *p)
 {

@@ -21,6 +21,7 @@
 #ifndef OUTPUT_PROFILE_H
 #define OUTPUT_PROFILE_H
 
+#include "base/state.h"
 #include "mesh/mesh.h"
 
 /* Directions: 0, 1, 2 for x, y, z; along and up must differ. */
@@ -57,6 +58,9 @@ void profile_add(struct profile *p, double time, double dt);
  * velocity along the line changes its sign there), and the error by blocks. */
 double profile_mirror_error(const struct profile *p, int f);
 double profile_block_error(const struct profile *p, int f);
+
+/* The means so far (state.h). */
+void profile_state(struct profile *p, struct state *s);
 
 /* Columns: x [m], then NAME_mean, NAME_std (over time) and NAME_error (of the
  * mean, by blocks) of each field, nan where the weight was always 0. Non-zero

@@ -74,4 +74,11 @@ static int add(void *part, double t)
            series_add(p->series, t) != 0;
 }
 
-const struct recorder_part surface_fields_part = {create, release, NULL, add};
+static void visit(void *part, struct state *s)
+{
+    struct surface_fields *const p = part;
+    series_state(p->series, s);
+}
+
+const struct recorder_part surface_fields_part = {
+    .create = create, .free = release, .fields = add, .state = visit};

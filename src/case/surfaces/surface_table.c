@@ -74,6 +74,21 @@ static void *create(const struct simulation *sim, struct folder *folder,
     return NULL;
 }
 
+/* The rows so far, and what the next one needs. */
+static void visit(void *part, struct state *s)
+{
+    struct surface_table *const t = part;
+    struct dem_surface *const all = t->before;
+    const int n = t->sim->n_surfaces;
+
+    state_begin(s, "surface_table");
+    table_state(t->table, s);
+    state_real(s, "t", "s", &t->t);
+    state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
+    state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
+    state_end(s);
+}
+
 static int add_row(void *part)
 {
     struct surface_table *const t = part;
@@ -95,5 +110,5 @@ static int add_row(void *part)
     return table_add(t->table, t->row);
 }
 
-const struct recorder_part surface_table_part = {create, release, add_row,
-                                                 NULL};
+const struct recorder_part surface_table_part = {
+    .create = create, .free = release, .row = add_row, .state = visit};

@@ -127,19 +127,21 @@ static int place(const struct settings *s, struct particles *ps,
 static int add(const struct settings *s, struct simulation *sim)
 {
     static const char list[] = "particles.prescribed";
-    const struct particles *const ps = sim->particles;
+    const int n = settings_has(s, "particles.bed")
+                      ? settings_int(s, "particles.bed.count")
+                      : sim->particles->n;
 
     for (int k = 0; k < settings_length(s, list); k++) {
         const int id = settings_item_int(s, list, k, "id");
-        if (ps->n == 0)
+        if (n == 0)
             return settings_wrong(s, list,
                                   "there is no particle %d: there is none at "
                                   "the start",
                                   id);
-        if (id >= ps->n)
+        if (id >= n)
             return settings_wrong(s, list,
                                   "there is no particle %d: they are 0 to %d",
-                                  id, ps->n - 1);
+                                  id, n - 1);
     }
     return 0;
 }

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/state.h"
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
 
@@ -148,6 +149,14 @@ static int bubbles_row(void *memory, const struct simulation *sim,
     return 4;
 }
 
+static void bubbles_state(void *memory, struct state *s)
+{
+    struct bubbles *const b = memory;
+
+    state_whole(s, "at_height", "-", &b->at_height);
+    state_long(s, "passed", "-", &b->passed);
+}
+
 static const char *const columns[] = {"bubbles [-]", "bubble_volume [m3]",
                                       "largest_bubble [m]",
                                       "bubbles_passed [-]", NULL};
@@ -174,5 +183,6 @@ const struct effect bubbles_effect = {
     .create = bubbles_create,
     .columns = columns,
     .row = bubbles_row,
+    .state = bubbles_state,
     .free = bubbles_free,
 };

@@ -18,6 +18,7 @@
  * Where all particles are of one kind, or each is alone in its sample, there is
  * nothing to mix, and M is written as 0.
  */
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,12 +26,13 @@
 #include <gsl/gsl_sort_double.h>
 
 #include "base/alloc.h"
+#include "base/state.h"
 #include "coupling/effect.h"
 #include "coupling/simulation.h"
 
 struct mixing {
     int labels;         /* [-] particles with an id below have one */
-    char *marked;       /* [-] by id */
+    int *marked;        /* [-] by id */
     int n[3];           /* [-] samples along x, y, z */
     double *all, *some; /* [-] particles of each sample, and marked ones */
 };
@@ -61,7 +63,7 @@ static void *mixing_create(struct simulation *sim, const double *parameters)
     int samples = 1;
 
     self->labels = sim->particles->next_id;
-    self->marked = alloc_zeroed((size_t)self->labels, 1);
+    self->marked = alloc_ints(self->labels);
     mark(self, sim->particles, &parameters[1]);
     for (int k = 0; k < 3; k++) {
         const double n = (m->hi[k] - m->lo[k]) / parameters[0];
@@ -141,6 +143,19 @@ static int mixing_row(void *memory, const struct simulation *sim,
     return 1;
 }
 
+/* Of a run that goes on the marks are those of its beginning. */
+static void mixing_state(void *memory, struct state *s)
+{
+    struct mixing *const self = memory;
+
+    state_count(s, "labels", &self->labels, INT_MAX);
+    if (s->loading && !s->failed) {
+        free(self->marked);
+        self->marked = alloc_ints(self->labels);
+    }
+    state_wholes(s, "marked", "-", self->marked, self->labels, 1);
+}
+
 static const char *const columns[] = {"mixing [-]", NULL};
 
 static const struct key keys[] = {
@@ -164,5 +179,6 @@ const struct effect mixing_effect = {
     .create = mixing_create,
     .columns = columns,
     .row = mixing_row,
+    .state = mixing_state,
     .free = mixing_free,
 };
