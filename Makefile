@@ -15,13 +15,14 @@ B        = build
 LIGHTLY  = -O1
 LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
 
-# What is built: the rooms' own files, and the folders in them that are named
-# here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
-SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+# What is built: the rooms' own files, and the folders in them and the rooms
+# set aside that are named here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
+ASIDE   := src/resolved
+FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
+SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(FOLDERS:=/models.txt))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)

@@ -17,6 +17,7 @@
 #include "case/case_walls.h"
 #include "case/case_file.h"
 #include "case/models.h"
+#include "case/part.h"
 
 struct mesh *build_mesh(const struct settings *s)
 {
@@ -102,22 +103,8 @@ static void create_effects(const struct settings *s, struct simulation *sim)
         const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
         case_file_parameters(s, e->keys, numbers, 16);
-        sim->effects[sim->n_effects].effect = e;
-        sim->effects[sim->n_effects].memory = e->create(sim, numbers);
-        sim->n_effects++;
+        effects_add(sim, e, e->create(sim, numbers));
     }
-}
-
-static void count_and_create_effects(const struct settings *s,
-                                     struct simulation *sim)
-{
-    int n = 0;
-
-    for (int i = 0; effects[i] != NULL; i++)
-        n += settings_has(s, effects[i]->keys[0].path);
-    if (n == 0) return;
-    sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
-    create_effects(s, sim);
 }
 
 struct simulation *build_simulation(const struct settings *s, int *code)
@@ -135,8 +122,9 @@ struct simulation *build_simulation(const struct settings *s, int *code)
         if (*code == 0) create_coupling(s, sim);
     }
     if (*code == 0) {
-        count_and_create_effects(s, sim);
-        return sim;
+        create_effects(s, sim);
+        *code = part_create(s, sim);
+        if (*code == 0) return sim;
     }
     build_free(sim);
     return NULL;

@@ -10,6 +10,7 @@
 #include "dem/population/sizes.h"
 #include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
+#include "case/part.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -48,6 +49,7 @@ DESCRIPTORS(convection, convection_schemes)
 DESCRIPTORS(gradient, velocity_gradient_schemes)
 DESCRIPTORS(continuity, fluid_continuity_forms)
 DESCRIPTORS(patch, boundary_kinds)
+DESCRIPTORS(body_method, body_methods)
 
 /* The keys of an effect are a table of its own. */
 static int effect(int i, struct model *m)
@@ -97,6 +99,8 @@ const struct kind models_kinds[] = {
      patch},
     {"effect", "further effects, each on where it is named", "effects", NULL,
      effect},
+    {"body_method", "ways that bodies hold the fluid", "bodies.method", NULL,
+     body_method},
     {NULL, NULL, NULL, NULL, NULL}};
 
 const struct kind *models_kind(const char *name)

@@ -19,6 +19,7 @@
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/model_choice.h"
+#include "case/part.h"
 #include "case/profiles.h"
 
 /* The two sides of each direction, and the key that names both at once. */
@@ -374,5 +375,6 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
+    if (code == 0) code = part_validate(s);
     return code != 0 ? code : check_output(s);
 }

@@ -39,7 +39,11 @@ struct effect {
     /* Any of these may be NULL. */
     void (*before_particles)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
+    int (*move)(void *memory, struct simulation *sim); /* what else moves by
+                                    a step; non-zero: it broke down */
     void (*after_step)(void *memory, struct simulation *sim);
+    void (*momentum)(const void *memory, double total[3]);     /* [N s] added to
+                                        that of fluid and particles */
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     void (*free)(void *memory);
 };

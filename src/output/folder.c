@@ -20,18 +20,21 @@ static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
+    ".", "fluid", "particles", "surfaces", "bodies", "picture", "profiles", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
                                    "./surfaces.csv",
+                                   "./bodies.csv",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
                                    "./surfaces.pvd",
+                                   "./bodies.pvd",
                                    "fluid/fluid_*.vt?",
                                    "particles/particles_*.vtp",
                                    "surfaces/surfaces_*.vtp",
+                                   "bodies/bodies_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
                                    "picture/bed.gp",

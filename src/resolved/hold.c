@@ -146,3 +146,10 @@ void hold_fluid(struct solid_bodies *b)
                                  .change_faces = change_faces,
                                  .end = end};
 }
+
+const struct model hold_method = {
+    .name = "hold",
+    .what = "friction by distance, implicit in the momentum equation",
+    .equations = "EW18 4",
+    .function = "hold_fluid",
+};

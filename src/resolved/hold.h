@@ -4,7 +4,10 @@
 #ifndef RESOLVED_HOLD_H
 #define RESOLVED_HOLD_H
 
+#include "base/model.h"
 #include "resolved/solid_bodies.h"
+
+extern const struct model hold_method;
 
 /* Adds hold (u_b - u) to the momentum equation, implicit in u, and takes the
  * impulse of each step for the bodies. */

@@ -3,6 +3,7 @@
 
 #include "case/case_materials.h"
 #include "case/model_choice.h"
+#include "case/part.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -57,6 +58,9 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    for (const struct case_part *const *p = case_parts; *p != NULL; p++)
+        if (settings_has(s, (*p)->name))
+            print_line((*p)->equations, (*p)->function, "", (*p)->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++)
         for (int i = 0; k->model(i, &m); i++)
             if (model_choice_is_on(s, k, &m)) {
@@ -73,6 +77,9 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
+    for (const struct case_part *const *p = case_parts; *p != NULL; p++)
+        if (!settings_has(s, (*p)->name))
+            print_line((*p)->equations, (*p)->function, "", (*p)->what);
     for (const struct kind *k = models_kinds; k->name != NULL; k++) {
         int n = 0;
 

@@ -16,6 +16,7 @@
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/case_surfaces.h"
+#include "case/part.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -379,6 +380,7 @@ int report_case(const struct settings *s)
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);
+    part_report(s);
     print_cost(s, &k);
     return 0;
 }

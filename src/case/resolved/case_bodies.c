@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/case_bodies.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "base/vector.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/resolved/bodies_record.h"
+#include "coupling/effects.h"
+#include "dem/contact_linear.h"
+#include "dem/limits.h"
+#include "dem/reference.h"
+#include "resolved/bodies_effect.h"
+
+static const char list[] = "bodies.spheres";
+
+/* Steps of the fluid that an impact lasts where the case gives no stiffness:
+ * the fluid has to follow the rebound. */
+static const double steps_an_impact = 10.0;
+
+static int is(const struct settings *s, int i, const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+static double volume(double d)
+{
+    return M_PI / 6.0 * d * d * d;
+}
+
+/* The lightest free body with what is added to it [kg]; 0: none is free. */
+static double lightest(const struct settings *s)
+{
+    const double C_v = settings_real(s, "bodies.virtual_mass"),
+                 rho = settings_real(s, "fluid.density");
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (is(s, i, "free"))
+            least = fmin(
+                least, (settings_item_real(s, list, i, "density") + C_v * rho) *
+                           volume(settings_item_real(s, list, i, "diameter")));
+    return least < HUGE_VAL ? least : 0.0;
+}
+
+/* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
+ */
+static double stiffness(const struct settings *s)
+{
+    if (settings_has(s, "bodies.stiffness"))
+        return settings_real(s, "bodies.stiffness");
+    const double e = settings_real(s, "bodies.restitution"),
+                 zeta = contact_damping_ratio(e), m = lightest(s);
+    const double t = steps_an_impact * settings_real(s, "fluid.step");
+
+    return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
+}
+
+/* Particle steps in a step of the fluid: 25 in an impact. */
+static int dem_steps(const struct settings *s)
+{
+    const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
+
+    if (m == 0.0) return 1;
+    const double t = contact_linear_time(stiffness(s), e, 0.5 * m);
+    return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
+                          1000000);
+}
+
+static struct dem_options contacts(const struct settings *s)
+{
+    struct dem_options o = {
+        .law = &contact_linear,
+        .material = {.stiffness = stiffness(s),
+                     .restitution = settings_real(s, "bodies.restitution"),
+                     .friction = settings_real(s, "bodies.friction")},
+        .method = &reference_link_cells,
+        .step = settings_real(s, "fluid.step") / dem_steps(s)};
+
+    case_mesh_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
+    return o;
+}
+
+/* Width of a cell in each direction [m]. */
+static void cell_widths(const struct settings *s, double h[3])
+{
+    double lo[3], hi[3];
+    int n[3];
+
+    case_mesh_ends(s, lo, hi);
+    settings_counts(s, "mesh.cells", n);
+    for (int k = 0; k < 3; k++)
+        h[k] = (hi[k] - lo[k]) / n[k];
+}
+
+static int check_mesh(const struct settings *s)
+{
+    double grading[3];
+
+    if (settings_mesh(s) != NULL)
+        return settings_wrong(s, "bodies",
+                              "bodies are held in the cells of a plain box; "
+                              "leave out mesh.polymesh and mesh.shear");
+    settings_vector(s, "mesh.grading", grading);
+    for (int k = 0; k < 3; k++)
+        if (fabs(grading[k] - 1.0) > 0.01)
+            return settings_wrong(s, "mesh.grading",
+                                  "%g: bodies ask for equal cells", grading[k]);
+    return 0;
+}
+
+/* A sphere of fewer cells than these is a few of them and has no shape. */
+static const double least_cells = 3.0;
+
+static int check_sphere(const struct settings *s, int i)
+{
+    const double d = settings_item_real(s, list, i, "diameter");
+    double lo[3], hi[3], h[3], x[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    cell_widths(s, h);
+    settings_item_vector(s, list, i, "position", x);
+    if (is(s, i, "free") && !settings_item_has(s, list, i, "density"))
+        return settings_wrong(s, list,
+                              "sphere %d is free and asks for its density", i);
+    for (int k = 0; k < 3; k++) {
+        const double margin = periodic[k] || is(s, i, "fixed") ? 0.0 : 0.5 * d;
+        if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
+            return settings_wrong(s, list,
+                                  "sphere %d at [%g, %g, %g] m with diameter "
+                                  "%g m is not inside the box",
+                                  i, x[0], x[1], x[2], d);
+        if (d < least_cells * h[k])
+            return settings_wrong(s, list,
+                                  "sphere %d has a diameter of %.3g cells; "
+                                  "expected at least %g, better 12",
+                                  i, d / h[k], least_cells);
+        if (periodic[k] &&
+            d >= (is(s, i, "fixed") ? 1.0 : 0.5) * (hi[k] - lo[k]))
+            return settings_wrong(s, list,
+                                  "sphere %d with diameter %g m meets itself "
+                                  "across the period, %g m; %s",
+                                  i, d, hi[k] - lo[k],
+                                  is(s, i, "fixed")
+                                      ? "expected less"
+                                      : "expected less than half of it");
+    }
+    return 0;
+}
+
+static int validate(const struct settings *s)
+{
+    int code = check_mesh(s);
+
+    if (settings_has(s, "particles") && code == 0)
+        return settings_wrong(s, "bodies",
+                              "there are bodies or particles, not both yet");
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+        code = check_sphere(s, i);
+    return code;
+}
+
+static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
+{
+    const struct body_shape shape =
+        body_shape_sphere(settings_item_real(s, list, i, "diameter"));
+    const enum body_motion motion = is(s, i, "free")    ? BODY_FREE
+                                    : is(s, i, "fixed") ? BODY_FIXED
+                                                        : BODY_PRESCRIBED;
+    double x[3], v[3], w[3];
+
+    settings_item_vector(s, list, i, "position", x);
+    settings_item_vector(s, list, i, "velocity", v);
+    settings_item_vector(s, list, i, "spin", w);
+    const int at = solid_bodies_add(
+        b, &shape, x,
+        motion == BODY_FREE ? settings_item_real(s, list, i, "density") : 1.0,
+        motion);
+    if (motion == BODY_FIXED) return;
+    b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+    b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
+}
+
+static int create(const struct settings *s, struct simulation *sim)
+{
+    const struct dem_options dem = contacts(s);
+    struct solid_bodies_options o = {
+        .virtual_mass = settings_real(s, "bodies.virtual_mass"),
+        .dem_steps = dem_steps(s),
+        .dem = &dem};
+    const int n = settings_length(s, list);
+
+    build_gravity(s, o.gravity);
+    struct solid_bodies *const b = solid_bodies_create(n, sim->fluid, &o);
+    effects_add(sim, &bodies_effect, b);
+    for (int i = 0; i < n; i++)
+        add_sphere(s, i, b);
+    return solid_bodies_begin(b) != 0 ? 2 : 0;
+}
+
+static void line(const char *name, double value, const char *unit,
+                 const char *remark)
+{
+    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+/* Smallest of the cells in a diameter and largest speed at the start. */
+static void report(const struct settings *s)
+{
+    const double dt = settings_real(s, "fluid.step"),
+                 nu = settings_real(s, "fluid.viscosity") /
+                      settings_real(s, "fluid.density");
+    double h[3], cells = HUGE_VAL, speed = 0.0, least = HUGE_VAL;
+    int free = 0;
+
+    cell_widths(s, h);
+    const double widest = fmax(h[0], fmax(h[1], h[2])),
+                 narrowest = fmin(h[0], fmin(h[1], h[2]));
+    for (int i = 0; i < settings_length(s, list); i++) {
+        double v[3];
+        settings_item_vector(s, list, i, "velocity", v);
+        speed = fmax(speed, vector_length(v));
+        cells =
+            fmin(cells, settings_item_real(s, list, i, "diameter") / widest);
+        if (!is(s, i, "free")) continue;
+        free++;
+        least = fmin(least, settings_item_real(s, list, i, "density") /
+                                settings_real(s, "fluid.density"));
+    }
+    puts("Bodies");
+    line("bodies", settings_length(s, list), "-", "");
+    line("d / h", cells, "-",
+         cells < 7.0    ? "LOW: good to look at; 12 to measure"
+         : cells < 11.5 ? "about 5 % of the drag where they are apart"
+                        : "2 to 3 % of the drag where they are apart");
+    line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
+         "the drag does not depend on it");
+    line("CFL of the bodies", speed * dt / narrowest, "-",
+         speed * dt / narrowest > 0.5 ? "HIGH: more than half a cell in a step"
+                                      : "by their speed at time 0");
+    if (free == 0) return;
+    line("smallest density ratio", least, "-",
+         least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
+    line("stiffness", stiffness(s), "N/m", "");
+    line("particle steps in one step", dem_steps(s), "-", "of their contacts");
+}
+
+const struct case_part case_bodies = {
+    .name = "bodies",
+    .what = "bodies with the flow around them resolved",
+    .equations = "EW18 1-4, 15, 16",
+    .function = "body_motion_advance",
+    .keys = {case_bodies_keys},
+    .validate = validate,
+    .create = create,
+    .report = report,
+    .columns = bodies_record_columns,
+    .record = bodies_record_create,
+    .add_row = bodies_record_add_row,
+    .add_fields = bodies_record_add_fields,
+    .summarize = bodies_record_summarize,
+    .print = bodies_record_print,
+    .free = bodies_record_free,
+};

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/case_bodies.h"
+
+const struct key case_bodies_keys[] = {
+    {"bodies", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "bodies of many cells, with the flow around them resolved", "EW18 1-4",
+     "fluid"},
+    {"bodies.method", KEY_NAME, "", "", "hold", "how they hold the fluid",
+     "LS 5.17-5.21", ""},
+    {"bodies.spheres", KEY_LIST, "", "", NULL,
+     "each { position, diameter }, and what moves it", "EW18 2, 3", ""},
+    {"bodies.spheres.position", KEY_VECTOR, "m", "", NULL, "centre at time 0",
+     "", ""},
+    {"bodies.spheres.diameter", KEY_REAL, "m", "> 0", NULL, "diameter", "", ""},
+    {"bodies.spheres.density", KEY_REAL, "kg/m^3", "> 0", "",
+     "density; asked for by a free one", "EW18 2", ""},
+    {"bodies.spheres.motion", KEY_NAME, "", "free | fixed | prescribed", "free",
+     "moved by the fluid; at rest; or with velocity and spin as they are", "",
+     ""},
+    {"bodies.spheres.velocity", KEY_VECTOR, "m/s", "", "[0.0, 0.0, 0.0]",
+     "velocity at time 0", "", ""},
+    {"bodies.spheres.spin", KEY_VECTOR, "rad/s", "", "[0.0, 0.0, 0.0]",
+     "angular velocity at time 0", "", ""},
+    {"bodies.virtual_mass", KEY_REAL, "-", ">= 0", "2.0",
+     "C_v: fluid of so many volumes counts on both sides of the motion, which "
+     "keeps light bodies stable",
+     "EW18 2", ""},
+    {"bodies.stiffness", KEY_REAL, "N/m", "> 0", "",
+     "spring of their contacts; left out: an impact lasts ten steps", "LS 4.4",
+     ""},
+    {"bodies.restitution", KEY_REAL, "-", "> 0, <= 1", "0.97",
+     "restitution coefficient of dry contacts", "LS 4.4", ""},
+    {"bodies.friction", KEY_REAL, "-", ">= 0", "0.15",
+     "Coulomb's coefficient of friction", "LS 4.8", ""},
+    KEY_END};

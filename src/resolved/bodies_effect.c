@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/bodies_effect.h"
+
+#include "coupling/simulation.h"
+#include "resolved/body_motion.h"
+
+static int bodies_effect_move(void *memory, struct simulation *sim)
+{
+    return body_motion_advance(memory, sim->dt);
+}
+
+static void bodies_effect_momentum(const void *memory, double total[3])
+{
+    body_motion_add_momentum(memory, total);
+}
+
+static void bodies_effect_free(void *memory)
+{
+    solid_bodies_free(memory);
+}
+
+const struct effect bodies_effect = {
+    .name = "bodies",
+    .what = "bodies with the flow around them resolved",
+    .equations = "EW18 1-4",
+    .function = "hold_fluid",
+    .move = bodies_effect_move,
+    .momentum = bodies_effect_momentum,
+    .free = bodies_effect_free,
+};
