@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_motion.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "resolved/lubrication.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
 static double displaced(const struct solid_bodies *b, int i)
@@ -63,6 +66,24 @@ static void clear(struct solid_bodies *b)
     memset(b->angular, 0, size);
 }
 
+/* Contacts and lubrication act in each particle step. The report is of all. */
+static int move(struct solid_bodies *b)
+{
+    struct dem_report *const all = &b->dem_report;
+    double deepest = 0.0;
+    int failed = 0;
+
+    if (b->lubrication.reach == 0.0)
+        return dem_run(b->dem, b->options.dem_steps, all);
+    for (int k = 0; k < b->options.dem_steps && !failed; k++) {
+        lubrication_act(b, b->contacts.step);
+        failed = dem_run(b->dem, 1, all);
+        deepest = fmax(deepest, all->max_overlap);
+    }
+    all->max_overlap = deepest;
+    return failed;
+}
+
 int body_motion_advance(struct solid_bodies *b, double dt)
 {
     int failed = 0;
@@ -73,7 +94,7 @@ int body_motion_advance(struct solid_bodies *b, double dt)
     }
     clear(b);
     if (b->dem == NULL) return 0;
-    failed = dem_run(b->dem, b->options.dem_steps, &b->dem_report);
+    failed = move(b);
     b->dt_marked = 0.0; /* they have moved */
     return failed;
 }

@@ -121,7 +121,56 @@ static void add_link(struct solid_bodies *b, int i, int cell, double hold,
         .r = {r[0], r[1], r[2]}};
 }
 
-static void mark_body(struct solid_bodies *b, const struct fluid *fl, int i)
+/* 1 if body i squeezes the fluid out of the cell, which is its own, against a
+ * wall or a body that moves otherwise. */
+static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
+                  int i)
+{
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        if (f >= m->n_internal) {
+            if (b->motion[i] != BODY_FIXED) return 1;
+            continue;
+        }
+        const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+        const int j = b->body_of[next] - 1;
+        if (j >= 0 && j != i &&
+            (b->motion[i] != BODY_FIXED || b->motion[j] != BODY_FIXED))
+            return 1;
+    }
+    return 0;
+}
+
+/* What body i does in a cell at the distance s of its centre. */
+typedef void in_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                     int c, const double r[3], double s);
+
+static void claim(struct solid_bodies *b, const struct fluid *fl, int i, int c,
+                  const double r[3], double s)
+{
+    (void)fl, (void)r;
+    if (s <= 0.0) b->body_of[c] = i + 1;
+}
+
+static void release(struct solid_bodies *b, const struct fluid *fl, int i,
+                    int c, const double r[3], double s)
+{
+    (void)fl, (void)r, (void)i;
+    if (s <= 0.0) b->body_of[c] = 0;
+}
+
+static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                      int c, const double r[3], double s)
+{
+    if (s > 0.0) {
+        const double hold = soft(fl, &b->shape[i], c, r, s);
+        if (hold > 0.0) add_link(b, i, c, hold, r);
+    } else if (!is_gap(b, fl->mesh, c, i))
+        add_link(b, i, c, firm(fl, c), r);
+}
+
+static void each_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                      in_cell *act)
 {
     const struct mesh *const m = fl->mesh;
     const struct body_shape *const shape = &b->shape[i];
@@ -134,10 +183,7 @@ static void mark_body(struct solid_bodies *b, const struct fluid *fl, int i)
         for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
             for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
                 const int c = cell_of(m, at, x, r);
-                const double s = body_shape_distance(shape, r);
-                const double hold =
-                    s <= 0.0 ? firm(fl, c) : soft(fl, shape, c, r, s);
-                if (hold > 0.0) add_link(b, i, c, hold, r);
+                act(b, fl, i, c, r, body_shape_distance(shape, r));
             }
 }
 
@@ -167,10 +213,14 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
 {
     if (b->dt_marked == fl->options.dt) return;
     forget(b);
+    for (int i = 0; i < b->ps->n; i++)
+        each_cell(b, fl, i, claim);
     for (int i = 0; i < b->ps->n; i++) {
         b->start[i] = b->n_links;
-        mark_body(b, fl, i);
+        each_cell(b, fl, i, hold_cell);
     }
+    for (int i = 0; i < b->ps->n; i++)
+        each_cell(b, fl, i, release);
     b->start[b->ps->n] = b->n_links;
     collect(b);
     b->dt_marked = fl->options.dt;

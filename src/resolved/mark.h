@@ -10,6 +10,11 @@
  * The neighbour inside has 0 instead of the negative value that continues it,
  * and hold s is what is missing: the wall is at s = 0 and not at the centre of
  * a cell. The error is of second order, and hold does not contain dt.
+ *
+ * Where a moving body is nearer than a cell to a wall or to another body, the
+ * cells between have two velocities to follow, and the fluid has no way out.
+ * So a cell beside a wall, or beside a cell of another body, is left to the
+ * fluid; lubrication (lubrication.h) adds what such a gap of a cell lacks.
  */
 #ifndef RESOLVED_MARK_H
 #define RESOLVED_MARK_H

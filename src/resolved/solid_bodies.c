@@ -20,6 +20,8 @@ solid_bodies_create(int n, struct fluid *fl,
                                &b->angular, &b->force, &b->torque};
 
     b->options = *options;
+    if (options->dem != NULL) b->contacts = *options->dem;
+    b->lubrication = options->lubrication;
     b->rho = fl->options.rho;
     b->ps = particles_create(n);
     particles_add_implicit_drag(b->ps);
@@ -29,6 +31,7 @@ solid_bodies_create(int n, struct fluid *fl,
         *three[a] = alloc_doubles(3 * n);
     b->start = alloc_ints(n + 1);
     b->cell = alloc_ints(cells);
+    b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
     hold_fluid(b);
@@ -52,6 +55,7 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->link);
     free(b->start);
     free(b->cell);
+    free(b->body_of);
     free(b->hold);
     free(b->hold_u);
     free(b);
@@ -82,6 +86,6 @@ int solid_bodies_begin(struct solid_bodies *b)
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
     if (!moves) return 0;
-    b->dem = dem_create(b->ps, b->options.dem);
+    b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }

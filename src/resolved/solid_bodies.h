@@ -27,17 +27,27 @@ struct hold_link {
     double r[3]; /* [m] the cell's centre, from that of the body */
 };
 
+/* Gaps narrower than cells (lubrication.h). */
+struct lubrication {
+    double mu;    /* [Pa s] */
+    double z_min; /* [m] */
+    double reach; /* [m] two cells; 0: no such force */
+};
+
 struct solid_bodies_options {
     double virtual_mass; /* [-] C_v */
     double gravity[3];   /* [m/s^2] */
     int dem_steps;       /* [-] particle steps in a step of the fluid */
-    const struct dem_options *dem; /* NULL: nothing touches */
+    const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
+    struct lubrication lubrication;
 };
 
 struct solid_bodies {
     struct immersed hooks; /* first, because the fluid gives it back */
     struct solid_bodies_options options;
-    double rho;           /* [kg/m^3] of the fluid */
+    double rho; /* [kg/m^3] of the fluid */
+    struct dem_options contacts;
+    struct lubrication lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
     struct dem *dem;      /* their contacts and their motion; NULL: all rest */
     struct dem_report dem_report; /* of the last step */
@@ -52,6 +62,8 @@ struct solid_bodies {
     int *start, n_links, capacity;
     double dt_marked;   /* [s] step that the links were made for; 0: none */
     int *cell, n_cells; /* [-] the cells with a link, each once */
+    int *body_of;       /* [-] while links are made: 1 + the body around a
+                           cell's centre; else 0 */
     double *hold;       /* [kg/(m^3 s)] sum of the links of a cell */
     double *hold_u;     /* [N/m^3] sum of hold times velocity, 3 a cell */
 };

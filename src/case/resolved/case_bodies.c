@@ -23,7 +23,7 @@ static const char list[] = "bodies.spheres";
 
 /* Steps of the fluid that an impact lasts where the case gives no stiffness:
  * the fluid has to follow the rebound. */
-static const double steps_an_impact = 10.0;
+static const double steps_an_impact = 8.0;
 
 static int is(const struct settings *s, int i, const char *motion)
 {
@@ -191,13 +191,29 @@ static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
     b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
 }
 
+static struct lubrication gaps(const struct settings *s)
+{
+    double h[3], R = HUGE_VAL;
+
+    cell_widths(s, h);
+    for (int i = 0; i < settings_length(s, list); i++)
+        R = fmin(R, 0.5 * settings_item_real(s, list, i, "diameter"));
+    return (struct lubrication){
+        .mu = settings_real(s, "fluid.viscosity"),
+        .z_min = settings_real(s, "bodies.roughness") * R,
+        .reach = settings_bool(s, "bodies.lubrication")
+                     ? 2.0 * fmax(h[0], fmax(h[1], h[2]))
+                     : 0.0};
+}
+
 static int create(const struct settings *s, struct simulation *sim)
 {
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = dem_steps(s),
-        .dem = &dem};
+        .dem = &dem,
+        .lubrication = gaps(s)};
     const int n = settings_length(s, list);
 
     build_gravity(s, o.gravity);
