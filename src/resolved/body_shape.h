@@ -7,20 +7,26 @@
 #ifndef RESOLVED_BODY_SHAPE_H
 #define RESOLVED_BODY_SHAPE_H
 
-enum body_shape_kind { SHAPE_SPHERE };
+enum body_shape_kind { BODY_SPHERE, BODY_BOX, BODY_CYLINDER };
 
 struct body_shape {
     enum body_shape_kind kind;
-    double size[3]; /* [m] sphere: the radius */
+    double half[3]; /* [m] sphere: radius; box: halves of its edges; cylinder:
+                       radius and half of the length */
+    double axis[3]; /* [-] of a cylinder, of length 1 */
 };
 
 struct body_shape body_shape_sphere(double diameter);
+struct body_shape body_shape_box(const double size[3]);
+/* The axis may have any length but 0. */
+struct body_shape body_shape_cylinder(double diameter, double length,
+                                      const double axis[3]);
 
 /* Signed distance [m] of the point r [m], seen from the centre of the body. */
 double body_shape_distance(const struct body_shape *shape, const double r[3]);
 
-/* Radius of the smallest sphere around the centre that holds the body [m]. */
-double body_shape_reach(const struct body_shape *shape);
+/* Half of the extent along each axis of the mesh [m]. */
+void body_shape_extent(const struct body_shape *shape, double extent[3]);
 
 double body_shape_volume(const struct body_shape *shape); /* [m^3] */
 

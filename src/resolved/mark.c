@@ -24,15 +24,17 @@ static int index_at(const struct box *b, int k, double x)
     return (int)floor((x - b->edge[k][0]) / width);
 }
 
-/* The cells within reach [m] of x, and one more layer. */
+/* The cells of a body at x [m], and one more layer. */
 static struct window window_of(const struct mesh *m, const double x[3],
-                               double reach)
+                               const struct body_shape *shape)
 {
     struct window w = {.mesh = m};
+    double extent[3];
 
+    body_shape_extent(shape, extent);
     for (int k = 0; k < 3; k++) {
-        w.first[k] = index_at(&m->box, k, x[k] - reach) - 1;
-        w.last[k] = index_at(&m->box, k, x[k] + reach) + 1;
+        w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
+        w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
         if (m->box.periodic[k]) continue;
         if (w.first[k] < 0) w.first[k] = 0;
         if (w.last[k] >= m->box.n[k]) w.last[k] = m->box.n[k] - 1;
@@ -175,7 +177,7 @@ static void each_cell(struct solid_bodies *b, const struct fluid *fl, int i,
     const struct mesh *const m = fl->mesh;
     const struct body_shape *const shape = &b->shape[i];
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
-    const struct window w = window_of(m, x, body_shape_reach(shape));
+    const struct window w = window_of(m, x, shape);
     int at[3];
     double r[3];
 

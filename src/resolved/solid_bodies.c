@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/solid_bodies.h"
 
+#include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,8 +66,8 @@ void solid_bodies_free(struct solid_bodies *b)
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density, enum body_motion motion)
 {
-    const int i =
-        particles_add(b->ps, x, 2.0 * body_shape_reach(shape), density);
+    const double V = body_shape_volume(shape);
+    const int i = particles_add(b->ps, x, cbrt(6.0 * V / M_PI), density);
 
     b->shape[i] = *shape;
     b->motion[i] = motion;
