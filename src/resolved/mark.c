@@ -161,10 +161,19 @@ static void release(struct solid_bodies *b, const struct fluid *fl, int i,
     if (s <= 0.0) b->body_of[c] = 0;
 }
 
+/* Solid fraction of a cell at the distance s, as of a plane surface. */
+static double fraction(const struct fluid *fl, int c, double s)
+{
+    return fmin(fmax(0.5 - s / cbrt(fl->mesh->V[c]), 0.0), 1.0);
+}
+
 static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
                       int c, const double r[3], double s)
 {
-    if (s > 0.0) {
+    if (b->by_fraction) {
+        const double share = fraction(fl, c, s);
+        if (share > 0.0) add_link(b, i, c, share, r);
+    } else if (s > 0.0) {
         const double hold = soft(fl, &b->shape[i], c, r, s);
         if (hold > 0.0) add_link(b, i, c, hold, r);
     } else if (!is_gap(b, fl->mesh, c, i))
@@ -196,7 +205,7 @@ static void collect(struct solid_bodies *b)
         const struct hold_link *const l = &b->link[j];
         if (b->hold[l->cell] == 0.0) b->cell[b->n_cells++] = l->cell;
         b->hold[l->cell] += l->hold;
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3 && !b->by_fraction; k++)
             b->hold_u[3 * l->cell + k] += l->hold * l->u[k];
     }
 }
@@ -206,7 +215,8 @@ static void forget(struct solid_bodies *b)
     for (int j = 0; j < b->n_cells; j++) {
         const int c = b->cell[j];
         b->hold[c] = 0.0;
-        memset(&b->hold_u[3 * c], 0, 3 * sizeof *b->hold_u);
+        if (!b->by_fraction)
+            memset(&b->hold_u[3 * c], 0, 3 * sizeof *b->hold_u);
     }
     b->n_cells = b->n_links = 0;
 }

@@ -7,10 +7,16 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
 /* Mass of a body that no force moves [kg]. */
 static const double immovable = 1e60;
+
+static void (*const set_method[])(struct solid_bodies *) = {
+    [BODY_METHOD_HOLD] = hold_fluid,
+    [BODY_METHOD_FICTITIOUS] = fraction_methods_set_fictitious,
+    [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
 
 struct solid_bodies *
 solid_bodies_create(int n, struct fluid *fl,
@@ -36,7 +42,7 @@ solid_bodies_create(int n, struct fluid *fl,
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
-    hold_fluid(b);
+    set_method[options->method](b);
     fl->immersed = &b->hooks;
     return b;
 }

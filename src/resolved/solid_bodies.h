@@ -17,12 +17,17 @@
 #include "fluid/fluid.h"
 #include "resolved/body_shape.h"
 
+enum body_method {
+    BODY_METHOD_HOLD,
+    BODY_METHOD_FICTITIOUS,
+    BODY_METHOD_PISO_IB
+};
 enum body_motion { BODY_FREE, BODY_FIXED, BODY_PRESCRIBED };
 
 /* A cell that a body holds, or, outside of it, one beside a held one. */
 struct hold_link {
     int cell;
-    double hold; /* [kg/(m^3 s)] */
+    double hold; /* [kg/(m^3 s)]; by_fraction: solid fraction [-] */
     double u[3]; /* [m/s] velocity of the body there */
     double r[3]; /* [m] the cell's centre, from that of the body */
 };
@@ -35,6 +40,7 @@ struct lubrication {
 };
 
 struct solid_bodies_options {
+    enum body_method method;
     double virtual_mass; /* [-] C_v */
     double gravity[3];   /* [m/s^2] */
     int dem_steps;       /* [-] particle steps in a step of the fluid */
@@ -57,6 +63,7 @@ struct solid_bodies {
     double *impulse, *angular; /* [N s], [N m s] of the friction on the body in
                                   this step, 3 each */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
+    int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
     /* The held cells: the links of body i are link[start[i]] ... */
     struct hold_link *link;
     int *start, n_links, capacity;

@@ -12,6 +12,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
+#include "case/models.h"
 #include "case/resolved/bodies_record.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
@@ -210,6 +211,8 @@ static int create(const struct settings *s, struct simulation *sim)
 {
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
+        .method = (enum body_method)models_value(
+            body_methods, settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = dem_steps(s),
         .dem = &dem,
