@@ -26,6 +26,7 @@ struct pool_options {
     double lid;         /* [m/s] velocity of the upper wall along x */
     const char *time;   /* NULL: bdf2 */
     double virtual_mass;
+    enum body_method method;
     int n; /* bodies */
     int dem_steps;
     double tolerance; /* 0: 1e-10 */
@@ -50,7 +51,8 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
         .material = {.stiffness = 1.0, .restitution = 0.9},
         .method = dem_method_named("all-pairs"),
         .step = o->dt / (o->dem_steps > 0 ? o->dem_steps : 1)};
-    struct solid_bodies_options b = {.virtual_mass = o->virtual_mass,
+    struct solid_bodies_options b = {.method = o->method,
+                                     .virtual_mass = o->virtual_mass,
                                      .dem_steps =
                                          o->dem_steps > 0 ? o->dem_steps : 1,
                                      .dem = &dem};
@@ -87,10 +89,11 @@ static inline void pool_run(struct pool *p, int steps)
 }
 
 /* One sphere in a periodic cube of 1 m, with rho = 1 kg/m^3. */
-static inline void pool_one_sphere(struct pool *p, double d, int cells,
-                                   double mu, double dt, double gradient,
-                                   const double x[3], enum body_motion motion,
-                                   double density)
+static inline void pool_one_sphere_by(struct pool *p, double d, int cells,
+                                      double mu, double dt, double gradient,
+                                      const double x[3],
+                                      enum body_motion motion, double density,
+                                      enum body_method method)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {cells, cells, cells},
@@ -98,11 +101,23 @@ static inline void pool_one_sphere(struct pool *p, double d, int cells,
                                    .mu = mu,
                                    .dt = dt,
                                    .gradient = {gradient, 0.0, 0.0},
+                                   .method = method,
+                                   .time = method == BODY_METHOD_HOLD ? "bdf2"
+                                                                      : "euler",
                                    .virtual_mass = 2.0};
     const struct body_shape sphere = body_shape_sphere(d);
 
     pool_create(p, &o);
     solid_bodies_add(p->bodies, &sphere, x, density, motion);
+}
+
+static inline void pool_one_sphere(struct pool *p, double d, int cells,
+                                   double mu, double dt, double gradient,
+                                   const double x[3], enum body_motion motion,
+                                   double density)
+{
+    pool_one_sphere_by(p, d, cells, mu, dt, gradient, x, motion, density,
+                       BODY_METHOD_HOLD);
 }
 
 #endif

@@ -7,14 +7,16 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
+#include "fluid/time_levels.h"
 #include "resolved/mark.h"
 
-/* Takes the impulse rho V du [N s] of a cell from the bodies that share it; a
- * cell of two is one of the first. */
+/* Takes the impulse of a force that changes the velocity of a cell by du in
+ * this step: rho V du, in a two-step scheme 3/2 of it. */
 static void take_impulse(struct solid_bodies *b, const struct fluid *fl, int i,
                          const struct hold_link *l, const double du[3])
 {
-    const double m = fl->options.rho * fl->mesh->V[l->cell];
+    const double m =
+        fl->levels->weights.now * fl->options.rho * fl->mesh->V[l->cell];
     double J[3], turn[3];
 
     for (int k = 0; k < 3; k++) {
@@ -73,11 +75,17 @@ static void set_velocity(struct solid_bodies *b, struct fluid *fl)
         }
 }
 
+/* What a pressure gradient changes in a step [m^3 s/kg]. */
+static double step_over_density(const struct fluid *fl)
+{
+    return fl->options.dt / (fl->levels->weights.now * fl->options.rho);
+}
+
 /* dt/rho S.S / S.d of the faces through which the pressure acts. */
 static void set_conductances(struct fluid *fl)
 {
     struct pressure_system *const pressure = fl->pressure;
-    const double scale = fl->options.dt / fl->options.rho;
+    const double scale = step_over_density(fl);
 
     for (int c = 0; c < fl->mesh->n_cells; c++)
         pressure->boundary_conductance[c] = pressure->divergence[c] = 0.0;
@@ -101,7 +109,7 @@ static void set_conductances(struct fluid *fl)
 static void subtract_gradient(struct fluid *fl, const double *q)
 {
     const struct mesh *const m = fl->mesh;
-    const double scale = fl->options.dt / fl->options.rho;
+    const double scale = step_over_density(fl);
 
     for (int f = 0; f < m->n_faces; f++) {
         const int o = m->owner[f], inner = f < m->n_internal;
@@ -214,9 +222,9 @@ static void piso_ib_end(struct immersed *self, struct fluid *fl)
             const double dt = fl->options.dt,
                          share = l->hold / b->hold[l->cell];
             const double *const f = &b->hold_u[3 * l->cell];
+            const double du = share * dt / fl->levels->weights.now;
             take_impulse(b, fl, i, l,
-                         (double[3]){share * dt * f[0], share * dt * f[1],
-                                     share * dt * f[2]});
+                         (double[3]){du * f[0], du * f[1], du * f[2]});
         }
 }
 

@@ -16,7 +16,8 @@ double lubrication_coefficient(double mu, double R_star, double z, double z_min,
 }
 
 /* The coefficient changes with z: in each part of the time z changes by a fifth
- * at most, and the damping is solved exactly. */
+ * at most, and the damping with the coefficient at half of the way is solved
+ * exactly. */
 double lubrication_slow_down(const struct lubrication *l, double R_star,
                              double m, double z, double g, double dt)
 {
@@ -24,9 +25,9 @@ double lubrication_slow_down(const struct lubrication *l, double R_star,
     double left = dt;
 
     while (left > 0.0 && z > 0.0 && z < l->reach && g != 0.0) {
-        const double k =
-            lubrication_coefficient(l->mu, R_star, z, l->z_min, l->reach);
         const double step = fmin(left, share * fmax(z, l->z_min) / fabs(g));
+        const double k = lubrication_coefficient(
+            l->mu, R_star, z + 0.5 * g * step, l->z_min, l->reach);
         const double decay = k * step / m;
         const double kept = exp(-decay);
         z += g * step * (decay > 0.0 ? (1.0 - kept) / decay : 1.0);
