@@ -6,7 +6,7 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/lubrication.h"
+#include "resolved/squeeze_film.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
 
@@ -101,29 +101,30 @@ END_TEST
 /* --- gaps ------------------------------------------------------------------
  */
 
-START_TEST(lubrication_begins_where_the_mesh_ends)
+START_TEST(squeeze_film_begins_where_the_mesh_ends)
 {
     const double mu = 2.0, R = 0.5, reach = 0.1, z_min = 1e-3;
-    const double near = lubrication_coefficient(mu, R, 1e-2, z_min, reach);
+    const double near = squeeze_film_coefficient(mu, R, 1e-2, z_min, reach);
 
-    ck_assert_double_eq(lubrication_coefficient(mu, R, 0.1, z_min, reach), 0.0);
-    ck_assert_double_eq(lubrication_coefficient(mu, R, -0.1, z_min, reach),
+    ck_assert_double_eq(squeeze_film_coefficient(mu, R, 0.1, z_min, reach),
+                        0.0);
+    ck_assert_double_eq(squeeze_film_coefficient(mu, R, -0.1, z_min, reach),
                         0.0);
     ck_assert_double_eq_tol(near, 6.0 * M_PI * mu * R * R * 90.0, 1e-9);
-    ck_assert_double_eq(lubrication_coefficient(mu, R, 1e-5, z_min, reach),
-                        lubrication_coefficient(mu, R, 1e-3, z_min, reach));
+    ck_assert_double_eq(squeeze_film_coefficient(mu, R, 1e-5, z_min, reach),
+                        squeeze_film_coefficient(mu, R, 1e-3, z_min, reach));
 }
 END_TEST
 
 /* m dg/dt = -k(z) g has the integral m (g - g_0) = -6 pi mu R^2 (ln z -
  * z/reach) between the ends: the speed lost depends on the way alone. Each part
  * of the way changes z by a fifth, which leaves 3 % of the loss. */
-START_TEST(lubrication_takes_the_speed_that_its_integral_says)
+START_TEST(squeeze_film_takes_the_speed_that_its_integral_says)
 {
-    const struct lubrication l = {.mu = 1e-2, .z_min = 1e-5, .reach = 0.1};
+    const struct squeeze_film l = {.mu = 1e-2, .z_min = 1e-5, .reach = 0.1};
     const double R = 0.1, m = 1.0, g = -1.0, dt = 0.06,
                  scale = 6.0 * M_PI * l.mu * R * R;
-    const double after = lubrication_slow_down(&l, R, m, 0.08, g, dt);
+    const double after = squeeze_film_slow_down(&l, R, m, 0.08, g, dt);
     /* the loss is small, so the way is g dt to first order */
     const double z = 0.08 + g * dt;
     const double lost = scale / m * (log(0.08 / z) - (0.08 - z) / l.reach);
@@ -133,10 +134,10 @@ START_TEST(lubrication_takes_the_speed_that_its_integral_says)
 END_TEST
 
 /* At a gap far below z_min the damping time is far below the step. */
-START_TEST(lubrication_never_turns_a_body_round)
+START_TEST(squeeze_film_never_turns_a_body_round)
 {
-    const struct lubrication l = {.mu = 1e3, .z_min = 1e-6, .reach = 0.1};
-    const double after = lubrication_slow_down(&l, 0.1, 1.0, 1e-3, -1.0, 0.1);
+    const struct squeeze_film l = {.mu = 1e3, .z_min = 1e-6, .reach = 0.1};
+    const double after = squeeze_film_slow_down(&l, 0.1, 1.0, 1e-3, -1.0, 0.1);
 
     ck_assert_double_le(after, 0.0);
     ck_assert_double_ge(after, -1e-6);
@@ -180,8 +181,8 @@ FACTS("body_methods")
     FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);
     FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes);
     FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large);
-    FACT(lubrication_begins_where_the_mesh_ends);
-    FACT(lubrication_takes_the_speed_that_its_integral_says);
-    FACT(lubrication_never_turns_a_body_round);
+    FACT(squeeze_film_begins_where_the_mesh_ends);
+    FACT(squeeze_film_takes_the_speed_that_its_integral_says);
+    FACT(squeeze_film_never_turns_a_body_round);
     FACT(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell);
 }

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
@@ -17,7 +17,7 @@
 #include "case/case_walls.h"
 #include "case/case_file.h"
 #include "case/models.h"
-#include "case/part.h"
+#include "case/case_part.h"
 
 struct mesh *build_mesh(const struct settings *s)
 {
@@ -123,7 +123,7 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     }
     if (*code == 0) {
         create_effects(s, sim);
-        *code = part_create(s, sim);
+        *code = case_part_add_last(s, sim);
         if (*code == 0) return sim;
     }
     build_free(sim);
@@ -142,7 +142,8 @@ void build_free(struct simulation *sim)
     dem_free(sim->dem);
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->prescribed);
-    population_free(sim->population);
+    if (sim->population != NULL)
+        sim->population->functions->free(sim->population);
     case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);

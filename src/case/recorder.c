@@ -17,10 +17,10 @@
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 #include "case/case_steps.h"
 #include "case/history.h"
-#include "case/part.h"
+#include "case/part_record.h"
 #include "case/profiles.h"
 #include "case/field_output.h"
 #include "case/probes.h"
@@ -59,7 +59,7 @@ void recorder_free(struct recorder *r)
     if (r == NULL) return;
     table_free(r->history);
     surface_table_free(r->surfaces);
-    part_records_free(r->parts);
+    part_record_free(r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -133,7 +133,7 @@ static int add_fields(struct recorder *r)
     const struct picture p = picture_of(r);
 
     if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
-    if (part_records_add_fields(r->parts, r->snapshot->t) != 0) return 1;
+    if (part_record_add_picture(r->parts, r->snapshot->t) != 0) return 1;
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
@@ -148,7 +148,7 @@ int recorder_sample(struct recorder *r)
         sample_pressure_drop(r);
         if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
             surface_table_add(r->surfaces) != 0 ||
-            part_records_add_row(r->parts) != 0)
+            part_record_add_row(r->parts) != 0)
             return 1;
     }
     if (step % r->picture_every != 0) return 0;
@@ -264,7 +264,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_means(f, r);
-    part_records_summarize(r->parts, f);
+    part_record_summarize(r->parts, f);
     return summary_commit(f);
 }
 
@@ -276,7 +276,7 @@ static struct table *create_history(struct recorder *r)
 
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
         if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
-    r->n_columns += part_columns(r->settings, MOST_COLUMNS - r->n_columns,
+    r->n_columns += part_record_columns(r->sim, MOST_COLUMNS - r->n_columns,
                                  &r->column[r->n_columns]);
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
@@ -312,7 +312,7 @@ static int create_parts(struct recorder *r)
         r->surfaces = surface_table_create(sim, folder);
         if (r->surfaces == NULL) return 1;
     }
-    r->parts = part_records_create(r->settings, sim, folder, &failed);
+    r->parts = part_record_create(sim, folder, &failed);
     if (failed) return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
@@ -379,7 +379,7 @@ void recorder_print(const struct recorder *r)
                r->drop_sum / (double)r->drop_rows,
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
-    part_records_print(r->parts);
+    part_record_print(r->parts);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

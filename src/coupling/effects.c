@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/effects.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
-#include "coupling/simulation.h"
+#include "base/clock.h"
+#include "coupling/transfer.h"
+
+enum { MEASURED = 8 }; /* [-] one step in so many */
 
 const struct effect *effects_named(const char *name)
 {
@@ -22,7 +26,8 @@ void effects_add(struct simulation *sim, const struct effect *e, void *memory)
     if (n > 0) memcpy(more, sim->effects, n * sizeof *more);
     free(sim->effects);
     sim->effects = more;
-    sim->effects[sim->n_effects++] = (struct effect_state){e, memory};
+    sim->effects[sim->n_effects++] =
+        (struct effect_state){.effect = e, .memory = memory};
 }
 
 void *effects_memory(const struct simulation *sim, const struct effect *e)
@@ -30,4 +35,50 @@ void *effects_memory(const struct simulation *sim, const struct effect *e)
     for (int i = 0; i < sim->n_effects; i++)
         if (sim->effects[i].effect == e) return sim->effects[i].memory;
     return NULL;
+}
+
+void effects_call(struct simulation *sim, enum effects_moment when)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect *const e = sim->effects[i].effect;
+        void (*const hook[])(void *, struct simulation *) = {
+            e->before_particles, e->before_substep, e->after_particles,
+            e->after_step};
+        if (hook[when] == NULL) continue;
+        double clock = clock_now();
+        sim->at_work = &sim->effects[i];
+        hook[when](sim->at_work->memory, sim);
+        clock_add(&sim->at_work->tally.seconds, &clock);
+    }
+}
+
+int effects_are_measured(const struct simulation *sim)
+{
+    return sim->steps % MEASURED == 0;
+}
+
+static void add(struct effect_tally *t, double size, double share)
+{
+    t->sum += share * size;
+    t->largest = fmax(t->largest, size);
+}
+
+void effects_report(struct simulation *sim, const double f[3], double share)
+{
+    if (sim->at_work == NULL || !effects_are_measured(sim)) return;
+    add(&sim->at_work->tally, sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]),
+        share);
+}
+
+void effects_measure_scale(struct simulation *sim)
+{
+    const double *const g = sim->gravity;
+    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+
+    if (sim->n_effects == 0 || !effects_are_measured(sim)) return;
+    for (int i = 0; i < sim->particles->n; i++) {
+        const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
+        add(&sim->force_scale, fmax(drag, sim->particles->m[i] * size), 1.0);
+    }
+    sim->force_scale.n += sim->particles->n;
 }

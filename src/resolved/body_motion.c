@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "resolved/lubrication.h"
+#include "resolved/squeeze_film.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
 static double displaced(const struct solid_bodies *b, int i)
@@ -76,7 +76,7 @@ static int move(struct solid_bodies *b)
     if (b->lubrication.reach == 0.0)
         return dem_run(b->dem, b->options.dem_steps, all);
     for (int k = 0; k < b->options.dem_steps && !failed; k++) {
-        lubrication_act(b, b->contacts.step);
+        squeeze_film_act(b, b->contacts.step);
         failed = dem_run(b->dem, 1, all);
         deepest = fmax(deepest, all->max_overlap);
     }

@@ -150,6 +150,6 @@ void hold_fluid(struct solid_bodies *b)
 const struct model hold_method = {
     .name = "hold",
     .what = "friction by distance, implicit in the momentum equation",
-    .equations = "EW18 4",
+    .equations = "EW18 1-5, 15, 16",
     .function = "hold_fluid",
 };

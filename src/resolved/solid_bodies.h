@@ -32,8 +32,8 @@ struct hold_link {
     double r[3]; /* [m] the cell's centre, from that of the body */
 };
 
-/* Gaps narrower than cells (lubrication.h). */
-struct lubrication {
+/* Gaps narrower than cells (squeeze_film.h). */
+struct squeeze_film {
     double mu;    /* [Pa s] */
     double z_min; /* [m] */
     double reach; /* [m] two cells; 0: no such force */
@@ -45,7 +45,7 @@ struct solid_bodies_options {
     double gravity[3];   /* [m/s^2] */
     int dem_steps;       /* [-] particle steps in a step of the fluid */
     const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
-    struct lubrication lubrication;
+    struct squeeze_film lubrication;
 };
 
 struct solid_bodies {
@@ -53,7 +53,7 @@ struct solid_bodies {
     struct solid_bodies_options options;
     double rho; /* [kg/m^3] of the fluid */
     struct dem_options contacts;
-    struct lubrication lubrication;
+    struct squeeze_film lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
     struct dem *dem;      /* their contacts and their motion; NULL: all rest */
     struct dem_report dem_report; /* of the last step */

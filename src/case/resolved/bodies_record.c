@@ -89,7 +89,7 @@ static double overlap(const struct simulation *sim)
     return bodies_of(sim)->dem_report.max_overlap;
 }
 
-const struct history_column bodies_record_columns[] = {
+static const struct history_column columns[] = {
     {"force_on_bodies_x [N]", force_x, 0},
     {"force_on_bodies_y [N]", force_y, 0},
     {"force_on_bodies_z [N]", force_z, 0},
@@ -129,7 +129,17 @@ static struct series *create_series(struct folder *folder)
     return made;
 }
 
-void *bodies_record_create(const struct simulation *sim, struct folder *folder)
+static void release(void *record)
+{
+    struct record *const r = record;
+
+    table_free(r->table);
+    series_free(r->pictures);
+    vtk_writer_free(r->writer);
+    free(r);
+}
+
+static void *create(const struct simulation *sim, struct folder *folder)
 {
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
@@ -140,21 +150,11 @@ void *bodies_record_create(const struct simulation *sim, struct folder *folder)
     r->pictures = r->table != NULL ? create_series(folder) : NULL;
     r->writer = vtk_writer_create();
     if (r->pictures != NULL) return r;
-    bodies_record_free(r);
+    release(r);
     return NULL;
 }
 
-void bodies_record_free(void *record)
-{
-    struct record *const r = record;
-
-    table_free(r->table);
-    series_free(r->pictures);
-    vtk_writer_free(r->writer);
-    free(r);
-}
-
-int bodies_record_add_row(void *record)
+static int add_row(void *record)
 {
     const struct record *const r = record;
     const struct solid_bodies *const b = r->bodies;
@@ -172,7 +172,7 @@ int bodies_record_add_row(void *record)
     return failed;
 }
 
-int bodies_record_add_fields(void *record, double t)
+static int add_picture(void *record, double t)
 {
     struct record *const r = record;
     const struct solid_bodies *const b = r->bodies;
@@ -199,7 +199,7 @@ int bodies_record_add_fields(void *record, double t)
 }
 
 /* Of the first body, and the sum over all. */
-void bodies_record_summarize(const void *record, struct summary *f)
+static void summarize(const void *record, struct summary *f)
 {
     const struct record *const r = record;
     static const char *const names[3] = {"force_x", "force_y", "force_z"};
@@ -212,7 +212,7 @@ void bodies_record_summarize(const void *record, struct summary *f)
     summary_end(f);
 }
 
-void bodies_record_print(const void *record)
+static void print(const void *record)
 {
     const struct record *const r = record;
     const double F[3] = {force(r->sim, 0), force(r->sim, 1), force(r->sim, 2)};
@@ -223,3 +223,17 @@ void bodies_record_print(const void *record)
            "[%.6g, %.6g, %.6g] m/s; each body in %s/bodies.csv\n",
            F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));
 }
+
+static int applies(const struct simulation *sim)
+{
+    return bodies_of(sim) != NULL;
+}
+
+const struct part_record_type bodies_record = {.applies = applies,
+                                               .columns = columns,
+                                               .create = create,
+                                               .add_row = add_row,
+                                               .add_picture = add_picture,
+                                               .summarize = summarize,
+                                               .print = print,
+                                               .free = release};

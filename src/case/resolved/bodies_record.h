@@ -7,18 +7,8 @@
 #ifndef CASE_RESOLVED_BODIES_RECORD_H
 #define CASE_RESOLVED_BODIES_RECORD_H
 
-#include "case/history.h"
-#include "output/folder.h"
-#include "output/summary.h"
+#include "case/part_record.h"
 
-extern const struct history_column bodies_record_columns[];
-
-/* The functions of struct case_part. */
-void *bodies_record_create(const struct simulation *sim, struct folder *folder);
-void bodies_record_free(void *record);
-int bodies_record_add_row(void *record);
-int bodies_record_add_fields(void *record, double t);
-void bodies_record_summarize(const void *record, struct summary *f);
-void bodies_record_print(const void *record);
+extern const struct part_record_type bodies_record;
 
 #endif

@@ -159,8 +159,9 @@ static int check_sphere(const struct settings *s, int i)
     return 0;
 }
 
-static int validate(const struct settings *s)
+static int check(const struct settings *s)
 {
+    if (!settings_has(s, "bodies")) return 0;
     int code = check_mesh(s);
 
     if (settings_has(s, "particles") && code == 0)
@@ -192,14 +193,14 @@ static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
     b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
 }
 
-static struct lubrication gaps(const struct settings *s)
+static struct squeeze_film gaps(const struct settings *s)
 {
     double h[3], R = HUGE_VAL;
 
     cell_widths(s, h);
     for (int i = 0; i < settings_length(s, list); i++)
         R = fmin(R, 0.5 * settings_item_real(s, list, i, "diameter"));
-    return (struct lubrication){
+    return (struct squeeze_film){
         .mu = settings_real(s, "fluid.viscosity"),
         .z_min = settings_real(s, "bodies.roughness") * R,
         .reach = settings_bool(s, "bodies.lubrication")
@@ -207,8 +208,9 @@ static struct lubrication gaps(const struct settings *s)
                      : 0.0};
 }
 
-static int create(const struct settings *s, struct simulation *sim)
+static int add(const struct settings *s, struct simulation *sim)
 {
+    if (!settings_has(s, "bodies")) return 0;
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
         .method = (enum body_method)models_value(
@@ -236,6 +238,7 @@ static void line(const char *name, double value, const char *unit,
 /* Smallest of the cells in a diameter and largest speed at the start. */
 static void report(const struct settings *s)
 {
+    if (!settings_has(s, "bodies")) return;
     const double dt = settings_real(s, "fluid.step"),
                  nu = settings_real(s, "fluid.viscosity") /
                       settings_real(s, "fluid.density");
@@ -274,20 +277,11 @@ static void report(const struct settings *s)
     line("particle steps in one step", dem_steps(s), "-", "of their contacts");
 }
 
-const struct case_part case_bodies = {
-    .name = "bodies",
-    .what = "bodies with the flow around them resolved",
-    .equations = "EW18 1-4, 15, 16",
-    .function = "body_motion_advance",
-    .keys = {case_bodies_keys},
-    .validate = validate,
-    .create = create,
-    .report = report,
-    .columns = bodies_record_columns,
-    .record = bodies_record_create,
-    .add_row = bodies_record_add_row,
-    .add_fields = bodies_record_add_fields,
-    .summarize = bodies_record_summarize,
-    .print = bodies_record_print,
-    .free = bodies_record_free,
-};
+MODELS_KIND(case_bodies_method, body_methods, "body_method",
+            "ways that bodies hold the fluid", "bodies.method", NULL)
+
+const struct case_part case_bodies_part = {.keys = case_bodies_keys,
+                                           .check_any = check,
+                                           .add_last = add,
+                                           .report = report,
+                                           .record = &bodies_record};

@@ -1,4 +1,4 @@
-/* lubrication.h -- the fluid that is squeezed out of gaps narrower than cells.
+/* squeeze_film.h -- the fluid that is squeezed out of gaps narrower than cells.
  * Chapter "Resolving the grains".
  *
  * Between two surfaces at the distance z, 0 < z < reach, that part at the speed
@@ -10,21 +10,21 @@
  * so that the force begins at 0 [BVM17]. z_min is the roughness of the
  * surfaces, at which they touch.
  */
-#ifndef RESOLVED_LUBRICATION_H
-#define RESOLVED_LUBRICATION_H
+#ifndef RESOLVED_SQUEEZE_FILM_H
+#define RESOLVED_SQUEEZE_FILM_H
 
 #include "resolved/solid_bodies.h"
 
 /* F / -g [kg/s]. */
-double lubrication_coefficient(double mu, double R_star, double z, double z_min,
-                               double reach);
+double squeeze_film_coefficient(double mu, double R_star, double z,
+                                double z_min, double reach);
 
 /* The speed [m/s] of parting after dt [s] of two bodies of the reduced mass m
  * [kg] that part at g and are z [m] apart. */
-double lubrication_slow_down(const struct lubrication *l, double R_star,
-                             double m, double z, double g, double dt);
+double squeeze_film_slow_down(const struct squeeze_film *l, double R_star,
+                              double m, double z, double g, double dt);
 
 /* Changes the velocities of all bodies by the forces of a time dt [s]. */
-void lubrication_act(struct solid_bodies *b, double dt);
+void squeeze_film_act(struct solid_bodies *b, double dt);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/lubrication.h"
+#include "resolved/squeeze_film.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
@@ -7,8 +7,8 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 
-double lubrication_coefficient(double mu, double R_star, double z, double z_min,
-                               double reach)
+double squeeze_film_coefficient(double mu, double R_star, double z,
+                                double z_min, double reach)
 {
     if (z <= 0.0 || z >= reach) return 0.0;
     return 6.0 * M_PI * mu * R_star * R_star *
@@ -18,15 +18,15 @@ double lubrication_coefficient(double mu, double R_star, double z, double z_min,
 /* The coefficient changes with z: in each part of the time z changes by a fifth
  * at most, and the damping with the coefficient at half of the way is solved
  * exactly. */
-double lubrication_slow_down(const struct lubrication *l, double R_star,
-                             double m, double z, double g, double dt)
+double squeeze_film_slow_down(const struct squeeze_film *l, double R_star,
+                              double m, double z, double g, double dt)
 {
     static const double share = 0.2;
     double left = dt;
 
     while (left > 0.0 && z > 0.0 && z < l->reach && g != 0.0) {
         const double step = fmin(left, share * fmax(z, l->z_min) / fabs(g));
-        const double k = lubrication_coefficient(
+        const double k = squeeze_film_coefficient(
             l->mu, R_star, z + 0.5 * g * step, l->z_min, l->reach);
         const double decay = k * step / m;
         const double kept = exp(-decay);
@@ -68,8 +68,8 @@ static void act_between(struct solid_bodies *b, const struct box_domain *box,
     const double m_i = mass_of(ps, i), m_j = mass_of(ps, j);
     const double m = 1.0 / (1.0 / m_i + 1.0 / m_j), g = vector_dot(v, n);
     const double J =
-        m * (lubrication_slow_down(&b->lubrication, R_i * R_j / (R_i + R_j), m,
-                                   z, g, dt) -
+        m * (squeeze_film_slow_down(&b->lubrication, R_i * R_j / (R_i + R_j), m,
+                                    z, g, dt) -
              g);
     push(ps, i, J / m_i, n);
     push(ps, j, -J / m_j, n);
@@ -87,13 +87,13 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
         const int k = w / 2;
         const double sign = w % 2 ? -1.0 : 1.0;
         if (box->periodic[k]) continue;
-        *v[k] = sign * lubrication_slow_down(&b->lubrication, R, mass_of(ps, i),
-                                             box_domain_gap(box, w, x) - R,
-                                             sign * *v[k], dt);
+        *v[k] = sign * squeeze_film_slow_down(
+                           &b->lubrication, R, mass_of(ps, i),
+                           box_domain_gap(box, w, x) - R, sign * *v[k], dt);
     }
 }
 
-void lubrication_act(struct solid_bodies *b, double dt)
+void squeeze_film_act(struct solid_bodies *b, double dt)
 {
     const struct dem_options *const o = &b->contacts;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
