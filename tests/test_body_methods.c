@@ -41,6 +41,25 @@ START_TEST(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
 }
 END_TEST
 
+/* The velocity in the body is that of the body, but for what the projection
+ * changes again. */
+START_TEST(ls_5_17_the_fluid_inside_moves_with_the_body)
+{
+    struct pool p;
+    double worst = 0.0, flow[3];
+
+    drag_by(BODY_METHOD_FICTITIOUS, 0.1, 300, &p);
+    fluid_mean_flow(p.fluid, flow);
+    for (int j = 0; j < p.bodies->n_links; j++) {
+        const struct hold_link *const l = &p.bodies->link[j];
+        if (vector_length(l->r) < 0.25)
+            worst = fmax(worst, vector_length(&p.fluid->u[3 * l->cell]));
+    }
+    ck_assert_double_le(worst, 0.1 * flow[0]);
+    pool_free(&p);
+}
+END_TEST
+
 /* The fluxes after the second projection satisfy continuity as those of PISO
  * do; and the force is what changed the velocity, all that drives the flow. */
 START_TEST(ls_5_20_the_corrected_fluxes_have_no_divergence)
@@ -178,6 +197,7 @@ END_TEST
 FACTS("body_methods")
 {
     FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag);
+    FACT(ls_5_17_the_fluid_inside_moves_with_the_body);
     FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);
     FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes);
     FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large);

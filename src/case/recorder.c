@@ -277,7 +277,7 @@ static struct table *create_history(struct recorder *r)
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
         if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
     r->n_columns += part_record_columns(r->sim, MOST_COLUMNS - r->n_columns,
-                                 &r->column[r->n_columns]);
+                                        &r->column[r->n_columns]);
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
     return folder_table(r->folder, "history.csv", r->n_columns, names);

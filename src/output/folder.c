@@ -19,8 +19,9 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".", "fluid", "particles", "surfaces", "bodies", "picture", "profiles", "frames"};
+static const char *const below[] = {".",        "fluid",  "particles",
+                                    "surfaces", "bodies", "picture",
+                                    "profiles", "frames"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",

@@ -18,8 +18,9 @@ static double gyration(const struct solid_bodies *b, int i)
     return 0.1 * b->ps->d[i] * b->ps->d[i];
 }
 
-/* The force of the fluid, J/dt and what accelerates the fluid inside; and all
- * that acts during the step, on the mass with that which is added. */
+/* [EW18 2]. The force of the fluid [EW18 15], J/dt and what accelerates the
+ * fluid inside; and all that acts during the step, on the mass with that which
+ * is added. */
 static void set_forces(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
@@ -39,8 +40,8 @@ static void set_forces(struct solid_bodies *b, int i, double dt)
     ps->added_mass[i] = C_v * m;
 }
 
-/* The spin by the torque of the fluid. The contacts follow, with the inertia of
- * the solid alone. */
+/* [EW18 3]: the spin by the torque of the fluid [EW18 16]. The contacts follow,
+ * with the inertia of the solid alone. */
 static void turn(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;

@@ -146,6 +146,7 @@ static void project(struct solid_bodies *b, struct fluid *fl)
     subtract_gradient(fl, b->hold_u);
 }
 
+/* The interim velocity, of the fluid everywhere, is there [LS 5.17]. */
 static void fictitious_end(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = (struct solid_bodies *)self;

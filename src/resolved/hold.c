@@ -28,8 +28,9 @@ static struct solid_bodies *bodies_of(struct immersed *self)
     return (struct solid_bodies *)self;
 }
 
-/* The explicit part, hold u_b, is no force of the neighbours and stays out of
- * H: it stands with the old-time terms. */
+/* The multiplier of [EW18 1] is hold (u - u_b)/rho, and u - u_b is 1/C of what
+ * presses on it [EW18 4]. The explicit part, hold u_b, is no force of the
+ * neighbours and stays out of H: it stands with the old-time terms. */
 static void begin(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = bodies_of(self);
@@ -43,6 +44,7 @@ static void begin(struct immersed *self, struct fluid *fl)
     }
 }
 
+/* The implicit part [EW18 1, 4]. */
 static void add_friction(struct immersed *self, struct fluid *fl)
 {
     const struct solid_bodies *const b = bodies_of(self);
@@ -90,7 +92,8 @@ static void change_face(const struct solid_bodies *b, struct fluid *fl, int f)
         body_flux(b, o, of_o, S) + body_flux(b, n, of_n, S);
 }
 
-/* Each face of a held cell once: by its owner, if that is held. */
+/* Each face of a held cell once: by its owner, if that is held. The pressure
+ * makes the fluxes satisfy continuity in all of the box [EW18 5]. */
 static void change_faces(struct immersed *self, struct fluid *fl)
 {
     const struct solid_bodies *const b = bodies_of(self);

@@ -15,14 +15,8 @@
 
 #include "dem/dem.h"
 #include "fluid/fluid.h"
+#include "resolved/body_options.h"
 #include "resolved/body_shape.h"
-
-enum body_method {
-    BODY_METHOD_HOLD,
-    BODY_METHOD_FICTITIOUS,
-    BODY_METHOD_PISO_IB
-};
-enum body_motion { BODY_FREE, BODY_FIXED, BODY_PRESCRIBED };
 
 /* A cell that a body holds, or, outside of it, one beside a held one. */
 struct hold_link {
@@ -30,22 +24,6 @@ struct hold_link {
     double hold; /* [kg/(m^3 s)]; by_fraction: solid fraction [-] */
     double u[3]; /* [m/s] velocity of the body there */
     double r[3]; /* [m] the cell's centre, from that of the body */
-};
-
-/* Gaps narrower than cells (squeeze_film.h). */
-struct squeeze_film {
-    double mu;    /* [Pa s] */
-    double z_min; /* [m] */
-    double reach; /* [m] two cells; 0: no such force */
-};
-
-struct solid_bodies_options {
-    enum body_method method;
-    double virtual_mass; /* [-] C_v */
-    double gravity[3];   /* [m/s^2] */
-    int dem_steps;       /* [-] particle steps in a step of the fluid */
-    const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
-    struct squeeze_film lubrication;
 };
 
 struct solid_bodies {

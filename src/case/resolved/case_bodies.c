@@ -19,6 +19,7 @@
 #include "dem/limits.h"
 #include "dem/reference.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/body_numbers.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -235,6 +236,29 @@ static void line(const char *name, double value, const char *unit,
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
 }
 
+/* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
+ * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
+static void report_numbers(const struct settings *s)
+{
+    const double rho = settings_real(s, "fluid.density");
+    double g[3];
+    int i = 0;
+
+    while (!is(s, i, "free"))
+        i++;
+    if (!build_gravity(s, g)) return;
+    const double d = settings_item_real(s, list, i, "diameter"),
+                 ratio = body_numbers_density_ratio(
+                     settings_item_real(s, list, i, "density"), rho),
+                 V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
+                 Re = body_numbers_reynolds(
+                     rho, V, d, settings_real(s, "fluid.viscosity"));
+
+    line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
+    line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
+         "an impact rebounds from about 10 on");
+}
+
 /* Smallest of the cells in a diameter and largest speed at the start. */
 static void report(const struct settings *s)
 {
@@ -271,6 +295,7 @@ static void report(const struct settings *s)
          speed * dt / narrowest > 0.5 ? "HIGH: more than half a cell in a step"
                                       : "by their speed at time 0");
     if (free == 0) return;
+    report_numbers(s);
     line("smallest density ratio", least, "-",
          least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
     line("stiffness", stiffness(s), "N/m", "");
