@@ -55,11 +55,13 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
-    int (*move)(void *memory, struct simulation *sim); /* what else moves by
-                                    a step; non-zero: it broke down */
+    /* Moves by a step what else there is, bodies in the flow; non-zero if that
+     * broke down, which trouble then says in words. */
+    int (*move)(void *memory, struct simulation *sim);
+    const char *(*trouble)(const void *memory);
     void (*after_step)(void *memory, struct simulation *sim);
-    void (*momentum)(const void *memory, double total[3]);     /* [N s] added to
-                                        that of fluid and particles */
+    /* Adds to the momentum of fluid and particles [N s]. */
+    void (*momentum)(const void *memory, double total[3]);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     void (*free)(void *memory);
     /* A force between particles and walls that are close (attraction.h). */

@@ -9,6 +9,16 @@ static int bodies_effect_move(void *memory, struct simulation *sim)
     return body_motion_advance(memory, sim->dt);
 }
 
+static const char *bodies_effect_trouble(const void *memory)
+{
+    const struct solid_bodies *const b = memory;
+    return b->dem_report.lost > 0
+               ? "a body left the box, or its velocity is no longer finite; "
+                 "try "
+                 "a smaller fluid.step or a higher bodies.stiffness:"
+               : NULL;
+}
+
 static void bodies_effect_momentum(const void *memory, double total[3])
 {
     body_motion_add_momentum(memory, total);
@@ -25,6 +35,7 @@ const struct effect bodies_effect = {
     .equations = "EW18 1-4",
     .function = "hold_fluid",
     .move = bodies_effect_move,
+    .trouble = bodies_effect_trouble,
     .momentum = bodies_effect_momentum,
     .free = bodies_effect_free,
 };

@@ -6,7 +6,7 @@
  *
  *   F = -6 pi mu R*^2 (1/max(z, z_min) - 1/reach) g,  R* = R_1 R_2/(R_1 + R_2)
  *
- * [CB67], at a wall R* = R. The second term takes away what the mesh resolves,
+ * [Cox67], at a wall R* = R. The second term takes away what the mesh resolves,
  * so that the force begins at 0 [BVM17]. z_min is the roughness of the
  * surfaces, at which they touch.
  */
