@@ -25,6 +25,17 @@ int case_part_check_any(const struct settings *s)
     return code;
 }
 
+int case_part_furnish(const struct settings *s, struct simulation *sim,
+                      struct dem_options *o)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish != NULL)
+            code = case_parts[i]->furnish(s, sim, o);
+    return code;
+}
+
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o)
 {
@@ -52,12 +63,6 @@ int case_part_add_last(const struct settings *s, struct simulation *sim)
         if (case_parts[i]->add_last != NULL)
             code = case_parts[i]->add_last(s, sim);
     return code;
-}
-
-void case_part_report(const struct settings *s)
-{
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->report != NULL) case_parts[i]->report(s);
 }
 
 int case_part_count_later(const struct settings *s)

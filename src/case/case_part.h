@@ -11,20 +11,25 @@
 #include "coupling/simulation.h"
 #include "dem/bed.h"
 
-struct part_record_type;
-
 /* The smallest and the largest of some particles [m]; 0 if there are none. */
 struct case_diameters {
     double min, max;
 };
 
+struct case_scales;
+
 struct case_part {
     const struct key *keys; /* its table */
+    int mesh_walls; /* [-] 1: it makes walls for particles of the boundary of
+                       any mesh */
 
-    /* Whether what the case says of its particles is possible; and the same of
-     * any case. */
+    /* Whether what the case says is possible. */
     int (*check)(const struct settings *s);
+    /* The same of any case, with particles or without. */
     int (*check_any)(const struct settings *s);
+    /* What it adds to the options: numbers and ends, before anything is made.
+     */
+    void (*dem_options)(const struct settings *s, struct dem_options *o);
     /* The sizes of the bed, where they are not all equal. */
     void (*bed_sizes)(const struct settings *s, struct bed_options *b);
     /* How many particles may come after the start. */
@@ -32,6 +37,13 @@ struct case_part {
     /* Their diameters, of one material or, if it is negative, of all. */
     struct case_diameters (*later_diameters)(const struct settings *s,
                                              int material);
+    /* Prints its lines for `winnow check`. */
+    void (*print)(const struct settings *s, const struct case_scales *k);
+    /* What particles touch and what moves them, before there are any; released
+     * by free. */
+    int (*furnish)(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o);
+    void (*free)(struct simulation *sim);
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
@@ -39,10 +51,6 @@ struct case_part {
     int (*add)(const struct settings *s, struct simulation *sim);
     /* After all else has been created. */
     int (*add_last)(const struct settings *s, struct simulation *sim);
-    /* Its section of `check`. */
-    void (*report)(const struct settings *s);
-    /* Its columns of history.csv and its files (part_record.h). */
-    const struct part_record_type *record;
     /* What to say after a run. */
     void (*after_run)(const struct simulation *sim);
 };
@@ -53,11 +61,12 @@ extern const struct case_part *const case_parts[];
 /* The same of all parts together. */
 int case_part_check(const struct settings *s);
 int case_part_check_any(const struct settings *s);
+int case_part_furnish(const struct settings *s, struct simulation *sim,
+                      struct dem_options *o);
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);
 int case_part_add_last(const struct settings *s, struct simulation *sim);
-void case_part_report(const struct settings *s);
 int case_part_count_later(const struct settings *s);
 struct case_diameters case_part_later_diameters(const struct settings *s,
                                                 int material);

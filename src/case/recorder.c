@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/recorder.h"
+#include "case/recorder_internal.h"
 
+#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -12,54 +13,17 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
-#include "output/folder.h"
-#include "output/animation.h"
 #include "output/picture.h"
 #include "output/summary.h"
-#include "output/table.h"
 #include "dem/population.h"
 #include "case/case_steps.h"
-#include "case/history.h"
-#include "case/part_record.h"
-#include "case/profiles.h"
-#include "case/field_output.h"
-#include "case/probes.h"
-#include "case/surface_table.h"
-
-enum { MOST_COLUMNS = 64 };
-
-struct recorder {
-    const struct settings *settings;
-    const struct simulation *sim;
-    struct folder *folder; /* borrowed */
-    double began;          /* [s] wall clock */
-    double ended;          /* [s] the same; 0 while the run goes on */
-    int n_columns;
-    const struct history_column *column[MOST_COLUMNS];
-    struct table *history;
-    struct snapshot *snapshot;
-    struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
-    struct part_records *parts;     /* likewise */
-    struct profiles *lines;
-    struct probes *probes;
-    long row_every, picture_every; /* [-] steps of the loop */
-    /* For the summary: the worst of the whole run, and means over its second
-     * half. */
-    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
-    double eps_lowest;
-    long capped_steps;
-    double drop_sum, weight_sum;
-    long drop_rows;
-};
 
 void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
-    part_record_free(r->parts);
+    for (int i = 0; i < r->n_parts; i++)
+        r->part[i]->free(r->part_state[i]);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -108,7 +72,10 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    int failed = table_add(r->history, row);
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
+    return failed;
 }
 
 /* The present state as a picture (picture.h). */
@@ -131,10 +98,13 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
+    int failed = field_output_add(r->pictures, r->snapshot);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
-    if (part_record_add_picture(r->parts, r->snapshot->t) != 0) return 1;
-    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->fields != NULL)
+            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
+    if (failed || r->animation == NULL) return failed;
+    return animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -146,10 +116,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0 ||
-            part_record_add_row(r->parts) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -264,7 +231,9 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_means(f, r);
-    part_record_summarize(r->parts, f);
+    for (int i = 0; i < r->n_parts; i++)
+        if (r->part[i]->summarize != NULL)
+            r->part[i]->summarize(r->part_state[i], f);
     return summary_commit(f);
 }
 
@@ -276,20 +245,47 @@ static struct table *create_history(struct recorder *r)
 
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
         if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
-    r->n_columns += part_record_columns(r->sim, MOST_COLUMNS - r->n_columns,
-                                        &r->column[r->n_columns]);
+    for (int i = 0; i < r->n_parts; i++)
+        for (const struct history_column *c = r->part[i]->columns;
+             c != NULL && c->name != NULL && r->n_columns < MOST_COLUMNS; c++)
+            r->column[r->n_columns++] = c;
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed; non-zero after a message. */
-static int begin(struct recorder *r)
+/* What is there of a run that is killed. */
+int recorder_begin(const struct recorder *r)
 {
-    if (folder_begin(r->folder) != 0) return 1;
+    return write_summary(r, "running", STILL_RUNNING);
+}
+
+/* A summary from the start; that of a run that goes on stays as it is until the
+ * state is loaded. Non-zero after a message. */
+static int begin(struct recorder *r, int resume)
+{
+    if (resume)
+        folder_resume(r->folder);
+    else if (folder_begin(r->folder) != 0)
+        return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);
-    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+    return path == NULL || (!resume && recorder_begin(r) != 0);
+}
+
+/* The files that folders add. */
+static int create_folder_parts(struct recorder *r)
+{
+    int failed = 0;
+
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        assert(r->n_parts < MOST_PARTS);
+        r->part[r->n_parts] = recorder_parts[i];
+        r->part_state[r->n_parts] =
+            recorder_parts[i]->create(r->sim, r->folder, &failed);
+        r->n_parts += r->part_state[r->n_parts] != NULL;
+    }
+    return failed;
 }
 
 /* The parts that write from the start; non-zero after a message. */
@@ -297,8 +293,8 @@ static int create_parts(struct recorder *r)
 {
     const struct simulation *const sim = r->sim;
     struct folder *const folder = r->folder;
-    int failed;
 
+    if (create_folder_parts(r) != 0) return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);
@@ -308,19 +304,13 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
-    r->parts = part_record_create(sim, folder, &failed);
-    if (failed) return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 struct folder *folder)
+                                 struct folder *folder, int resume)
 {
     struct recorder *const r = alloc_zeroed(1, sizeof *r);
 
@@ -333,9 +323,10 @@ struct recorder *recorder_create(const struct settings *s,
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
     r->lines = profiles_create(s, sim, r->snapshot);
-    if (r->lines != NULL && begin(r) == 0) {
+    if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
-        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+        if (!resume)
+            write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
     }
     recorder_free(r);
     return NULL;
@@ -379,7 +370,8 @@ void recorder_print(const struct recorder *r)
                r->drop_sum / (double)r->drop_rows,
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
-    part_record_print(r->parts);
+    for (int i = 0; i < r->n_parts; i++)
+        if (r->part[i]->print != NULL) r->part[i]->print(r->part_state[i]);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -24,6 +24,11 @@ static void bodies_effect_momentum(const void *memory, double total[3])
     body_motion_add_momentum(memory, total);
 }
 
+static void bodies_effect_state(void *memory, struct state *s)
+{
+    solid_bodies_state(memory, s);
+}
+
 static void bodies_effect_free(void *memory)
 {
     solid_bodies_free(memory);
@@ -36,6 +41,7 @@ const struct effect bodies_effect = {
     .function = "hold_fluid",
     .move = bodies_effect_move,
     .trouble = bodies_effect_trouble,
+    .state = bodies_effect_state,
     .momentum = bodies_effect_momentum,
     .free = bodies_effect_free,
 };

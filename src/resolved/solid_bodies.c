@@ -37,6 +37,7 @@ solid_bodies_create(int n, struct fluid *fl,
     b->motion = alloc_zeroed((size_t)n, sizeof *b->motion);
     for (int a = 0; a < 6; a++)
         *three[a] = alloc_doubles(3 * n);
+    b->cells = cells;
     b->start = alloc_ints(n + 1);
     b->cell = alloc_ints(cells);
     b->body_of = alloc_ints(cells);
@@ -96,4 +97,21 @@ int solid_bodies_begin(struct solid_bodies *b)
     if (!moves) return 0;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
+}
+
+void solid_bodies_state(struct solid_bodies *b, struct state *s)
+{
+    const int n = b->ps->n;
+
+    state_begin(s, "bodies");
+    particles_state(b->ps, s);
+    if (b->dem != NULL) dem_state(b->dem, s);
+    state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
+    state_reals(s, "spin_before", "rad/s", b->w_old, n, 3);
+    state_reals(s, "force", "N", b->force, n, 3);
+    state_reals(s, "torque", "N m", b->torque, n, 3);
+    if (b->by_fraction)
+        state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
+    state_end(s);
+    if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
 }

@@ -13,6 +13,7 @@
 #ifndef RESOLVED_SOLID_BODIES_H
 #define RESOLVED_SOLID_BODIES_H
 
+#include "base/state.h"
 #include "dem/dem.h"
 #include "fluid/fluid.h"
 #include "resolved/body_options.h"
@@ -45,6 +46,7 @@ struct solid_bodies {
     /* The held cells: the links of body i are link[start[i]] ... */
     struct hold_link *link;
     int *start, n_links, capacity;
+    int cells;          /* [-] of the mesh */
     double dt_marked;   /* [s] step that the links were made for; 0: none */
     int *cell, n_cells; /* [-] the cells with a link, each once */
     int *body_of;       /* [-] while links are made: 1 + the body around a
@@ -67,5 +69,8 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
 /* All bodies are there. Non-zero after a message if they cannot touch. */
 int solid_bodies_begin(struct solid_bodies *b);
+
+/* Visits what the next step depends on; the links follow from it. */
+void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
 #endif

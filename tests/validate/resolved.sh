@@ -28,9 +28,11 @@ made() { # PART
     echo "# Made by: sh tests/validate/resolved.sh build/winnow $1"
 }
 
-# SOLID CELLS VN END OVERRIDES...: the drag over that of Stokes
+# SOLID CELLS VN END OVERRIDES...: the drag over that of Stokes, after END [s] and
+# 120 steps at least
 drag() {
-    solid=$1 cells=$2 vn=$3 end=$4
+    solid=$1 cells=$2 vn=$3
+    end=$(awk "BEGIN { n = 120 * $vn / ($cells * $cells); print (n > $4 ? n : $4) }")
     shift 4
     d=$(awk "BEGIN { printf \"%.6f\", exp(log(6 * $solid / 3.14159265358979) / 3) }")
     step=$(awk "BEGIN { printf \"%.9g\", $vn / ($cells * $cells) }")

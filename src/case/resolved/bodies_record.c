@@ -139,8 +139,10 @@ static void release(void *record)
     free(r);
 }
 
-static void *create(const struct simulation *sim, struct folder *folder)
+static void *create(const struct simulation *sim, struct folder *folder,
+                    int *failed)
 {
+    if (bodies_of(sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
     r->sim = sim;
@@ -151,6 +153,7 @@ static void *create(const struct simulation *sim, struct folder *folder)
     r->writer = vtk_writer_create();
     if (r->pictures != NULL) return r;
     release(r);
+    *failed = 1;
     return NULL;
 }
 
@@ -224,16 +227,21 @@ static void print(const void *record)
            F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));
 }
 
-static int applies(const struct simulation *sim)
+static void visit(void *record, struct state *s)
 {
-    return bodies_of(sim) != NULL;
+    struct record *const r = record;
+
+    state_begin(s, "bodies_record");
+    table_state(r->table, s);
+    series_state(r->pictures, s);
+    state_end(s);
 }
 
-const struct part_record_type bodies_record = {.applies = applies,
-                                               .columns = columns,
-                                               .create = create,
-                                               .add_row = add_row,
-                                               .add_picture = add_picture,
-                                               .summarize = summarize,
-                                               .print = print,
-                                               .free = release};
+const struct recorder_part bodies_record = {.create = create,
+                                            .free = release,
+                                            .row = add_row,
+                                            .fields = add_picture,
+                                            .columns = columns,
+                                            .summarize = summarize,
+                                            .print = print,
+                                            .state = visit};

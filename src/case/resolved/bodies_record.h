@@ -7,8 +7,8 @@
 #ifndef CASE_RESOLVED_BODIES_RECORD_H
 #define CASE_RESOLVED_BODIES_RECORD_H
 
-#include "case/part_record.h"
+#include "case/recorder_part.h"
 
-extern const struct part_record_type bodies_record;
+extern const struct recorder_part bodies_record;
 
 #endif

@@ -260,8 +260,9 @@ static void report_numbers(const struct settings *s)
 }
 
 /* Smallest of the cells in a diameter and largest speed at the start. */
-static void report(const struct settings *s)
+static void report(const struct settings *s, const struct case_scales *scales)
 {
+    (void)scales;
     if (!settings_has(s, "bodies")) return;
     const double dt = settings_real(s, "fluid.step"),
                  nu = settings_real(s, "fluid.viscosity") /
@@ -308,5 +309,4 @@ MODELS_KIND(case_bodies_method, body_methods, "body_method",
 const struct case_part case_bodies_part = {.keys = case_bodies_keys,
                                            .check_any = check,
                                            .add_last = add,
-                                           .report = report,
-                                           .record = &bodies_record};
+                                           .print = report};
