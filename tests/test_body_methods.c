@@ -117,6 +117,51 @@ START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
 }
 END_TEST
 
+/* --- shapes -----------------------------------------------------------------
+ */
+
+static double distance_at(const struct body_shape *s, double x, double y,
+                          double z)
+{
+    return body_shape_distance(s, (double[3]){x, y, z});
+}
+
+/* Beside a face, an edge and a corner, and inside. */
+START_TEST(distance_from_a_box)
+{
+    const struct body_shape box = body_shape_box((double[3]){2.0, 4.0, 6.0});
+    double e[3];
+
+    ck_assert_double_eq_tol(distance_at(&box, 1.5, 0.3, 0.1), 0.5, 1e-15);
+    ck_assert_double_eq_tol(distance_at(&box, -4.0, 6.0, 0.0), 5.0, 1e-15);
+    ck_assert_double_eq_tol(distance_at(&box, 2.0, 4.0, -5.0), 3.0, 1e-15);
+    ck_assert_double_eq_tol(distance_at(&box, 0.9, 0.0, 0.0), -0.1, 1e-15);
+    body_shape_extent(&box, e);
+    ck_assert_double_eq(e[2], 3.0);
+    ck_assert_double_eq_tol(body_shape_volume(&box), 48.0, 1e-12);
+}
+END_TEST
+
+/* Its axis along (1, 1, 0), radius 1, length 4. */
+START_TEST(distance_from_a_cylinder)
+{
+    const double r = sqrt(0.5);
+    const struct body_shape c =
+        body_shape_cylinder(2.0, 4.0, (double[3]){3.0, 3.0, 0.0});
+    double e[3];
+
+    ck_assert_double_eq_tol(distance_at(&c, 0.0, 0.0, 1.5), 0.5, 1e-14);
+    ck_assert_double_eq_tol(distance_at(&c, 5.0 * r, 5.0 * r, 0.0), 3.0, 1e-14);
+    ck_assert_double_eq_tol(distance_at(&c, 5.0 * r, 5.0 * r, 5.0), 5.0, 1e-14);
+    ck_assert_double_eq_tol(distance_at(&c, 0.5 * r, 0.5 * r, 0.2), -0.8,
+                            1e-14);
+    body_shape_extent(&c, e);
+    ck_assert_double_eq_tol(e[0], 3.0 * r, 1e-14);
+    ck_assert_double_eq_tol(e[2], 1.0, 1e-14);
+    ck_assert_double_eq_tol(body_shape_volume(&c), 4.0 * M_PI, 1e-12);
+}
+END_TEST
+
 /* --- gaps ------------------------------------------------------------------
  */
 
@@ -201,6 +246,8 @@ FACTS("body_methods")
     FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);
     FACT(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes);
     FACT(ls_5_21_the_accumulated_force_makes_the_sphere_too_large);
+    FACT(distance_from_a_box);
+    FACT(distance_from_a_cylinder);
     FACT(squeeze_film_begins_where_the_mesh_ends);
     FACT(squeeze_film_takes_the_speed_that_its_integral_says);
     FACT(squeeze_film_never_turns_a_body_round);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "dem/box_domain.h"
 #include "resolved/squeeze_film.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
@@ -67,6 +68,24 @@ static void clear(struct solid_bodies *b)
     memset(b->angular, 0, size);
 }
 
+/* Without contacts: on as prescribed. Non-zero if a centre leaves the box. */
+static int drift(struct solid_bodies *b, double dt)
+{
+    const struct dem_options *const o = &b->contacts;
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    struct particles *const ps = b->ps;
+
+    for (int i = 0; i < ps->n; i++) {
+        double *const x[3] = {&ps->x[i], &ps->y[i], &ps->z[i]};
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        for (int k = 0; k < 3; k++) {
+            *x[k] = box_domain_inside(&box, k, *x[k] + dt * v[k]);
+            b->dem_report.lost += *x[k] < o->lo[k] || *x[k] > o->hi[k];
+        }
+    }
+    return b->dem_report.lost > 0;
+}
+
 /* Contacts and lubrication act in each particle step. The report is of all. */
 static int move(struct solid_bodies *b)
 {
@@ -94,8 +113,8 @@ int body_motion_advance(struct solid_bodies *b, double dt)
         turn(b, i, dt);
     }
     clear(b);
-    if (b->dem == NULL) return 0;
-    failed = move(b);
+    if (!b->moves) return 0;
+    failed = b->dem != NULL ? move(b) : drift(b, dt);
     b->dt_marked = 0.0; /* they have moved */
     return failed;
 }

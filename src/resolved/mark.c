@@ -33,8 +33,14 @@ static struct window window_of(const struct mesh *m, const double x[3],
 
     body_shape_extent(shape, extent);
     for (int k = 0; k < 3; k++) {
+        const double *const edge = m->box.edge[k];
+        const int n = m->box.n[k], here = index_at(&m->box, k, x[k]);
         w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
         w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
+        if (m->box.periodic[k] && 2.0 * extent[k] >= edge[n] - edge[0]) {
+            w.first[k] = here - n / 2; /* from end to end: each cell once */
+            w.last[k] = w.first[k] + n - 1;
+        }
         if (m->box.periodic[k]) continue;
         if (w.first[k] < 0) w.first[k] = 0;
         if (w.last[k] >= m->box.n[k]) w.last[k] = m->box.n[k] - 1;

@@ -84,17 +84,18 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
 int solid_bodies_begin(struct solid_bodies *b)
 {
-    int moves = 0;
+    int free = 0;
 
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
-        moves |= b->motion[i] != BODY_FIXED;
+        free |= b->motion[i] == BODY_FREE;
+        b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
-    if (!moves) return 0;
+    if (!free) return 0;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }

@@ -34,7 +34,8 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
-    struct dem *dem;      /* their contacts and their motion; NULL: all rest */
+    int moves;            /* [-] 1: one of them is not fixed */
+    struct dem *dem;      /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report; /* of the last step */
     struct body_shape *shape;
     enum body_motion *motion;

@@ -12,6 +12,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
+#include "case/check_line.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
 #include "coupling/effects.h"
@@ -91,88 +92,6 @@ static struct dem_options contacts(const struct settings *s)
     return o;
 }
 
-/* Width of a cell in each direction [m]. */
-static void cell_widths(const struct settings *s, double h[3])
-{
-    double lo[3], hi[3];
-    int n[3];
-
-    case_mesh_ends(s, lo, hi);
-    settings_counts(s, "mesh.cells", n);
-    for (int k = 0; k < 3; k++)
-        h[k] = (hi[k] - lo[k]) / n[k];
-}
-
-static int check_mesh(const struct settings *s)
-{
-    double grading[3];
-
-    if (settings_mesh(s) != NULL)
-        return settings_wrong(s, "bodies",
-                              "bodies are held in the cells of a plain box; "
-                              "leave out mesh.polymesh and mesh.shear");
-    settings_vector(s, "mesh.grading", grading);
-    for (int k = 0; k < 3; k++)
-        if (fabs(grading[k] - 1.0) > 0.01)
-            return settings_wrong(s, "mesh.grading",
-                                  "%g: bodies ask for equal cells", grading[k]);
-    return 0;
-}
-
-/* A sphere of fewer cells than these is a few of them and has no shape. */
-static const double least_cells = 3.0;
-
-static int check_sphere(const struct settings *s, int i)
-{
-    const double d = settings_item_real(s, list, i, "diameter");
-    double lo[3], hi[3], h[3], x[3];
-    int periodic[3];
-
-    case_mesh_ends(s, lo, hi);
-    case_mesh_periodic(s, periodic);
-    cell_widths(s, h);
-    settings_item_vector(s, list, i, "position", x);
-    if (is(s, i, "free") && !settings_item_has(s, list, i, "density"))
-        return settings_wrong(s, list,
-                              "sphere %d is free and asks for its density", i);
-    for (int k = 0; k < 3; k++) {
-        const double margin = periodic[k] || is(s, i, "fixed") ? 0.0 : 0.5 * d;
-        if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
-            return settings_wrong(s, list,
-                                  "sphere %d at [%g, %g, %g] m with diameter "
-                                  "%g m is not inside the box",
-                                  i, x[0], x[1], x[2], d);
-        if (d < least_cells * h[k])
-            return settings_wrong(s, list,
-                                  "sphere %d has a diameter of %.3g cells; "
-                                  "expected at least %g, better 12",
-                                  i, d / h[k], least_cells);
-        if (periodic[k] &&
-            d >= (is(s, i, "fixed") ? 1.0 : 0.5) * (hi[k] - lo[k]))
-            return settings_wrong(s, list,
-                                  "sphere %d with diameter %g m meets itself "
-                                  "across the period, %g m; %s",
-                                  i, d, hi[k] - lo[k],
-                                  is(s, i, "fixed")
-                                      ? "expected less"
-                                      : "expected less than half of it");
-    }
-    return 0;
-}
-
-static int check(const struct settings *s)
-{
-    if (!settings_has(s, "bodies")) return 0;
-    int code = check_mesh(s);
-
-    if (settings_has(s, "particles") && code == 0)
-        return settings_wrong(s, "bodies",
-                              "there are bodies or particles, not both yet");
-    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
-        code = check_sphere(s, i);
-    return code;
-}
-
 static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
 {
     const struct body_shape shape =
@@ -194,11 +113,47 @@ static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
     b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
 }
 
+static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
+
+static void add_block(const struct settings *s, const char *of, int i,
+                      const struct body_shape *shape, struct solid_bodies *b)
+{
+    const int moves =
+        strcmp(settings_item_text(s, of, i, "motion"), "prescribed") == 0;
+    double x[3], v[3];
+
+    settings_item_vector(s, of, i, "position", x);
+    settings_item_vector(s, of, i, "velocity", v);
+    const int at = solid_bodies_add(b, shape, x, 1.0,
+                                    moves ? BODY_PRESCRIBED : BODY_FIXED);
+    if (moves) b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+}
+
+static void add_all(const struct settings *s, struct solid_bodies *b)
+{
+    double v[3];
+
+    for (int i = 0; i < settings_length(s, list); i++)
+        add_sphere(s, i, b);
+    for (int i = 0; i < settings_length(s, boxes); i++) {
+        settings_item_vector(s, boxes, i, "size", v);
+        const struct body_shape shape = body_shape_box(v);
+        add_block(s, boxes, i, &shape, b);
+    }
+    for (int i = 0; i < settings_length(s, cylinders); i++) {
+        settings_item_vector(s, cylinders, i, "axis", v);
+        const struct body_shape shape = body_shape_cylinder(
+            settings_item_real(s, cylinders, i, "diameter"),
+            settings_item_real(s, cylinders, i, "length"), v);
+        add_block(s, cylinders, i, &shape, b);
+    }
+}
+
 static struct squeeze_film gaps(const struct settings *s)
 {
     double h[3], R = HUGE_VAL;
 
-    cell_widths(s, h);
+    case_bodies_cell_widths(s, h);
     for (int i = 0; i < settings_length(s, list); i++)
         R = fmin(R, 0.5 * settings_item_real(s, list, i, "diameter"));
     return (struct squeeze_film){
@@ -220,20 +175,14 @@ static int add(const struct settings *s, struct simulation *sim)
         .dem_steps = dem_steps(s),
         .dem = &dem,
         .lubrication = gaps(s)};
-    const int n = settings_length(s, list);
+    const int n = settings_length(s, list) + settings_length(s, boxes) +
+                  settings_length(s, cylinders);
 
     build_gravity(s, o.gravity);
     struct solid_bodies *const b = solid_bodies_create(n, sim->fluid, &o);
     effects_add(sim, &bodies_effect, b);
-    for (int i = 0; i < n; i++)
-        add_sphere(s, i, b);
+    add_all(s, b);
     return solid_bodies_begin(b) != 0 ? 2 : 0;
-}
-
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
 }
 
 /* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
@@ -254,9 +203,9 @@ static void report_numbers(const struct settings *s)
                  Re = body_numbers_reynolds(
                      rho, V, d, settings_real(s, "fluid.viscosity"));
 
-    line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
-    line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
-         "an impact rebounds from about 10 on");
+    check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
+    check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
+               "an impact rebounds from about 10 on");
 }
 
 /* Smallest of the cells in a diameter and largest speed at the start. */
@@ -270,7 +219,7 @@ static void report(const struct settings *s, const struct case_scales *scales)
     double h[3], cells = HUGE_VAL, speed = 0.0, least = HUGE_VAL;
     int free = 0;
 
-    cell_widths(s, h);
+    case_bodies_cell_widths(s, h);
     const double widest = fmax(h[0], fmax(h[1], h[2])),
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
     for (int i = 0; i < settings_length(s, list); i++) {
@@ -285,28 +234,35 @@ static void report(const struct settings *s, const struct case_scales *scales)
                                 settings_real(s, "fluid.density"));
     }
     puts("Bodies");
-    line("bodies", settings_length(s, list), "-", "");
-    line("d / h", cells, "-",
-         cells < 7.0    ? "LOW: good to look at; 12 to measure"
-         : cells < 11.5 ? "about 5 % of the drag where they are apart"
-                        : "2 to 3 % of the drag where they are apart");
-    line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
-         "the drag does not depend on it");
-    line("CFL of the bodies", speed * dt / narrowest, "-",
-         speed * dt / narrowest > 0.5 ? "HIGH: more than half a cell in a step"
-                                      : "by their speed at time 0");
+    check_line("spheres", settings_length(s, list), "-", "");
+    check_line("boxes and cylinders",
+               settings_length(s, boxes) + settings_length(s, cylinders), "-",
+               "");
+    if (cells < HUGE_VAL)
+        check_line("d / h", cells, "-",
+                   cells < 7.0 ? "LOW: good to look at; 12 to measure"
+                   : cells < 11.5
+                       ? "about 5 % of the drag where they are apart"
+                       : "2 to 3 % of the drag where they are apart");
+    check_line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
+               "the drag does not depend on it");
+    check_line("CFL of the bodies", speed * dt / narrowest, "-",
+               speed * dt / narrowest > 0.5
+                   ? "HIGH: more than half a cell in a step"
+                   : "by their speed at time 0");
     if (free == 0) return;
     report_numbers(s);
-    line("smallest density ratio", least, "-",
-         least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
-    line("stiffness", stiffness(s), "N/m", "");
-    line("particle steps in one step", dem_steps(s), "-", "of their contacts");
+    check_line("smallest density ratio", least, "-",
+               least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
+    check_line("stiffness", stiffness(s), "N/m", "");
+    check_line("particle steps in one step", dem_steps(s), "-",
+               "of their contacts");
 }
 
 MODELS_KIND(case_bodies_method, body_methods, "body_method",
             "ways that bodies hold the fluid", "bodies.method", NULL)
 
 const struct case_part case_bodies_part = {.keys = case_bodies_keys,
-                                           .check_any = check,
+                                           .check_any = case_bodies_check,
                                            .add_last = add,
                                            .print = report};
