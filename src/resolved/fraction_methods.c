@@ -117,6 +117,7 @@ static void subtract_gradient(struct fluid *fl, const double *q)
         const int outlet = !inner && fl->pressure->conductance[f] > 0.0;
         const double of_n = outlet ? 0.0 : q[n];
         const double face = m->w[f] * q[o] + (1.0 - m->w[f]) * of_n;
+        fl->p_face[f] += face;
         fl->phi[f] -= fl->pressure->conductance[f] * (of_n - q[o]);
         for (int k = 0; k < 3; k++) {
             const double g = scale * face * m->S[3 * f + k];
