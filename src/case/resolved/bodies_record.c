@@ -139,9 +139,10 @@ static void release(void *record)
     free(r);
 }
 
-static void *create(const struct simulation *sim, struct folder *folder,
-                    int *failed)
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
 {
+    (void)s;
     if (bodies_of(sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
