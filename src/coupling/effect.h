@@ -29,7 +29,6 @@ struct effect_field {
     const double *values; /* borrowed */
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
-
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -43,7 +42,12 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
+    /* Moves what else there is by a step; non-zero if it broke down, which
+     * trouble then says in words. */
+    int (*move)(void *memory, struct simulation *sim);
+    const char *(*trouble)(const void *memory);
     void (*after_step)(void *memory, struct simulation *sim);
+    void (*momentum)(const void *memory, double total[3]); /* [N s] adds it */
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits what the next step depends on, but for arrays that are attached to
      * the particles. */
