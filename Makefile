@@ -17,14 +17,15 @@ LIGHTLY  = -O1
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
-# What is built: the rooms' own files, and the folders in them that are named
+# What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ALL_FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved
+ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
 FOLDERS := $(ALL_FOLDERS)
-SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(FOLDERS:=/models.txt))
 LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))

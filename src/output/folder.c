@@ -19,13 +19,16 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {".",        "fluid",      "particles",
-                                    "surfaces", "picture",    "profiles",
-                                    "frames",   "statistics", "case"};
+static const char *const below[] = {
+    ".",        "fluid",  "particles",  "surfaces", "picture",
+    "profiles", "frames", "statistics", "case",     "bodies"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
                                    "./surfaces.csv",
+                                   "./bodies.csv",
+                                   "./bodies.pvd",
+                                   "bodies/bodies_*.vtp",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
