@@ -2,6 +2,7 @@
 #include "case/case_file.h"
 
 #include "case/case_mesh.h"
+#include "case/case_part.h"
 #include "case/case_surfaces.h"
 #include "case/validate.h"
 #include "case/keys.h"
@@ -12,11 +13,15 @@
 
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
-    tables[0] = keys_core;
-    tables[1] = keys_surfaces;
-    const int n = models_tables(&tables[2], CASE_FILE_TABLES - 3);
-    assert(n <= CASE_FILE_TABLES - 3);
-    tables[2 + n] = NULL;
+    int n = 0;
+
+    tables[n++] = keys_core;
+    tables[n++] = keys_surfaces;
+    for (int i = 0; case_parts[i] != NULL; i++)
+        tables[n++] = case_parts[i]->keys;
+    n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
+    assert(n < CASE_FILE_TABLES);
+    tables[n] = NULL;
 }
 
 struct settings *case_file_read(const char *file, int n_overrides,

@@ -11,16 +11,16 @@
 #include "case/case_limits.h"
 #include "case/case_memory.h"
 #include "case/case_mesh.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_steps.h"
 
 /* Particles that are inserted later count as if they were there. */
 static void add_inserted(const struct settings *s, struct case_scales *k)
 {
-    k->particles += case_population_count(s);
-    k->d_most = fmax(k->d_most, case_population_largest(s));
+    k->particles += case_part_count_later(s);
+    k->d_most = fmax(k->d_most, case_part_later_diameters(s, -1).max);
     for (int m = 0; m < case_limits_count(s); m++) {
-        const double d = case_population_smallest(s, m);
+        const double d = case_part_later_diameters(s, m).min;
         if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
     }
 }
@@ -31,14 +31,13 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
 
     k->density = settings_real(s, "particles.grains.density");
     if (settings_has(s, "particles.bed")) {
-        struct sizes *sizes;
-        const struct bed_options b = build_bed_options(s, &sizes);
+        struct bed_options b = build_bed_options(s);
         const struct bed_range range = bed_range(&b);
         k->particles = b.count;
         k->d = range.min;
         k->d_most = range.max;
         k->volume = range.volume;
-        sizes_free(sizes);
+        build_bed_release(&b);
         return;
     }
     k->particles = settings_length(s, list);

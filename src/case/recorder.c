@@ -14,7 +14,7 @@
 #include "coupling/coupling.h"
 #include "output/picture.h"
 #include "output/summary.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 #include "case/case_steps.h"
 
 void recorder_free(struct recorder *r)

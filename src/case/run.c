@@ -11,10 +11,11 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
+#include "dem/population.h"
 #include "output/folder.h"
 #include "case/breakdown.h"
 #include "case/build.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_overlap.h"
 #include "case/case_steps.h"
 #include "case/command.h"
@@ -84,7 +85,8 @@ static int start(struct run *run)
  * the one that it would have been. */
 static int is_cut_short(const struct simulation *sim)
 {
-    return interrupt_arrived() && case_population_waits(sim);
+    return interrupt_arrived() && sim->population != NULL &&
+           sim->population->totals.waiting > 0;
 }
 
 /* The loop. Returns the exit code. A step that was cut short is not sampled. */
@@ -122,7 +124,7 @@ static int go(struct run *run)
     thread_tuner_restore(&crew);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
-    case_population_report(run->sim);
+    case_part_after_run(run->sim);
     return code;
 }
 

@@ -12,14 +12,25 @@ static void seconds_state(struct seconds *spent, struct state *s)
     state_several(s, "seconds", "s", all, sizeof all / sizeof *all);
 }
 
+static void tally_state(struct effect_tally *t, struct state *s)
+{
+    state_begin(s, "tally");
+    state_real(s, "sum", "N", &t->sum);
+    state_real(s, "largest", "N", &t->largest);
+    state_real(s, "seconds", "s", &t->seconds);
+    state_long(s, "n", "-", &t->n);
+    state_end(s);
+}
+
 static void effects_state(struct simulation *sim, struct state *s)
 {
     state_begin(s, "effects");
+    tally_state(&sim->force_scale, s);
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect *const e = sim->effects[i].effect;
-        if (e->state == NULL) continue;
         state_begin(s, e->name);
-        e->state(sim->effects[i].memory, s);
+        tally_state(&sim->effects[i].tally, s);
+        if (e->state != NULL) e->state(sim->effects[i].memory, s);
         state_end(s);
     }
     state_end(s);

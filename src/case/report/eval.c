@@ -12,7 +12,9 @@
 
 void eval_list(void)
 {
-    for (const struct equation *e = equations_all; e->key != NULL; e++) {
+    const struct equation *e;
+
+    for (int i = 0; (e = equations_at(i)) != NULL; i++) {
         printf("%-10s %s\n", e->key, e->what);
         printf("%-10s %s -> %s [%s], by %s\n", "", e->inputs, e->out, e->unit,
                e->function);
@@ -21,10 +23,11 @@ void eval_list(void)
 
 static int unknown_key(const char *key)
 {
+    const struct equation *e;
     struct nearest n;
 
     nearest_init(&n, key);
-    for (const struct equation *e = equations_all; e->key != NULL; e++)
+    for (int i = 0; (e = equations_at(i)) != NULL; i++)
         nearest_offer(&n, e->key);
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no equation %s; did you mean %s?\n", key,

@@ -60,11 +60,11 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; k->model(i, &m); i++)
-            if (model_choice_is_on(s, k, &m)) {
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
+            if (model_choice_is_on(s, *k, &m)) {
                 char name[128];
-                snprintf(name, sizeof name, "%s %s", k->name, m.name);
+                snprintf(name, sizeof name, "%s %s", (*k)->name, m.name);
                 print_line(m.equations, m.function, name, m.what);
             }
 }
@@ -76,12 +76,12 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
+    for (const struct kind *const *k = kinds; *k != NULL; k++) {
         int n = 0;
 
-        for (int i = 0; k->model(i, &m); i++)
-            if (!model_choice_is_on(s, k, &m)) {
-                if (n++ == 0) printf("  %s:", k->name);
+        for (int i = 0; (*k)->model(i, &m); i++)
+            if (!model_choice_is_on(s, *k, &m)) {
+                if (n++ == 0) printf("  %s:", (*k)->name);
                 printf(" %s", m.name);
             }
         if (n > 0) putchar('\n');

@@ -14,9 +14,10 @@ void list_kinds(void)
 {
     struct model m;
 
-    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
-        printf("%-14s %s, chosen by %s:\n%-14s", k->name, k->what, k->key, "");
-        for (int i = 0; k->model(i, &m); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++) {
+        printf("%-14s %s, chosen by %s:\n%-14s", (*k)->name, (*k)->what,
+               (*k)->key, "");
+        for (int i = 0; (*k)->model(i, &m); i++)
             printf(" %s", m.name);
         putchar('\n');
     }
@@ -122,8 +123,8 @@ static int unknown_kind(const char *name)
     struct nearest n;
 
     nearest_init(&n, name);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        nearest_offer(&n, k->name);
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        nearest_offer(&n, (*k)->name);
     nearest_offer(&n, "keys");
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,

@@ -9,7 +9,6 @@
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
-#include "case/case_population.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
 #include "case/case_materials.h"

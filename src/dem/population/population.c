@@ -5,32 +5,6 @@
 
 #include "base/alloc.h"
 
-struct population *population_create(const struct box_domain *box,
-                                     int n_sources, int n_sinks)
-{
-    struct population *const l = alloc_zeroed(1, sizeof *l);
-
-    l->box = *box;
-    l->n_sources = n_sources;
-    l->n_sinks = n_sinks;
-    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
-    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
-    return l;
-}
-
-void population_free(struct population *l)
-{
-    if (l == NULL) return;
-    for (int i = 0; i < l->n_sources; i++) {
-        sizes_free(l->sources[i].own_sizes);
-        free(l->sources[i].own_list);
-    }
-    free(l->sources);
-    free(l->sinks);
-    free(l->is_removed);
-    free(l);
-}
-
 static int is_removed(const struct population *l,
                       const struct population_sink *sink,
                       const struct particles *ps, int i, double dt)
@@ -139,4 +113,35 @@ void population_state(struct population *l, struct state *s)
         state_end(s);
     }
     state_end(s);
+}
+
+void population_free(struct population *l)
+{
+    if (l == NULL) return;
+    for (int i = 0; i < l->n_sources; i++) {
+        sizes_free(l->sources[i].own_sizes);
+        free(l->sources[i].own_list);
+    }
+    free(l->sources);
+    free(l->sinks);
+    free(l->is_removed);
+    free(l);
+}
+
+static const struct population_functions functions = {
+    population_mark, population_remove, population_insert,
+    population_state, population_free};
+
+struct population *population_create(const struct box_domain *box,
+                                     int n_sources, int n_sinks)
+{
+    struct population *const l = alloc_zeroed(1, sizeof *l);
+
+    l->functions = &functions;
+    l->box = *box;
+    l->n_sources = n_sources;
+    l->n_sinks = n_sinks;
+    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
+    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
+    return l;
 }
