@@ -54,9 +54,7 @@ static void update_extremes(struct recorder *r)
 
 static void sample_pressure_drop(struct recorder *r)
 {
-    const double end = settings_real(r->settings, "output.end");
-
-    if (r->sim->fluid == NULL || r->sim->t < 0.5 * end) return;
+    if (r->sim->fluid == NULL || r->sim->t < r->half_time) return;
     r->drop_sum += history_pressure_drop(r->sim);
     r->drop_rows++;
     if (r->sim->particles != NULL) r->weight_sum += history_bed_weight(r->sim);
@@ -294,6 +292,7 @@ struct recorder *recorder_create(const struct settings *s,
     r->folder = folder;
     r->began = clock_now();
     r->eps_lowest = 1.0;
+    r->half_time = 0.5 * settings_real(s, "output.end");
     r->picture_every = case_steps_between(s, "output.every");
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);

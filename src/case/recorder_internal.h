@@ -36,6 +36,7 @@ struct recorder {
     long capped_steps;
     double drop_sum, weight_sum;
     long drop_rows;
+    double half_time; /* [s] when the second half begins */
 };
 
 #endif

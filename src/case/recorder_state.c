@@ -4,6 +4,17 @@
 
 #include "base/clock.h"
 
+/* Where the end has changed, the means of the second half begin anew. */
+static void half_time_state(struct recorder *r, struct state *s)
+{
+    double half_time = r->half_time;
+
+    state_real(s, "half_time", "s", &half_time);
+    if (half_time == r->half_time) return;
+    r->drop_sum = r->weight_sum = 0.0;
+    r->drop_rows = 0;
+}
+
 static void sums_state(struct recorder *r, struct state *s)
 {
     double elapsed = clock_now() - r->began;
@@ -20,6 +31,7 @@ static void sums_state(struct recorder *r, struct state *s)
     state_real(s, "drop_sum", "Pa", &r->drop_sum);
     state_real(s, "weight_sum", "Pa", &r->weight_sum);
     state_long(s, "drop_rows", "-", &r->drop_rows);
+    half_time_state(r, s);
 }
 
 /* The folder comes last: only when all files are found to be there, it removes
