@@ -210,6 +210,18 @@ struct folder *folder_take(const char *dir)
     return NULL;
 }
 
+long folder_holder(const char *dir)
+{
+    char *const path = file_join(dir, manifest);
+    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    const int found = file >= 0 && fcntl(file, F_GETLK, &l) == 0;
+
+    if (file >= 0) close(file);
+    free(path);
+    return found && l.l_type != F_UNLCK ? (long)l.l_pid : 0;
+}
+
 void folder_free(struct folder *f)
 {
     if (f == NULL) return;
