@@ -185,6 +185,8 @@ static int looked_into(const struct folder *f, const char *folder)
         return 1;
     }
     for (struct dirent *e; !wrong && (e = readdir(list)) != NULL;) {
+        if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0)
+            continue;
         char *const name = file_join(folder, e->d_name);
         wrong = is_foreign(f, name[0] == '.' ? name + 2 : name);
         free(name);
