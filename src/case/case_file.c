@@ -18,7 +18,7 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     tables[n++] = keys_core;
     tables[n++] = keys_surfaces;
     for (int i = 0; case_parts[i] != NULL; i++)
-        tables[n++] = case_parts[i]->keys;
+        if (case_parts[i]->keys != NULL) tables[n++] = case_parts[i]->keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);
     tables[n] = NULL;

@@ -17,7 +17,7 @@ struct case_diameters {
 };
 
 struct case_part {
-    const struct key *keys; /* its table */
+    const struct key *keys; /* its table; NULL: it has none */
 
     /* Whether what the case says is possible. */
     int (*check)(const struct settings *s);
@@ -31,6 +31,9 @@ struct case_part {
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
+    /* Where a bed that the case does not name a file for is kept; 0: nowhere.
+     */
+    int (*bed_file)(const struct settings *s, char *path, size_t room);
     /* After the particles and their dem have been created. */
     int (*add)(const struct settings *s, struct simulation *sim);
     /* What to say after a run. */
@@ -45,6 +48,7 @@ int case_part_check(const struct settings *s);
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);
+int case_part_bed_file(const struct settings *s, char *path, size_t room);
 int case_part_count_later(const struct settings *s);
 struct case_diameters case_part_later_diameters(const struct settings *s,
                                                 int material);

@@ -20,6 +20,7 @@
 #include "base/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
+#include "case/resume/bed_cache.h"
 #include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
 #include "case/resume/resume.h"
@@ -164,6 +165,7 @@ static void *create(const struct settings *s, struct folder *folder,
     r->path = file_join(folder_name(folder), RESUME_FILE);
     r->before = file_join(folder_name(folder), RESUME_FILE_BEFORE);
     r->lines = case_text_lines(s);
+    if (o->fresh) bed_cache_forget(s);
     if (!o->resume) {
         r->copy = case_copy_create(s, o);
         return r;

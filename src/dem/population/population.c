@@ -129,8 +129,8 @@ void population_free(struct population *l)
 }
 
 static const struct population_functions functions = {
-    population_mark, population_remove, population_insert,
-    population_state, population_free};
+    population_mark, population_remove, population_insert, population_state,
+    population_free};
 
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks)
