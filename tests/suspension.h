@@ -172,7 +172,7 @@ static inline struct simulation *build(const struct scene *s)
         .periodic = {1, 1, 1}};
 
     const double gap[2] = {s->roughness, 0.2 * s->d};
-    const struct attraction_scene liquid = {NULL, s->mu};
+    const struct attraction_scene liquid = {.viscosity = s->mu};
     static struct attraction attraction;
 
     if (s->roughness > 0.0) {

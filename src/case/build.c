@@ -12,9 +12,8 @@
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
+#include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_surfaces.h"
-#include "case/case_walls.h"
 #include "case/case_file.h"
 #include "case/models.h"
 
@@ -163,11 +162,10 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    case_surfaces_free(sim->surfaces, sim->n_surfaces);
-    free(sim->prescribed);
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->free != NULL) case_parts[i]->free(sim);
     if (sim->population != NULL)
         sim->population->functions->free(sim->population);
-    case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

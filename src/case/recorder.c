@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
+#include "case/effect_shares.h"
 
 #include <math.h>
 #include <omp.h>
@@ -12,6 +13,7 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
@@ -21,7 +23,7 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -68,7 +70,7 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -92,7 +94,9 @@ static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
@@ -105,9 +109,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -134,6 +136,7 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_number(f, "output", s->output);
     summary_number(f, "total",
                    (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
+    summary_number(f, "processor", s->processor);
     summary_end(f);
 }
 
@@ -193,6 +196,19 @@ static void write_life(struct summary *f, const struct recorder *r)
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
 }
 
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -219,9 +235,12 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "steps", sim->steps);
     summary_number(f, "simulated_seconds", sim->t);
     write_seconds(f, r);
+    summary_number(f, "peak_memory", alloc_peak());
     write_speed(f, r);
     write_residuals(f, r);
+    write_counts(f, r);
     write_means(f, r);
+    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -273,10 +292,8 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -315,8 +332,10 @@ static int draw_picture(const struct recorder *r)
     const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
-    if (picture_write(r->folder, &p) != 0) return 1;
-    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    if (settings_bool(r->settings, "output.picture")) {
+        if (picture_write(r->folder, &p) != 0) return 1;
+        if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    }
     return r->animation != NULL && animation_draw(r->animation, &p) != 0;
 }
 
@@ -326,7 +345,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -344,6 +364,7 @@ void recorder_print(const struct recorder *r)
                r->drop_sum / (double)r->drop_rows,
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
+    effect_shares_print(sim);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -7,7 +7,7 @@
 #include "case/probes.h"
 #include "case/profiles.h"
 #include "case/recorder.h"
-#include "case/surface_table.h"
+#include "case/recorder_part.h"
 #include "output/animation.h"
 #include "output/table.h"
 
@@ -24,8 +24,8 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
+    struct animation *animation;     /* NULL: off */
+    struct recorder_part_list parts; /* what folders add */
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */

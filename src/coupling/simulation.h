@@ -14,13 +14,16 @@
 #include "mesh/mesh.h"
 #include "dem/dem.h"
 #include "dem/particles.h"
+#include "dem/placement_region.h"
 
 struct coupling;
 struct population;
 
-/* Wall-clock seconds spent so far, by part. */
+/* Wall-clock seconds spent so far, by part; and processor seconds of all
+ * threads, without output. */
 struct seconds {
     double cfd, dem, averaging, exchange, output;
+    double processor;
 };
 
 struct simulation {
@@ -30,11 +33,12 @@ struct simulation {
     struct dem *dem;
     struct surface *surfaces; /* walls other than the box; NULL: none */
     int n_surfaces;
+    const char **surface_names; /* n_surfaces */
     struct prescribed_particle
         *prescribed; /* particles of prescribed motion; NULL: none */
-    struct population *population; /* NULL: no insertion or removal */
-    struct case_walls
-        *walls; /* placement region in a polyhedral mesh; or NULL */
+    struct population *population;  /* NULL: no insertion or removal */
+    struct case_walls *walls;       /* of a polyhedral mesh; or NULL */
+    struct placement_region region; /* where particles may be placed */
     struct materials *materials;    /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;

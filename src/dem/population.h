@@ -7,6 +7,7 @@
 #ifndef DEM_POPULATION_H
 #define DEM_POPULATION_H
 
+#include "base/state.h"
 #include "dem/box_domain.h"
 #include "dem/dem.h"
 
@@ -36,8 +37,8 @@ struct population_functions {
      * from the returned index on. */
     int (*insert)(struct population *l, struct particles *ps, struct dem *dem,
                   double t);
-    /* Visits what was inserted and removed (state.h). */
-    void (*visit)(struct population *l, struct state *s);
+    /* Visits the totals and what the sources have inserted (state.h). */
+    void (*state)(struct population *l, struct state *s);
     void (*free)(struct population *l);
 };
 

@@ -17,6 +17,7 @@
 #include "coupling/effects/basset.h"
 
 #include <gsl/gsl_math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -31,9 +32,11 @@ enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
  * but `held` and `start` are the past that the force remembers. */
 struct basset {
     struct basset_kernel kernel;
-    double decay[BASSET_TERMS];            /* [-] exp(-s_k dt) */
-    double gain[BASSET_TERMS];             /* [-] g(s_k dt) */
-    double *E[BASSET_TERMS / TERMS_A_ROW]; /* [m/s] ROW each */
+    double decay[BASSET_TERMS];                /* [-] exp(-s_k dt) */
+    double gain[BASSET_TERMS];                 /* [-] g(s_k dt) */
+    double *E[BASSET_TERMS / TERMS_A_ROW];     /* [m/s] ROW each */
+    char name[BASSET_TERMS / TERMS_A_ROW][16]; /* of each of these, for a
+                                                  checkpoint */
     double *change; /* [m/s] of w in the step before, 3 */
     double *u;      /* [m/s] of the fluid in the step before, 3 */
     double *age;    /* [-] steps done, 1 at most: 0 has no past */
@@ -59,8 +62,10 @@ static void *basset_create(struct simulation *sim, const double *parameters)
     for (int k = 0; k < self->kernel.n; k++) {
         self->decay[k] = exp(-self->kernel.s[k] * sim->dt);
         self->gain[k] = implicit_drag_gain(self->kernel.s[k] * sim->dt);
-        if (k % TERMS_A_ROW == 0)
-            self->E[k / TERMS_A_ROW] = attached(ps, "basset_E", "m/s", ROW);
+        if (k % TERMS_A_ROW != 0) continue;
+        const int row = k / TERMS_A_ROW;
+        snprintf(self->name[row], sizeof self->name[row], "basset_E_%d", row);
+        self->E[row] = attached(ps, self->name[row], "m/s", ROW);
     }
     self->change = attached(ps, "basset_change", "m/s", 3);
     self->u = attached(ps, "basset_u", "m/s", 3);
@@ -175,14 +180,17 @@ static void basset_after_particles(void *memory, struct simulation *sim)
     }
 }
 
-/* d/(2 sqrt(pi nu t)) of the drag after a step of the slip, at t = tau. */
-static double share(const struct effect_scales *k, const char **remark)
+/* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
+ * takes to. */
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
-    *remark = k->slip * k->d * k->rho_f > k->mu
-                  ? "right after a change of the slip; Re > 1: too large"
-                  : "right after a change of the slip";
-    return basset_coefficient(k->rho_f, k->mu, k->d) * k->slip / sqrt(k->tau) /
-           k->force;
+    const double C = basset_coefficient(k->rho_f, k->mu, k->d);
+
+    return (struct effect_estimate){
+        2.0 * C * sqrt(k->time) * k->acceleration / k->force,
+        k->slip * k->d * k->rho_f > k->mu ? "Re > 1: the kernel fades too late"
+                                          : "",
+        0};
 }
 
 static const struct key keys[] = {
@@ -203,5 +211,5 @@ const struct effect basset_effect = {
     .before_particles = basset_before_particles,
     .after_particles = basset_after_particles,
     .free = basset_free,
-    .share = share,
+    .estimate = estimate,
 };

@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/surfaces/case_surfaces.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "case/case_materials.h"
+#include "case/case_mesh.h"
+#include "case/models.h"
+#include "case/surfaces/case_walls.h"
+#include "dem/surfaces/stl.h"
+
+static const char list[] = "particles.surfaces",
+                  driven[] = "particles.prescribed";
+
+static struct motion motion_of(const struct settings *s, const char *of, int i)
+{
+    struct motion m = {.from = settings_item_real(s, of, i, "from"),
+                       .until = settings_item_has(s, of, i, "until")
+                                    ? settings_item_real(s, of, i, "until")
+                                    : 0.0,
+                       .frequency = settings_item_real(s, of, i, "frequency")};
+
+    settings_item_vector(s, of, i, "velocity", m.velocity);
+    settings_item_vector(s, of, i, "amplitude", m.amplitude);
+    if (settings_item_has(s, of, i, "centre"))
+        settings_item_vector(s, of, i, "centre", m.centre);
+    else if (of == list)
+        settings_item_vector(s, of, i, "point", m.centre);
+    settings_item_vector(s, of, i, "spin", m.spin);
+    return m;
+}
+
+static void direction(const struct settings *s, int i, const char *key,
+                      double n[3])
+{
+    settings_item_vector(s, list, i, key, n);
+    const double length = vector_length(n);
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        n[k] /= length;
+}
+
+static enum surface_shape shape_of(const struct settings *s, int i)
+{
+    return (enum surface_shape)models_value(
+        surface_shapes, settings_item_text(s, list, i, "shape"));
+}
+
+static struct triangles *read_triangles(const struct settings *s, int i,
+                                        const double origin[3])
+{
+    const double scale = settings_item_real(s, list, i, "scale");
+    char path[SETTINGS_PATH];
+    struct stl stl;
+
+    settings_beside(s, settings_item_text(s, list, i, "file"), path,
+                    sizeof path);
+    if (stl_read(path, &stl) != 0) return NULL;
+    if (stl.dropped > 0)
+        fprintf(stderr, "winnow: %s: %d triangles have no area; left out\n",
+                path, stl.dropped);
+    for (int t = 0; t < 9 * stl.n; t++) {
+        double *const x = &stl.corner[t / 9][t / 3 % 3][t % 3];
+        *x = origin[t % 3] + scale * *x;
+    }
+    struct triangles *const made = triangles_create(stl.n, stl.corner);
+    stl_release(&stl);
+    return made;
+}
+
+static int material_of(const struct settings *s, int i)
+{
+    if (!settings_item_has(s, list, i, "material")) return 0;
+    return case_materials_number(s, settings_item_text(s, list, i, "material"));
+}
+
+static int fill(const struct settings *s, int i, struct surface *one)
+{
+    *one = (struct surface){.name = settings_item_text(s, list, i, "name"),
+                            .shape = shape_of(s, i),
+                            .material = material_of(s, i),
+                            .motion = motion_of(s, list, i)};
+    settings_item_vector(s, list, i, "point", one->point);
+    direction(s, i, one->shape == SURFACE_PLANE ? "normal" : "axis",
+              one->normal);
+    if (one->shape == SURFACE_CYLINDER) {
+        one->radius = settings_item_real(s, list, i, "radius");
+        one->inside =
+            strcmp(settings_item_text(s, list, i, "particles"), "inside") == 0;
+    }
+    if (one->shape != SURFACE_TRIANGLES) return 0;
+    one->triangles = read_triangles(s, i, one->point);
+    return one->triangles == NULL;
+}
+
+int case_surfaces_count(const struct settings *s)
+{
+    return settings_length(s, list) + (case_walls_count(s) > 0);
+}
+
+int case_surfaces_count_prescribed(const struct settings *s)
+{
+    return settings_length(s, driven);
+}
+
+struct surface *case_surfaces_create(const struct settings *s, int *code)
+{
+    const int n = case_surfaces_count(s), listed = settings_length(s, list);
+
+    *code = 0;
+    if (n == 0) return NULL;
+    struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
+    for (int i = 0; i < listed && *code == 0; i++)
+        if (fill(s, i, &made[i]) != 0) *code = 2;
+    if (listed < n) made[listed] = case_walls_surface(s);
+    if (*code == 0) return made;
+    case_surfaces_free(made, n);
+    return NULL;
+}
+
+/* The list owns its triangles, though a dem may only look at them. */
+void case_surfaces_free(struct surface *made, int n)
+{
+    for (int i = 0; made != NULL && i < n; i++) {
+        struct triangles *own;
+        memcpy(&own, &made[i].triangles, sizeof own);
+        triangles_free(own);
+    }
+    free(made);
+}
+
+struct prescribed_particle *
+case_surfaces_create_prescribed(const struct settings *s)
+{
+    const int n = case_surfaces_count_prescribed(s);
+
+    if (n == 0) return NULL;
+    struct prescribed_particle *const made =
+        alloc_zeroed((size_t)n, sizeof *made);
+    for (int i = 0; i < n; i++) {
+        made[i].id = settings_item_int(s, driven, i, "id");
+        made[i].motion = motion_of(s, driven, i);
+    }
+    return made;
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+static int check_name(const struct settings *s, int i)
+{
+    const char *const name = settings_item_text(s, list, i, "name");
+
+    if (name[0] == '\0' || strpbrk(name, ",\"\n") != NULL)
+        return settings_wrong(s, list,
+                              "the name \"%s\" is empty or has a comma or a "
+                              "quote in it",
+                              name);
+    if (case_walls_count(s) > 0 && strcmp(name, case_walls_name) == 0)
+        return settings_wrong(s, list, "the name %s is that of the walls",
+                              name);
+    for (int k = 0; k < i; k++)
+        if (strcmp(name, settings_item_text(s, list, k, "name")) == 0)
+            return settings_wrong(s, list, "the name %s is given twice", name);
+    if (!settings_item_has(s, list, i, "material")) return 0;
+    return case_materials_check_name(
+        s, list, settings_item_text(s, list, i, "material"));
+}
+
+/* What each shape asks for, and what belongs to others. */
+static int check_shape(const struct settings *s, int i)
+{
+    static const struct {
+        const char *key;
+        enum surface_shape of;
+        int asked;
+    } keys[] = {
+        {"normal", SURFACE_PLANE, 0},    {"axis", SURFACE_CYLINDER, 0},
+        {"radius", SURFACE_CYLINDER, 1}, {"particles", SURFACE_CYLINDER, 0},
+        {"file", SURFACE_TRIANGLES, 1},  {"scale", SURFACE_TRIANGLES, 0}};
+    const char *const name = settings_item_text(s, list, i, "name");
+    const char *const shape = settings_item_text(s, list, i, "shape");
+    double n[3];
+
+    for (int k = 0; k < 6; k++) {
+        const int own = keys[k].of == shape_of(s, i);
+        const int given = settings_item_has(s, list, i, keys[k].key);
+        if (own && keys[k].asked && !given)
+            return settings_wrong(s, list, "%s is a %s: it asks for %s", name,
+                                  shape, keys[k].key);
+        if (!own && given)
+            return settings_wrong(s, list, "%s is a %s: it has no %s", name,
+                                  shape, keys[k].key);
+    }
+    for (int k = 0; k < 2; k++) {
+        settings_item_vector(s, list, i, keys[k].key, n);
+        if (keys[k].of == shape_of(s, i) && !(vector_length(n) > 0.0))
+            return settings_wrong(s, list, "the %s of %s has no direction",
+                                  keys[k].key, name);
+    }
+    return 0;
+}
+
+/* Particles that pass the end of a period would come back behind it. */
+static int check_plane(const struct settings *s, int i)
+{
+    static const char axes[] = "xyz";
+    int periodic[3];
+    double n[3];
+
+    if (shape_of(s, i) != SURFACE_PLANE) return 0;
+    case_mesh_periodic(s, periodic);
+    direction(s, i, "normal", n);
+    for (int k = 0; k < 3; k++)
+        if (periodic[k] && fabs(n[k]) > 1e-9)
+            return settings_wrong(
+                s, list,
+                "the plane %s is not parallel to %c, which is periodic: "
+                "particles would come back behind it; make %c not periodic",
+                settings_item_text(s, list, i, "name"), axes[k], axes[k]);
+    return 0;
+}
+
+static int check_motion(const struct settings *s, const char *of, int i)
+{
+    const struct motion m = motion_of(s, of, i);
+
+    if (m.until > 0.0 && m.until <= m.from)
+        return settings_wrong(s, of,
+                              "number %d moves until %g s, which is not "
+                              "after from = %g s",
+                              i, m.until, m.from);
+    if ((m.frequency > 0.0) != (vector_length(m.amplitude) > 0.0))
+        return settings_wrong(
+            s, of, "number %d: amplitude and frequency go together", i);
+    return 0;
+}
+
+static int check_driven(const struct settings *s, int i)
+{
+    const int id = settings_item_int(s, driven, i, "id");
+
+    for (int k = 0; k < i; k++)
+        if (settings_item_int(s, driven, k, "id") == id)
+            return settings_wrong(s, driven, "particle %d is given twice", id);
+    const struct motion m = motion_of(s, driven, i);
+    if (vector_length(m.spin) > 0.0 &&
+        !settings_item_has(s, driven, i, "centre"))
+        return settings_wrong(
+            s, driven, "particle %d has a spin: it asks for a centre", id);
+    return check_motion(s, driven, i);
+}
+
+/* Forces that need no touching know the walls of the box only. */
+static int check_others(const struct settings *s)
+{
+    static const char *const pulls[] = {"effects.van_der_waals",
+                                        "effects.capillary"};
+
+    if (settings_length(s, list) == 0) return 0;
+    for (int k = 0; k < 2; k++)
+        if (settings_has(s, pulls[k]))
+            return settings_wrong(s, list,
+                                  "%s acts between particles and the box, not "
+                                  "on surfaces: leave one of them out",
+                                  pulls[k]);
+    if (settings_has(s, "particles.bed") &&
+        settings_has(s, "particles.bed.file"))
+        return settings_wrong(s, list,
+                              "a bed that settles on surfaces is not kept in "
+                              "a file: leave particles.bed.file out");
+    return 0;
+}
+
+int case_surfaces_check(const struct settings *s)
+{
+    int code = check_others(s);
+
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
+        code = check_name(s, i);
+        if (code == 0) code = check_shape(s, i);
+        if (code == 0) code = check_plane(s, i);
+        if (code == 0) code = check_motion(s, list, i);
+    }
+    for (int i = 0; i < settings_length(s, driven) && code == 0; i++)
+        code = check_driven(s, i);
+    return code;
+}

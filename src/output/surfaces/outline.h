@@ -1,0 +1,25 @@
+/* outline.h -- surfaces as polygons for display.
+ *
+ * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
+ * box, triangles as they are.
+ */
+#ifndef OUTPUT_SURFACES_OUTLINE_H
+#define OUTPUT_SURFACES_OUTLINE_H
+
+#include "dem/surfaces/surface.h"
+
+struct outline {
+    int n_points, n_polygons, point_room, polygon_room;
+    double *x;   /* [m] 3 a point */
+    int *corner; /* [-] 0, 1, ...: polygons have no points in common */
+    int *end;    /* [-] number of points up to the end of each polygon */
+    int *of;     /* [-] the number of its surface */
+};
+
+void outline_release(struct outline *o);
+
+/* Replaces the contents of o by all surfaces at time t [s]. */
+void outline_draw(struct outline *o, const struct surface *list, int n,
+                  const double lo[3], const double hi[3], double t);
+
+#endif
