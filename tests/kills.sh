@@ -136,7 +136,7 @@ same() { # folder, folder
     diff -rq -x summary.json -x 'checkpoint*' -x gnuplot.log -x '*.png' \
         -x '*.gif' "$1" "$2" &&
         for folder in "$1" "$2"; do
-            sed '/"seconds": {/,/}/d; /"seconds"/d; /"threads"/d; /_per_second/d' \
+            sed '/seconds": {/,/}/d; /"threads"/d; /peak_memory/d; /_per_second/d' \
                 "$folder/summary.json" >"$folder.told"
         done && diff "$1.told" "$2.told"
 }

@@ -20,7 +20,7 @@
 /* A smaller bed settles in a second or two. */
 enum { LEAST_COUNT = 2000 };
 
-/* FNV-1a [Fowler91]. */
+/* The hash FNV-1a. */
 static uint64_t hash(uint64_t h, const char *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++)
