@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for models by name: needs src/coupling/measures */
 #include "case/build.h"
 #include "case/case_file.h"
 #include "coupling/effects.h"

@@ -1,4 +1,4 @@
-/* case_overlap.h -- how deep particles may be in each other.
+/* case_overlap.h -- how deep particles may overlap.
  * Chapter "Particles and contact". */
 #ifndef CASE_CASE_OVERLAP_H
 #define CASE_CASE_OVERLAP_H
@@ -9,7 +9,8 @@
 /* The limits of the case for its particles. */
 void case_overlap_limit(const struct settings *s, struct simulation *sim);
 
-/* Who is in whom, how deep and where, as one clause of a sentence. */
+/* Describes the deepest overlap, its two partners and its place, as one clause
+ * of a sentence. */
 enum { CASE_OVERLAP_TEXT = 256 };
 void case_overlap_describe(const struct simulation *sim,
                            char text[CASE_OVERLAP_TEXT]);
