@@ -9,6 +9,7 @@
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
 #include "dem/population/population.h"
+#include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
@@ -129,7 +130,7 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles")) *code = build_particles(s, sim);
-    if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
         if (*code == 0) create_coupling(s, sim);
@@ -160,8 +161,9 @@ void build_free(struct simulation *sim)
     free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
-    free(sim->boundaries);
-    free(sim->inlet_series);
+    build_boundaries_free(sim->boundaries,
+                          sim->mesh != NULL ? sim->mesh->n_patches : 0,
+                          sim->inlet_series);
     free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);

@@ -6,6 +6,7 @@
 #include "case/validate.h"
 #include "case/keys.h"
 #include "case/models.h"
+#include "case/record.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -14,9 +15,15 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
     tables[0] = keys_core;
     tables[1] = keys_surfaces;
-    const int n = models_tables(&tables[2], CASE_FILE_TABLES - 3);
-    assert(n <= CASE_FILE_TABLES - 3);
-    tables[2 + n] = NULL;
+    int n = 2;
+    for (int i = 0; records[i] != NULL; i++, n++) {
+        assert(n < CASE_FILE_TABLES - 1);
+        tables[n] = records[i]->keys;
+    }
+    const int room = CASE_FILE_TABLES - 1 - n;
+    const int more = models_tables(&tables[n], room);
+    assert(more <= room);
+    tables[n + more] = NULL;
 }
 
 struct settings *case_file_read(const char *file, int n_overrides,

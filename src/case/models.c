@@ -10,6 +10,7 @@
 #include "dem/population/sizes.h"
 #include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
+#include "fluid/inlet_profile.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -48,6 +49,7 @@ DESCRIPTORS(convection, convection_schemes)
 DESCRIPTORS(gradient, velocity_gradient_schemes)
 DESCRIPTORS(continuity, fluid_continuity_forms)
 DESCRIPTORS(patch, boundary_kinds)
+DESCRIPTORS(profile, inlet_profiles)
 
 /* The keys of an effect are a table of its own. */
 static int effect(int i, struct model *m)
@@ -95,6 +97,8 @@ const struct kind models_kinds[] = {
      continuity},
     {"patch", "what happens on a side of the box", "fluid.<patch>", NULL,
      patch},
+    {"profile", "velocities over an inlet", "fluid.<patch>.profile", "fluid",
+     profile},
     {"effect", "further effects, each on where it is named", "effects", NULL,
      effect},
     {NULL, NULL, NULL, NULL, NULL}};
@@ -131,10 +135,20 @@ int models_reads(const struct model *m, const char *path)
     return 0;
 }
 
+/* 1 if the path is that of the kind's key, with any patch for <patch>. */
 static int is_chosen_by(const struct kind *kind, const struct key *key)
 {
-    if (key->type == KEY_PATCH) return strstr(kind->key, "<patch>") != NULL;
-    return strcmp(kind->key, key->path) == 0;
+    static const char placeholder[] = "<patch>";
+    const char *const at = strstr(kind->key, placeholder);
+
+    if (at == NULL) return strcmp(kind->key, key->path) == 0;
+    const size_t before = (size_t)(at - kind->key);
+    const char *const after = at + strlen(placeholder);
+    const size_t length = strlen(key->path);
+    if (after[0] == '\0') return key->type == KEY_PATCH;
+    return strncmp(key->path, kind->key, before) == 0 &&
+           length > before + strlen(after) &&
+           strcmp(key->path + length - strlen(after), after) == 0;
 }
 
 void models_words(const struct key *key, char *text, size_t room)
@@ -158,4 +172,36 @@ int models_value(const struct model *const *choices, const char *name)
     while (strcmp((*choices)->name, name) != 0)
         choices++;
     return (*choices)->value;
+}
+
+/* 1 if the model, or one that a key of it chooses, has that key of a patch. */
+static int patch_reads(const struct model *m, const char *name)
+{
+    char path[128];
+    struct model other;
+
+    snprintf(path, sizeof path, "fluid.<patch>.%s", name);
+    if (models_reads(m, path)) return 1;
+    for (const struct kind *k = models_kinds; k->name != NULL; k++)
+        for (int i = 0; models_reads(m, k->key) && k->model(i, &other); i++)
+            if (models_reads(&other, path)) return 1;
+    return 0;
+}
+
+int models_make_patch(int n, const char *const *name)
+{
+    struct model m;
+
+    for (int i = 0; patch(i, &m); i++) {
+        int first = 0, others = 0;
+        if (m.keys[0] == NULL) continue;
+        const char *const own = strrchr(m.keys[0][0].path, '.') + 1;
+        for (int k = 0; k < n; k++)
+            if (strcmp(name[k], own) == 0)
+                first++;
+            else
+                others += patch_reads(&m, name[k]);
+        if (first == 1 && first + others == n) return 1;
+    }
+    return 0;
 }

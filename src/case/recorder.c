@@ -23,6 +23,7 @@
 #include "case/profiles.h"
 #include "case/field_output.h"
 #include "case/probes.h"
+#include "case/record.h"
 #include "case/surface_table.h"
 
 enum { MOST_COLUMNS = 64 };
@@ -42,6 +43,7 @@ struct recorder {
     struct surface_table *surfaces; /* NULL without any */
     struct profiles *lines;
     struct probes *probes;
+    struct records *records;
     long row_every, picture_every; /* [-] steps of the loop */
     /* For the summary: the worst of the whole run, and means over its second
      * half. */
@@ -61,6 +63,7 @@ void recorder_free(struct recorder *r)
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
+    records_free(r->records);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -143,12 +146,13 @@ int recorder_sample(struct recorder *r)
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
         if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
+            surface_table_add(r->surfaces) != 0 ||
+            records_add_row(r->records) != 0)
             return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
-    return add_fields(r);
+    return add_fields(r) != 0 || records_add_picture(r->records) != 0;
 }
 
 int recorder_last_state(struct recorder *r)
@@ -305,7 +309,9 @@ static int create_parts(struct recorder *r)
         if (r->surfaces == NULL) return 1;
     }
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
-    return r->probes == NULL;
+    if (r->probes == NULL) return 1;
+    r->records = records_create(r->settings, sim, folder);
+    return r->records == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,

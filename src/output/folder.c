@@ -19,12 +19,18 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
+static const char *const below[] = {".",        "fluid",   "particles",
+                                    "surfaces", "picture", "profiles",
+                                    "frames",   "walls",   "contacts"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
                                    "./surfaces.csv",
+                                   "./forces.csv",
+                                   "./walls.pvd",
+                                   "./contacts.pvd",
+                                   "walls/walls_*.vtp",
+                                   "contacts/contacts_*.vtp",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
