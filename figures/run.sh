@@ -27,5 +27,5 @@ done
 [ $# = 0 ] || shift
 # shellcheck disable=SC2086 # one word a file
 ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp \
-    -Isrc -o "$work/program" "$program" $changed "$library" ${LIBS:-} -lgsl -lgslcblas -lz -lm
+    -Isrc -o "$work/program" "$program" $changed "$library" ${LIBS:-} -lconfig -lgsl -lgslcblas -lz -lm
 "$work/program" "$@"
