@@ -9,9 +9,9 @@
 #   drag_law  gidaspow_law
 #
 # and the array drag_laws[], of pointers, ended by NULL. The order is that of
-# the rows, the first being the default; `after NAME` at the end of a row puts
-# the model right behind another one, `first` before all others. A kind alone makes an array that may be
-# empty. Where nothing but a constant tells the models of a kind apart, their
+# the rows, the first being the default; `after NAME` or `before NAME` at the
+# end of a row puts the model next to another one, `first` before all others. A
+# kind alone makes an array that may be empty. Where nothing but a constant tells the models of a kind apart, their
 # descriptors are of the type struct model (base/model.h), and a row is
 #
 #   surface_shape:model  surface_plane
@@ -31,16 +31,17 @@ NF == 0 || $1 == "needs" { next }
 !($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0; type[$1] = word[2] }
 NF == 1 { next }
 NF == 3 && $3 == "first" { at = 0 }
-NF == 4 && $3 == "after" {
+NF == 4 && ($3 == "after" || $3 == "before") {
     for (at = n[$1]; at > 0 && model[$1, at] != $4; at--) continue
-    if (at == 0) wrong("there is no " $1 " " $4 " before this row")
+    if (at == 0) wrong("there is no " $1 " " $4 " in the rows so far")
+    if ($3 == "before") at--
 }
-NF == 3 && $3 == "first" || NF == 4 && $3 == "after" {
+NF == 3 && $3 == "first" || NF == 4 {
     for (i = n[$1]++; i > at; i--) model[$1, i + 1] = model[$1, i]
     model[$1, at + 1] = $2
     next
 }
-NF != 2 { wrong("expected a kind, a descriptor, and perhaps: after NAME, or: first") }
+NF != 2 { wrong("expected a kind, a descriptor, and perhaps: after NAME, before NAME, or: first") }
 { model[$1, ++n[$1]] = $2 }
 
 END {

@@ -86,6 +86,7 @@ END_OF_CASE
 signalled() {
     number=$1 moment=$2
     shift 2
+    : >said # a signal may come before the new process opens it
     "$winnow" run "$@" >said 2>&1 &
     run=$!
     sleep "$moment"

@@ -25,6 +25,9 @@ struct scene {
     int model_b;
     double virtual_mass; /* [-] C; 0: the effect is off */
     int viscous_stress;
+    double basset; /* [-] tolerance of the kernel; 0: the effect is off */
+    int saffman, magnus, fluid_torque;
+    double roughness;     /* [m] of the lubrication; 0: off */
     double mean_gradient; /* [Pa/m] along x */
     double rho, mu, dt;
     double rho_s, d;
@@ -168,6 +171,15 @@ static inline struct simulation *build(const struct scene *s)
         .hi = {s->size, s->size, s->size},
         .periodic = {1, 1, 1}};
 
+    const double gap[2] = {s->roughness, 0.2 * s->d};
+    const struct attraction_scene liquid = {NULL, s->mu};
+    static struct attraction attraction;
+
+    if (s->roughness > 0.0) {
+        attraction = effects_named("lubrication")->attraction(gap, &liquid);
+        o.attractions = &attraction;
+        o.n_attractions = 1;
+    }
     sim->mesh = mesh_create_box(&spec);
     sim->dt = s->dt;
     sim->dem_steps = s->dem_steps;
@@ -178,12 +190,17 @@ static inline struct simulation *build(const struct scene *s)
     if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);
     create_coupling(sim, s);
-    sim->effects = alloc_zeroed(4, sizeof *sim->effects);
+    sim->effects = alloc_zeroed(8, sizeof *sim->effects);
     if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
     if (s->virtual_mass > 0.0)
-        add_effect(sim, &virtual_mass_effect, &s->virtual_mass);
-    if (s->viscous_stress) add_effect(sim, &viscous_stress_effect, NULL);
+        add_effect(sim, effects_named("virtual_mass"), &s->virtual_mass);
+    if (s->viscous_stress)
+        add_effect(sim, effects_named("viscous_stress"), NULL);
+    if (s->basset > 0.0) add_effect(sim, effects_named("basset"), &s->basset);
+    if (s->saffman) add_effect(sim, effects_named("saffman"), NULL);
+    if (s->fluid_torque) add_effect(sim, effects_named("fluid_torque"), NULL);
+    if (s->magnus) add_effect(sim, effects_named("magnus"), NULL);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
 }

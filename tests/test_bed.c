@@ -8,6 +8,7 @@
 
 #include "dem/bed.h"
 #include "dem/population/bed_file.h"
+#include "dem/population/sizes.h"
 
 #include "facts.h"
 #include "capture.h"
@@ -313,6 +314,7 @@ START_TEST(bed_of_two_sizes_settles_and_each_has_its_mass)
     int small = 0;
 
     bed.sizes = sizes;
+    bed.quantile = sizes_quantile;
     bed.diameter = sizes_moment(sizes, 1);
     struct particles *const ps = made(NULL, &bed, &r, 1);
     ck_assert_int_eq(r.settled, 1);
@@ -350,6 +352,7 @@ START_TEST(bed_of_other_sizes_is_refused)
     temporary(path);
     particles_free(made(path, &bed, &r, 0));
     bed.sizes = sizes;
+    bed.quantile = sizes_quantile;
     ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
     unlink(path);
     particles_free(made(path, &bed, &r, 0));

@@ -5,6 +5,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double air_rho = 1.2, air_mu = 1.8e-5;
 
@@ -68,14 +69,20 @@ START_TEST(xs11_2_10_force_per_slip_is_eps_f_times_b)
 END_TEST
 
 /* At rest the slip-independent part remains: V_p 0.75 23.04 mu eps_f/(V_r d^2)
- * for Syamlal-O'Brien, which for one sphere is 0.96 of Stokes' 18 mu / d^2. */
+ * for Syamlal-O'Brien, which for one sphere is 0.96 of Stokes' 18 mu / d^2. Of
+ * that all laws have 0.96, too, whose C_d is DallaValle's, and huilin-gidaspow
+ * lacks the weight of the packed bed, 1/2 - atan(52.5) / pi. */
 START_TEST(drag_is_finite_for_a_particle_at_rest_and_alone)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
         const double alone = law->resistance(1.0, air_rho, air_mu, 1e-3, 0.0);
         const double stokes = 18.0 * air_mu / 1e-6;
-        const double expect = k == 0 ? 0.96 : 1.0;
+        const char *const own = "syamlal-obrien rong dallavalle";
+        const double expect = strstr(own, law->name) != NULL ? 0.96
+                              : strncmp(law->name, "huilin", 6) == 0
+                                  ? atan(52.5) / M_PI + 0.5
+                                  : 1.0;
         ck_assert_double_eq_tol(alone / stokes, expect, 1e-12);
         ck_assert(isfinite(law->resistance(0.4, air_rho, air_mu, 1e-3, 0.0)));
     }
@@ -208,7 +215,8 @@ END_TEST
 
 /* Every law has a limit without viscosity, which is Newton's: it goes with
  * u_r. From a Re of 1e8 to none at all nothing jumps: what is left there goes
- * with 1 / sqrt(Re), 1e-4 times 4.8 / 0.63 for syamlal-obrien. */
+ * with 1 / sqrt(Re), 1e-4 times 4.8 / 0.63 for syamlal-obrien, and with
+ * Re^-0.34 for beetstra and haider-levenspiel, 8.4 times 2e-3. */
 START_TEST(drag_has_its_limit_without_viscosity)
 {
     static const double thin[] = {0.0, 5e-324, 1e-300, 1e-100, 1e-16};
@@ -221,7 +229,7 @@ START_TEST(drag_has_its_limit_without_viscosity)
             for (int i = 0; i < 5; i++) {
                 const double none =
                     drag_coefficient(law, eps_s, 1.2, thin[i], 1e-3, 1.0);
-                ck_assert_double_eq_tol(none / near, 1.0, 2e-3);
+                ck_assert_double_eq_tol(none / near, 1.0, k < 3 ? 2e-3 : 2e-2);
             }
             ck_assert_double_eq(
                 drag_coefficient(law, eps_s, 1.2, 0.0, 1e-3, 0.0), 0.0);

@@ -120,7 +120,7 @@ START_TEST(an_effect_that_is_not_named_is_never_called)
     static const struct effect both = {
         .name = "spy", .before_particles = spy_before, .after_step = spy_after};
     static const struct effect after = {.name = "spy", .after_step = spy_after};
-    struct effect_state list[2] = {{&both, NULL}, {&after, NULL}};
+    struct effect_state list[2] = {{.effect = &both}, {.effect = &after}};
     struct simulation *const sim = build("");
     ck_assert_int_eq(sim->n_effects, 0);
     ck_assert_ptr_null(sim->effects);

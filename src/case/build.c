@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
@@ -155,7 +155,8 @@ void build_free(struct simulation *sim)
     dem_free(sim->dem);
     case_surfaces_free(sim->surfaces, sim->n_surfaces);
     free(sim->prescribed);
-    population_free(sim->population);
+    if (sim->population != NULL)
+        sim->population->functions->free(sim->population);
     case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);

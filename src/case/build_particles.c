@@ -6,14 +6,12 @@
 
 #include "base/alloc.h"
 #include "dem/dem_method.h"
-#include "dem/population/overlaps.h"
 #include "dem/surfaces/surface_start.h"
 #include "case/build.h"
-#include "case/case_sizes.h"
 #include "case/case_steps.h"
 #include "case/case_surfaces.h"
 #include "case/case_cohesion.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/case_overlap.h"
 #include "case/case_walls.h"
@@ -41,24 +39,26 @@ struct dem_options build_dem_options(const struct settings *s, double step)
     return o;
 }
 
-struct bed_options build_bed_options(const struct settings *s,
-                                     struct sizes **sizes)
+struct bed_options build_bed_options(const struct settings *s)
 {
-    *sizes = settings_has(s, "particles.bed.sizes")
-                 ? case_sizes_create(s, settings_text(s, "particles.bed.sizes"))
-                 : NULL;
     struct bed_options b = {
         .count = settings_int(s, "particles.bed.count"),
-        .diameter = *sizes != NULL ? sizes_moment(*sizes, 1)
-                                   : settings_real(s, "particles.bed.diameter"),
-        .sizes = *sizes,
+        .diameter = real_or_zero(s, "particles.bed.diameter"),
         .density = settings_real(s, "particles.grains.density"),
         .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
         .jitter = settings_real(s, "particles.bed.jitter"),
         .settle = settings_real(s, "particles.bed.settle")};
 
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->bed_sizes != NULL) case_parts[i]->bed_sizes(s, &b);
     build_gravity(s, b.gravity);
     return b;
+}
+
+void build_bed_release(struct bed_options *b)
+{
+    if (b->sizes != NULL) b->free_sizes(b->sizes);
+    b->sizes = NULL;
 }
 
 static int bed_lost(const struct bed_report *r)
@@ -75,8 +75,7 @@ static int bed_lost(const struct bed_report *r)
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
-    struct sizes *sizes;
-    struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
     const int kept = settings_has(s, "particles.bed.file");
     char path[SETTINGS_PATH];
     struct bed_report r;
@@ -85,13 +84,13 @@ static int create_bed(const struct settings *s, struct simulation *sim,
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
     b.region = case_walls_placement_region(sim->walls);
-    sim->particles = particles_create(b.count + case_population_count(s));
+    sim->particles = particles_create(b.count + case_part_count_later(s));
     sim->dem = dem_create(sim->particles, o);
     const int found = sim->dem == NULL
                           ? BED_REFUSED
                           : bed_create(kept ? path : NULL, sim->particles,
                                        sim->dem, &b, o, &r);
-    sizes_free(sizes);
+    build_bed_release(&b);
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps == 0 || settings_quiet(s)) return 0;
@@ -117,28 +116,6 @@ static int material_of(const struct settings *s, const char *list, int i)
                : 0;
 }
 
-/* Spheres that are placed in each other: apart, or a message. */
-static int part_spheres(const struct settings *s, struct particles *ps,
-                        const struct dem_options *o)
-{
-    const char *const what = settings_text(s, "particles.overlaps");
-    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
-    const struct overlap deep = overlaps_deepest(ps, &box);
-
-    if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
-    if (strcmp(what, "refuse") == 0)
-        return settings_wrong(
-            s, "particles.place",
-            "spheres %d and %d overlap by %.3g of their mean diameter; set "
-            "particles.overlaps to \"relax\" to move them apart, or to "
-            "\"allow\"",
-            deep.i, deep.j, deep.depth);
-    if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
-    return settings_wrong(s, "particles.place",
-                          "the spheres overlap, and there is no room to move "
-                          "them apart");
-}
-
 /* The spheres, where the case puts them; without a dem. */
 static int put_spheres(const struct settings *s, struct simulation *sim,
                        const struct dem_options *o)
@@ -146,7 +123,7 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
 
-    sim->particles = particles_create(n + case_population_count(s));
+    sim->particles = particles_create(n + case_part_count_later(s));
     if (sim->materials != NULL) particles_add_material(sim->particles);
     for (int k = 0; k < n; k++) {
         const int material = material_of(s, list, k);
@@ -165,8 +142,9 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
-    if (part_spheres(s, sim->particles, o) != 0) return 2;
-    if (strcmp(settings_text(s, "particles.overlaps"), "allow") != 0 &&
+    if (case_part_place(s, sim->particles, o) != 0) return 2;
+    if ((!settings_has(s, "particles.overlaps") ||
+         strcmp(settings_text(s, "particles.overlaps"), "allow") != 0) &&
         surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0)
         return 2;
     return 0;
@@ -184,15 +162,14 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 static int lay_bed(const struct settings *s, struct simulation *sim,
                    const struct dem_options *o)
 {
-    struct sizes *sizes;
-    struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
 
     b.region = case_walls_placement_region(sim->walls);
-    sim->particles = particles_create(b.count + case_population_count(s));
+    sim->particles = particles_create(b.count + case_part_count_later(s));
     const int wrong =
         bed_fill(sim->particles, &b, o) != 0 ||
         surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0;
-    sizes_free(sizes);
+    build_bed_release(&b);
     if (wrong) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
@@ -268,15 +245,8 @@ int build_particles(const struct settings *s, struct simulation *sim)
     if (driven_missing(s, sim->particles) != 0) return 2;
     dem_clock(sim->dem, 0);
     case_overlap_limit(s, sim);
-    double lo[3], hi[3];
-    case_mesh_ends(s, lo, hi);
-    const struct box_domain box = box_domain_of(lo, hi, o.periodic);
-    sim->population = case_population_create(s, &box, &code);
+    code = case_part_add(s, sim);
     if (code != 0) return code;
-    for (int i = 0; sim->population != NULL && i < sim->population->n_sources;
-         i++)
-        sim->population->sources[i].options.region =
-            case_walls_placement_region(sim->walls);
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, sim->held_force, 3);
     return 0;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
-#include "coupling/effects/cohesion.h"
+#include "coupling/effects.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
@@ -18,6 +18,11 @@ static int count_materials(const struct settings *s)
     return 1 + settings_length(s, "particles.materials");
 }
 
+static int is_attraction(const struct settings *s, const struct effect *e)
+{
+    return e->attraction != NULL && settings_has(s, e->keys[0].path);
+}
+
 /* One block: the attractions, then the charges of the materials. */
 struct attraction *case_cohesion_create(const struct settings *s, int *n)
 {
@@ -26,19 +31,22 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     double *charge, numbers[8];
 
     *n = 0;
-    for (int k = 0; cohesion_all[k] != NULL; k++)
-        *n += settings_has(s, cohesion_all[k]->keys[0].path);
+    for (int k = 0; effects[k] != NULL; k++)
+        *n += is_attraction(s, effects[k]);
     if (*n == 0) return NULL;
     all = alloc_zeroed(1, (size_t)*n * sizeof *all +
                               (size_t)materials * sizeof *charge);
     charge = (double *)(all + *n);
     for (int k = 0; k < materials; k++)
         charge[k] = case_materials_one(s, k).charge;
-    for (int k = 0, i = 0; cohesion_all[k] != NULL; k++) {
-        const struct effect *const e = cohesion_all[k];
-        if (!settings_has(s, e->keys[0].path)) continue;
+    const struct attraction_scene scene = {
+        charge,
+        settings_has(s, "fluid") ? settings_real(s, "fluid.viscosity") : 0.0};
+    for (int k = 0, i = 0; effects[k] != NULL; k++) {
+        const struct effect *const e = effects[k];
+        if (!is_attraction(s, e)) continue;
         case_file_parameters(s, e->keys, numbers, 8);
-        all[i++] = cohesion_attraction(e, numbers, charge);
+        all[i++] = e->attraction(numbers, &scene);
     }
     return all;
 }

@@ -2,6 +2,7 @@
 #include "case/case_file.h"
 
 #include "case/case_mesh.h"
+#include "case/case_part.h"
 #include "case/case_surfaces.h"
 #include "case/validate.h"
 #include "case/keys.h"
@@ -13,17 +14,17 @@
 
 void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
 {
-    tables[0] = keys_core;
-    tables[1] = keys_surfaces;
-    int n = 2;
-    for (int i = 0; records[i] != NULL; i++, n++) {
-        assert(n < CASE_FILE_TABLES - 1);
-        tables[n] = records[i]->keys;
-    }
-    const int room = CASE_FILE_TABLES - 1 - n;
-    const int more = models_tables(&tables[n], room);
-    assert(more <= room);
-    tables[n + more] = NULL;
+    int n = 0;
+
+    tables[n++] = keys_core;
+    tables[n++] = keys_surfaces;
+    for (int i = 0; case_parts[i] != NULL; i++)
+        tables[n++] = case_parts[i]->keys;
+    for (int i = 0; records[i] != NULL; i++)
+        tables[n++] = records[i]->keys;
+    n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
+    assert(n < CASE_FILE_TABLES);
+    tables[n] = NULL;
 }
 
 struct settings *case_file_read(const char *file, int n_overrides,

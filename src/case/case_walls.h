@@ -9,7 +9,7 @@
 #ifndef CASE_CASE_WALLS_H
 #define CASE_CASE_WALLS_H
 
-#include "dem/population/placement_region.h"
+#include "dem/placement_region.h"
 #include "dem/surfaces/surface.h"
 #include "case/settings.h"
 

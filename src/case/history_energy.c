@@ -3,7 +3,7 @@
 
 #include "coupling/replacement.h"
 #include "dem/energy.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 
 double history_energy_normal(const struct simulation *sim)
 {

@@ -75,10 +75,10 @@ static int is_at_work(const struct settings *s, const struct kind *kind)
                          : group[0] != '\0'  ? group
                                              : kind->key))
         return 0;
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; k->model(i, &m); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
             if (models_reads(&m, kind->key)) {
-                if (model_choice_is_on(s, k, &m)) return 1;
+                if (model_choice_is_on(s, *k, &m)) return 1;
                 owned = 1;
             }
     return !owned;
@@ -141,14 +141,14 @@ int model_choice_check(const struct settings *s)
 {
     struct model m;
 
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; k->model(i, &m); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++)
                 for (const struct key *row = m.keys[t]; row->path != NULL;
                      row++)
                     if (row->fallback != NULL && schema_is_required(row) &&
-                        model_choice_is_on(s, k, &m) &&
-                        missing(s, k, &m, row->path) != 0)
+                        model_choice_is_on(s, *k, &m) &&
+                        missing(s, *k, &m, row->path) != 0)
                         return 2;
     return 0;
 }

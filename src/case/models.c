@@ -7,7 +7,6 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
-#include "dem/population/sizes.h"
 #include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
 #include "fluid/inlet_profile.h"
@@ -16,43 +15,47 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The i-th row of a list of descriptors, which ends with NULL. */
-#define DESCRIPTORS(kind, list)                                                \
-    static int kind(int i, struct model *m)                                    \
-    {                                                                          \
-        for (int k = 0; k <= i; k++)                                           \
-            if ((list)[k] == NULL) return 0;                                   \
-        *m = (struct model){.name = (list)[i]->name,                           \
-                            .what = (list)[i]->what,                           \
-                            .equations = (list)[i]->equations,                 \
-                            .function = (list)[i]->function};                  \
-        memcpy(m->keys, (list)[i]->keys, sizeof m->keys);                      \
-        return 1;                                                              \
-    }
-
-DESCRIPTORS(contact, contact_laws)
-DESCRIPTORS(integrator, integrators)
-DESCRIPTORS(list, dem_methods)
-DESCRIPTORS(sizes, sizes_laws)
-DESCRIPTORS(surface, surface_shapes)
-DESCRIPTORS(averaging, averaging_methods)
-DESCRIPTORS(scheme, diffusion_schemes)
-DESCRIPTORS(variation, bandwidth_rules)
-DESCRIPTORS(interpolation, interpolations)
-DESCRIPTORS(drag, drag_laws)
-DESCRIPTORS(treatment, coupling_treatments)
-DESCRIPTORS(slip_integration, coupling_slip_integrations)
-DESCRIPTORS(form, coupling_forms)
-DESCRIPTORS(direction, coupling_directions)
-DESCRIPTORS(time_scheme, time_schemes)
-DESCRIPTORS(convection, convection_schemes)
-DESCRIPTORS(gradient, velocity_gradient_schemes)
-DESCRIPTORS(continuity, fluid_continuity_forms)
-DESCRIPTORS(patch, boundary_kinds)
-DESCRIPTORS(profile, inlet_profiles)
+MODELS_KIND(models_contact, contact_laws, "contact", "contact laws",
+            "particles.contact", NULL)
+MODELS_KIND(models_integrator, integrators, "integrator",
+            "ways of the particles through time", "particles.integrator", NULL)
+MODELS_KIND(models_list, dem_methods, "list", "ways to find the pairs",
+            "particles.list", NULL)
+MODELS_KIND(models_averaging, averaging_methods, "averaging",
+            "ways from particles to fields", "averaging.method", NULL)
+MODELS_KIND(models_scheme, diffusion_schemes, "scheme",
+            "schemes of the diffusion in pseudo-time", "averaging.scheme", NULL)
+MODELS_KIND(models_variation, bandwidth_rules, "bandwidth_variation",
+            "ways that the bandwidth varies", "averaging.bandwidth_variation",
+            NULL)
+MODELS_KIND(models_interpolation, interpolations, "interpolation",
+            "ways from fields to particles", "averaging.interpolation",
+            "exchange")
+MODELS_KIND(models_drag, drag_laws, "drag", "drag laws", "exchange.drag", NULL)
+MODELS_KIND(models_treatment, coupling_treatments, "treatment",
+            "treatments of the drag in the fluid", "exchange.treatment", NULL)
+MODELS_KIND(models_slip_integration, coupling_slip_integrations,
+            "slip_integration", "courses of the drag during a sub-step",
+            "exchange.slip_integration", NULL)
+MODELS_KIND(models_form, coupling_forms, "model",
+            "forms of the averaged momentum equation", "exchange.model", NULL)
+MODELS_KIND(models_direction, coupling_directions, "coupling",
+            "directions of the coupling", "exchange.coupling", NULL)
+MODELS_KIND(models_time_scheme, time_schemes, "time",
+            "time schemes of the fluid", "fluid.time", NULL)
+MODELS_KIND(models_convection, convection_schemes, "convection",
+            "convection schemes", "fluid.convection", NULL)
+MODELS_KIND(models_gradient, velocity_gradient_schemes, "gradient",
+            "slopes of the velocity", "fluid.gradient", NULL)
+MODELS_KIND(models_continuity, fluid_continuity_forms, "continuity",
+            "forms of the mass balance", "fluid.continuity", NULL)
+MODELS_KIND(models_patch, boundary_kinds, "patch",
+            "what happens on a side of the box", "fluid.<patch>", NULL)
+MODELS_KIND(models_profile, inlet_profiles, "profile",
+            "velocities over an inlet", "fluid.<patch>.profile", "fluid")
 
 /* The keys of an effect are a table of its own. */
-static int effect(int i, struct model *m)
+static int effect_row(int i, struct model *m)
 {
     for (int k = 0; k <= i; k++)
         if (effects[k] == NULL) return 0;
@@ -64,49 +67,14 @@ static int effect(int i, struct model *m)
     return 1;
 }
 
-const struct kind models_kinds[] = {
-    {"contact", "contact laws", "particles.contact", NULL, contact},
-    {"integrator", "ways of the particles through time", "particles.integrator",
-     NULL, integrator},
-    {"list", "ways to find the pairs", "particles.list", NULL, list},
-    {"sizes", "distributions of diameters", "particles.sizes.distribution",
-     NULL, sizes},
-    {"surface", "walls besides those of the box", "particles.surfaces.shape",
-     NULL, surface},
-    {"averaging", "ways from particles to fields", "averaging.method", NULL,
-     averaging},
-    {"scheme", "schemes of the diffusion in pseudo-time", "averaging.scheme",
-     NULL, scheme},
-    {"bandwidth_variation", "ways that the bandwidth varies",
-     "averaging.bandwidth_variation", NULL, variation},
-    {"interpolation", "ways from fields to particles",
-     "averaging.interpolation", "exchange", interpolation},
-    {"drag", "drag laws", "exchange.drag", NULL, drag},
-    {"treatment", "treatments of the drag in the fluid", "exchange.treatment",
-     NULL, treatment},
-    {"slip_integration", "courses of the drag during a sub-step",
-     "exchange.slip_integration", NULL, slip_integration},
-    {"model", "forms of the averaged momentum equation", "exchange.model", NULL,
-     form},
-    {"coupling", "directions of the coupling", "exchange.coupling", NULL,
-     direction},
-    {"time", "time schemes of the fluid", "fluid.time", NULL, time_scheme},
-    {"convection", "convection schemes", "fluid.convection", NULL, convection},
-    {"gradient", "slopes of the velocity", "fluid.gradient", NULL, gradient},
-    {"continuity", "forms of the mass balance", "fluid.continuity", NULL,
-     continuity},
-    {"patch", "what happens on a side of the box", "fluid.<patch>", NULL,
-     patch},
-    {"profile", "velocities over an inlet", "fluid.<patch>.profile", "fluid",
-     profile},
-    {"effect", "further effects, each on where it is named", "effects", NULL,
-     effect},
-    {NULL, NULL, NULL, NULL, NULL}};
+const struct kind models_effect = {"effect",
+                                   "further effects, each on where it is named",
+                                   "effects", NULL, effect_row};
 
 const struct kind *models_kind(const char *name)
 {
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        if (strcmp(k->name, name) == 0) return k;
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        if (strcmp((*k)->name, name) == 0) return *k;
     return NULL;
 }
 
@@ -115,8 +83,8 @@ int models_tables(const struct key **tables, int room)
     struct model m;
     int n = 0;
 
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; k->model(i, &m); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
             for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++) {
                 int known = 0;
                 for (int j = 0; j < n && j < room; j++)
@@ -157,8 +125,8 @@ void models_words(const struct key *key, char *text, size_t room)
     size_t used = 0;
 
     text[0] = '\0';
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; is_chosen_by(k, key) && k->model(i, &m); i++) {
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; is_chosen_by(*k, key) && (*k)->model(i, &m); i++) {
             if (key->type == KEY_PATCH && m.keys[0] != NULL) continue;
             const int wrote = snprintf(text + used, room - used, "%s%s",
                                        used > 0 ? " | " : "", m.name);
@@ -173,6 +141,8 @@ int models_value(const struct model *const *choices, const char *name)
         choices++;
     return (*choices)->value;
 }
+MODELS_KIND(models_surface, surface_shapes, "surface",
+            "walls besides those of the box", "particles.surfaces.shape", NULL)
 
 /* 1 if the model, or one that a key of it chooses, has that key of a patch. */
 static int patch_reads(const struct model *m, const char *name)
@@ -182,8 +152,9 @@ static int patch_reads(const struct model *m, const char *name)
 
     snprintf(path, sizeof path, "fluid.<patch>.%s", name);
     if (models_reads(m, path)) return 1;
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; models_reads(m, k->key) && k->model(i, &other); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; models_reads(m, (*k)->key) && (*k)->model(i, &other);
+             i++)
             if (models_reads(&other, path)) return 1;
     return 0;
 }
@@ -192,7 +163,7 @@ int models_make_patch(int n, const char *const *name)
 {
     struct model m;
 
-    for (int i = 0; patch(i, &m); i++) {
+    for (int i = 0; models_patch.model(i, &m); i++) {
         int first = 0, others = 0;
         if (m.keys[0] == NULL) continue;
         const char *const own = strrchr(m.keys[0][0].path, '.') + 1;

@@ -10,6 +10,7 @@
 #include "base/model.h"
 
 #include <stddef.h>
+#include <string.h>
 
 struct kind {
     const char *name;  /* "drag" */
@@ -20,8 +21,24 @@ struct kind {
     int (*model)(int i, struct model *m);
 };
 
-/* All kinds, ended by one without a name. */
-extern const struct kind models_kinds[];
+/* All kinds, ended by NULL. */
+extern const struct kind *const kinds[];
+
+/* Defines the kind of a list of descriptors, which ends with NULL; then follow
+ * its name, what it is, its key and its group. */
+#define MODELS_KIND(descriptor, list, ...)                                     \
+    static int descriptor##_row(int i, struct model *m)                        \
+    {                                                                          \
+        for (int k = 0; k <= i; k++)                                           \
+            if ((list)[k] == NULL) return 0;                                   \
+        *m = (struct model){.name = (list)[i]->name,                           \
+                            .what = (list)[i]->what,                           \
+                            .equations = (list)[i]->equations,                 \
+                            .function = (list)[i]->function};                  \
+        memcpy(m->keys, (list)[i]->keys, sizeof m->keys);                      \
+        return 1;                                                              \
+    }                                                                          \
+    const struct kind descriptor = {__VA_ARGS__, descriptor##_row};
 
 /* The kind of that name, or NULL. */
 const struct kind *models_kind(const char *name);

@@ -17,7 +17,7 @@
 #include "output/picture.h"
 #include "output/summary.h"
 #include "output/table.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 #include "case/case_steps.h"
 #include "case/history.h"
 #include "case/profiles.h"

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/run.h"
 
+#include <omp.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "base/thread_tuner.h"
@@ -11,10 +14,11 @@
 #include "output/folder.h"
 #include "case/breakdown.h"
 #include "case/build.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_overlap.h"
 #include "case/case_steps.h"
-#include "case/report/report.h"
+#include "case/command.h"
+#include "case/case_scales.h"
 #include "case/progress.h"
 #include "case/recorder.h"
 
@@ -100,7 +104,7 @@ static int run_simulation(const struct settings *s, struct simulation *sim,
     thread_tuner_restore(&crew);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
-    case_population_report(sim);
+    case_part_after_run(sim);
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
@@ -152,7 +156,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (report_step(s) != 0) return WRONG;
+    if (case_scales_check(s) != 0) return WRONG;
     struct folder *const folder = folder_take(o->dir); /* before settling */
     if (folder == NULL) return NOT_WRITTEN;
     if (o->quiet) folder_be_quiet(folder);
@@ -162,3 +166,44 @@ int run_case(const struct settings *s, const struct run_options *o)
     folder_free(folder);
     return code;
 }
+
+/* out/NAME for a case some/where/NAME.cfg, as a new string. A name that begins
+ * with a dot stays whole, because it would become that of another folder. */
+static char *default_dir(const char *file)
+{
+    const char *const slash = strrchr(file, '/');
+    const char *const name = slash != NULL ? slash + 1 : file;
+    char *const dir = file_join("out", name);
+    char *const dot = strrchr(dir, '.');
+
+    if (dot != NULL && name[0] != '.') *dot = '\0';
+    return dir;
+}
+
+static int act(const struct command_line *l)
+{
+    int code;
+    struct interrupt_watch watch;
+    char *const dir = default_dir(l->words[0]);
+    const struct run_options o = {l->dir != NULL ? l->dir : dir, l->quiet};
+
+    interrupt_hold();
+    interrupt_watch_begin(&watch, NULL, NULL);
+    struct settings *const s = command_settings(l, &code);
+    interrupt_watch_end(&watch);
+    if (l->threads > 0) omp_set_num_threads(l->threads);
+    if (s != NULL && l->quiet) settings_be_quiet(s);
+    if (s != NULL) code = run_case(s, &o);
+    settings_free(s);
+    free(dir);
+    return code;
+}
+
+const struct command command_run = {
+    "run",
+    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--quiet]",
+    "run a case; DIR is out/ and the name of the case if not given",
+    "osj-",
+    1,
+    1,
+    act};

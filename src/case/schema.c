@@ -170,7 +170,7 @@ static void gather(const struct key *key, int conditions, const char *between,
 
 void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
 {
-    static const char *const kinds[] = {
+    static const char *const phrases[] = {
         [KEY_GROUP] = "a group { ... }",
         [KEY_LIST] = "a list of groups ( { ... }, ... )",
         [KEY_REAL] = "a number",
@@ -190,7 +190,7 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
 
     gather(key, 1, ", ", conditions);
     gather(key, 0, " or ", words);
-    snprintf(text, SCHEMA_TEXT, "%s", kinds[key->type]);
+    snprintf(text, SCHEMA_TEXT, "%s", phrases[key->type]);
     if (conditions[0] != '\0') append(text, " ");
     append(text, conditions);
     if (key->unit[0] != '\0') append(text, " [");

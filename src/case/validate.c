@@ -11,8 +11,7 @@
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_averaging.h"
-#include "case/case_population.h"
-#include "case/case_sizes.h"
+#include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/case_surfaces.h"
 #include "case/case_walls.h"
@@ -164,23 +163,20 @@ static int check_bed_sizes(const struct settings *s)
                               "give either diameter or "
                               "sizes%s",
                               one ? ", not both" : "");
-    if (one) return 0;
-    return case_sizes_check_name(s, "particles.bed.sizes",
-                                 settings_text(s, "particles.bed.sizes"));
+    return 0;
 }
 
 /* Spheres in a box reach about 0.64 of its volume at the densest when poured;
  * beyond 0.6 none is free to settle. */
 static int check_bed_fits(const struct settings *s)
 {
-    struct sizes *sizes;
-    const struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
     const struct bed_range range = bed_range(&b);
     const char *const key =
-        sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
+        b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
     double lo[3], size[3];
 
-    sizes_free(sizes);
+    build_bed_release(&b);
     case_mesh_ends(s, lo, size);
     for (int k = 0; k < 3; k++)
         size[k] -= lo[k];
@@ -266,7 +262,6 @@ static int check_particles(const struct settings *s)
     const int place = settings_has(s, "particles.place");
     int code = model_choice_check(s);
 
-    if (code == 0) code = case_sizes_check(s);
     if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
@@ -274,7 +269,7 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = case_walls_check(s);
     if (code == 0) code = check_list(s);
     if (code != 0) return code;
-    if (code == 0) code = case_population_check(s);
+    if (code == 0) code = case_part_check(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",

@@ -8,10 +8,11 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/number.h"
+#include "coupling/effects.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -82,22 +83,13 @@ int coupling_start(struct simulation *sim)
 /* Sets the forces of effects that are constant during this step. */
 static void set_held_forces(struct simulation *sim)
 {
-    memset(sim->held_force, 0,
-           3 * (size_t)sim->particles->n * sizeof *sim->held_force);
-    for (int i = 0; i < sim->n_effects; i++) {
-        const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->before_particles != NULL)
-            e->effect->before_particles(e->memory, sim);
-    }
-}
+    struct particles *const ps = sim->particles;
+    const size_t n = (size_t)ps->n;
 
-static void after_particles(struct simulation *sim)
-{
-    for (int i = 0; i < sim->n_effects; i++) {
-        const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->after_particles != NULL)
-            e->effect->after_particles(e->memory, sim);
-    }
+    memset(sim->held_force, 0, 3 * n * sizeof *sim->held_force);
+    if (ps->added_mass != NULL)
+        memset(ps->added_mass, 0, n * sizeof *ps->added_mass);
+    effects_call(sim, EFFECTS_BEFORE_PARTICLES);
 }
 
 static void apply_held_forces(struct simulation *sim)
@@ -149,6 +141,8 @@ static int move_with_drag(struct simulation *sim, double *clock)
         const int steps =
             part_of(sim->dem_steps, k + 1, n) - part_of(sim->dem_steps, k, n);
         apply_held_forces(sim);
+        sim->substep = sim->dt * steps / sim->dem_steps;
+        effects_call(sim, EFFECTS_BEFORE_SUBSTEP);
         transfer_begin_substep(sim, steps);
         clock_add(&sim->seconds.exchange, clock);
         failed = dem_run(sim->dem, steps, &sim->dem_report);
@@ -173,11 +167,7 @@ static void finish_step(struct simulation *sim)
 {
     sim->steps++;
     sim->t = (double)sim->steps * sim->dt;
-    for (int i = 0; i < sim->n_effects; i++) {
-        const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->after_step != NULL)
-            e->effect->after_step(e->memory, sim);
-    }
+    effects_call(sim, EFFECTS_AFTER_STEP);
 }
 
 /* Removes and inserts particles before the step. With coupling, the averaged
@@ -185,11 +175,13 @@ static void finish_step(struct simulation *sim)
 static int insert_and_remove(struct simulation *sim)
 {
     struct particles *const ps = sim->particles;
-    const int removed = population_mark(sim->population, ps, sim->dt);
+    struct population *const population = sim->population;
+    const struct population_functions *const f = population->functions;
+    const int removed = f->mark(population, ps, sim->dt);
 
     if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
-    if (removed > 0) population_remove(sim->population, sim->dem);
-    const int first = population_insert(sim->population, ps, sim->dem, sim->t);
+    if (removed > 0) f->remove(population, sim->dem);
+    const int first = f->insert(population, ps, sim->dem, sim->t);
     if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
     return replacement_apply(sim, first);
 }
@@ -217,7 +209,8 @@ int coupling_step(struct simulation *sim)
         /* 3, 4. Drag and collisions, sub-step by sub-step. */
         failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
                                        : move_freely(sim, &clock);
-        if (!failed) after_particles(sim);
+        if (!failed) effects_call(sim, EFFECTS_AFTER_PARTICLES);
+        effects_measure_scale(sim);
 
         /* 5. New eps_s and u_s; from them Omega and A for the next step. */
         if (sim->coupling != NULL && !failed) {
@@ -238,6 +231,27 @@ void coupling_add_impulse(struct simulation *sim, int i,
 
     for (int k = 0; k < 3 && cp->options.two_way; k++)
         cp->unpaid_impulse[3 * i + k] += impulse[k];
+}
+
+void coupling_slip(const struct simulation *sim, int i, double w[3])
+{
+    const struct particles *const ps = sim->particles;
+    const double *const u = &sim->coupling->u_f[3 * i];
+
+    w[0] = u[0] - ps->vx[i];
+    w[1] = u[1] - ps->vy[i];
+    w[2] = u[2] - ps->vz[i];
+}
+
+void coupling_add_force(struct simulation *sim, int i, const double f[3])
+{
+    const double T = sim->substep, impulse[3] = {f[0] * T, f[1] * T, f[2] * T};
+
+    sim->particles->ex[i] += f[0];
+    sim->particles->ey[i] += f[1];
+    sim->particles->ez[i] += f[2];
+    coupling_add_impulse(sim, i, impulse);
+    effects_report(sim, f, T / sim->dt);
 }
 
 void coupling_unpaid_impulse(const struct simulation *sim, double owed[3])

@@ -101,6 +101,13 @@ int coupling_step(struct simulation *sim);
 void coupling_add_impulse(struct simulation *sim, int i,
                           const double impulse[3]);
 
+/* The slip u_f - v of particle i at this moment [m/s]. */
+void coupling_slip(const struct simulation *sim, int i, double w[3]);
+
+/* Adds a force f [N] of the fluid on particle i for the sub-step that follows,
+ * and its impulse. For effects, before a sub-step. */
+void coupling_add_force(struct simulation *sim, int i, const double f[3]);
+
 /* Sum of unpaid_impulse over the particles [N s]. */
 void coupling_unpaid_impulse(const struct simulation *sim, double owed[3]);
 

@@ -47,19 +47,22 @@ const struct drag_law drag_syamlal_obrien = {
     .what = "settling data of suspensions; the law of XS11 and SX15",
     .equations = "XS11 2.11-2.14",
     .function = "syamlal_obrien",
+    .eps_min = 0.35,
+    .eps_max = 1.0,
+    .Re_max = 3e4,
     .resistance = syamlal_obrien,
 };
 
 /* C_d Re / 24, the correction to Stokes' law [LS 5.13, 5.26]. Schiller and
  * Naumann to Re = 1000, Newton's constant 0.44 beyond. */
-static double stokes_correction(double Re)
+double drag_sphere(double Re)
 {
     return Re < 1000.0 ? 1.0 + 0.15 * pow(Re, 0.687) : 0.44 * Re / 24.0;
 }
 
 double drag_wen_yu_cd(double alpha, double Re)
 {
-    return 24.0 / (alpha * Re) * stokes_correction(alpha * Re); /* [LS 5.26] */
+    return 24.0 / (alpha * Re) * drag_sphere(alpha * Re); /* [LS 5.26] */
 }
 
 /* [LS 5.25-5.27] with beta as [XS11 2.9] means it, that is rho times what LS
@@ -74,7 +77,7 @@ static double gidaspow(double eps_f, double rho_f, double mu, double d,
                1.75 * rho_f * u_r / d;
     const double Cd_u = is_inviscid(Re) ? 0.44 * u_r
                                         : 24.0 * mu / (eps_f * rho_f * d) *
-                                              stokes_correction(eps_f * Re);
+                                              drag_sphere(eps_f * Re);
     return 0.75 * Cd_u * eps_f * rho_f / d * pow(eps_f, -2.65); /* Wen, Yu */
 }
 
@@ -83,6 +86,9 @@ const struct drag_law drag_gidaspow = {
     .what = "Ergun's packed bed below eps_f = 0.8, Wen and Yu above",
     .equations = "LS 5.25-5.27",
     .function = "gidaspow",
+    .eps_min = 0.35,
+    .eps_max = 1.0,
+    .Re_max = 2e3,
     .resistance = gidaspow,
 };
 
@@ -94,7 +100,7 @@ static double schiller_naumann(double eps_f, double rho_f, double mu, double d,
 
     (void)eps_f;
     if (is_inviscid(Re)) return 0.75 * 0.44 * rho_f * u_r / d;
-    return 18.0 * mu / (d * d) * stokes_correction(Re);
+    return 18.0 * mu / (d * d) * drag_sphere(Re);
 }
 
 const struct drag_law drag_schiller_naumann = {
@@ -102,6 +108,9 @@ const struct drag_law drag_schiller_naumann = {
     .what = "one sphere in an unbounded stream, neighbours ignored",
     .equations = "LS 5.2, 5.13",
     .function = "schiller_naumann",
+    .eps_min = 0.95,
+    .eps_max = 1.0,
+    .Re_max = 2e5,
     .resistance = schiller_naumann,
 };
 

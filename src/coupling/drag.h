@@ -23,6 +23,9 @@ struct drag_law {
     const char *equations;              /* keys in chapters/references.md */
     const char *function;               /* the one that computes it */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    double eps_min, eps_max;            /* [-] fluid fractions of its data, */
+    double Re_min, Re_max; /* [-] and eps_f rho_f d u_r / mu; `winnow check`
+                              warns outside of them */
     double (*resistance)(double eps_f, double rho_f, double mu, double d,
                          double u_r);
 };
@@ -54,6 +57,9 @@ double drag_terminal_ratio(double Re, double eps_f);
 /* Drag coefficient of a sphere in a suspension [-] [LS 5.26], after Wen and
  * Yu; alpha is the fluid fraction. Above alpha Re = 1000 it is 0.44. */
 double drag_wen_yu_cd(double alpha, double Re);
+
+/* C_d Re / 24 of one sphere, the correction to Stokes' law [LS 5.13]. */
+double drag_sphere(double Re);
 
 /* Force on one sphere with drag coefficient C_D [N] [LS 5.2]. */
 double drag_force(double rho_f, double C_D, double d, double u_r);

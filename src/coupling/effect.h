@@ -5,7 +5,8 @@
  * name allocates nothing, and the time loop, which goes through the list of
  * created effects, does not call it. Parameters arrive as plain numbers in the
  * order of the descriptor's keys (a vector gives three, a group none), already
- * checked.
+ * checked. What an effect does is measured while it does it: its hooks report
+ * the force on each particle, and the loop takes the time.
  */
 #ifndef COUPLING_EFFECT_H
 #define COUPLING_EFFECT_H
@@ -14,11 +15,23 @@
 
 struct simulation;
 struct effect;
+struct effect_scales;
+struct attraction;
+struct attraction_scene;
+
+/* The forces that an effect has exerted, of the steps that are measured. */
+struct effect_tally {
+    double sum;     /* [N] of their sizes, over particles and steps */
+    double largest; /* [N] on one particle */
+    double seconds; /* [s] wall-clock time in its hooks, of all steps */
+    long n;         /* [-] particles, over all those steps */
+};
 
 /* An active effect: its descriptor and its state. */
 struct effect_state {
     const struct effect *effect;
     void *memory; /* released by effect->free; may be NULL */
+    struct effect_tally tally;
 };
 
 /* A field of the cells that an effect has written with those of the fluid. */
@@ -38,10 +51,19 @@ struct effect {
     void *(*create)(struct simulation *sim, const double *parameters);
     /* Any of these may be NULL. */
     void (*before_particles)(void *memory, struct simulation *sim);
+    /* For forces that follow the slip: adds to the outside force of particles.h
+     * for the sub-step of the drag that follows. */
+    void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     void (*free)(void *memory);
+    /* A force between particles and walls that are close (attraction.h). */
+    struct attraction (*attraction)(const double *parameters,
+                                    const struct attraction_scene *scene);
+    /* The share of the larger one of weight and drag that the force has by the
+     * scales of a case, for the effect named or not [-] (effect_scales.h). */
+    double (*share)(const struct effect_scales *k, const char **remark);
 };
 
 #endif

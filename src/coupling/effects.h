@@ -1,18 +1,44 @@
-/* effects.h -- the list of all effects.  Chapter "The coupled loop". */
+/* effects.h -- the list of all effects, and what those of a case do.
+ * Chapter "The coupled loop".
+ *
+ * In every eighth step the forces of the effects are measured, and with them
+ * what they are compared with: the larger one of a particle's weight and its
+ * drag. The seconds are those of all steps.
+ */
 #ifndef COUPLING_EFFECTS_H
 #define COUPLING_EFFECTS_H
 
 #include "coupling/effect.h"
+#include "coupling/simulation.h"
 
-extern const struct effect energy_budget_effect;
 extern const struct effect gravity_effect;
 extern const struct effect pressure_gradient_effect;
-extern const struct effect virtual_mass_effect;
-extern const struct effect viscous_stress_effect;
-extern const struct effect time_average_effect;
 
 /* All of them, ended by NULL, and the one of that name or NULL. */
 extern const struct effect *const effects[];
 const struct effect *effects_named(const char *name);
+
+/* The moments of a step at which effects are called (effect.h). */
+enum effects_moment {
+    EFFECTS_BEFORE_PARTICLES,
+    EFFECTS_BEFORE_SUBSTEP,
+    EFFECTS_AFTER_PARTICLES,
+    EFFECTS_AFTER_STEP
+};
+
+/* Calls the effects of a case that have a hook for this moment, in their
+ * order, and takes the time. */
+void effects_call(struct simulation *sim, enum effects_moment when);
+
+/* 1 in a step in which forces are measured. */
+int effects_are_measured(const struct simulation *sim);
+
+/* Reports the force f [N] of the effect at work on one particle, which acts
+ * during this share of the step [-]. A hook that no step calls reports nothing.
+ */
+void effects_report(struct simulation *sim, const double f[3], double share);
+
+/* Measures the scale after the particles have moved. */
+void effects_measure_scale(struct simulation *sim);
 
 #endif

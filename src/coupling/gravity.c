@@ -21,10 +21,14 @@ static void *gravity_create(struct simulation *sim, const double *parameters)
 static void gravity_before_particles(void *memory, struct simulation *sim)
 {
     (void)memory;
-    for (int i = 0; i < sim->particles->n; i++)
-        for (int k = 0; k < 3; k++)
-            sim->held_force[3 * i + k] +=
-                sim->particles->m[i] * sim->gravity[k];
+    for (int i = 0; i < sim->particles->n; i++) {
+        double f[3];
+        for (int k = 0; k < 3; k++) {
+            f[k] = sim->particles->m[i] * sim->gravity[k];
+            sim->held_force[3 * i + k] += f[k];
+        }
+        effects_report(sim, f, 1.0);
+    }
 }
 
 static const struct key keys[] = {

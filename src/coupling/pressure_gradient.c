@@ -66,13 +66,13 @@ static void pressure_gradient_before_particles(void *memory,
     averaging_apply_cap(sim->averaging, 3, self->gradient);
     for (int i = 0; i < ps->n; i++) {
         const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
-        double impulse[3];
+        double f[3], impulse[3];
         for (int k = 0; k < 3; k++) {
-            const double f =
-                -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
-            sim->held_force[3 * i + k] += f;
-            impulse[k] = f * sim->dt;
+            f[k] = -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
+            sim->held_force[3 * i + k] += f[k];
+            impulse[k] = f[k] * sim->dt;
         }
+        effects_report(sim, f, 1.0);
         if (!shared) charge(sim, i, V, impulse);
     }
 }

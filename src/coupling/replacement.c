@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
-#include "dem/population/population.h"
+#include "dem/population.h"
 
 struct replacement *replacement_create(int n_cells)
 {

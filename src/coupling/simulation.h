@@ -44,6 +44,7 @@ struct simulation {
     int dem_steps;      /* [-] particle steps in one step of the loop */
     double t;           /* [s] */
     long steps;         /* [-] done */
+    double substep;     /* [s] of the drag, that is being computed */
     double gravity[3];  /* [m/s^2] 0 unless the case names it */
     double *held_force; /* [N] constant forces of effects on the particles in
                            this step, 3 a particle */
@@ -52,6 +53,8 @@ struct simulation {
     double *inlet_series; /* [s], [m/s] times and velocities of the inlets */
     int n_effects;
     struct effect_state *effects;
+    struct effect_state *at_work;    /* the one whose hook runs */
+    struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
 };
 

@@ -37,6 +37,11 @@ static double drag_rate(const struct simulation *sim, int i)
                                slip_speed(sim, i));
 }
 
+double transfer_drag(const struct simulation *sim, int i)
+{
+    return drag_rate(sim, i) * slip_speed(sim, i);
+}
+
 /* From m fields a cell, of which the first is eps_s and the next, if there are
  * any, are eps_s u_s. */
 static void take_solids(struct simulation *sim, int m)

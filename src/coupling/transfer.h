@@ -29,6 +29,9 @@ void transfer_fluid(struct simulation *sim);
  * u_f, 3 a particle. */
 void transfer_velocity(struct simulation *sim, double *u_f);
 
+/* The size of the drag on particle i at this moment [N]. */
+double transfer_drag(const struct simulation *sim, int i);
+
 /* Starts the sums over the sub-steps. */
 void transfer_begin_substeps(struct simulation *sim);
 

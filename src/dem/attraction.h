@@ -1,5 +1,5 @@
-/* attraction.h -- attractive forces between particles at a distance. Chapter
- * 17.
+/* attraction.h -- forces between particles at a distance. Chapter "Materials,
+ * rolling and cohesion".
  *
  * In addition to the contact force, forces along the line of centres act up to
  * a gap `range`. Each law is one file; a case uses the laws that it names. They
@@ -7,7 +7,8 @@
  * list, whose skin is increased by the largest range. Coulomb's limit uses only
  * the contact force [LS 4.8]: where cohesion presses two spheres together the
  * contact force balances it, and so the limit increases by mu times the
- * cohesion.
+ * cohesion. A law may also damp the approach, as a liquid between two spheres
+ * does.
  */
 #ifndef DEM_ATTRACTION_H
 #define DEM_ATTRACTION_H
@@ -24,6 +25,12 @@ struct attraction {
     const double *charge; /* [C] of a sphere, by material; borrowed */
 };
 
+/* What of a case a law may need besides its own parameters. */
+struct attraction_scene {
+    const double *charge; /* [C] by material */
+    double viscosity;     /* [Pa s] of the fluid; 0 without one */
+};
+
 /* The force [N] along the line of centres, positive pushes apart: between
  * spheres of two materials and radii [m], and of a wall, which is flat. */
 typedef double attraction_pair(const struct attraction *a, int material_i,
@@ -32,10 +39,23 @@ typedef double attraction_pair(const struct attraction *a, int material_i,
 typedef double attraction_wall(const struct attraction *a, double R,
                                double gap);
 
+/* The coefficient [kg/s] of a force against the rate at which the gap closes;
+ * R_star [m] is R of the sphere at a wall. */
+typedef double attraction_damping(const struct attraction *a, double R_star,
+                                  double gap);
+
 struct attraction_law {
-    const char *name; /* as a case spells it in `effects` */
-    attraction_pair *pair;
-    attraction_wall *wall; /* NULL: walls do not attract */
+    const char *name;            /* as a case spells it in `effects` */
+    attraction_pair *pair;       /* NULL: no force at rest */
+    attraction_wall *wall;       /* NULL: walls do not attract */
+    attraction_damping *damping; /* NULL: none, the law does not see motion */
 };
+
+/* The damping force [N] during a step of dt [s] if the gap closes at `closing`
+ * [m/s] and the two have 1/m_i + 1/m_j = per_mass [1/kg]: that of the mean rate
+ * of a pair in which each takes up to half of the reduced mass, so that a step
+ * of any length is stable also where twelve neighbours damp one sphere. */
+double attraction_damp(const struct attraction *a, double R_star, double gap,
+                       double closing, double per_mass, double dt);
 
 #endif

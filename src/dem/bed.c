@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/bed.h"
 
+#include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
 #include <limits.h>
@@ -11,7 +12,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/thread_tuner.h"
-#include "dem/population/bed_file.h"
 #include "dem/limits.h"
 #include "dem/surfaces/surface_start.h"
 
@@ -99,7 +99,7 @@ static double *draw_sizes(const struct bed_options *bed)
     for (int i = 0; i < bed->count; i++)
         d[i] = bed->sizes == NULL
                    ? bed->diameter
-                   : sizes_quantile(bed->sizes, gsl_rng_uniform(random));
+                   : bed->quantile(bed->sizes, gsl_rng_uniform(random));
     gsl_rng_free(random);
     return d;
 }
@@ -348,11 +348,13 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
                const struct bed_options *bed, const struct dem_options *dem,
                struct bed_report *r)
 {
+    const struct bed_store *const store = bed_stores[0];
     struct bed_springs springs = {0, NULL};
     int code = BED_ABSENT;
 
+    assert(path == NULL || store != NULL);
     *r = (struct bed_report){.settled = 1};
-    if (path != NULL) code = bed_file_load(path, ps, &springs, bed, dem);
+    if (path != NULL) code = store->load(path, ps, &springs, bed, dem);
     if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
     if (code == BED_ABSENT) {
         if (bed_fill(ps, bed, dem) != 0 ||
@@ -361,7 +363,7 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
         const int wrong = bed_settle(ps, bed, dem, r, &springs);
         code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&
-            bed_file_save(path, ps, &springs, bed, dem) != 0)
+            store->save(path, ps, &springs, bed, dem) != 0)
             code = BED_UNSAVED;
     }
     if (code == BED_CREATED) dem_restore_springs(run, springs.list, springs.n);

@@ -12,20 +12,24 @@
 #define DEM_BED_H
 
 #include "dem/dem.h"
-#include "dem/population/placement_region.h"
-#include "dem/population/sizes.h"
+#include "dem/placement_region.h"
+
+struct sizes;
 
 struct bed_options {
-    int count;                 /* [-] */
-    double diameter;           /* [m] of all, or the mean of sizes */
-    const struct sizes *sizes; /* borrowed; NULL: all have that diameter */
-    double density;            /* [kg/m^3] */
-    unsigned long seed;        /* [-] of the jitter */
+    int count;          /* [-] */
+    double diameter;    /* [m] of all, or the mean of sizes */
+    double density;     /* [kg/m^3] */
+    unsigned long seed; /* [-] of the jitter */
     double jitter; /* [-] random shift over the free space of a site, 0 ... 1 */
     double gravity[3]; /* [m/s^2] points to the bottom; the walls of the box
                           are those of the dem_options */
     double settle;     /* [s] longest time; 0 leaves the lattice */
     struct placement_region region; /* sites without space stay empty */
+    struct sizes *sizes;            /* borrowed; NULL: all have that diameter */
+    /* The diameter [m] that the share p of the sizes is below. */
+    double (*quantile)(const struct sizes *s, double p);
+    void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */
 };
 
 struct bed_report {
@@ -48,6 +52,19 @@ struct bed_springs {
     int n;
     struct dem_spring *list; /* released with free() */
 };
+
+/* A kind of file that a settled bed is kept in (population/bed_file.h). */
+struct bed_store {
+    int (*save)(const char *path, const struct particles *ps,
+                const struct bed_springs *springs,
+                const struct bed_options *bed, const struct dem_options *dem);
+    int (*load)(const char *path, struct particles *ps,
+                struct bed_springs *springs, const struct bed_options *bed,
+                const struct dem_options *dem);
+};
+
+/* All of them, ended by NULL; beds are kept in the first. */
+extern const struct bed_store *const bed_stores[];
 
 /* Creates the bed: reads it from the file, if path is not NULL and the file
  * exists; else fills the lattice, settles it, and writes the file. ps has

@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 
-enum { MOST_ATTACHED = 64, MOST_WIDTH = 8, OWN = 17 };
+enum { MOST_ATTACHED = 128, MOST_WIDTH = 8, OWN = 17 };
 
 /* All arrays that are sorted with the particles; the first OWN are those of
  * struct particles. */

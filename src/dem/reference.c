@@ -190,6 +190,23 @@ static void add_contact(struct reference *r, int i, int partner,
     r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
 }
 
+/* The damping [N] of one attraction, as attraction_damp. */
+static double damping(const struct attraction *one, const struct sphere *a,
+                      const struct sphere *b, const double x[3], double gap,
+                      double dt)
+{
+    double v[3], R_star = a->R, per_mass = 1.0 / a->m;
+
+    for (int k = 0; k < 3; k++)
+        v[k] = a->v[k] - (b != NULL ? b->v[k] : 0.0);
+    if (b != NULL) {
+        R_star = a->R * b->R / (a->R + b->R);
+        per_mass += 1.0 / b->m;
+    }
+    return attraction_damp(one, R_star, gap,
+                           -vector_dot(v, x) / vector_length(x), per_mass, dt);
+}
+
 /* The attractions of two spheres, or of a sphere and a wall (b = NULL), along
  * the line of centres; gap [m]. */
 static void add_attractions(struct reference *r, struct sphere *a,
@@ -202,10 +219,11 @@ static void add_attractions(struct reference *r, struct sphere *a,
     for (int q = 0; q < o->n_attractions; q++) {
         const struct attraction *const one = &o->attractions[q];
         if (gap > one->range) continue;
-        if (b != NULL)
+        if (b != NULL && one->law->pair != NULL)
             F += one->law->pair(one, a->material, b->material, a->R, b->R, gap);
-        else if (one->law->wall != NULL)
+        if (b == NULL && one->law->wall != NULL)
             F += one->law->wall(one, a->R, gap);
+        if (one->law->damping != NULL) F += damping(one, a, b, x, gap, dt);
     }
     if (F == 0.0) return;
     for (int k = 0; k < 3; k++) {

@@ -6,7 +6,11 @@
 #include <stdio.h>
 
 #include "coupling/drag.h"
+#include "coupling/drag_laws/coefficient.h"
+#include "coupling/drag_laws/fluidization.h"
 #include "coupling/stability.h"
+#include "base/vector.h"
+#include "case/build.h"
 #include "case/build_particles.h"
 
 static void line(const char *name, double value, const char *unit,
@@ -31,12 +35,57 @@ static double relaxation_time(const struct settings *s,
  * by all its sizes. */
 static double mean_diameter(const struct settings *s)
 {
-    struct sizes *sizes;
-    const struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
     const double volume = bed_range(&b).volume;
 
-    sizes_free(sizes);
+    build_bed_release(&b);
     return cbrt(6.0 / M_PI * volume / b.count);
+}
+
+/* Warns where the law has no data: of the fluid fraction eps_f, or of the Re at
+ * which the largest inlet passes grains of the diameter d. */
+static void print_range(const struct settings *s, const struct drag_scales *k,
+                        double eps_f)
+{
+    const struct drag_law *const law =
+        drag_law_named(settings_text(s, "exchange.drag"));
+    const double Re = coefficient_reynolds(
+        eps_f, settings_real(s, "fluid.density"),
+        settings_real(s, "fluid.viscosity"), k->d, k->inlet / eps_f);
+    char remark[128];
+
+    if (eps_f < law->eps_min || eps_f > law->eps_max) {
+        snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
+                 law->name, law->eps_min, law->eps_max);
+        line("fluid fraction", eps_f, "-", remark);
+    }
+    if (k->inlet > 0.0 && !(Re >= law->Re_min && Re <= law->Re_max)) {
+        snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
+                 law->name, law->Re_min, law->Re_max);
+        line("Re of the inlet", Re, "-", remark);
+    }
+}
+
+/* [EW18 22] for a bed as loose as spheres are packed at random. */
+static void print_fluidization(const struct settings *s,
+                               const struct drag_scales *k)
+{
+    const double eps_mf = 1.0 - k->eps_s;
+    double g[3];
+    char remark[96];
+
+    build_gravity(s, g);
+    const double u =
+        fluidization_velocity(eps_mf, settings_real(s, "fluid.density"),
+                              settings_real(s, "particles.grains.density"),
+                              settings_real(s, "fluid.viscosity"),
+                              mean_diameter(s), vector_length(g));
+    if (u <= 0.0) return;
+    snprintf(remark, sizeof remark,
+             "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
+             "times that",
+             k->eps_s, k->inlet / u);
+    line("u_mf", u, "m/s", remark);
 }
 
 /* What only a bed asks for: (20.6), (20.9). */
@@ -74,7 +123,10 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     line("tau_p", relaxation_time(s, k, k->d, 0.0), "s", "of a lone particle");
     line("sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
          asked > 0 ? "as the case asks" : "drag updates in a step, about");
-    if (settings_has(s, "particles.bed") &&
-        settings_int(s, "particles.bed.count") > 0)
-        print_bed(s, k);
+    const int is_bed = settings_has(s, "particles.bed") &&
+                       settings_int(s, "particles.bed.count") > 0;
+    print_range(s, k, is_bed ? 1.0 - k->eps_s : 1.0);
+    if (!is_bed) return;
+    print_fluidization(s, k);
+    print_bed(s, k);
 }

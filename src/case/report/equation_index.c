@@ -73,7 +73,9 @@ static void print_kind(const struct equation_index_row *r,
 
 static void print_eval(const char *key)
 {
-    for (const struct equation *e = equations_all; e->key != NULL; e++)
+    const struct equation *e;
+
+    for (int i = 0; (e = equations_at(i)) != NULL; i++)
         if (is_wanted(e->key, key))
             printf("  %-13s winnow eval %s, with %s\n", "evaluated by", e->key,
                    e->inputs);
@@ -81,7 +83,9 @@ static void print_eval(const char *key)
 
 static void print_formula(const char *key, int indent)
 {
-    for (const struct equation *e = equations_all; e->key != NULL; e++)
+    const struct equation *e;
+
+    for (int i = 0; (e = equations_at(i)) != NULL; i++)
         if (is_wanted(e->key, key)) printf("%*s%s\n", indent, "", e->formula);
 }
 

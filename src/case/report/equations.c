@@ -2,7 +2,6 @@
 #include "case/report/equations.h"
 
 #include "averaging/diffusion.h"
-#include "averaging/more/images.h"
 #include "averaging/kernel.h"
 #include "coupling/effects/time_average.h"
 #include "coupling/drag.h"
@@ -54,16 +53,6 @@ static double bell(const double *x)
 static double gauss(const double *x)
 {
     return diffusion_kernel(x[0], x[1]);
-}
-
-static double kernel_sigma_of(const double *x)
-{
-    return kernel_sigma(x[0]);
-}
-
-static double gauss_sigma(const double *x)
-{
-    return images_kernel(x[0], x[1]);
 }
 
 static double fading_weight(const double *x)
@@ -153,7 +142,7 @@ static double gidaspow_beta(const double *x)
                      x[4]);
 }
 
-const struct equation equations_all[] = {
+static const struct equation others[] = {
     {"XS11:2.10", "drag of a particle over eps_f and slip, Syamlal-O'Brien",
      "B = V_p beta / (eps_s eps_f), V_p = pi d^3 / 6",
      "eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "B", "kg/s",
@@ -244,17 +233,23 @@ const struct equation equations_all[] = {
      "= 0.8; (3/4) C_d eps_s alpha rho_f u_r alpha^-2.65 / d above",
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
-    {"EW18:19", "Gaussian kernel",
-     "W = exp(-r^2 / (2 sigma_k^2)) / (2 pi sigma_k^2)^(3/2)",
-     "r [m], sigma_k [m]", "W", "1/m^3", "images_kernel", gauss_sigma},
-    {"EW18:20", "its width from that at half its height",
-     "sigma_k = delta_05 / (2 sqrt(2 ln 2))", "delta_05 [m]", "sigma_k", "m",
-     "kernel_sigma", kernel_sigma_of},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
+
+static const struct equation *const tables[] = {others, equations_ew18, NULL};
+
+const struct equation *equations_at(int i)
+{
+    for (int t = 0; tables[t] != NULL; t++)
+        for (const struct equation *e = tables[t]; e->key != NULL; e++)
+            if (i-- == 0) return e;
+    return NULL;
+}
 
 const struct equation *equations_named(const char *key)
 {
-    for (const struct equation *e = equations_all; e->key != NULL; e++)
+    const struct equation *e;
+
+    for (int i = 0; (e = equations_at(i)) != NULL; i++)
         if (strcmp(e->key, key) == 0) return e;
     return NULL;
 }

@@ -22,8 +22,11 @@ struct equation {
     double (*value)(const double *in); /* in the order of inputs */
 };
 
-/* All of them, ended by one without a key, in the order of the documents. */
-extern const struct equation equations_all[];
+/* The i-th of all, in the order of the documents; NULL past the last. */
+const struct equation *equations_at(int i);
+
+/* Those of EW18 alone, ended by one without a key. */
+extern const struct equation equations_ew18[];
 
 /* The equation of that key, or NULL. */
 const struct equation *equations_named(const char *key);

@@ -2,6 +2,7 @@
 #include "case/report/eval.h"
 
 #include "case/report/equations.h"
+#include "case/command.h"
 #include "case/nearest.h"
 
 #include <math.h>
@@ -11,7 +12,9 @@
 
 void eval_list(void)
 {
-    for (const struct equation *e = equations_all; e->key != NULL; e++) {
+    const struct equation *e;
+
+    for (int i = 0; (e = equations_at(i)) != NULL; i++) {
         printf("%-10s %s\n", e->key, e->what);
         printf("%-10s %s -> %s [%s], by %s\n", "", e->inputs, e->out, e->unit,
                e->function);
@@ -20,10 +23,11 @@ void eval_list(void)
 
 static int unknown_key(const char *key)
 {
+    const struct equation *e;
     struct nearest n;
 
     nearest_init(&n, key);
-    for (const struct equation *e = equations_all; e->key != NULL; e++)
+    for (int i = 0; (e = equations_at(i)) != NULL; i++)
         nearest_offer(&n, e->key);
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no equation %s; did you mean %s?\n", key,
@@ -85,3 +89,15 @@ int eval_print(const char *key, int n, const char *const *inputs)
     printf("%s = %.12g [%s]\n", e->out, value, e->unit);
     return 0;
 }
+
+static int act(const struct command_line *l)
+{
+    if (l->n_words > 0)
+        return eval_print(l->words[0], l->n_words - 1, l->words + 1);
+    eval_list();
+    return 0;
+}
+
+const struct command command_eval = {
+    "eval", "[KEY name=value ...]", "the value of one equation", "", 0, -1,
+    act};

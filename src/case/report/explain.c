@@ -2,10 +2,13 @@
 #include "case/report/explain.h"
 
 #include "case/case_materials.h"
+#include "case/command.h"
 #include "case/model_choice.h"
+#include "case/report/equation_index.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What a case computes as soon as it names a group. */
 struct part {
@@ -57,11 +60,11 @@ static void print_on(const struct settings *s)
     puts("On");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        for (int i = 0; k->model(i, &m); i++)
-            if (model_choice_is_on(s, k, &m)) {
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
+            if (model_choice_is_on(s, *k, &m)) {
                 char name[128];
-                snprintf(name, sizeof name, "%s %s", k->name, m.name);
+                snprintf(name, sizeof name, "%s %s", (*k)->name, m.name);
                 print_line(m.equations, m.function, name, m.what);
             }
 }
@@ -73,12 +76,12 @@ static void print_off(const struct settings *s)
     puts("Off: nothing is allocated and nothing called");
     for (const struct part *p = parts; p->group != NULL; p++)
         if (!is_named(s, p)) print_line(p->source, p->function, "", p->what);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
+    for (const struct kind *const *k = kinds; *k != NULL; k++) {
         int n = 0;
 
-        for (int i = 0; k->model(i, &m); i++)
-            if (!model_choice_is_on(s, k, &m)) {
-                if (n++ == 0) printf("  %s:", k->name);
+        for (int i = 0; (*k)->model(i, &m); i++)
+            if (!model_choice_is_on(s, *k, &m)) {
+                if (n++ == 0) printf("  %s:", (*k)->name);
                 printf(" %s", m.name);
             }
         if (n > 0) putchar('\n');
@@ -92,3 +95,31 @@ int explain_case(const struct settings *s)
     print_off(s);
     return 0;
 }
+
+/* A word is a key, a function, or else the file of a case. */
+static int act(const struct command_line *l)
+{
+    const char *const word = l->words[0];
+    int code;
+
+    if (equation_index_is_key(word)) return equation_index_explain(word);
+    if (equation_index_is_function(word) && access(word, F_OK) != 0)
+        return equation_index_explain_function(word);
+
+    struct settings *const s = command_settings(l, &code);
+
+    if (s != NULL) code = explain_case(s);
+    settings_free(s);
+    return code;
+}
+
+const struct command command_explain = {
+    "explain",
+    "CASE [-s path.to.key=value]... | KEY | FUNCTION",
+    "the equations that a case switches on, and what it leaves off; or where "
+    "an equation is computed, tested and explained; or what a function "
+    "computes",
+    "s",
+    1,
+    1,
+    act};

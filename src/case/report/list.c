@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/list.h"
 
+#include "case/command.h"
 #include "case/models.h"
 #include "case/nearest.h"
 #include "case/schema.h"
@@ -13,9 +14,10 @@ void list_kinds(void)
 {
     struct model m;
 
-    for (const struct kind *k = models_kinds; k->name != NULL; k++) {
-        printf("%-14s %s, chosen by %s:\n%-14s", k->name, k->what, k->key, "");
-        for (int i = 0; k->model(i, &m); i++)
+    for (const struct kind *const *k = kinds; *k != NULL; k++) {
+        printf("%-14s %s, chosen by %s:\n%-14s", (*k)->name, (*k)->what,
+               (*k)->key, "");
+        for (int i = 0; (*k)->model(i, &m); i++)
             printf(" %s", m.name);
         putchar('\n');
     }
@@ -121,8 +123,8 @@ static int unknown_kind(const char *name)
     struct nearest n;
 
     nearest_init(&n, name);
-    for (const struct kind *k = models_kinds; k->name != NULL; k++)
-        nearest_offer(&n, k->name);
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        nearest_offer(&n, (*k)->name);
     nearest_offer(&n, "keys");
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no kind of model %s; did you mean %s?\n", name,
@@ -149,3 +151,31 @@ int list_models(const char *name)
     }
     return 0;
 }
+
+static int wrong_word(const char *word)
+{
+    fprintf(stderr,
+            "winnow: %s: one argument too many\n"
+            "winnow list [KIND] | keys [PART]\n",
+            word);
+    return 2;
+}
+
+static int act(const struct command_line *l)
+{
+    if (l->n_words > 1 && strcmp(l->words[0], "keys") == 0)
+        return list_keys(l->words[1]);
+    if (l->n_words > 1) return wrong_word(l->words[1]);
+    if (l->n_words > 0) return list_models(l->words[0]);
+    list_kinds();
+    return 0;
+}
+
+const struct command command_list = {
+    "list",
+    "[KIND] | keys [PART]",
+    "the models of a kind with their keys; or the keys of a part of a case",
+    "",
+    0,
+    2,
+    act};

@@ -9,12 +9,13 @@
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
-#include "case/case_population.h"
-#include "case/report/case_limits.h"
+#include "case/case_limits.h"
+#include "case/case_scales.h"
 #include "case/case_materials.h"
 #include "case/case_memory.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
+#include "case/command.h"
 #include "case/case_surfaces.h"
 
 #include <math.h>
@@ -32,109 +33,10 @@ static const double particle_steps_per_second = 8e6;
 static const double cell_steps_per_second = 5e5;
 static const double report_threshold = 10e6; /* [byte] */
 
-/* The case in numbers. 0 where it has no such thing. */
-struct case_scales {
-    int cells, particles;
-    double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
-    double dx;         /* [m] smallest cell width along the flow */
-    double d, d_most;  /* [m] smallest and largest diameter */
-    double volume;     /* [m^3] of the particles of a bed */
-    double density;    /* [kg/m^3] of the particles */
-    double dt, dem_dt; /* [s] of the loop, of the particles */
-    int dem_steps;     /* [-] in one step of the loop */
-    double inlet;      /* [m/s] largest superficial velocity of an inlet */
-    double impact;     /* [m/s] speed of collisions that is assumed */
-    double end;        /* [s] */
-};
-
 static void line(const char *name, double value, const char *unit,
                  const char *remark)
 {
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
-
-/* Who comes later counts as if he were there. */
-static void add_inserted(const struct settings *s, struct case_scales *k)
-{
-    k->particles += case_population_count(s);
-    k->d_most = fmax(k->d_most, case_population_largest(s));
-    for (int m = 0; m < case_limits_count(s); m++) {
-        const double d = case_population_smallest(s, m);
-        if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
-    }
-}
-
-static void particle_scales(const struct settings *s, struct case_scales *k)
-{
-    const char *const list = "particles.place";
-
-    k->density = settings_real(s, "particles.grains.density");
-    if (settings_has(s, "particles.bed")) {
-        struct sizes *sizes;
-        const struct bed_options b = build_bed_options(s, &sizes);
-        const struct bed_range range = bed_range(&b);
-        k->particles = b.count;
-        k->d = range.min;
-        k->d_most = range.max;
-        k->volume = range.volume;
-        sizes_free(sizes);
-        return;
-    }
-    k->particles = settings_length(s, list);
-    for (int i = 0; i < k->particles; i++) {
-        const double d = settings_item_real(s, list, i, "diameter");
-
-        k->d = i == 0 ? d : fmin(k->d, d);
-        k->d_most = fmax(k->d_most, d);
-    }
-}
-
-static double largest_inlet(const struct settings *s, const struct mesh *m)
-{
-    double largest = 0.0;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const char *const side = settings_side(s, m->patches[i].name);
-        char path[128];
-
-        if (side == NULL) continue;
-        snprintf(path, sizeof path, "%s.inlet", side);
-        for (int j = 0; settings_has(s, path) && j < settings_points(s, path);
-             j++) {
-            double t, u;
-            settings_point(s, path, j, &t, &u);
-            largest = fmax(largest, u);
-        }
-    }
-    return largest;
-}
-
-static struct case_scales scales_of(const struct settings *s)
-{
-    struct mesh *const m = case_mesh_outline(s);
-    struct case_scales k = {.cells = m->n_cells, .dx = INFINITY};
-    double g[3];
-
-    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
-    for (int i = 0; i < m->box.n[1]; i++)
-        k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
-    for (int f = 0; f < m->n_internal && m->face_centre != NULL; f++)
-        k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
-    k.end = settings_real(s, "output.end");
-    k.dt = case_steps_length(s);
-    k.dem_steps = case_steps_within(s);
-    if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
-    if (settings_has(s, "particles")) {
-        particle_scales(s, &k);
-        add_inserted(s, &k);
-        k.dem_dt = k.dt / k.dem_steps;
-    }
-    build_gravity(s, g);
-    k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
-    k.impact = fmax(k.impact, case_limits_thrown(s));
-    if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
-    mesh_free(m);
-    return k;
 }
 
 /* A line with the place of the cell in question. */
@@ -233,37 +135,6 @@ static void print_contacts(const struct settings *s,
     line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-/* What the averaging keeps for each cell can be more than all else. */
-static int report_memory(const struct settings *s, const struct case_scales *k)
-{
-    if (!settings_has(s, "averaging")) return 0;
-    struct mesh *const m = case_mesh_outline(s);
-    const struct averaging_options o = build_averaging_options(s);
-    const double bytes = averaging_bytes(
-        averaging_method_named(settings_text(s, "averaging.method")), m,
-        k->d_most, &o);
-
-    mesh_free(m);
-    return case_memory_check(s, bytes);
-}
-
-int report_step(const struct settings *s)
-{
-    if (!settings_has(s, "particles")) return 0;
-    const struct case_scales k = scales_of(s);
-    if (report_memory(s, &k) != 0) return 2;
-    if (settings_bool(s, "particles.unsafe_step")) return 0;
-    const struct case_limits m = case_limits_tightest(s, k.impact);
-    if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
-    return settings_wrong(
-        s, "particles.step",
-        "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "
-        "s: at most %.3g s, better %.3g s; to run all the same set "
-        "particles.unsafe_step = true",
-        k.dem_dt, case_limits_name(s, m.material), m.d, m.contact, m.longest,
-        m.suggested);
-}
-
 /* The fluid between the grains of a packed bed moves at U / eps_f. */
 static void print_flow(const struct case_scales *k)
 {
@@ -360,10 +231,10 @@ static void print_walls(const struct wall_scales *w,
 
 int report_case(const struct settings *s)
 {
-    const struct case_scales k = scales_of(s);
+    const struct case_scales k = case_scales_of(s);
     struct wall_scales walls;
 
-    if (report_memory(s, &k) != 0) return 2;
+    if (case_scales_check_memory(s, &k) != 0) return 2;
     if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
     if (case_surfaces_measure(s, &walls) != 0) return 2;
 
@@ -382,3 +253,22 @@ int report_case(const struct settings *s)
     print_cost(s, &k);
     return 0;
 }
+
+static int act(const struct command_line *l)
+{
+    int code;
+    struct settings *const s = command_settings(l, &code);
+
+    if (s != NULL) code = report_case(s);
+    settings_free(s);
+    return code;
+}
+
+const struct command command_check = {
+    "check",
+    "CASE [-s path.to.key=value]...",
+    "check a case and print the numbers that follow from it",
+    "s",
+    1,
+    1,
+    act};

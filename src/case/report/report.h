@@ -8,8 +8,4 @@
  * steps, cost. Returns the exit code, 0 or 2. */
 int report_case(const struct settings *s);
 
-/* Is the step of the particles as short as their impacts ask? 0, or 2 after a
- * message; 0 also where the case says that it knows. */
-int report_step(const struct settings *s);
-
 #endif

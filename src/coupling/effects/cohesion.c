@@ -1,18 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/effects/cohesion.h"
+/* cohesion.c -- the attractions of dem/cohesion as effects.
+ * Chapter "Materials, rolling and cohesion". */
+#include "coupling/effects.h"
 
 #include <math.h>
 #include <stddef.h>
 
+#include "dem/attraction.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
 
-/* The attraction is already part of the particles. */
+/* They act within the steps of the particles, and while a bed settles:
+ * therefore the particles are created with them (.attraction), and create makes
+ * nothing. */
 static void *create(struct simulation *sim, const double *parameters)
 {
     (void)sim, (void)parameters;
     return NULL;
+}
+
+static struct attraction electrostatic_of(const double *p,
+                                          const struct attraction_scene *scene)
+{
+    return (struct attraction){.law = &electrostatic,
+                               .strength = p[0],
+                               .range = p[1],
+                               .charge = scene->charge};
 }
 
 static const struct key electrostatic_keys[] = {
@@ -32,7 +46,18 @@ const struct effect cohesion_electrostatic = {
     .function = "electrostatic_force",
     .keys = electrostatic_keys,
     .create = create,
+    .attraction = electrostatic_of,
 };
+
+static struct attraction van_der_waals_of(const double *p,
+                                          const struct attraction_scene *scene)
+{
+    (void)scene;
+    return (struct attraction){.law = &van_der_waals,
+                               .strength = p[0],
+                               .closest = p[1],
+                               .range = p[2]};
+}
 
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -53,7 +78,18 @@ const struct effect cohesion_van_der_waals = {
     .function = "van_der_waals_force",
     .keys = van_der_waals_keys,
     .create = create,
+    .attraction = van_der_waals_of,
 };
+
+static struct attraction capillary_of(const double *p,
+                                      const struct attraction_scene *scene)
+{
+    (void)scene;
+    return (struct attraction){.law = &capillary,
+                               .strength = p[0] * cos(p[1]),
+                               .range = p[2],
+                               .harmonic = p[3] != 0.0};
+}
 
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -76,30 +112,5 @@ const struct effect cohesion_capillary = {
     .function = "capillary_force",
     .keys = capillary_keys,
     .create = create,
+    .attraction = capillary_of,
 };
-
-const struct effect *const cohesion_all[] = {&cohesion_electrostatic,
-                                             &cohesion_van_der_waals,
-                                             &cohesion_capillary, NULL};
-
-struct attraction cohesion_attraction(const struct effect *e,
-                                      const double *parameters,
-                                      const double *charge)
-{
-    const double *const p = parameters;
-
-    if (e == &cohesion_electrostatic)
-        return (struct attraction){.law = &electrostatic,
-                                   .strength = p[0],
-                                   .range = p[1],
-                                   .charge = charge};
-    if (e == &cohesion_van_der_waals)
-        return (struct attraction){.law = &van_der_waals,
-                                   .strength = p[0],
-                                   .closest = p[1],
-                                   .range = p[2]};
-    return (struct attraction){.law = &capillary,
-                               .strength = p[0] * cos(p[1]),
-                               .range = p[2],
-                               .harmonic = p[3] != 0.0};
-}

@@ -27,6 +27,7 @@ struct virtual_mass {
     double *Du;    /* [m/s^2] Du/Dt, 3 a cell */
     double *at;    /* [m/s^2] interpolated to the particles, 3 each */
     double *start; /* [m/s] their velocity at the start of the step, 3 each */
+    double *mass;  /* [kg] the added mass of each */
 };
 
 static void *virtual_mass_create(struct simulation *sim,
@@ -40,9 +41,11 @@ static void *virtual_mass_create(struct simulation *sim,
     self->Du = alloc_doubles(3 * cells);
     self->at = alloc_doubles(3 * n);
     self->start = alloc_doubles(3 * n);
+    self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
     particles_attach(sim->particles, self->at, 3);
     particles_attach(sim->particles, self->start, 3);
+    particles_attach(sim->particles, self->mass, 1);
     return self;
 }
 
@@ -53,6 +56,7 @@ static void virtual_mass_free(void *memory)
     free(self->Du);
     free(self->at);
     free(self->start);
+    free(self->mass);
     free(self);
 }
 
@@ -97,14 +101,14 @@ static void virtual_mass_before_particles(void *memory, struct simulation *sim)
     material_derivative(self, sim);
     averaging_gather(sim->averaging, 3, self->Du, self->at);
     for (int i = 0; i < ps->n; i++)
-        ps->added_mass[i] = self->C * rho * particles_volume(ps, i);
-    averaging_apply_cap(sim->averaging, 1, ps->added_mass);
+        self->mass[i] = self->C * rho * particles_volume(ps, i);
+    averaging_apply_cap(sim->averaging, 1, self->mass);
     for (int i = 0; i < ps->n; i++) {
+        ps->added_mass[i] += self->mass[i];
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         for (int k = 0; k < 3; k++) {
             self->start[3 * i + k] = v[k];
-            sim->held_force[3 * i + k] +=
-                ps->added_mass[i] * self->at[3 * i + k];
+            sim->held_force[3 * i + k] += self->mass[i] * self->at[3 * i + k];
         }
     }
 }
@@ -117,11 +121,14 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
 
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        double impulse[3];
-        for (int k = 0; k < 3; k++)
-            impulse[k] = ps->added_mass[i] * (self->at[3 * i + k] * sim->dt -
-                                              v[k] + self->start[3 * i + k]);
+        double impulse[3], f[3];
+        for (int k = 0; k < 3; k++) {
+            impulse[k] = self->mass[i] * (self->at[3 * i + k] * sim->dt - v[k] +
+                                          self->start[3 * i + k]);
+            f[k] = impulse[k] / sim->dt;
+        }
         coupling_add_impulse(sim, i, impulse);
+        effects_report(sim, f, 1.0);
     }
 }
 

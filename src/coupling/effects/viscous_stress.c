@@ -91,12 +91,13 @@ static void viscous_stress_before_particles(void *memory,
     averaging_apply_cap(sim->averaging, 3, self->at);
     for (int i = 0; i < ps->n; i++) {
         const double V = particles_volume(ps, i);
-        double impulse[3];
+        double f[3], impulse[3];
         for (int k = 0; k < 3; k++) {
-            const double f = V * self->at[3 * i + k]; /* [LS 5.1, XS11 2.6] */
-            sim->held_force[3 * i + k] += f;
-            impulse[k] = f * sim->dt;
+            f[k] = V * self->at[3 * i + k]; /* [LS 5.1, XS11 2.6] */
+            sim->held_force[3 * i + k] += f[k];
+            impulse[k] = f[k] * sim->dt;
         }
+        effects_report(sim, f, 1.0);
         coupling_add_impulse(sim, i, impulse);
     }
 }

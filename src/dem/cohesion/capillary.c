@@ -33,4 +33,5 @@ static double wall(const struct attraction *a, double R, double gap)
     return capillary_force(a->strength, 2.0 * R);
 }
 
-const struct attraction_law capillary = {"capillary", pair, wall};
+const struct attraction_law capillary = {
+    .name = "capillary", .pair = pair, .wall = wall};

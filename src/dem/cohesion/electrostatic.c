@@ -18,4 +18,5 @@ static double pair(const struct attraction *a, int of_i, int of_j, double R_i,
                                R_i + R_j + gap);
 }
 
-const struct attraction_law electrostatic = {"electrostatic", pair, NULL};
+const struct attraction_law electrostatic = {.name = "electrostatic",
+                                             .pair = pair};

@@ -30,4 +30,5 @@ static double wall(const struct attraction *a, double R, double gap)
     return pull(a, 2.0 * R, gap);
 }
 
-const struct attraction_law van_der_waals = {"van_der_waals", pair, wall};
+const struct attraction_law van_der_waals = {
+    .name = "van_der_waals", .pair = pair, .wall = wall};

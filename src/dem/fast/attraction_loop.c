@@ -9,6 +9,20 @@ static int material_of(const struct bodies *b, int i)
     return b->material != NULL ? b->material[i] : 0;
 }
 
+/* The damping [N] of i and j, which x is from j to i, r apart [m]. */
+static double damped(const struct bodies *b, const struct attraction *a, int i,
+                     int j, const double x[3], double r, double gap)
+{
+    const double *const v = b->velocity[i], *const u = b->velocity[j];
+    const double R = b->position_radius[i][3], S = b->position_radius[j][3];
+    double closing = 0.0;
+
+    for (int k = 0; k < 3; k++)
+        closing -= (v[k] - u[k]) * x[k] / r;
+    return attraction_damp(a, R * S / (R + S), gap, closing, v[7] + u[7],
+                           b->step);
+}
+
 static void add_pairs(struct chunk *s, const struct bodies *b,
                       const struct attraction *a, int i)
 {
@@ -29,11 +43,13 @@ static void add_pairs(struct chunk *s, const struct bodies *b,
         }
         const double r = sqrt(r2), gap = r - x[3] - y[3];
         if (gap > a->range) continue;
-        const double F =
-            a->law->pair(a, of_i, material_of(b, j), x[3], y[3], gap) / r;
+        double F = 0.0;
+        if (a->law->pair != NULL)
+            F = a->law->pair(a, of_i, material_of(b, j), x[3], y[3], gap);
+        if (a->law->damping != NULL) F += damped(b, a, i, j, dx, r, gap);
         for (int k = 0; k < 3; k++) {
-            s->load[own][k] += F * dx[k];
-            theirs[k] -= F * dx[k];
+            s->load[own][k] += F / r * dx[k];
+            theirs[k] -= F / r * dx[k];
         }
     }
 }
@@ -52,7 +68,13 @@ static void add_walls(struct chunk *s, const struct bodies *b,
         const double gap =
             (upper ? b->box.hi[k] - x[k] : x[k] - b->box.lo[k]) - x[3];
         if (gap > a->range) continue;
-        s->load[own][k] += (upper ? -1.0 : 1.0) * a->law->wall(a, x[3], gap);
+        const double out = upper ? -1.0 : 1.0;
+        if (a->law->wall != NULL)
+            s->load[own][k] += out * a->law->wall(a, x[3], gap);
+        if (a->law->damping != NULL)
+            s->load[own][k] +=
+                out * attraction_damp(a, x[3], gap, -out * b->velocity[i][k],
+                                      b->velocity[i][7], b->step);
     }
 }
 
@@ -61,6 +83,7 @@ void attraction_loop_add(struct chunk *s, const struct bodies *b,
 {
     for (int i = s->begin; i < s->end; i++) {
         add_pairs(s, b, a, i);
-        if (a->law->wall != NULL) add_walls(s, b, a, i);
+        if (a->law->wall != NULL || a->law->damping != NULL)
+            add_walls(s, b, a, i);
     }
 }

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/input.h"
 #include "base/number.h"
+#include "dem/population/sizes.h"
 
 enum { LINE = 256, FACTS = 24, COLUMNS = 11 };
 
@@ -290,3 +291,5 @@ int bed_file_load(const char *path, struct particles *ps,
     fclose(f);
     return line == 0 || wrong != NULL ? BED_REFUSED : BED_CREATED;
 }
+
+const struct bed_store bed_file_store = {bed_file_save, bed_file_load};

@@ -16,7 +16,7 @@
 
 #include "dem/box_domain.h"
 #include "dem/particles.h"
-#include "dem/population/placement_region.h"
+#include "dem/placement_region.h"
 #include "dem/population/sizes.h"
 
 /* One sphere of a list. */

@@ -5,32 +5,6 @@
 
 #include "base/alloc.h"
 
-struct population *population_create(const struct box_domain *box,
-                                     int n_sources, int n_sinks)
-{
-    struct population *const l = alloc_zeroed(1, sizeof *l);
-
-    l->box = *box;
-    l->n_sources = n_sources;
-    l->n_sinks = n_sinks;
-    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
-    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
-    return l;
-}
-
-void population_free(struct population *l)
-{
-    if (l == NULL) return;
-    for (int i = 0; i < l->n_sources; i++) {
-        sizes_free(l->sources[i].own_sizes);
-        free(l->sources[i].own_list);
-    }
-    free(l->sources);
-    free(l->sinks);
-    free(l->is_removed);
-    free(l);
-}
-
 static int is_removed(const struct population *l,
                       const struct population_sink *sink,
                       const struct particles *ps, int i, double dt)
@@ -147,4 +121,35 @@ int population_load(struct population *l, struct particles *ps, FILE *f)
                    &l->sources[s].n_attempts) != 2)
             return 1;
     return 0;
+}
+
+void population_free(struct population *l)
+{
+    if (l == NULL) return;
+    for (int i = 0; i < l->n_sources; i++) {
+        sizes_free(l->sources[i].own_sizes);
+        free(l->sources[i].own_list);
+    }
+    free(l->sources);
+    free(l->sinks);
+    free(l->is_removed);
+    free(l);
+}
+
+static const struct population_functions functions = {
+    population_mark, population_remove, population_insert,
+    population_save, population_load,   population_free};
+
+struct population *population_create(const struct box_domain *box,
+                                     int n_sources, int n_sinks)
+{
+    struct population *const l = alloc_zeroed(1, sizeof *l);
+
+    l->functions = &functions;
+    l->box = *box;
+    l->n_sources = n_sources;
+    l->n_sinks = n_sinks;
+    l->sources = alloc_zeroed((size_t)n_sources, sizeof *l->sources);
+    l->sinks = alloc_zeroed((size_t)n_sinks, sizeof *l->sinks);
+    return l;
 }

@@ -1,6 +1,6 @@
 /* placement_region.h -- the region where spheres may be placed. */
-#ifndef DEM_POPULATION_PLACEMENT_REGION_H
-#define DEM_POPULATION_PLACEMENT_REGION_H
+#ifndef DEM_PLACEMENT_REGION_H
+#define DEM_PLACEMENT_REGION_H
 
 /* holds: 1 if a sphere of radius R [m] around x [m] overlaps no wall; NULL: the
  * whole box. */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/report/case_limits.h"
+#include "case/case_limits.h"
 
 #include <math.h>
 
 #include "base/vector.h"
 #include "dem/limits.h"
 #include "case/build_particles.h"
-#include "case/case_population.h"
+#include "case/case_part.h"
 #include "case/case_materials.h"
 
 int case_limits_count(const struct settings *s)
@@ -45,12 +45,11 @@ static double smallest_placed(const struct settings *s, int m)
 /* A bed is of material 0. */
 static double smallest_of_bed(const struct settings *s, int m)
 {
-    struct sizes *sizes;
 
     if (m != 0 || !settings_has(s, "particles.bed")) return 0.0;
-    const struct bed_options b = build_bed_options(s, &sizes);
+    struct bed_options b = build_bed_options(s);
     const struct bed_range range = bed_range(&b);
-    sizes_free(sizes);
+    build_bed_release(&b);
     return b.count > 0 ? range.min : 0.0;
 }
 
@@ -63,7 +62,7 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v)
 
     k.density = case_materials_density(s, m);
     k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
-    k.d = smaller(k.d, case_population_smallest(s, m));
+    k.d = smaller(k.d, case_part_later_diameters(s, m).min);
     if (k.d <= 0.0) return k;
     k.rayleigh = law->wave_time(&of, 0.5 * k.d, k.density);
     k.contact = limits_contact_time(law, &of, k.d, k.density, v);

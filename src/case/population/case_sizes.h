@@ -1,6 +1,6 @@
 /* case_sizes.h -- distributions of diameters, out of the settings. */
-#ifndef CASE_CASE_SIZES_H
-#define CASE_CASE_SIZES_H
+#ifndef CASE_POPULATION_CASE_SIZES_H
+#define CASE_POPULATION_CASE_SIZES_H
 
 #include "dem/population/sizes.h"
 #include "case/settings.h"

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_sizes.h"
+#include "case/population/case_sizes.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "case/models.h"
 #include "case/nearest.h"
 
 static const char list[] = "particles.sizes";
@@ -89,3 +90,6 @@ struct sizes *case_sizes_create(const struct settings *s, const char *name)
     free((void *)o.point);
     return made;
 }
+
+MODELS_KIND(case_sizes_kind, sizes_laws, "sizes", "distributions of diameters",
+            "particles.sizes.distribution", NULL)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_population.h"
+#include "case/population/case_population.h"
 
 #include <gsl/gsl_math.h>
 #include <limits.h>
@@ -9,13 +9,17 @@
 
 #include "base/number.h"
 #include "dem/population/overlaps.h"
+#include "dem/population/population.h"
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/case_sizes.h"
+#include "case/case_part.h"
+#include "case/case_walls.h"
+#include "case/population/case_sizes.h"
 
-static const char sources[] = "particles.insert", sinks[] = "particles.sinks";
+static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
+                  bed_key[] = "particles.bed.sizes";
 
 /* More than this share of a region filled at random would take for ever. */
 static const double densest = 0.3;
@@ -95,8 +99,7 @@ static void free_source(struct insertion *in)
     free(in->own_list);
 }
 
-/* --- checks ------------------------------------------------------------------
- */
+/* --- checks -------------------------------------------------------------- */
 
 static int check_names(const struct settings *s, int i)
 {
@@ -148,8 +151,8 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
     return c;
 }
 
-/* Who are to come at once from a list must not be in each other: the second
- * would wait until the first has gone, at rest for ever. */
+/* Spheres of a list that come at once must not overlap: the second would wait
+ * until the first has gone, for ever if it is at rest. */
 static int check_apart(const struct settings *s, int i,
                        const struct insertion_options *o,
                        const struct box_domain *box)
@@ -164,7 +167,7 @@ static int check_apart(const struct settings *s, int i,
         i, who[0], who[1]);
 }
 
-/* Who is in a list is inside of the box, and of nobody else. */
+/* A sphere of a list is inside of the box and overlaps no other. */
 static int check_list(const struct settings *s, int i,
                       const struct insertion_options *o)
 {
@@ -237,35 +240,9 @@ static int check_sink(const struct settings *s, int i)
                           i);
 }
 
-/* As dem_create asks of those that are there from the start. */
-static int check_period(const struct settings *s)
-{
-    struct dem_options o = build_dem_options(s, 1.0);
-    const double most = case_population_largest(s);
-    struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
+/* --- what there will be -------------------------------------------------- */
 
-    o.attractions = pulls;
-    const int wrong = most > 0.0 && dem_period_wrong(&o, most, most);
-    free(pulls);
-    return wrong ? 2 : 0;
-}
-
-int case_population_check(const struct settings *s)
-{
-    int code = 0;
-
-    for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
-        code = check_source(s, i);
-    for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
-        code = check_sink(s, i);
-    return code != 0 ? code : check_period(s);
-}
-
-/* --- what there will be
- * -------------------------------------------------------
- */
-
-int case_population_count(const struct settings *s)
+static int count(const struct settings *s)
 {
     long sum = 0;
 
@@ -277,32 +254,87 @@ int case_population_count(const struct settings *s)
     return number_clamped((double)sum, 0, INT_MAX);
 }
 
-double case_population_smallest(const struct settings *s, int material)
+static struct case_diameters diameters(const struct settings *s, int material)
 {
-    double least = 0.0;
+    struct case_diameters all = {0.0, 0.0};
 
     for (int i = 0; i < settings_length(s, sources); i++) {
         struct insertion in;
-        if (material_of(s, i) == material && create_source(s, i, &in) == 0) {
-            const double d = sizes_of_source(&in.options).min;
-            least = least > 0.0 ? fmin(least, d) : d;
-            free_source(&in);
+        if (material >= 0 && material_of(s, i) != material) continue;
+        if (create_source(s, i, &in) == 0) {
+            const struct source_sizes c = sizes_of_source(&in.options);
+            all.min = all.min > 0.0 ? fmin(all.min, c.min) : c.min;
+            all.max = fmax(all.max, c.max);
         }
-    }
-    return least;
-}
-
-double case_population_largest(const struct settings *s)
-{
-    double most = 0.0;
-
-    for (int i = 0; i < settings_length(s, sources); i++) {
-        struct insertion in;
-        if (create_source(s, i, &in) == 0)
-            most = fmax(most, sizes_of_source(&in.options).max);
         free_source(&in);
     }
-    return most;
+    return all;
+}
+
+/* As dem_create asks of those that are there from the start. */
+static int check_period(const struct settings *s)
+{
+    struct dem_options o = build_dem_options(s, 1.0);
+    const double most = diameters(s, -1).max;
+    struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
+
+    o.attractions = pulls;
+    const int wrong = most > 0.0 && dem_period_wrong(&o, most, most);
+    free(pulls);
+    return wrong ? 2 : 0;
+}
+
+/* The distributions, and the name that a bed gives. */
+static int check_sizes(const struct settings *s)
+{
+    const int code = case_sizes_check(s);
+
+    if (code != 0 || !settings_has(s, bed_key) ||
+        settings_has(s, "particles.bed.diameter")) /* said of both later */
+        return code;
+    return case_sizes_check_name(s, bed_key, settings_text(s, bed_key));
+}
+
+static int check(const struct settings *s)
+{
+    int code = check_sizes(s);
+
+    for (int i = 0; i < settings_length(s, sources) && code == 0; i++)
+        code = check_source(s, i);
+    for (int i = 0; i < settings_length(s, sinks) && code == 0; i++)
+        code = check_sink(s, i);
+    return code != 0 ? code : check_period(s);
+}
+
+static void bed_sizes(const struct settings *s, struct bed_options *b)
+{
+    if (!settings_has(s, bed_key)) return;
+    b->sizes = case_sizes_create(s, settings_text(s, bed_key));
+    b->quantile = sizes_quantile;
+    b->free_sizes = sizes_free;
+    b->diameter = sizes_moment(b->sizes, 1);
+}
+
+/* Placed spheres that overlap are moved apart, or refused. */
+static int place(const struct settings *s, struct particles *ps,
+                 const struct dem_options *o)
+{
+    const char *const what = settings_text(s, "particles.overlaps");
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    const struct overlap deep = overlaps_deepest(ps, &box);
+
+    if (strcmp(what, "allow") == 0 || deep.depth <= OVERLAPS_MAX) return 0;
+    if (strcmp(what, "refuse") == 0)
+        return settings_wrong(
+            s, "particles.place",
+            "spheres %d and %d overlap by %.3g of their mean diameter; set "
+            "particles.overlaps to \"relax\" to move them apart, or to "
+            "\"allow\"",
+            deep.i, deep.j, deep.depth);
+    if (overlaps_relax(ps, &box, 1000) >= 0) return 0;
+    return settings_wrong(s, "particles.place",
+                          "the spheres overlap, and there is no room to move "
+                          "them apart");
 }
 
 static struct population_sink sink_of(const struct settings *s, int i)
@@ -319,25 +351,29 @@ static struct population_sink sink_of(const struct settings *s, int i)
     return k;
 }
 
-struct population *case_population_create(const struct settings *s,
-                                          const struct box_domain *box,
-                                          int *code)
+static int add(const struct settings *s, struct simulation *sim)
 {
     const int n = settings_length(s, sources), m = settings_length(s, sinks);
+    double lo[3], hi[3];
+    int periodic[3], code = 0;
 
-    *code = 0;
-    if (n + m == 0) return NULL;
-    struct population *const l = population_create(box, n, m);
-    for (int i = 0; i < n && *code == 0; i++)
-        *code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
+    if (n + m == 0) return 0;
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    const struct box_domain box = box_domain_of(lo, hi, periodic);
+    struct population *const l = sim->population =
+        population_create(&box, n, m);
+    for (int i = 0; i < n && code == 0; i++) {
+        code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
+        l->sources[i].options.region = case_walls_placement_region(sim->walls);
+    }
     for (int i = 0; i < m; i++)
         l->sinks[i] = sink_of(s, i);
-    if (*code == 0) return l;
-    population_free(l);
-    return NULL;
+    return code;
 }
 
-void case_population_report(const struct simulation *sim)
+/* Says which sources have spheres that are due and found no room. */
+static void report(const struct simulation *sim)
 {
     const struct population *const l = sim->population;
 
@@ -352,3 +388,12 @@ void case_population_report(const struct simulation *sim)
                     i, due - in->n_inserted, due, sim->t);
     }
 }
+
+const struct case_part case_population_part = {.keys = case_population_keys,
+                                               .check = check,
+                                               .bed_sizes = bed_sizes,
+                                               .count_later = count,
+                                               .later_diameters = diameters,
+                                               .place = place,
+                                               .add = add,
+                                               .after_run = report};

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/case_part.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "base/number.h"
+
+int case_part_check(const struct settings *s)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->check != NULL) code = case_parts[i]->check(s);
+    return code;
+}
+
+int case_part_place(const struct settings *s, struct particles *ps,
+                    const struct dem_options *o)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->place != NULL) code = case_parts[i]->place(s, ps, o);
+    return code;
+}
+
+int case_part_add(const struct settings *s, struct simulation *sim)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->add != NULL) code = case_parts[i]->add(s, sim);
+    return code;
+}
+
+int case_part_count_later(const struct settings *s)
+{
+    double sum = 0.0;
+
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->count_later != NULL)
+            sum += case_parts[i]->count_later(s);
+    return number_clamped(sum, 0, INT_MAX);
+}
+
+struct case_diameters case_part_later_diameters(const struct settings *s,
+                                                int material)
+{
+    struct case_diameters all = {0.0, 0.0};
+
+    for (int i = 0; case_parts[i] != NULL; i++) {
+        if (case_parts[i]->later_diameters == NULL) continue;
+        const struct case_diameters d =
+            case_parts[i]->later_diameters(s, material);
+        if (d.max <= 0.0) continue;
+        all.min = all.max > 0.0 ? fmin(all.min, d.min) : d.min;
+        all.max = fmax(all.max, d.max);
+    }
+    return all;
+}
+
+void case_part_after_run(const struct simulation *sim)
+{
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->after_run != NULL) case_parts[i]->after_run(sim);
+}

@@ -1,0 +1,53 @@
+/* case_part.h -- a part of a case that a folder adds to the rooms' own.
+ *
+ * Its descriptor is named in the models.txt of the folder. Each function may be
+ * NULL. Where a function returns a code, it is an exit code: 0, or another one
+ * after a message.
+ */
+#ifndef CASE_CASE_PART_H
+#define CASE_CASE_PART_H
+
+#include "case/settings.h"
+#include "coupling/simulation.h"
+#include "dem/bed.h"
+
+/* The smallest and the largest of some particles [m]; 0 if there are none. */
+struct case_diameters {
+    double min, max;
+};
+
+struct case_part {
+    const struct key *keys; /* its table */
+
+    /* Whether what the case says is possible. */
+    int (*check)(const struct settings *s);
+    /* The sizes of the bed, where they are not all equal. */
+    void (*bed_sizes)(const struct settings *s, struct bed_options *b);
+    /* How many particles may come after the start. */
+    int (*count_later)(const struct settings *s);
+    /* Their diameters, of one material or, if it is negative, of all. */
+    struct case_diameters (*later_diameters)(const struct settings *s,
+                                             int material);
+    /* Whether particles can start where they were placed; may move them. */
+    int (*place)(const struct settings *s, struct particles *ps,
+                 const struct dem_options *o);
+    /* After the particles and their dem have been created. */
+    int (*add)(const struct settings *s, struct simulation *sim);
+    /* What to say after a run. */
+    void (*after_run)(const struct simulation *sim);
+};
+
+/* All of them, ended by NULL. */
+extern const struct case_part *const case_parts[];
+
+/* The same of all parts together. */
+int case_part_check(const struct settings *s);
+int case_part_place(const struct settings *s, struct particles *ps,
+                    const struct dem_options *o);
+int case_part_add(const struct settings *s, struct simulation *sim);
+int case_part_count_later(const struct settings *s);
+struct case_diameters case_part_later_diameters(const struct settings *s,
+                                                int material);
+void case_part_after_run(const struct simulation *sim);
+
+#endif

@@ -1,0 +1,34 @@
+/* command.h -- a command of the program, such as `winnow run`.
+ *
+ * A command is one descriptor, named in the models.txt of its folder. The
+ * command line, `winnow --help` and the messages about words that are missing
+ * or too many are made from the descriptors.
+ */
+#ifndef CASE_COMMAND_H
+#define CASE_COMMAND_H
+
+/* What follows the name of the command: words, and the values of options. */
+struct command_line {
+    int n_words, n_overrides;
+    const char **words, **overrides;
+    const char *dir; /* of -o; NULL: chosen from the name of the case */
+    int threads;     /* of -j, at most; 0: as many as OpenMP likes */
+    int quiet;       /* 1: --quiet was given */
+};
+
+struct command {
+    const char *name, *arguments, *what;
+    const char *options; /* first letters of those it takes, - for --quiet */
+    int least, most;     /* words after the name; most < 0: any number */
+    /* Returns the exit code, after a message if it is not 0. */
+    int (*act)(const struct command_line *l);
+};
+
+/* All of them, ended by NULL. */
+extern const struct command *const commands[];
+
+/* The settings of the case that the first word names, with the overrides; NULL
+ * after one message, and *code is then the exit code. */
+struct settings *command_settings(const struct command_line *l, int *code);
+
+#endif

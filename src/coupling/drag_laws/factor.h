@@ -1,0 +1,31 @@
+/* factor.h -- laws that are given as a factor to Stokes' law.
+ * Chapter "Drag".
+ *
+ * Simulations that resolve the flow around the spheres report the drag on one
+ * of them over Stokes' law at the superficial slip U = eps_f u_r,
+ *
+ *   F_d = 3 pi mu d U F(eps_f, Re),   Re = rho_f d U / mu.
+ *
+ * F_d is what law->resistance wants: without the force -V_p grad p of the mean
+ * pressure gradient. In an even, steady bed the whole force is F_d / eps_f, for
+ * the fluid's share eps_f of the gradient balances the drag. Some papers give
+ * the whole force; their factor times eps_f is F.
+ */
+#ifndef COUPLING_DRAG_LAWS_FACTOR_H
+#define COUPLING_DRAG_LAWS_FACTOR_H
+
+#include "coupling/drag.h"
+
+/* beta / eps_s [kg/(m^3 s)] of the factor F. From Re = 1e9 on, and without
+ * viscosity, the drag coefficient stays what it is there. */
+static inline double drag_by_factor(double (*F)(double eps_f, double Re),
+                                    double eps_f, double rho_f, double mu,
+                                    double d, double u_r)
+{
+    const double fast = 1e9, Re = drag_reynolds(rho_f, mu, d, eps_f * u_r);
+
+    if (Re < fast) return 18.0 * mu / (d * d) * eps_f * F(eps_f, Re);
+    return 18.0 * rho_f * eps_f * u_r / d * eps_f * F(eps_f, fast) / fast;
+}
+
+#endif

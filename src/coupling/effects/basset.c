@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* basset.c -- Basset's history force as an effect (basset.h).
+ *
+ * In a step dt the slip w is linear, and the mean of the force over the step,
+ * C = (3/2) d^2 sqrt(pi rho mu), is
+ *
+ *   C [ (4/3) sqrt(dt) w'                          of this step
+ *     + (4/3) (2 sqrt(2) - 2) sqrt(dt) w'_before   of the one before
+ *     + sum c_k g(s_k dt) E_k ]                    of all earlier ones
+ *
+ * with g(x) = (1 - exp(-x))/x. Of w' = (du - dv)/dt in this step, du is known
+ * and makes a held force, and dv makes an added mass C (4/3) sqrt(dt) (LS 5.3
+ * has another), which resists in every particle step. A particle that comes has
+ * been at rest in the fluid until then: its first slip is a step of w, the last
+ * term of [LS 5.4].
+ */
+#include "coupling/effects/basset.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "dem/implicit_drag.h"
+
+enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
+
+/* One row a particle; all follow the particles when these are sorted, and all
+ * but `held` and `start` are the past that the force remembers. */
+struct basset {
+    struct basset_kernel kernel;
+    double decay[BASSET_TERMS];            /* [-] exp(-s_k dt) */
+    double gain[BASSET_TERMS];             /* [-] g(s_k dt) */
+    double *E[BASSET_TERMS / TERMS_A_ROW]; /* [m/s] ROW each */
+    double *change; /* [m/s] of w in the step before, 3 */
+    double *u;      /* [m/s] of the fluid in the step before, 3 */
+    double *age;    /* [-] steps done, 1 at most: 0 has no past */
+    double *held;   /* [N] the part that is known before the step, 3 */
+    double *start;  /* [m/s] velocity at the start of the step, 3 */
+};
+
+static double *attached(struct particles *ps, int width)
+{
+    double *const array = alloc_doubles(width * ps->capacity);
+
+    particles_attach(ps, array, width);
+    return array;
+}
+
+static void *basset_create(struct simulation *sim, const double *parameters)
+{
+    struct basset *const self = alloc_zeroed(1, sizeof *self);
+    struct particles *const ps = sim->particles;
+
+    self->kernel = basset_kernel_create(sim->dt, parameters[0]);
+    for (int k = 0; k < self->kernel.n; k++) {
+        self->decay[k] = exp(-self->kernel.s[k] * sim->dt);
+        self->gain[k] = implicit_drag_gain(self->kernel.s[k] * sim->dt);
+        if (k % TERMS_A_ROW == 0) self->E[k / TERMS_A_ROW] = attached(ps, ROW);
+    }
+    self->change = attached(ps, 3);
+    self->u = attached(ps, 3);
+    self->age = attached(ps, 1);
+    self->held = attached(ps, 3);
+    self->start = attached(ps, 3);
+    particles_add_implicit_drag(ps);
+    return self;
+}
+
+static void basset_free(void *memory)
+{
+    struct basset *const self = memory;
+
+    for (int k = 0; k < BASSET_TERMS / TERMS_A_ROW; k++)
+        free(self->E[k]);
+    free(self->change);
+    free(self->u);
+    free(self->age);
+    free(self->held);
+    free(self->start);
+    free(self);
+}
+
+static double *term(const struct basset *self, int k, int i)
+{
+    return &self->E[k / TERMS_A_ROW][ROW * i + 3 * (k % TERMS_A_ROW)];
+}
+
+static double mass(const struct simulation *sim, int i)
+{
+    const struct fluid_options *const o = &sim->fluid->options;
+    return 4.0 / 3.0 * sqrt(sim->dt) *
+           basset_coefficient(o->rho, o->mu, sim->particles->d[i]);
+}
+
+/* The held force over the added mass [m/s^2]: component a of particle i, whose
+ * fluid has changed by du [m/s]. Of a first slip w_0 the mean over the step is
+ * 2 w_0/sqrt(dt). */
+static double known_part(const struct basset *self,
+                         const struct simulation *sim, int i, int a, double du,
+                         double w_0)
+{
+    const double dt = sim->dt;
+    double older = 0.0;
+
+    for (int k = 0; k < self->kernel.n; k++)
+        older += self->kernel.c[k] * self->gain[k] * term(self, k, i)[a];
+    return du / dt + (2.0 * M_SQRT2 - 2.0) * self->change[3 * i + a] / dt +
+           0.75 * (older / sqrt(dt) + 2.0 * w_0 / dt);
+}
+
+/* [LS 5.4]: what is known of it as a force, the rest as a mass. */
+static void basset_before_particles(void *memory, struct simulation *sim)
+{
+    struct basset *const self = memory;
+    struct particles *const ps = sim->particles;
+    const double *const u = sim->coupling->u_f;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double m = mass(sim, i);
+        const int is_new = self->age[i] == 0.0;
+        ps->added_mass[i] += m;
+        for (int a = 0; a < 3; a++) {
+            const int j = 3 * i + a;
+            const double du = is_new ? 0.0 : u[j] - self->u[j];
+            self->held[j] =
+                m * known_part(self, sim, i, a, du, is_new ? u[j] - v[a] : 0.0);
+            sim->held_force[j] += self->held[j];
+            self->start[j] = v[a];
+        }
+    }
+}
+
+/* The past of one component, one step later. dw [m/s] is the change of the
+ * slip in the step that ends, w_0 a first slip at its start. */
+static void remember(struct basset *self, int i, int a, double dw, double w_0)
+{
+    for (int k = 0; k < self->kernel.n; k++) {
+        double *const E = term(self, k, i);
+        E[a] = self->decay[k] *
+               (E[a] + self->gain[k] * self->change[3 * i + a] + w_0);
+    }
+    self->change[3 * i + a] = dw;
+}
+
+/* The impulse of the step, no part of which has acted on the fluid yet. */
+static void basset_after_particles(void *memory, struct simulation *sim)
+{
+    struct basset *const self = memory;
+    const struct particles *const ps = sim->particles;
+    const double *const u = sim->coupling->u_f;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double m = mass(sim, i);
+        const int is_new = self->age[i] == 0.0;
+        double impulse[3], force[3];
+        for (int a = 0; a < 3; a++) {
+            const int j = 3 * i + a;
+            const double dv = v[a] - self->start[j];
+            const double du = is_new ? 0.0 : u[j] - self->u[j];
+            impulse[a] = self->held[j] * sim->dt - m * dv;
+            force[a] = impulse[a] / sim->dt;
+            remember(self, i, a, du - dv, is_new ? u[j] - self->start[j] : 0.0);
+            self->u[j] = u[j];
+        }
+        self->age[i] = 1.0;
+        coupling_add_impulse(sim, i, impulse);
+        effects_report(sim, force, 1.0);
+    }
+}
+
+/* d/(2 sqrt(pi nu t)) of the drag after a step of the slip, at t = tau. */
+static double share(const struct effect_scales *k, const char **remark)
+{
+    *remark = k->slip * k->d * k->rho_f > k->mu
+                  ? "right after a change of the slip; Re > 1: too large"
+                  : "right after a change of the slip";
+    return basset_coefficient(k->rho_f, k->mu, k->d) * k->slip / sqrt(k->tau) /
+           k->force;
+}
+
+static const struct key keys[] = {
+    {"effects.basset", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "force of the boundary layer that lags behind the slip", "LS 5.4",
+     "fluid particles averaging exchange"},
+    {"effects.basset.tolerance", KEY_REAL, "-", ">= 2e-5, <= 0.1", "2e-3",
+     "relative error of the kernel from one step to a million", "LS 5.4", ""},
+    {0}};
+
+const struct effect basset_effect = {
+    .name = "basset",
+    .what = "history force: the boundary layer lags behind the slip",
+    .equations = "LS 5.4",
+    .function = "basset_before_particles",
+    .keys = keys,
+    .create = basset_create,
+    .before_particles = basset_before_particles,
+    .after_particles = basset_after_particles,
+    .free = basset_free,
+    .share = share,
+};

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* fluid_torque.c -- the fluid slows the spin of a particle (spin.h).
+ *
+ *   I domega/dt = T,   omega - curl u/2 = Omega ~ exp(-r t)
+ *
+ * r of the start of a sub-step of the drag is constant in it, so that no
+ * sub-step is too long. The torque on the fluid is not returned: averaged over
+ * the cell it is no force, and the angular momentum of the fluid below the size
+ * of a cell is not in the equations.
+ */
+#include <math.h>
+
+#include "base/vector.h"
+#include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "coupling/effects/spin.h"
+#include "coupling/effects/vorticity.h"
+
+static void *fluid_torque_create(struct simulation *sim,
+                                 const double *parameters)
+{
+    (void)parameters;
+    return vorticity_create(sim);
+}
+
+static void fluid_torque_free(void *memory)
+{
+    vorticity_free(memory);
+}
+
+static void fluid_torque_before_particles(void *memory, struct simulation *sim)
+{
+    vorticity_update(memory, sim);
+}
+
+static void fluid_torque_before_substep(void *memory, struct simulation *sim)
+{
+    const struct vorticity *const v = memory;
+    const struct fluid_options *const o = &sim->fluid->options;
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        double *const spin[3] = {&ps->wx[i], &ps->wy[i], &ps->wz[i]};
+        const double rho_s = ps->m[i] / particles_volume(ps, i);
+        double Omega[3];
+        for (int k = 0; k < 3; k++)
+            Omega[k] = *spin[k] - 0.5 * v->at[3 * i + k];
+        const double rate = spin_decay_rate(o->rho, o->mu, ps->d[i], rho_s,
+                                            vector_length(Omega));
+        for (int k = 0; k < 3; k++)
+            *spin[k] += Omega[k] * expm1(-rate * sim->substep);
+    }
+}
+
+/* What the torque takes of a spin in the time that the drag needs to stop the
+ * particle: 10/3 of it at small Re. */
+static double share(const struct effect_scales *k, const char **remark)
+{
+    *remark = "spin lost within the relaxation time of the drag";
+    return -expm1(-spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin) *
+                  k->tau);
+}
+
+static const struct key keys[] = {
+    {"effects.fluid_torque", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "torque of the fluid, which slows the spin of a particle", "LS 5.7",
+     "fluid particles averaging exchange"},
+    {0}};
+
+const struct effect fluid_torque_effect = {
+    .name = "fluid_torque",
+    .what = "torque of the fluid on a particle that spins",
+    .equations = "",
+    .function = "spin_decay_rate",
+    .keys = keys,
+    .create = fluid_torque_create,
+    .before_particles = fluid_torque_before_particles,
+    .before_substep = fluid_torque_before_substep,
+    .free = fluid_torque_free,
+    .share = share,
+};

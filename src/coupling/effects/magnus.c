@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* magnus.c -- Magnus's lift on a particle that spins [LS 5.7] (spin.h). */
+#include "coupling/coupling.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
+#include "coupling/effects/spin.h"
+#include "coupling/effects/vorticity.h"
+
+static void *magnus_create(struct simulation *sim, const double *parameters)
+{
+    (void)parameters;
+    return vorticity_create(sim);
+}
+
+static void magnus_free(void *memory)
+{
+    vorticity_free(memory);
+}
+
+static void magnus_before_particles(void *memory, struct simulation *sim)
+{
+    vorticity_update(memory, sim);
+}
+
+/* The lift for slip and spin at the start of the sub-step. */
+static void magnus_before_substep(void *memory, struct simulation *sim)
+{
+    const struct vorticity *const v = memory;
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double *const curl = &v->at[3 * i];
+        const double Omega[3] = {ps->wx[i] - 0.5 * curl[0],
+                                 ps->wy[i] - 0.5 * curl[1],
+                                 ps->wz[i] - 0.5 * curl[2]};
+        double w[3], F[3];
+        coupling_slip(sim, i, w);
+        spin_lift(o->rho, o->mu, ps->d[i], w, Omega, F);
+        coupling_add_force(sim, i, F);
+    }
+}
+
+static double share(const struct effect_scales *k, const char **remark)
+{
+    const double Re = k->rho_f * k->slip * k->d / k->mu;
+    const double Re_r = spin_reynolds(k->rho_f, k->mu, k->d, k->spin);
+
+    *remark = "the spin that a collision with friction leaves";
+    if (!(Re > 0.0) || !(Re_r > 0.0)) return 0.0;
+    return spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d,
+                      k->slip) /
+           k->force;
+}
+
+static const struct key keys[] = {{"effects.magnus", KEY_GROUP, "", "",
+                                   KEY_OPTIONAL,
+                                   "lift on a particle that spins", "LS 5.7",
+                                   "fluid particles averaging exchange"},
+                                  {0}};
+
+const struct effect magnus_effect = {
+    .name = "magnus",
+    .what = "lift on a particle that spins",
+    .equations = "LS 5.7",
+    .function = "spin_lift",
+    .keys = keys,
+    .create = magnus_create,
+    .before_particles = magnus_before_particles,
+    .before_substep = magnus_before_substep,
+    .free = magnus_free,
+    .share = share,
+};

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/effects/vorticity.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "fluid/velocity_gradient.h"
+
+struct vorticity *vorticity_create(struct simulation *sim)
+{
+    const struct mesh *const m = sim->mesh;
+    struct vorticity *const v = alloc_zeroed(1, sizeof *v);
+
+    v->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    v->gradient = alloc_doubles(9 * m->n_cells);
+    v->curl = alloc_doubles(3 * m->n_cells);
+    v->at = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, v->at, 3);
+    return v;
+}
+
+void vorticity_free(struct vorticity *v)
+{
+    if (v == NULL) return;
+    free(v->u_b);
+    free(v->gradient);
+    free(v->curl);
+    free(v->at);
+    free(v);
+}
+
+void vorticity_update(struct vorticity *v, struct simulation *sim)
+{
+    const struct fluid *const fl = sim->fluid;
+
+    fluid_boundary_velocity(fl, v->u_b);
+    velocity_gradient_schemes[0]->fill(fl->mesh, fl->u, v->u_b, v->gradient);
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double *const g =
+            &v->gradient[9 * c]; /* d u_k/d x_j at 3 k + j */
+        v->curl[3 * c] = g[7] - g[5];
+        v->curl[3 * c + 1] = g[2] - g[6];
+        v->curl[3 * c + 2] = g[3] - g[1];
+    }
+    averaging_gather(sim->averaging, 3, v->curl, v->at);
+}

@@ -1,0 +1,26 @@
+/* vorticity.h -- curl u of the fluid, at the particles.
+ * Chapter "Further forces".
+ *
+ * The lift forces and the torque of the fluid need it. The gradient in the
+ * cells is that of Gauss, and the interpolation to the particles the adjoint of
+ * the averaging, as for the other derivatives of the flow.
+ */
+#ifndef COUPLING_EFFECTS_VORTICITY_H
+#define COUPLING_EFFECTS_VORTICITY_H
+
+#include "coupling/simulation.h"
+
+struct vorticity {
+    double *u_b;      /* [m/s] at the boundary, 3 a face */
+    double *gradient; /* [1/s] of u, 9 a cell */
+    double *curl;     /* [1/s] 3 a cell */
+    double *at;       /* [1/s] interpolated to the particles, 3 each */
+};
+
+struct vorticity *vorticity_create(struct simulation *sim);
+void vorticity_free(struct vorticity *v);
+
+/* Fills curl and at from the velocity of the fluid now. */
+void vorticity_update(struct vorticity *v, struct simulation *sim);
+
+#endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Basset's history force. */
+#include "coupling/effects/basset.h"
+
+#include <complex.h>
+
+#include "facts.h"
+#include "suspension.h"
+
+/* --- the kernel --------------------------------------------------------- */
+
+static const int terms[] = {15, 25, 37, 51};
+static const double tolerances[] = {2e-2, 2e-3, 2e-4, 2e-5};
+
+/* Between one step and a million the sum differs from 1/sqrt(t) by at most the
+ * tolerance. If it were less than a half of that, there would be more terms
+ * than needed. */
+START_TEST(ls_5_4_the_sum_of_exponentials_is_one_over_the_root)
+{
+    const double dt = 3e-4, tolerance = tolerances[_i];
+    const struct basset_kernel k = basset_kernel_create(dt, tolerance);
+    double worst = 0.0;
+
+    for (double t = dt; t <= 1e6 * dt; t *= 1.01)
+        worst = fmax(worst, fabs(basset_kernel_value(&k, t) * sqrt(t) - 1.0));
+    ck_assert_double_le(worst, tolerance);
+    ck_assert_double_ge(worst, 0.5 * tolerance);
+    ck_assert_int_eq(k.n, terms[_i]);
+}
+END_TEST
+
+/* Of a slip that grows at a constant rate the force is 3 d^2 sqrt(pi rho mu t)
+ * w'. */
+START_TEST(ls_5_4_force_at_a_constant_rate)
+{
+    ck_assert_double_eq_tol(basset_force(1000.0, 1e-3, 1e-3, 4.0, 0.5),
+                            3e-6 * sqrt(M_PI * 4.0) * 0.5, 1e-18);
+}
+END_TEST
+
+/* --- settling from rest -------------------------------------------------- */
+
+/* exp(x^2) erfc(x) = (2/sqrt(pi)) int_0^inf exp(-s^2 - 2 x s) ds, Re x > 0, by
+ * Simpson's rule. */
+static double complex scaled_erfc(double complex x)
+{
+    const int n = 2000;
+    const double h = 8.0 / n;
+    double complex sum = 1.0;
+
+    for (int i = 1; i <= n; i++) {
+        const double s = i * h;
+        sum += (i == n ? 1.0 : i % 2 ? 4.0 : 2.0) * cexp(-s * s - 2.0 * x * s);
+    }
+    return M_2_SQRTPI * sum * h / 3.0;
+}
+
+/* v/v_t of a sphere let go at rest, with drag after Stokes, added mass and
+ * history; time over T = (2 a^2/9 nu) (ratio + 1/2). Roots of z^2 + B z + 1. */
+static double exact(double ratio, double t)
+{
+    const double B = 3.0 / sqrt(2.0 * ratio + 1.0);
+    const double complex root = csqrt(B * B - 4.0);
+    const double complex z1 = 0.5 * (-B + root), z2 = 0.5 * (-B - root);
+
+    return creal(1.0 + (z2 * scaled_erfc(-z1 * sqrt(t)) -
+                        z1 * scaled_erfc(-z2 * sqrt(t))) /
+                           (z1 - z2));
+}
+
+/* Water and a Reynolds number of about 1e-9, so that the drag is Stokes' to
+ * 1e-7. */
+static struct scene creeping(double ratio, double dt)
+{
+    struct scene s = air;
+
+    s.one_way = s.substeps = s.n = s.dem_steps = 1;
+    s.cells = 3;
+    s.rho = 1000.0;
+    s.mu = 0.1;
+    s.rho_s = ratio * s.rho;
+    s.d = 1e-4;
+    s.drag = "schiller-naumann";
+    s.relaxation = SLIP_INTEGRATION_EXPONENTIAL;
+    s.virtual_mass = 0.5;
+    s.basset = 1e-4;
+    s.gravity[1] = -1e-3;
+    s.dt = dt * gsl_pow_2(s.d) / 18.0 / (s.mu / s.rho) * (ratio + 0.5);
+    return s;
+}
+
+static void let_go(struct simulation *sim)
+{
+    sim->particles->vx[0] = sim->particles->vy[0] = sim->particles->vz[0] = 0.0;
+    memset(sim->fluid->u, 0, 3 * (size_t)sim->mesh->n_cells * sizeof(double));
+    memset(sim->fluid->phi, 0, (size_t)sim->mesh->n_faces * sizeof(double));
+    coupling_start(sim);
+}
+
+/* The largest difference to the exact velocity over v_t, to 4 relaxation
+ * times. */
+static double settle(double ratio, double dt, double basset)
+{
+    struct scene s = creeping(ratio, dt);
+    double worst = 0.0;
+
+    s.basset = basset;
+    struct simulation *const sim = build(&s);
+    const double v_t =
+        (ratio - 1.0) * s.rho * s.gravity[1] * s.d * s.d / (18.0 * s.mu);
+    let_go(sim);
+    for (int n = 1; n * dt <= 4.0; n++) {
+        run(sim, 1);
+        const double v = sim->particles->vy[0] / v_t;
+        worst = fmax(worst, fabs(v - exact(ratio, n * dt)));
+    }
+    discard(sim);
+    return worst;
+}
+
+static const double ratios[] = {0.1, 0.5, 1.2, 2.65, 8.0};
+
+/* With steps of a twentieth and an eightieth of the relaxation time: between
+ * order 1.5, of the first step, in which the slip goes with the root of the
+ * time, and order 2. Without the force the error is a quarter of the velocity
+ * and more. */
+START_TEST(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen)
+{
+    const double coarse = settle(ratios[_i], 0.05, 1e-4);
+    const double fine = settle(ratios[_i], 0.0125, 1e-4);
+    const double without = settle(ratios[_i], 0.05, 0.0);
+
+    ck_assert_double_le(coarse, 6e-4);
+    ck_assert_double_ge(log2(coarse / fine) / 2.0, 1.65);
+    ck_assert_double_ge(without, 0.2);
+}
+END_TEST
+
+FACTS("basset")
+{
+    FACT_FOR_EACH(ls_5_4_the_sum_of_exponentials_is_one_over_the_root, 4);
+    FACT(ls_5_4_force_at_a_constant_rate);
+    FACT_FOR_EACH(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen, 5);
+}
