@@ -85,13 +85,15 @@ static void describe(const struct settings *s, struct inlet_request *r,
     settings_vector(s, path, r->along);
 }
 
-/* The first value of a profile that is none, over its faces and at times from 0
- * to the end of the run. */
+/* Times of a run at which a profile that varies is looked at, beside 0. */
+enum { TIMES = 64 };
+
+/* The first value of a profile that is none, over its faces and the run. */
 static int check_values(const struct settings *s, const struct boundary *b,
                         const struct inlet_request *r,
                         char wrong[INLET_PROFILE_TEXT])
 {
-    const int times = b->varying != NULL ? 64 : 0;
+    const int times = b->varying != NULL ? TIMES : 0;
 
     for (int i = 0; i <= times; i++)
         for (int j = 0; j < r->patch->n; j++) {
@@ -275,4 +277,42 @@ int build_boundaries_check(const struct settings *s)
     if (!failed) build_boundaries_free(all, m->n_patches, series);
     mesh_free(m);
     return failed ? 2 : 0;
+}
+
+/* Of one boundary at one time. */
+static void add_shares(const struct mesh *m, const struct patch *p,
+                       const struct boundary *b, double t, double *mean,
+                       double *peak)
+{
+    double sum = 0.0, surface = 0.0;
+
+    for (int j = 0; j < p->n; j++) {
+        const double area = vector_length(&m->S[3 * (p->first + j)]);
+        const double share = boundary_inlet_share(b, j, t);
+        sum += share * area;
+        surface += area;
+        *peak = fmax(*peak, share);
+    }
+    *mean = fmax(*mean, sum / surface);
+}
+
+void build_boundaries_shares(const struct settings *s, const char *patch,
+                             double *mean, double *peak)
+{
+    double *series;
+    struct mesh *m = case_mesh_outline(s);
+    const int is_uniform =
+        profile_of(s, mesh_patch(m, patch)) == inlet_profiles[0];
+
+    *mean = *peak = is_uniform ? 1.0 : 0.0;
+    mesh_free(m);
+    if (is_uniform) return;
+    m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m, &series);
+    const struct patch *const p = mesh_patch(m, patch);
+    for (int i = 0; i <= TIMES && all != NULL; i++)
+        add_shares(m, p, &all[p - m->patches],
+                   settings_real(s, "output.end") * i / TIMES, mean, peak);
+    if (all != NULL) build_boundaries_free(all, m->n_patches, series);
+    mesh_free(m);
 }

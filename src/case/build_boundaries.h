@@ -16,4 +16,10 @@ void build_boundaries_free(struct boundary *all, int n, double *series);
 /* 0 if all inlets and rotating walls can be built; else 2 after a message. */
 int build_boundaries_check(const struct settings *s);
 
+/* The velocity of an inlet over what the case gives, as its profile makes it
+ * [-]: the mean over the patch and the largest of a face, at any time of the
+ * run. */
+void build_boundaries_shares(const struct settings *s, const char *patch,
+                             double *mean, double *peak);
+
 #endif

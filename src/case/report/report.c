@@ -9,6 +9,7 @@
 #include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
+#include "case/report/case_flow.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
 #include "case/case_materials.h"
@@ -135,21 +136,6 @@ static void print_contacts(const struct settings *s,
     line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-/* The fluid between the grains of a packed bed moves at U / eps_f. */
-static void print_flow(const struct case_scales *k)
-{
-    const double u = k->inlet / (1.0 - packed);
-
-    puts("Flow");
-    line("step", k->dt, "s", "");
-    if (k->inlet <= 0.0) return;
-    line("inlet", k->inlet, "m/s", "superficial, largest");
-    line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
-    line("step at CFL = 1", k->dx / u, "s",
-         k->dt <= k->dx / u ? "the step is below: accurate in time"
-                            : "the step is above: stable, not accurate");
-}
-
 /* Weights at the centres of cells want a bandwidth that reaches from one large
  * cell to the next; else the small ones beside it get what is its due. */
 static void print_bandwidth(const struct mesh *m, double b, double S_c,
@@ -245,7 +231,8 @@ int report_case(const struct settings *s)
     if (k.particles > 0)
         case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
     if (walls.surfaces > 0) print_walls(&walls, &k);
-    if (settings_has(s, "fluid")) print_flow(&k);
+    if (settings_has(s, "fluid"))
+        case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
     if (settings_has(s, "averaging")) print_averaging(s, &k);
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
