@@ -205,3 +205,8 @@ double field_output_last(const struct field_output *p)
 {
     return p->last;
 }
+
+const struct outline *field_output_walls(const struct field_output *p)
+{
+    return p->surfaces != NULL ? &p->outline : NULL;
+}

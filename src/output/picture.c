@@ -6,6 +6,7 @@
 #include "base/number.h"
 #include "output/gnuplot.h"
 #include "output/picture_script.h"
+#include "output/section.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -186,8 +187,8 @@ static int put_void_fraction(struct folder *folder, const struct picture *p)
     return file_commit(f);
 }
 
-static void put_definition(FILE *out, const char *name, double value,
-                           const char *unit)
+void picture_put_number(FILE *out, const char *name, double value,
+                        const char *unit)
 {
     char text[NUMBER_LENGTH];
 
@@ -219,12 +220,27 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
 
     fprintf(out, "# The numbers of this run.\n");
     put_title(out, p->title);
-    put_definition(out, "time", p->time, "s");
-    put_definition(out, "x0", lo[0], "m");
-    put_definition(out, "x1", hi[0], "m");
-    put_definition(out, "y0", lo[1], "m");
-    put_definition(out, "y1", hi[1], "m");
-    put_definition(out, "fast", fast, "m/s, which 99 of 100 keep below");
+    picture_put_number(out, "time", p->time, "s");
+    picture_put_number(out, "x0", lo[0], "m");
+    picture_put_number(out, "x1", hi[0], "m");
+    picture_put_number(out, "y0", lo[1], "m");
+    picture_put_number(out, "y1", hi[1], "m");
+    picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
+}
+
+/* The surfaces, cut in the middle of the depth. gnuplot draws no file without a
+ * point, so one that is nowhere ends it. */
+static int put_walls(struct folder *folder, const struct picture *p)
+{
+    if (p->walls == NULL) return 0;
+    struct file *const f = picture_open(folder, "picture/walls.txt");
+    if (f == NULL) return 1;
+
+    fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
+    section_write(file_stream(f), p->walls,
+                  0.5 * (p->mesh->lo[2] + p->mesh->hi[2]));
+    fprintf(file_stream(f), "nan nan\n");
+    return file_commit(f);
 }
 
 static int put_script(struct folder *folder, const struct picture *p)
@@ -235,8 +251,9 @@ static int put_script(struct folder *folder, const struct picture *p)
 
     FILE *const out = file_stream(f);
     picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
-    fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
+    fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n", p->n,
             p->eps != NULL, p->pressure);
+    fprintf(out, "with_walls = %d\n\n", p->walls != NULL);
     for (const char *const *line = picture_script; *line; line++)
         fprintf(out, "%s\n", *line);
     return file_commit(f);
@@ -244,9 +261,13 @@ static int put_script(struct folder *folder, const struct picture *p)
 
 int picture_write(struct folder *folder, const struct picture *p)
 {
-    return folder_make(folder, "picture") ||
-           picture_write_particles(folder, "picture/particles.txt", p) ||
-           put_void_fraction(folder, p) || put_script(folder, p);
+    if (folder_make(folder, "picture") != 0) return 1;
+    for (int i = 0; picture_forms[i] != NULL; i++)
+        if (picture_forms[i]->fits(p))
+            return picture_forms[i]->write(folder, p);
+    return picture_write_particles(folder, "picture/particles.txt", p) ||
+           put_void_fraction(folder, p) || put_walls(folder, p) ||
+           put_script(folder, p);
 }
 
 /* Adds the files that gnuplot will write to the manifest; non-zero after a
