@@ -13,7 +13,9 @@ SANITIZE = -O2 -g1 $(TUNE) $(MATH) -fsanitize=address,undefined \
 OPT      = $(FAST)
 B        = build
 LIGHTLY  = -O1
-LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
+# Debian has HDF5 in a folder of its own, which pkg-config knows.
+HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
+LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
 # What is built: the rooms' own files, and the folders in them that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
@@ -144,6 +146,7 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
+$B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =

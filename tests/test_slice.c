@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/flow/slice.h"
-#include "output/section.h"
+#include "output/surfaces/section.h"
 
 #include "facts.h"
 

@@ -3,11 +3,10 @@
 
 #include "case/case_mesh.h"
 #include "case/case_part.h"
-#include "case/case_surfaces.h"
 #include "case/validate.h"
 #include "case/keys.h"
 #include "case/models.h"
-#include "case/record.h"
+#include "case/recorder_part.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -17,11 +16,11 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     int n = 0;
 
     tables[n++] = keys_core;
-    tables[n++] = keys_surfaces;
     for (int i = 0; case_parts[i] != NULL; i++)
         tables[n++] = case_parts[i]->keys;
-    for (int i = 0; records[i] != NULL; i++)
-        tables[n++] = records[i]->keys;
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        if (recorder_parts[i]->keys != NULL)
+            tables[n++] = recorder_parts[i]->keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);
     tables[n] = NULL;

@@ -7,7 +7,6 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
-#include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
 #include "fluid/inlet_profile.h"
 
@@ -141,8 +140,6 @@ int models_value(const struct model *const *choices, const char *name)
         choices++;
     return (*choices)->value;
 }
-MODELS_KIND(models_surface, surface_shapes, "surface",
-            "walls besides those of the box", "particles.surfaces.shape", NULL)
 
 /* 1 if the model, or one that a key of it chooses, has that key of a patch. */
 static int patch_reads(const struct model *m, const char *name)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/recorder.h"
+#include "case/recorder_internal.h"
 
+#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -12,58 +13,21 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
-#include "output/folder.h"
-#include "output/animation.h"
 #include "output/picture.h"
 #include "output/summary.h"
-#include "output/table.h"
 #include "dem/population.h"
 #include "case/case_steps.h"
-#include "case/history.h"
-#include "case/profiles.h"
-#include "case/field_output.h"
-#include "case/probes.h"
-#include "case/record.h"
-#include "case/surface_table.h"
-
-enum { MOST_COLUMNS = 64 };
-
-struct recorder {
-    const struct settings *settings;
-    const struct simulation *sim;
-    struct folder *folder; /* borrowed */
-    double began;          /* [s] wall clock */
-    double ended;          /* [s] the same; 0 while the run goes on */
-    int n_columns;
-    const struct history_column *column[MOST_COLUMNS];
-    struct table *history;
-    struct snapshot *snapshot;
-    struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
-    struct profiles *lines;
-    struct probes *probes;
-    struct records *records;
-    long row_every, picture_every; /* [-] steps of the loop */
-    /* For the summary: the worst of the whole run, and means over its second
-     * half. */
-    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
-    double eps_lowest;
-    long capped_steps;
-    double drop_sum, weight_sum;
-    long drop_rows;
-};
 
 void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    for (int i = 0; i < r->n_parts; i++)
+        r->part[i]->free(r->part_state[i]);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
-    records_free(r->records);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -108,7 +72,10 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    int failed = table_add(r->history, row);
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
+    return failed;
 }
 
 /* The present state as a picture (picture.h). */
@@ -122,7 +89,7 @@ static struct picture picture_of(const struct recorder *r)
                             .eps = s->eps,
                             .u = s->u,
                             .p = s->p,
-                            .walls = field_output_walls(r->pictures),
+                            .walls = r->sim->n_surfaces > 0,
                             .n = s->n,
                             .x = {s->x[0], s->x[1], s->x[2]},
                             .v = {s->v[0], s->v[1], s->v[2]},
@@ -134,9 +101,13 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
+    int failed = field_output_add(r->pictures, r->snapshot);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
-    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+    for (int i = 0; i < r->n_parts && !failed; i++)
+        if (r->part[i]->fields != NULL)
+            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
+    if (failed || r->animation == NULL) return failed;
+    return animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -148,14 +119,11 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0 ||
-            records_add_row(r->records) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
-    return add_fields(r) != 0 || records_add_picture(r->records) != 0;
+    return add_fields(r);
 }
 
 int recorder_last_state(struct recorder *r)
@@ -283,13 +251,38 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed; non-zero after a message. */
-static int begin(struct recorder *r)
+/* What is there of a run that is killed. */
+int recorder_begin(const struct recorder *r)
 {
-    if (folder_begin(r->folder) != 0) return 1;
+    return write_summary(r, "running", STILL_RUNNING);
+}
+
+/* A summary from the start; that of a run that goes on stays as it is until the
+ * state is loaded. Non-zero after a message. */
+static int begin(struct recorder *r, int resume)
+{
+    if (resume)
+        folder_resume(r->folder);
+    else if (folder_begin(r->folder) != 0)
+        return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);
-    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+    return path == NULL || (!resume && recorder_begin(r) != 0);
+}
+
+/* The files that folders add. */
+static int create_folder_parts(struct recorder *r)
+{
+    int failed = 0;
+
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        assert(r->n_parts < MOST_PARTS);
+        r->part[r->n_parts] = recorder_parts[i];
+        r->part_state[r->n_parts] =
+            recorder_parts[i]->create(r->settings, r->sim, r->folder, &failed);
+        r->n_parts += r->part_state[r->n_parts] != NULL;
+    }
+    return failed;
 }
 
 /* The parts that write from the start; non-zero after a message. */
@@ -307,19 +300,14 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (create_folder_parts(r) != 0) return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
-    if (r->probes == NULL) return 1;
-    r->records = records_create(r->settings, sim, folder);
-    return r->records == NULL;
+    return r->probes == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 struct folder *folder)
+                                 struct folder *folder, int resume)
 {
     struct recorder *const r = alloc_zeroed(1, sizeof *r);
 
@@ -332,9 +320,10 @@ struct recorder *recorder_create(const struct settings *s,
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
     r->lines = profiles_create(s, sim, r->snapshot);
-    if (r->lines != NULL && begin(r) == 0) {
+    if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
-        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+        if (!resume)
+            write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
     }
     recorder_free(r);
     return NULL;

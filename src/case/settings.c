@@ -107,6 +107,11 @@ const char *settings_file(const struct settings *s)
     return s->file;
 }
 
+const struct config_setting_t *settings_root(const struct settings *s)
+{
+    return config_root_setting(&s->tree);
+}
+
 void settings_be_quiet(struct settings *s)
 {
     s->quiet = 1;
@@ -117,13 +122,13 @@ int settings_quiet(const struct settings *s)
     return s->quiet;
 }
 
-/* A name may be one of the row's words, any text, or the name of a file. */
+/* A name may be a word, any text, or a file. */
 static int type_fits(const struct key *key, enum key_type type)
 {
-    return key != NULL && (key->type == type ||
-                           (type == KEY_SERIES && key->type == KEY_CURVE) ||
-                           (type == KEY_NAME &&
-                            (key->type == KEY_TEXT || key->type == KEY_FILE)));
+    if (key == NULL || key->type == type) return key != NULL;
+    return type == KEY_SERIES ? key->type == KEY_CURVE
+                              : type == KEY_NAME && (key->type == KEY_TEXT ||
+                                                     key->type == KEY_FILE);
 }
 
 /* The setting of a path whose row must have the type. The tables say that it
@@ -134,10 +139,8 @@ static const config_setting_t *find(const struct settings *s, const char *path,
     const struct key *const key = schema_find(s->tables, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(type_fits(key, type));
-    assert(found != NULL);
-    (void)key;
-    (void)type;
+    assert(type_fits(key, type) && found != NULL);
+    (void)key, (void)type;
     return found;
 }
 
@@ -153,13 +156,11 @@ static const config_setting_t *find_in(const struct settings *s,
 
     snprintf(path, sizeof path, "%s.%s", list, name);
     key = schema_find(s->tables, path);
-    assert(type_fits(key, type));
-    assert(i >= 0 && i < config_setting_length(groups));
+    assert(type_fits(key, type) && i >= 0 && i < config_setting_length(groups));
     found = config_setting_get_member(
         config_setting_get_elem(groups, (unsigned)i), name);
     assert(found != NULL);
-    (void)key;
-    (void)type;
+    (void)key, (void)type;
     return found;
 }
 
@@ -178,8 +179,8 @@ static double real(const config_setting_t *s)
 /* A word in its place is 0. */
 static int whole(const config_setting_t *s)
 {
-    return config_setting_type(s) == CONFIG_TYPE_INT ? config_setting_get_int(s)
-                                                     : 0;
+    const int is_whole = config_setting_type(s) == CONFIG_TYPE_INT;
+    return is_whole ? config_setting_get_int(s) : 0;
 }
 
 static void vector(const config_setting_t *s, double v[3])

@@ -32,6 +32,10 @@ void settings_free(struct settings *s);
 /* The case file as it was given. */
 const char *settings_file(const struct settings *s);
 
+/* All that the case says, with its overrides and defaults. */
+struct config_setting_t;
+const struct config_setting_t *settings_root(const struct settings *s);
+
 /* Whether progress is to be told on stderr. */
 void settings_be_quiet(struct settings *s);
 int settings_quiet(const struct settings *s);

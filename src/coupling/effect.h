@@ -12,6 +12,7 @@
 #define COUPLING_EFFECT_H
 
 #include "base/key.h"
+#include "base/state.h"
 
 struct simulation;
 struct effect;
@@ -57,10 +58,16 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
+    /* Visits what the next step depends on, but for arrays that are attached to
+     * the particles. */
+    void (*state)(void *memory, struct state *s);
     void (*free)(void *memory);
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
+    /* What of its parameters is impossible, in words; NULL: nothing is. */
+    const char *(*wrong)(const double *parameters,
+                         const struct attraction_scene *scene);
     /* The share of the larger one of weight and drag that the force has by the
      * scales of a case, for the effect named or not [-] (effect_scales.h). */
     double (*share)(const struct effect_scales *k, const char **remark);

@@ -6,7 +6,6 @@
 #include "base/number.h"
 #include "output/gnuplot.h"
 #include "output/picture_script.h"
-#include "output/section.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -228,21 +227,6 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
     picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
 }
 
-/* The surfaces, cut in the middle of the depth. gnuplot draws no file without a
- * point, so one that is nowhere ends it. */
-static int put_walls(struct folder *folder, const struct picture *p)
-{
-    if (p->walls == NULL) return 0;
-    struct file *const f = picture_open(folder, "picture/walls.txt");
-    if (f == NULL) return 1;
-
-    fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
-    section_write(file_stream(f), p->walls,
-                  0.5 * (p->mesh->lo[2] + p->mesh->hi[2]));
-    fprintf(file_stream(f), "nan nan\n");
-    return file_commit(f);
-}
-
 static int put_script(struct folder *folder, const struct picture *p)
 {
     struct file *const f = picture_open(folder, "picture/bed.gp");
@@ -253,7 +237,7 @@ static int put_script(struct folder *folder, const struct picture *p)
     picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
     fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n", p->n,
             p->eps != NULL, p->pressure);
-    fprintf(out, "with_walls = %d\n\n", p->walls != NULL);
+    fprintf(out, "with_walls = %d\n\n", p->walls);
     for (const char *const *line = picture_script; *line; line++)
         fprintf(out, "%s\n", *line);
     return file_commit(f);
@@ -266,8 +250,7 @@ int picture_write(struct folder *folder, const struct picture *p)
         if (picture_forms[i]->fits(p))
             return picture_forms[i]->write(folder, p);
     return picture_write_particles(folder, "picture/particles.txt", p) ||
-           put_void_fraction(folder, p) || put_walls(folder, p) ||
-           put_script(folder, p);
+           put_void_fraction(folder, p) || put_script(folder, p);
 }
 
 /* Adds the files that gnuplot will write to the manifest; non-zero after a

@@ -20,7 +20,6 @@
 #include <stdio.h>
 
 struct file;
-struct outline;
 
 /* The data of a picture; all borrowed. */
 struct picture {
@@ -34,7 +33,7 @@ struct picture {
     const double *d;     /* [m] */
     int pressure;        /* [-] 1: history.csv has the columns above */
     const double *u, *p; /* [m/s], [Pa] of the cells; NULL: no fluid */
-    const struct outline *walls; /* surfaces; NULL: none */
+    int walls;           /* [-] 1: picture/walls.txt has segments x y [m] */
 };
 
 /* Another picture, where it fits better: its files and script, with the names

@@ -8,7 +8,7 @@
  * with the reference values U, A and L of the case; F and M are the parts of
  * force and torque along the directions of drag, lift and moment.
  */
-#include "case/record.h"
+#include "case/recorder_part.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -252,8 +252,9 @@ static void release(void *memory)
 }
 
 static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder)
+                    struct folder *folder, int *failed)
 {
+    if (settings_length(s, list) == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
 
     f->sim = sim;
@@ -267,6 +268,7 @@ static void *create(const struct settings *s, const struct simulation *sim,
     f->row = alloc_doubles(f->n_columns);
     f->table = create_table(f, folder);
     if (f->table != NULL) return f;
+    *failed = 1;
     release(f);
     return NULL;
 }
@@ -296,10 +298,18 @@ static const struct key keys[] = {
      "direction of the torque in its coefficient", "", ""},
     KEY_END};
 
-const struct record forces_record = {
+static void visit(void *part, struct state *s)
+{
+    state_begin(s, "forces");
+    table_state(((struct forces *)part)->table, s);
+    state_end(s);
+}
+
+const struct recorder_part forces_part = {
     .keys = keys,
     .check = check,
     .create = create,
-    .add_row = add_row,
+    .row = add_row,
     .free = release,
+    .state = visit,
 };

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* walls.c -- the boundary faces with what the fluid does to them, for ParaView:
  * DIR/walls.pvd. On faces that it flows through the stress is zero. */
-#include "case/record.h"
+#include "case/recorder_part.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "case/field_output.h"
 #include "case/forces/forces.h"
 #include "fluid/forces/wall_stress.h"
 #include "mesh/face_corners.h"
@@ -82,7 +83,7 @@ static void take(struct walls *w)
         }
 }
 
-static int add_picture(void *memory)
+static int add_fields(void *memory, double t)
 {
     struct walls *const w = memory;
     const struct vtk_array arrays[] = {
@@ -98,9 +99,8 @@ static int add_picture(void *memory)
 
     take(w);
     return folder_list(w->folder, path) != 0 ||
-           vtk_write_polygons(w->writer, path, &w->shape, w->sim->t, 5,
-                              arrays) != 0 ||
-           series_add(w->series, w->sim->t) != 0;
+           vtk_write_polygons(w->writer, path, &w->shape, t, 5, arrays) != 0 ||
+           series_add(w->series, t) != 0;
 }
 
 static void release(void *memory)
@@ -122,13 +122,12 @@ static void release(void *memory)
 }
 
 static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder)
+                    struct folder *folder, int *failed)
 {
+    if (sim->fluid == NULL || !settings_bool(s, "output.walls")) return NULL;
     const int n = sim->mesh->n_faces - sim->mesh->n_internal;
     struct walls *const w = alloc_zeroed(1, sizeof *w);
-    char *const path = folder_file(folder, "walls.pvd");
 
-    (void)s;
     w->sim = sim;
     w->folder = folder;
     w->writer = vtk_writer_create();
@@ -138,10 +137,9 @@ static void *create(const struct settings *s, const struct simulation *sim,
     w->y_plus = alloc_doubles(n);
     w->shear = alloc_doubles(3 * n);
     w->u = alloc_doubles(3 * n);
-    if (path != NULL && folder_make(folder, "walls") == 0)
-        w->series = series_create(folder_name(folder), "walls", "vtp");
-    free(path);
+    w->series = field_output_series(folder, "walls", "vtp");
     if (w->series != NULL) return w;
+    *failed = 1;
     release(w);
     return NULL;
 }
@@ -153,9 +151,15 @@ static const struct key keys[] = {
      "", "fluid"},
     KEY_END};
 
-const struct record walls_record = {
+static void visit(void *part, struct state *s)
+{
+    series_state(((struct walls *)part)->series, s);
+}
+
+const struct recorder_part walls_part = {
     .keys = keys,
     .create = create,
-    .add_picture = add_picture,
+    .fields = add_fields,
     .free = release,
+    .state = visit,
 };

@@ -29,6 +29,15 @@ static struct attraction electrostatic_of(const double *p,
                                .charge = scene->charge};
 }
 
+static const char *electrostatic_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)p;
+    return scene->charged ? NULL
+                          : "no material has a charge: give "
+                            "particles.grains.charge [C]";
+}
+
 static const struct key electrostatic_keys[] = {
     {"effects.electrostatic", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force between charged particles; walls have no charge", "LS 4.13",
@@ -47,6 +56,7 @@ const struct effect cohesion_electrostatic = {
     .keys = electrostatic_keys,
     .create = create,
     .attraction = electrostatic_of,
+    .wrong = electrostatic_wrong,
 };
 
 static struct attraction van_der_waals_of(const double *p,
@@ -57,6 +67,15 @@ static struct attraction van_der_waals_of(const double *p,
                                .strength = p[0],
                                .closest = p[1],
                                .range = p[2]};
+}
+
+static const char *van_der_waals_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)scene;
+    return p[1] < p[2] ? NULL
+                       : "the range must be longer than the closest gap, "
+                         "min_gap";
 }
 
 static const struct key van_der_waals_keys[] = {
@@ -79,6 +98,7 @@ const struct effect cohesion_van_der_waals = {
     .keys = van_der_waals_keys,
     .create = create,
     .attraction = van_der_waals_of,
+    .wrong = van_der_waals_wrong,
 };
 
 static struct attraction capillary_of(const double *p,

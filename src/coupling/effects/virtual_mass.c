@@ -22,7 +22,8 @@
 #include "coupling/coupling.h"
 
 struct virtual_mass {
-    double C;      /* [-] */
+    double C; /* [-] */
+    int n_cells;
     double *past;  /* [m/s] u of the step before, 3 a cell */
     double *Du;    /* [m/s^2] Du/Dt, 3 a cell */
     double *at;    /* [m/s^2] interpolated to the particles, 3 each */
@@ -37,15 +38,16 @@ static void *virtual_mass_create(struct simulation *sim,
     const int cells = sim->mesh->n_cells, n = sim->particles->capacity;
 
     self->C = parameters[0];
+    self->n_cells = cells;
     self->past = alloc_doubles(3 * cells);
     self->Du = alloc_doubles(3 * cells);
     self->at = alloc_doubles(3 * n);
     self->start = alloc_doubles(3 * n);
     self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
-    particles_attach(sim->particles, self->at, 3);
-    particles_attach(sim->particles, self->start, 3);
-    particles_attach(sim->particles, self->mass, 1);
+    particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
+    particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
+    particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
     return self;
 }
 
@@ -132,6 +134,13 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
     }
 }
 
+static void virtual_mass_state(void *memory, struct state *s)
+{
+    struct virtual_mass *const self = memory;
+
+    state_reals(s, "u_past", "m/s", self->past, self->n_cells, 3);
+}
+
 static const struct key keys[] = {
     {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the fluid that a particle accelerates with itself", "LS 5.3",
@@ -149,5 +158,6 @@ const struct effect virtual_mass_effect = {
     .create = virtual_mass_create,
     .before_particles = virtual_mass_before_particles,
     .after_particles = virtual_mass_after_particles,
+    .state = virtual_mass_state,
     .free = virtual_mass_free,
 };

@@ -1,8 +1,8 @@
 /* section.h -- where the surfaces cut the plane of a picture. */
-#ifndef OUTPUT_SECTION_H
-#define OUTPUT_SECTION_H
+#ifndef OUTPUT_SURFACES_SECTION_H
+#define OUTPUT_SURFACES_SECTION_H
 
-#include "output/outline.h"
+#include "output/surfaces/outline.h"
 
 #include <stdio.h>
 

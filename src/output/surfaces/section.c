@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/section.h"
+#include "output/surfaces/section.h"
 
 #include "base/number.h"
 
