@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
+#include "case/effect_shares.h"
 
-#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
@@ -22,8 +23,7 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    for (int i = 0; i < r->n_parts; i++)
-        r->part[i]->free(r->part_state[i]);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -72,10 +72,7 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    int failed = table_add(r->history, row);
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
-    return failed;
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -101,13 +98,11 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
-    int failed = field_output_add(r->pictures, r->snapshot);
 
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->fields != NULL)
-            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
-    if (failed || r->animation == NULL) return failed;
-    return animation_add(r->animation, &p) != 0;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
+    return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -146,6 +141,7 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_number(f, "output", s->output);
     summary_number(f, "total",
                    (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
+    summary_number(f, "processor", s->processor);
     summary_end(f);
 }
 
@@ -205,6 +201,19 @@ static void write_life(struct summary *f, const struct recorder *r)
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
 }
 
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -231,9 +240,12 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "steps", sim->steps);
     summary_number(f, "simulated_seconds", sim->t);
     write_seconds(f, r);
+    summary_number(f, "peak_memory", alloc_peak());
     write_speed(f, r);
     write_residuals(f, r);
+    write_counts(f, r);
     write_means(f, r);
+    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -270,21 +282,6 @@ static int begin(struct recorder *r, int resume)
     return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
-/* The files that folders add. */
-static int create_folder_parts(struct recorder *r)
-{
-    int failed = 0;
-
-    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
-        assert(r->n_parts < MOST_PARTS);
-        r->part[r->n_parts] = recorder_parts[i];
-        r->part_state[r->n_parts] =
-            recorder_parts[i]->create(r->settings, r->sim, r->folder, &failed);
-        r->n_parts += r->part_state[r->n_parts] != NULL;
-    }
-    return failed;
-}
-
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
@@ -300,7 +297,8 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (create_folder_parts(r) != 0) return 1;
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -338,8 +336,10 @@ static int draw_picture(const struct recorder *r)
     const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
-    if (picture_write(r->folder, &p) != 0) return 1;
-    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    if (settings_bool(r->settings, "output.picture")) {
+        if (picture_write(r->folder, &p) != 0) return 1;
+        if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    }
     return r->animation != NULL && animation_draw(r->animation, &p) != 0;
 }
 
@@ -349,7 +349,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -367,6 +368,7 @@ void recorder_print(const struct recorder *r)
                r->drop_sum / (double)r->drop_rows,
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
+    effect_shares_print(sim);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -20,8 +20,8 @@ static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".",        "fluid",  "particles", "surfaces", "picture",
-    "profiles", "frames", "walls",     "contacts", "case"};
+    ".",      "fluid",      "particles", "surfaces", "picture", "profiles",
+    "frames", "statistics", "walls",     "contacts", "case"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -50,6 +50,8 @@ static const char *const ours[] = {"./summary.json",
                                    "frames/bed.gp",
                                    "frames/gnuplot.log",
                                    "profiles/*.csv",
+                                   "statistics/*.csv",
+                                   "statistics/summary.json",
                                    "./case.cfg",
                                    "case/*",
                                    "./checkpoint",

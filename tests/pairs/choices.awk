@@ -53,11 +53,17 @@ BEGIN {
     choice("cm", "pressure_gradient", "off on")
     choice("cm", "viscous_stress", "off on")
     choice("cm", "virtual_mass", "off half none")
+    choice("cm", "basset", "off on")
+    choice("cm", "lift", "off saffman magnus both")
+    choice("cm", "fluid_torque", "off on")
+    choice("cm", "lubrication", "off on")
     choice("c", "time_average", "off on")
+    choice("cm", "stochastic_drag", "off on")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
     choice("cf", "probes", "off on")
+    choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
     choice("m", "mesh", "box graded thin")
