@@ -4,6 +4,8 @@ WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 TUNE     = -march=native
+# Beds that a run settles are kept here, not in the user's own cache.
+export XDG_CACHE_HOME := $(abspath $B)/cache
 MATH     = -fno-math-errno -fno-trapping-math
 FAST     = -O3 $(TUNE) $(MATH) $(WIDE)
 WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
@@ -51,7 +53,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow pairs-slow sanitized-slow style-slow
+slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
@@ -63,7 +65,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli free study \
+checks: solutions results sanitized pairs facts style faults kills steps-check cli free study \
         vtk tools commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -80,6 +82,10 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+kills: $B/winnow
+	@sh tests/kills.sh $B/winnow
+kills-slow: $B/winnow
+	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
 	@sh tests/free.sh $B
 faults: $B/winnow
@@ -180,7 +186,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults pairs study \
+.PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always

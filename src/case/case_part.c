@@ -65,6 +65,15 @@ int case_part_add_last(const struct settings *s, struct simulation *sim)
     return code;
 }
 
+int case_part_bed_file(const struct settings *s, char *path, size_t room)
+{
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->bed_file != NULL &&
+            case_parts[i]->bed_file(s, path, room))
+            return 1;
+    return 0;
+}
+
 int case_part_count_later(const struct settings *s)
 {
     double sum = 0.0;

@@ -19,7 +19,7 @@ struct case_diameters {
 struct case_scales;
 
 struct case_part {
-    const struct key *keys; /* its table */
+    const struct key *keys; /* its table; NULL: it has none */
     int mesh_walls; /* [-] 1: it makes walls for particles of the boundary of
                        any mesh */
 
@@ -47,6 +47,9 @@ struct case_part {
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
+    /* Where a bed that the case does not name a file for is kept; 0: nowhere.
+     */
+    int (*bed_file)(const struct settings *s, char *path, size_t room);
     /* After the particles and their dem have been created. */
     int (*add)(const struct settings *s, struct simulation *sim);
     /* After all else has been created. */
@@ -67,6 +70,7 @@ int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);
 int case_part_add_last(const struct settings *s, struct simulation *sim);
+int case_part_bed_file(const struct settings *s, char *path, size_t room);
 int case_part_count_later(const struct settings *s);
 struct case_diameters case_part_later_diameters(const struct settings *s,
                                                 int material);

@@ -294,6 +294,8 @@ function put_effects() {
         put("  stochastic_drag = { sigma_low = 3.0; sigma_high = 1.0; " \
             "Re_high = 100.0; time = 1e-3; };")
     if (on("time_average")) put("  time_average = { time = 1e-3; };")
+    if (on("bubbles")) put("  bubbles = { height = 0.004; threshold = 0.7; };")
+    if (on("mixing")) put("  mixing = { sample = 0.004; direction = [1.0, 1.0, 0.0]; };")
     put("};")
 }
 

@@ -61,6 +61,8 @@ BEGIN {
     choice("cm", "lubrication", "off on")
     choice("c", "time_average", "off on")
     choice("cm", "stochastic_drag", "off on")
+    choice("cm", "bubbles", "off on")
+    choice("cpm", "mixing", "off on")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
