@@ -53,10 +53,13 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow
+slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
+      cylinder-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
+cylinder-slow: $B/winnow
+	@sh tests/cylinder.sh $B/winnow
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
@@ -197,7 +200,7 @@ $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow core core-slow sanitized-slow style-slow solutions results text pages \
+        commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d
