@@ -190,12 +190,14 @@ static int check_magnitude(const struct key *key, const char *path,
                         path, r->least, r->most, key->unit, x);
 }
 
-/* A word of a folder that is not built. */
+/* A key, or a word in its place, of a folder that is not built. */
 static int left_out(const config_setting_t *s, const char *path,
                     const char *word)
 {
-    return source_wrong(s, "%s: %s is not in this build, which leaves out %s",
-                        path, strcmp(word, path) == 0 ? "it" : word,
+    const int is_key = word == path;
+
+    return source_wrong(s, "%s: %s%snot in this build, which leaves out %s",
+                        path, is_key ? "" : word, is_key ? "" : " is ",
                         left_out_folder(word));
 }
 
@@ -255,6 +257,19 @@ static int missing(const struct key *const *tables, const char *path,
     return 0;
 }
 
+/* 1 if the case has one of the groups "a|b". */
+static int has_one_of(const config_setting_t *s, char *groups)
+{
+    int found = 0;
+
+    for (char *bar; !found && groups != NULL; groups = bar) {
+        bar = strchr(groups, '|');
+        if (bar != NULL) *bar++ = '\0';
+        found = config_lookup(s->config, groups) != NULL;
+    }
+    return found;
+}
+
 /* The first of the groups a row needs that the case does not have. */
 static int unmet(const struct key *key, const config_setting_t *s)
 {
@@ -263,7 +278,7 @@ static int unmet(const struct key *key, const config_setting_t *s)
     int used;
 
     for (; sscanf(rest, "%255s%n", group, &used) == 1; rest += used)
-        if (config_lookup(s->config, group) == NULL)
+        if (!has_one_of(s, group)) /* which leaves the first of them */
             return source_wrong(s, "%s needs %s, which the case does not have",
                                 key->path, group);
     return 0;
