@@ -19,4 +19,8 @@ void case_overlap_describe(const struct simulation *sim,
  */
 void case_overlap_tell(const struct simulation *sim, int *told);
 
+/* How deep a placed sphere may be in a wall of the box, over its diameter [-]:
+ * 0.01, and up to its centre where particles.overlaps is "allow". */
+double case_overlap_in_wall(const struct settings *s);
+
 #endif
