@@ -103,7 +103,7 @@ falls() {
                 NR > 1 && -$7 > most { most = -$7 }
                 END { printf "%6s %8s %9s %12.5f %15s %11.2f\n", name, per, dt,
                       most, U, 100 * (most / U - 1) }' "$out/fall-$name-$per/bodies.csv"
-            awk -F, 'NR > 1 && NR % 4 == 2 { print $1, $4 - 0.0075, $7 }' \
+            awk -F, 'NR > 1 && NR % 4 == 2 { printf "%.3f %.6f %.5f\n", $1, $4 - 0.0075, $7 }' \
                 "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
         done
     done <<TABLE
