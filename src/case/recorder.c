@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
+#include "case/effect_shares.h"
 
 #include <assert.h>
 #include <math.h>
@@ -13,6 +14,8 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_columns.h"
+#include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
@@ -22,8 +25,7 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    for (int i = 0; i < r->n_parts; i++)
-        r->part[i]->free(r->part_state[i]);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -67,11 +69,9 @@ static int add_row(struct recorder *r)
         row[i] = r->column[i]->value(r->sim);
     for (int i = 0; i < r->sim->n_effects; i++)
         if (effects[i].effect->columns != NULL)
-            n += effects[i].effect->row(effects[i].memory, r->sim, &row[n]);
-    int failed = table_add(r->history, row);
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
-    return failed;
+            n += effects[i].effect->columns->row(effects[i].memory, r->sim,
+                                                 &row[n]);
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -94,13 +94,11 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
-    int failed = field_output_add(r->pictures, r->snapshot);
 
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->fields != NULL)
-            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
-    if (failed || r->animation == NULL) return failed;
-    return animation_add(r->animation, &p) != 0;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
+    return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -139,6 +137,7 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_number(f, "output", s->output);
     summary_number(f, "total",
                    (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
+    summary_number(f, "processor", s->processor);
     summary_end(f);
 }
 
@@ -188,6 +187,19 @@ static void write_life(struct summary *f, const struct recorder *r)
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
 }
 
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -214,10 +226,13 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "steps", sim->steps);
     summary_number(f, "simulated_seconds", sim->t);
     write_seconds(f, r);
+    summary_number(f, "peak_memory", alloc_peak());
     write_speed(f, r);
     write_residuals(f, r);
+    write_counts(f, r);
     second_half_write(r->second_half, f);
     profiles_summary(r->lines, f);
+    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -233,10 +248,12 @@ static struct table *create_history(struct recorder *r)
             r->column[r->n_columns++] = c;
         }
     r->n_own = r->n_columns;
-    for (int i = 0; i < r->sim->n_effects; i++)
-        for (const char *const *c = r->sim->effects[i].effect->columns;
-             c != NULL && *c != NULL; c++)
-            names[r->n_columns++] = *c;
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_columns *const more =
+            r->sim->effects[i].effect->columns;
+        for (int k = 0; more != NULL && more->names[k] != NULL; k++)
+            names[r->n_columns++] = more->names[k];
+    }
     assert(r->n_columns <= MOST_COLUMNS);
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
@@ -260,21 +277,6 @@ static int begin(struct recorder *r, int resume)
     return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
-/* The files that folders add. */
-static int create_folder_parts(struct recorder *r)
-{
-    int failed = 0;
-
-    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
-        assert(r->n_parts < MOST_PARTS);
-        r->part[r->n_parts] = recorder_parts[i];
-        r->part_state[r->n_parts] =
-            recorder_parts[i]->create(r->sim, r->folder, &failed);
-        r->n_parts += r->part_state[r->n_parts] != NULL;
-    }
-    return failed;
-}
-
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
@@ -290,7 +292,8 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (create_folder_parts(r) != 0) return 1;
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -329,8 +332,10 @@ static int draw_picture(const struct recorder *r)
     const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
-    if (picture_write(r->folder, &p) != 0) return 1;
-    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    if (settings_bool(r->settings, "output.picture")) {
+        if (picture_write(r->folder, &p) != 0) return 1;
+        if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    }
     return r->animation != NULL && animation_draw(r->animation, &p) != 0;
 }
 
@@ -340,7 +345,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -358,6 +364,7 @@ void recorder_print(const struct recorder *r)
                second_half_pressure_drop(r->second_half),
                second_half_weight(r->second_half),
                sim->mesh->shape != NULL ? " over the mean section" : "");
+    effect_shares_print(sim);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

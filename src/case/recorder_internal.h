@@ -12,7 +12,7 @@
 #include "output/animation.h"
 #include "output/table.h"
 
-enum { MOST_COLUMNS = 128, MOST_PARTS = 16 };
+enum { MOST_COLUMNS = 128 };
 
 struct recorder {
     const struct settings *settings;
@@ -26,10 +26,8 @@ struct recorder {
     struct table *history;
     struct snapshot *snapshot;
     struct field_output *pictures;
-    struct animation *animation; /* NULL: off */
-    int n_parts; /* of those that folders add, in this simulation */
-    const struct recorder_part *part[MOST_PARTS];
-    void *part_state[MOST_PARTS];
+    struct animation *animation;     /* NULL: off */
+    struct recorder_part_list parts; /* what folders add */
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */

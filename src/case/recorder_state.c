@@ -30,8 +30,7 @@ void recorder_state(struct recorder *r, struct state *s)
     profiles_state(r->lines, s);
     table_state(r->history, s);
     probes_state(r->probes, s);
-    for (int i = 0; i < r->n_parts; i++)
-        if (r->part[i]->state != NULL) r->part[i]->state(r->part_state[i], s);
+    recorder_part_state(&r->parts, s);
     field_output_state(r->pictures, s);
     if (r->animation != NULL) animation_state(r->animation, s);
     folder_state(r->folder, s);

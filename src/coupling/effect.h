@@ -5,8 +5,7 @@
  * name allocates nothing, and the time loop, which goes through the list of
  * created effects, does not call it. Parameters arrive as plain numbers in the
  * order of the descriptor's keys (a vector gives three, a group none), already
- * checked. What an effect does is measured while it does it: its hooks report
- * the force on each particle, and the loop takes the time.
+ * checked. Its hooks report the force on each particle; the loop times them.
  */
 #ifndef COUPLING_EFFECT_H
 #define COUPLING_EFFECT_H
@@ -15,17 +14,19 @@
 #include "base/state.h"
 
 struct simulation;
-struct effect;
+struct effect_columns;
 struct effect_scales;
+struct effect_estimate;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
 
-/* The forces that an effect has exerted, of the steps that are measured. */
+/* The forces that an effect has exerted. */
 struct effect_tally {
     double sum;     /* [N] of their sizes, over particles and steps */
     double largest; /* [N] on one particle */
-    double seconds; /* [s] wall-clock time in its hooks, of all steps */
-    long n;         /* [-] particles, over all those steps */
+    double weight;  /* [-] number of these */
+    double seconds; /* [s] wall-clock time in its hooks */
 };
 
 /* An active effect: its descriptor and its state. */
@@ -58,22 +59,22 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
-    /* Visits what the next step depends on, but for arrays that are attached to
-     * the particles. */
+    /* Visits its memory, but for arrays that are attached to the particles. */
     void (*state)(void *memory, struct state *s);
-    const char *const *columns; /* in history.csv, with units; ended by NULL */
-    /* The values of the columns now; how many. */
-    int (*row)(void *memory, const struct simulation *sim, double *values);
+    const struct effect_columns *columns; /* of history.csv */
     void (*free)(void *memory);
+    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
     /* What of its parameters is impossible, in words; NULL: nothing is. */
     const char *(*wrong)(const double *parameters,
                          const struct attraction_scene *scene);
-    /* The share of the larger one of weight and drag that the force has by the
-     * scales of a case, for the effect named or not [-] (effect_scales.h). */
-    double (*share)(const struct effect_scales *k, const char **remark);
+    /* How large the force is by the scales of a case, for the effect named or
+     * not (effect_scales.h). */
+    struct effect_estimate (*estimate)(const struct effect_scales *k);
 };
 
 #endif
