@@ -4,6 +4,8 @@ WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 TUNE     = -march=native
+# Beds that a run settles are kept here, not in the user's own cache.
+export XDG_CACHE_HOME := $(abspath $B)/cache
 MATH     = -fno-math-errno -fno-trapping-math
 FAST     = -O3 $(TUNE) $(MATH) $(WIDE)
 WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
@@ -17,14 +19,15 @@ LIGHTLY  = -O1
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
-# What is built: the rooms' own files, and the folders in them that are named
+# What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ALL_FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved
+ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
 FOLDERS := $(ALL_FOLDERS)
-SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(FOLDERS:=/models.txt))
 LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
@@ -50,7 +53,7 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow pairs-slow sanitized-slow style-slow
+slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
@@ -62,7 +65,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli free study \
+checks: solutions results sanitized pairs facts style faults kills steps-check cli free study \
         vtk tools commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -79,6 +82,10 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+kills: $B/winnow
+	@sh tests/kills.sh $B/winnow
+kills-slow: $B/winnow
+	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
 	@sh tests/free.sh $B
 faults: $B/winnow
@@ -179,7 +186,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults pairs study \
+.PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always

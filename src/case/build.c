@@ -101,22 +101,8 @@ static void create_effects(const struct settings *s, struct simulation *sim)
         const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
         case_file_parameters(s, e->keys, numbers, 16);
-        sim->effects[sim->n_effects].effect = e;
-        sim->effects[sim->n_effects].memory = e->create(sim, numbers);
-        sim->n_effects++;
+        effects_add(sim, e, e->create(sim, numbers));
     }
-}
-
-static void count_and_create_effects(const struct settings *s,
-                                     struct simulation *sim)
-{
-    int n = 0;
-
-    for (int i = 0; effects[i] != NULL; i++)
-        n += settings_has(s, effects[i]->keys[0].path);
-    if (n == 0) return;
-    sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
-    create_effects(s, sim);
 }
 
 static struct simulation *build(const struct settings *s, int with_bed,
@@ -135,8 +121,9 @@ static struct simulation *build(const struct settings *s, int with_bed,
         if (*code == 0) create_coupling(s, sim);
     }
     if (*code == 0) {
-        count_and_create_effects(s, sim);
-        return sim;
+        create_effects(s, sim);
+        *code = case_part_add_last(s, sim);
+        if (*code == 0) return sim;
     }
     build_free(sim);
     return NULL;

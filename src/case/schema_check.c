@@ -249,6 +249,19 @@ static int missing(const struct key *const *tables, const char *path,
     return 0;
 }
 
+/* 1 if the case has one of the groups "a|b". */
+static int has_one_of(const config_setting_t *s, char *groups)
+{
+    int found = 0;
+
+    for (char *bar; !found && groups != NULL; groups = bar) {
+        bar = strchr(groups, '|');
+        if (bar != NULL) *bar++ = '\0';
+        found = config_lookup(s->config, groups) != NULL;
+    }
+    return found;
+}
+
 /* The first of the groups a row needs that the case does not have. */
 static int unmet(const struct key *key, const config_setting_t *s)
 {
@@ -257,7 +270,7 @@ static int unmet(const struct key *key, const config_setting_t *s)
     int used;
 
     for (; sscanf(rest, "%255s%n", group, &used) == 1; rest += used)
-        if (config_lookup(s->config, group) == NULL)
+        if (!has_one_of(s, group)) /* which leaves the first of them */
             return source_wrong(s, "%s needs %s, which the case does not have",
                                 key->path, group);
     return 0;

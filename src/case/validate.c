@@ -378,5 +378,6 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
+    if (code == 0) code = case_part_check_any(s);
     return code != 0 ? code : check_output(s);
 }

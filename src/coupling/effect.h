@@ -21,21 +21,6 @@ struct effect_count;
 struct attraction;
 struct attraction_scene;
 
-/* The forces that an effect has exerted. */
-struct effect_tally {
-    double sum;     /* [N] of their sizes, over particles and steps */
-    double largest; /* [N] on one particle */
-    double weight;  /* [-] number of these */
-    double seconds; /* [s] wall-clock time in its hooks */
-};
-
-/* An active effect: its descriptor and its state. */
-struct effect_state {
-    const struct effect *effect;
-    void *memory; /* released by effect->free; may be NULL */
-    struct effect_tally tally;
-};
-
 /* A field of the cells that an effect has written with those of the fluid. */
 struct effect_field {
     const char *name;
@@ -43,7 +28,6 @@ struct effect_field {
     const double *values; /* borrowed */
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
-
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -57,7 +41,12 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
+    /* Moves what else there is by a step; non-zero if it broke down, which
+     * trouble then says in words. */
+    int (*move)(void *memory, struct simulation *sim);
+    const char *(*trouble)(const void *memory);
     void (*after_step)(void *memory, struct simulation *sim);
+    void (*momentum)(const void *memory, double total[3]); /* [N s] adds it */
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits its memory, but for arrays that are attached to the particles. */
     void (*state)(void *memory, struct state *s);

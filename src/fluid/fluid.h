@@ -27,6 +27,7 @@
 #include "base/state.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
+#include "fluid/immersed.h"
 #include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
 #include "linear/report.h"
@@ -118,6 +119,7 @@ struct fluid {
     struct face_jump *jump;
     struct time_levels *levels;
     struct face_geometry *geometry;
+    struct immersed *immersed; /* bodies that hold the fluid; NULL: none */
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */

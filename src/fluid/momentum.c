@@ -210,5 +210,6 @@ void momentum_assemble(struct fluid *fl)
         face_jump_update(fl);
     }
     if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

@@ -82,6 +82,13 @@ static void add_mean_gradient(const struct fluid *fl, struct sum *s)
     }
 }
 
+static void add_immersed(const struct immersed *bodies, struct sum *s)
+{
+    for (int k = 0; k < 3; k++)
+        s->impulse[k] += bodies->impulse[k];
+    s->gross += bodies->gross;
+}
+
 /* The sizes of the momenta of all cells [N s]. */
 static double cells_gross(const struct fluid *fl)
 {
@@ -110,6 +117,7 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     add_boundaries(fl, &s);
     add_mean_gradient(fl, &s);
     if (fl->options.coupled) add_particles(fl, &s);
+    if (fl->immersed != NULL) add_immersed(fl->immersed, &s);
     fluid_momentum(fl, after);
     for (int k = 0; k < 3; k++) {
         const double known = s.impulse[k] + fl->relabelled[k] - relabelled[k];
