@@ -9,6 +9,7 @@
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
 #include "dem/population.h"
+#include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
@@ -115,7 +116,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
-    if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
         if (*code == 0) create_coupling(s, sim);
@@ -157,8 +158,9 @@ void build_free(struct simulation *sim)
     free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
-    free(sim->boundaries);
-    free(sim->inlet_series);
+    build_boundaries_free(sim->boundaries,
+                          sim->mesh != NULL ? sim->mesh->n_patches : 0,
+                          sim->inlet_series);
     free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);

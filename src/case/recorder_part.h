@@ -15,6 +15,9 @@
 #include "output/summary.h"
 
 struct recorder_part {
+    const struct key *keys; /* its table; NULL: none */
+    /* 0 if what the case says is possible; else 2 after a message. */
+    int (*check)(const struct settings *s);
     /* What the functions below get, released by free. NULL if this simulation
      * has nothing of the kind, and, with *failed, after a message if the file
      * cannot be written. */

@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "base/number.h"
 #include "coupling/effects.h"
+#include "coupling/effect_mover.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
@@ -172,7 +173,8 @@ static int move_others(struct simulation *sim)
 
     for (int i = 0; i < sim->n_effects && !failed; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->move != NULL) failed = e->effect->move(e->memory, sim);
+        if (e->effect->mover != NULL)
+            failed = e->effect->mover->move(e->memory, sim);
     }
     return failed;
 }
@@ -321,6 +323,7 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
         total[k] -= owed[k];
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->momentum != NULL) e->effect->momentum(e->memory, total);
+        if (e->effect->mover != NULL)
+            e->effect->mover->momentum(e->memory, total);
     }
 }

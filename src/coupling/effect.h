@@ -15,6 +15,7 @@
 
 struct simulation;
 struct effect_columns;
+struct effect_mover;
 struct effect_scales;
 struct effect_estimate;
 struct effect_count;
@@ -41,12 +42,8 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
-    /* Moves what else there is by a step; non-zero if it broke down, which
-     * trouble then says in words. */
-    int (*move)(void *memory, struct simulation *sim);
-    const char *(*trouble)(const void *memory);
+    const struct effect_mover *mover; /* of what else moves */
     void (*after_step)(void *memory, struct simulation *sim);
-    void (*momentum)(const void *memory, double total[3]); /* [N s] adds it */
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits its memory, but for arrays that are attached to the particles. */
     void (*state)(void *memory, struct state *s);

@@ -170,6 +170,9 @@ double fluid_kinetic_energy(const struct fluid *fl);
 /* Mean pressure over a patch [Pa]. */
 double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch);
 
+/* The mean superficial velocity of the first inlet, now [m/s]; 0 without. */
+double fluid_inlet_velocity(const struct fluid *fl);
+
 /* The velocity [m/s] on the boundary faces, u_b[3 * (f - n_internal) + k]: that
  * of a no-slip wall, that of an inlet's flux, the tangential velocity of the
  * cell at a slip wall, and at an outlet the velocity of the cell. */

@@ -20,8 +20,8 @@ static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".",        "fluid",  "particles",  "surfaces", "picture",
-    "profiles", "frames", "statistics", "case",     "bodies"};
+    ".",        "fluid",      "particles", "surfaces", "picture", "profiles",
+    "frames",   "statistics", "walls",     "contacts", "case",    "bodies"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -29,6 +29,11 @@ static const char *const ours[] = {"./summary.json",
                                    "./bodies.csv",
                                    "./bodies.pvd",
                                    "bodies/bodies_*.vtp",
+                                   "./forces.csv",
+                                   "./walls.pvd",
+                                   "./contacts.pvd",
+                                   "walls/walls_*.vtp",
+                                   "contacts/contacts_*.vtp",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
@@ -38,6 +43,9 @@ static const char *const ours[] = {"./summary.json",
                                    "surfaces/surfaces_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
+                                   "picture/flow.txt",
+                                   "picture/walls.txt",
+                                   "picture/streamlines.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
                                    "./bed.gif",

@@ -3,13 +3,13 @@
 # fractions and four resolutions, the drag against the step with each method, the
 # falls of [Cate02], and light and heavy spheres. About an hour on one core.
 #
-#   sh tests/validate/resolved.sh build/winnow [arrays|methods|places|falls|densities ...]
+#   sh tests/validate/resolved.sh build/winnow [PART...]
 #
 # Writes figures/24-*.txt and fails where a band is left.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
-[ $# -gt 0 ] || set -- arrays methods places falls densities
+[ $# -gt 0 ] || set -- arrays methods places falls courses densities
 out=out/validate-resolved
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 mkdir -p $out
@@ -112,9 +112,14 @@ E2 965 0.212 0.0572 1.2 0.008
 E3 962 0.113 0.0873 1.3 0.006
 E4 960 0.058 0.1222 1.4 0.004
 TABLE
+}
+
+# The courses of the falls at 7.5 cells, which must be there.
+courses() {
     for name in E1 E2 E3 E4; do
-        printf '\n\n# %s: time [s], gap to the floor [m], velocity [m/s]\n' $name
+        printf '# %s: time [s], gap to the floor [m], velocity [m/s]\n' $name
         cat $out/fall-$name-7.5.course
+        printf '\n\n'
     done
 }
 
