@@ -6,6 +6,7 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py distance TABLE [FROM]    of each run in TABLE (27-mueller.sh collect)
     27-compare.py flux TABLE               of solids through a height
     27-compare.py seeds TABLE              between runs that differ by their seed
+    27-compare.py profile TABLE            the even part of the profiles, to compare with
     27-compare.py sides TABLE              which way round the bed goes, every 2 s
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
@@ -205,6 +206,17 @@ def seeds(table):
             print(f"{a.name} {b.name}  " + "  ".join(f"{o:.3f}" for o in off))
 
 
+def profile(table):
+    for r in runs(table):
+        lines = [r.mean(field, height, 1.0) for field, height in LINES]
+        print(f"# {r.name}, 1 to {r.end:g} s: x [mm], eps_f at 16.4 and 31.2 mm, us_y at 15 and "
+              "25 mm [m/s]")
+        folded = [even(line) for line in lines]
+        for row in list(zip(*folded))[:len(lines[0]) // 2]:
+            print(f"{1000 * row[0][0]:5.2f}  " + "  ".join(f"{y:+.3f}" for _, y in row))
+        print("mirror " + "  ".join(f"{mirror(line):6.3f}" for line in lines))
+
+
 def sides(table):
     """The mean velocity of the left half less that of the right half, halved."""
     print("# us_y at 15 mm, left less right over 2 [m/s], from 2 s on every 2 s")
@@ -218,4 +230,4 @@ def sides(table):
 
 
 if __name__ == "__main__":
-    {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides}[sys.argv[1]](*sys.argv[2:])
+    {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides, "profile": profile}[sys.argv[1]](*sys.argv[2:])
