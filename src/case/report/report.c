@@ -9,6 +9,7 @@
 #include "case/build_particles.h"
 #include "case/case_cost.h"
 #include "case/report/case_drag.h"
+#include "case/report/report_accuracy.h"
 #include "case/report/report_cohesion.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
@@ -228,6 +229,7 @@ int report_case(const struct settings *s)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) print_weight(s, &k);
     print_cost(s, &k);
+    report_accuracy(s, &k);
     return 0;
 }
 
