@@ -22,15 +22,6 @@ const struct key keys_core[] = {
      "width of the last cell over that of the first", "", ""},
     {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
      "directions in which the two ends of the box are one", "", ""},
-    {"mesh.shear", KEY_VECTOR, "-", "", "",
-     "shift of the box along x over height y, along x over depth z, along y "
-     "over depth z; left out: none",
-     "", ""},
-    {"mesh.polymesh", KEY_FILE, "", "", "",
-     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
-     "it begins with /; its patches take the place of the sides under fluid",
-     "", ""},
-
     {"fluid", KEY_GROUP, "", "", "",
      "the fluid; without it only particles move", "XS11 2.7, 2.8", ""},
     {"fluid.density", KEY_REAL, "kg/m^3", "> 0", NULL,
@@ -88,7 +79,7 @@ const struct key keys_core[] = {
      "the run stops at a deeper overlap", "LS 4.7", ""},
     {"particles.integrator", KEY_NAME, "", "", "velocity-verlet",
      "how the particles step through time", "LS section 4.2", ""},
-    {"particles.list", KEY_NAME, "", "", "verlet",
+    {"particles.list", KEY_NAME, "", "", KEY_FIRST,
      "how pairs are found: fast from a list that lasts, or in each step anew",
      "LS 5.15", ""},
     {"particles.grains", KEY_GROUP, "", "", NULL,

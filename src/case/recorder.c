@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
+#include "case/effect_shares.h"
 
 #include <assert.h>
 #include <math.h>
@@ -13,6 +14,7 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
@@ -22,12 +24,12 @@ void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    for (int i = 0; i < r->n_parts; i++)
-        r->part[i]->free(r->part_state[i]);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
+    second_half_free(r->second_half);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -54,28 +56,20 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-static void sample_pressure_drop(struct recorder *r)
-{
-    const double end = settings_real(r->settings, "output.end");
-
-    if (r->sim->fluid == NULL || r->sim->t < 0.5 * end) return;
-    r->drop_sum += history_pressure_drop(r->sim);
-    r->drop_rows++;
-    if (r->sim->particles != NULL) r->weight_sum += history_bed_weight(r->sim);
-}
-
 /* --- the moments --------------------------------------------------------- */
 
 static int add_row(struct recorder *r)
 {
+    const struct effect_state *const effects = r->sim->effects;
     double row[MOST_COLUMNS];
+    int n = r->n_own;
 
-    for (int i = 0; i < r->n_columns; i++)
+    for (int i = 0; i < r->n_own; i++)
         row[i] = r->column[i]->value(r->sim);
-    int failed = table_add(r->history, row);
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->row != NULL) failed = r->part[i]->row(r->part_state[i]);
-    return failed;
+    for (int i = 0; i < r->sim->n_effects; i++)
+        if (effects[i].effect->columns != NULL)
+            n += effects[i].effect->row(effects[i].memory, r->sim, &row[n]);
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -98,13 +92,11 @@ static struct picture picture_of(const struct recorder *r)
 static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
-    int failed = field_output_add(r->pictures, r->snapshot);
 
-    for (int i = 0; i < r->n_parts && !failed; i++)
-        if (r->part[i]->fields != NULL)
-            failed = r->part[i]->fields(r->part_state[i], r->snapshot->t);
-    if (failed || r->animation == NULL) return failed;
-    return animation_add(r->animation, &p) != 0;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
+    return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
 int recorder_sample(struct recorder *r)
@@ -115,7 +107,7 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
-        sample_pressure_drop(r);
+        second_half_add(r->second_half);
         if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
@@ -185,22 +177,25 @@ static void write_residuals(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static void write_means(struct summary *f, const struct recorder *r)
-{
-    if (r->drop_rows == 0) return;
-    summary_begin(f, "second_half");
-    summary_number(f, "mean_pressure_drop", r->drop_sum / (double)r->drop_rows);
-    if (r->sim->particles != NULL)
-        summary_number(f, "bed_weight", r->weight_sum / (double)r->drop_rows);
-    summary_end(f);
-}
-
 static void write_life(struct summary *f, const struct recorder *r)
 {
     if (r->sim->population == NULL) return;
     summary_count(f, "particles_in", r->sim->population->totals.inserted);
     summary_count(f, "particles_out", r->sim->population->totals.removed);
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
+}
+
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
 }
 
 /* What is yet to come has no exit code: it is null. */
@@ -232,7 +227,10 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_number(f, "peak_memory", alloc_peak());
     write_speed(f, r);
     write_residuals(f, r);
-    write_means(f, r);
+    write_counts(f, r);
+    second_half_write(r->second_half, f);
+    profiles_summary(r->lines, f);
+    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -247,6 +245,12 @@ static struct table *create_history(struct recorder *r)
             names[r->n_columns] = c->name;
             r->column[r->n_columns++] = c;
         }
+    r->n_own = r->n_columns;
+    for (int i = 0; i < r->sim->n_effects; i++)
+        for (const char *const *c = r->sim->effects[i].effect->columns;
+             c != NULL && *c != NULL; c++)
+            names[r->n_columns++] = *c;
+    assert(r->n_columns <= MOST_COLUMNS);
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
@@ -269,21 +273,6 @@ static int begin(struct recorder *r, int resume)
     return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
-/* The files that folders add. */
-static int create_folder_parts(struct recorder *r)
-{
-    int failed = 0;
-
-    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
-        assert(r->n_parts < MOST_PARTS);
-        r->part[r->n_parts] = recorder_parts[i];
-        r->part_state[r->n_parts] =
-            recorder_parts[i]->create(r->sim, r->folder, &failed);
-        r->n_parts += r->part_state[r->n_parts] != NULL;
-    }
-    return failed;
-}
-
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
@@ -299,7 +288,8 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (create_folder_parts(r) != 0) return 1;
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -318,6 +308,7 @@ struct recorder *recorder_create(const struct settings *s,
     r->picture_every = case_steps_between(s, "output.every");
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
+    r->second_half = second_half_create(sim, settings_real(s, "output.end"));
     r->lines = profiles_create(s, sim, r->snapshot);
     if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
@@ -350,7 +341,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -362,12 +354,13 @@ void recorder_print(const struct recorder *r)
     const struct simulation *const sim = r->sim;
     const char *const dir = folder_name(r->folder);
 
-    if (r->drop_rows > 0 && sim->particles != NULL)
+    if (second_half_has_any(r->second_half) && sim->particles != NULL)
         printf("pressure drop %.1f Pa (mean of the second half), weight of the "
                "bed %.1f Pa%s\n",
-               r->drop_sum / (double)r->drop_rows,
-               r->weight_sum / (double)r->drop_rows,
+               second_half_pressure_drop(r->second_half),
+               second_half_weight(r->second_half),
                sim->mesh->shape != NULL ? " over the mean section" : "");
+    effect_shares_print(sim);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -17,23 +17,10 @@
 struct simulation;
 struct effect;
 struct effect_scales;
+struct effect_estimate;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
-
-/* The forces that an effect has exerted, of the steps that are measured. */
-struct effect_tally {
-    double sum;     /* [N] of their sizes, over particles and steps */
-    double largest; /* [N] on one particle */
-    double seconds; /* [s] wall-clock time in its hooks, of all steps */
-    long n;         /* [-] particles, over all those steps */
-};
-
-/* An active effect: its descriptor and its state. */
-struct effect_state {
-    const struct effect *effect;
-    void *memory; /* released by effect->free; may be NULL */
-    struct effect_tally tally;
-};
 
 /* A field of the cells that an effect has written with those of the fluid. */
 struct effect_field {
@@ -61,16 +48,22 @@ struct effect {
     /* Visits what the next step depends on, but for arrays that are attached to
      * the particles. */
     void (*state)(void *memory, struct state *s);
+    const char *const *columns; /* in history.csv, with units; ended by NULL */
+    /* The values of the columns now; how many. */
+    int (*row)(void *memory, const struct simulation *sim, double *values);
     void (*free)(void *memory);
+    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
     /* What of its parameters is impossible, in words; NULL: nothing is. */
     const char *(*wrong)(const double *parameters,
                          const struct attraction_scene *scene);
-    /* The share of the larger one of weight and drag that the force has by the
-     * scales of a case, for the effect named or not [-] (effect_scales.h). */
-    double (*share)(const struct effect_scales *k, const char **remark);
+    /* How large the force is by the scales of a case, for the effect named or
+     * not (effect_scales.h). */
+    struct effect_estimate (*estimate)(const struct effect_scales *k);
 };
 
 #endif

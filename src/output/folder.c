@@ -19,9 +19,9 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {".",        "fluid",   "particles",
-                                    "surfaces", "picture", "profiles",
-                                    "frames",   "case"};
+static const char *const below[] = {".",        "fluid",      "particles",
+                                    "surfaces", "picture",    "profiles",
+                                    "frames",   "statistics", "case"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -42,6 +42,8 @@ static const char *const ours[] = {"./summary.json",
                                    "frames/bed.gp",
                                    "frames/gnuplot.log",
                                    "profiles/*.csv",
+                                   "statistics/*.csv",
+                                   "statistics/summary.json",
                                    "./case.cfg",
                                    "case/*",
                                    "./checkpoint",

@@ -29,9 +29,10 @@ static void release(void *part)
     free(p);
 }
 
-static void *create(const struct simulation *sim, struct folder *folder,
-                    int *failed)
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
 {
+    (void)s;
     if (sim->n_surfaces == 0) return NULL;
     struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
 

@@ -57,9 +57,10 @@ static void release(void *part)
     free(t);
 }
 
-static void *create(const struct simulation *sim, struct folder *folder,
-                    int *failed)
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
 {
+    (void)s;
     if (sim->n_surfaces == 0) return NULL;
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
 
