@@ -81,6 +81,9 @@ static struct picture picture_of(const struct recorder *r)
                             .time = s->t,
                             .mesh = r->sim->mesh,
                             .eps = s->eps,
+                            .u = s->u,
+                            .p = s->p,
+                            .walls = r->sim->n_surfaces > 0,
                             .n = s->n,
                             .x = {s->x[0], s->x[1], s->x[2]},
                             .v = {s->v[0], s->v[1], s->v[2]},
@@ -230,6 +233,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_counts(f, r);
     second_half_write(r->second_half, f);
     profiles_summary(r->lines, f);
+    recorder_part_summarize(&r->parts, f);
     effect_shares_write(f, sim);
     return summary_commit(f);
 }
@@ -241,10 +245,11 @@ static struct table *create_history(struct recorder *r)
     const char *names[MOST_COLUMNS];
 
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, r->sim)) {
-            names[r->n_columns] = c->name;
-            r->column[r->n_columns++] = c;
-        }
+        if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
+    r->n_columns += recorder_part_columns(&r->parts, &r->column[r->n_columns],
+                                          MOST_COLUMNS - r->n_columns);
+    for (int i = 0; i < r->n_columns; i++)
+        names[i] = r->column[i]->name;
     r->n_own = r->n_columns;
     for (int i = 0; i < r->sim->n_effects; i++)
         for (const char *const *c = r->sim->effects[i].effect->columns;
@@ -279,6 +284,8 @@ static int create_parts(struct recorder *r)
     const struct simulation *const sim = r->sim;
     struct folder *const folder = r->folder;
 
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);
@@ -288,8 +295,6 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
-        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -361,6 +366,7 @@ void recorder_print(const struct recorder *r)
                second_half_weight(r->second_half),
                sim->mesh->shape != NULL ? " over the mean section" : "");
     effect_shares_print(sim);
+    recorder_part_print(&r->parts);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

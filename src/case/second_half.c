@@ -80,8 +80,20 @@ void second_half_add(struct second_half *h)
     block_means_add(h->blocks, row, once);
 }
 
+/* Where the end of the case has changed since it was saved, the means begin
+ * anew. */
+static void begin_anew(struct second_half *h)
+{
+    struct block_means *const blocks = block_means_create(N_BLOCKED);
+
+    block_means_free(h->blocks);
+    *h = (struct second_half){.sim = h->sim, .from = h->from, .blocks = blocks};
+}
+
 void second_half_state(struct second_half *h, struct state *s)
 {
+    double from = h->from;
+
     state_begin(s, "second_half");
     state_long(s, "rows", "-", &h->rows);
     state_real(s, "drop", "Pa", &h->drop);
@@ -91,7 +103,9 @@ void second_half_state(struct second_half *h, struct state *s)
     state_real(s, "horizontal", "m2/s2", &h->horizontal);
     state_real(s, "vertical", "m2/s2", &h->vertical);
     block_means_state(h->blocks, s);
+    state_real(s, "from", "s", &from);
     state_end(s);
+    if (from != h->from) begin_anew(h);
 }
 
 int second_half_has_any(const struct second_half *h)

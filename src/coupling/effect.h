@@ -16,6 +16,7 @@
 
 struct simulation;
 struct effect;
+struct effect_mover;
 struct effect_scales;
 struct effect_estimate;
 struct effect_count;
@@ -29,7 +30,6 @@ struct effect_field {
     const double *values; /* borrowed */
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
-
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -43,6 +43,7 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
+    const struct effect_mover *mover; /* of what else moves */
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits what the next step depends on, but for arrays that are attached to

@@ -11,6 +11,7 @@
 #include "case/report/case_averaging_report.h"
 #include "case/report/case_drag.h"
 #include "case/report/report_accuracy.h"
+#include "case/report/case_flow.h"
 #include "case/report/report_cohesion.h"
 #include "case/report/case_effects.h"
 #include "case/case_limits.h"
@@ -130,21 +131,6 @@ static void print_contacts(const struct settings *s,
     check_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-/* The fluid between the grains of a packed bed moves at U / eps_f. */
-static void print_flow(const struct case_scales *k)
-{
-    const double u = k->inlet / (1.0 - packed);
-
-    puts("Flow");
-    check_line("step", k->dt, "s", "");
-    if (k->inlet <= 0.0) return;
-    check_line("inlet", k->inlet, "m/s", "superficial, largest");
-    check_line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
-    check_line("step at CFL = 1", k->dx / u, "s",
-               k->dt <= k->dx / u ? "the step is below: accurate in time"
-                                  : "the step is above: stable, not accurate");
-}
-
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
@@ -184,7 +170,8 @@ int report_case(const struct settings *s)
     if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
     for (int i = 0; case_parts[i] != NULL; i++)
         if (case_parts[i]->print != NULL) case_parts[i]->print(s, &k);
-    if (settings_has(s, "fluid")) print_flow(&k);
+    if (settings_has(s, "fluid"))
+        case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
     if (settings_has(s, "averaging"))
         case_averaging_print(
             s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});
