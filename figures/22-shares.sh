@@ -12,15 +12,17 @@ export OMP_NUM_THREADS=1
 
 forces="pressure_gradient viscous_stress virtual_mass basset saffman magnus"
 
-shares() { # case, end [s]
+shares() { # case, end [s], overrides
+    name=$1
     overrides="output.end=$2 output.every=$2"
+    shift 2
+    overrides="$overrides $*"
     for effect in $forces fluid_torque; do
-        grep -q "$effect = {" "cases/$1.cfg" ||
+        grep -q "$effect = {" "cases/$name.cfg" ||
             overrides="$overrides effects.$effect={}"
     done
-    set -- "$1" $(for o in $overrides; do echo "-s $o"; done)
-    name=$1
-    shift
+    # shellcheck disable=SC2046 # one word an override
+    set -- $(for o in $overrides; do echo "-s $o"; done)
     "$winnow" check "cases/$name.cfg" "$@" >"$work/check" || return
     "$winnow" run "cases/$name.cfg" "$@" -o "$work/$name" --quiet \
         >/dev/null 2>&1 || echo "$name broke down"
@@ -43,7 +45,7 @@ shares closed-box 0.05
 shares packed-column 0.5
 shares small-bed 0.3
 shares fed-bed 0.3
-shares mueller-bed 0.15
-shares fluidization-ramp 0.05
-shares fluidization-two-sizes 0.1
-shares seepage 0.02
+shares mueller-bed 0.1
+shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
+shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
+shares seepage 0.02 particles.bed.settle=0.02
