@@ -49,3 +49,7 @@ shares mueller-bed 0.1
 shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
 shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
 shares seepage 0.02 particles.bed.settle=0.02
+shares history-sphere 2e-3
+shares shear-grain 6.5
+shares saltating-grain 0.17
+shares wet-rebound 0.012

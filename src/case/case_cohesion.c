@@ -71,11 +71,11 @@ int case_cohesion_check(const struct settings *s)
     if (is_named(s, "effects.lubrication") &&
         settings_real(s, "effects.lubrication.roughness") >=
             settings_real(s, "effects.lubrication.range"))
-        return settings_wrong(s, "effects.lubrication",
-                              "the range must be longer than the roughness, "
-                              "%g m",
-                              settings_real(s,
-                                            "effects.lubrication.roughness"));
+        return settings_wrong(
+            s, "effects.lubrication",
+            "the range must be longer than the roughness, "
+            "%g m",
+            settings_real(s, "effects.lubrication.roughness"));
     if (!is_named(s, "effects.van_der_waals") ||
         settings_real(s, "effects.van_der_waals.min_gap") <
             settings_real(s, "effects.van_der_waals.range"))

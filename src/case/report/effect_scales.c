@@ -130,8 +130,10 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
 
     case_mesh_ends(s, lo, size);
     k->eps_s = in->particles * volume(k) / case_mesh_volume(s);
-    k->slip =
-        k->gravity > 0.0 ? terminal(s, k, k->eps_s) : fmax(in->inlet, p->speed);
+    k->slip = fmax(in->inlet, p->speed);
+    if (k->gravity > 0.0)
+        k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
+                                      0.5 * k->gravity * in->end));
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
