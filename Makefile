@@ -13,15 +13,19 @@ SANITIZE = -O2 -g1 $(TUNE) $(MATH) -fsanitize=address,undefined \
 OPT      = $(FAST)
 B        = build
 LIGHTLY  = -O1
-LIBS     = -lconfig -lgsl -lgslcblas -lz -lm
+# Debian has HDF5 in a folder of its own, which pkg-config knows.
+HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
+LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
 # What is built: the rooms' own files, and the folders in them that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+ALL_FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+FOLDERS := $(ALL_FOLDERS)
 SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
 MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
 PATCHES := $(wildcard chapters/solutions/*.patch)
@@ -76,7 +80,7 @@ style: $B/winnow
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
 free: $B/winnow
-	@sh tests/free.sh $B
+	@LIBS="$(LIBS)" sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 pairs: $B/winnow
@@ -146,12 +150,13 @@ $B/%.o: %.c
 	@mkdir -p $(@D)
 	@echo "compile $<"
 	@$(CC) $(STD) $(OPT) $(LIGHT) $(WARN) -MMD -MP -c -o $@ $<
+$B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/null)
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
-$B/src/models.c: $(MODELS) src/models.awk
+$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT)
 	@mkdir -p $(@D)
-	@awk -f src/models.awk $(MODELS) >$@.new && mv $@.new $@
+	@awk -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
 $B/src/models.o: $B/src/models.c
 	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
 # The book's table of equations, for `winnow explain KEY`.

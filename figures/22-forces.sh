@@ -97,17 +97,19 @@ spin() {
         awk 'NR % 4 == 1'
 }
 
-# The fastest fall and the fastest rise, at impacts of several liquids.
+# The speeds with which the ball enters the gap of the effect, and leaves it, in
+# several liquids; 0 where it does not leave it.
 rebound() {
     echo "# St; rebound over impact: without, lubrication, and history [-]"
     for mu in 0.1 0.05 0.03 0.02 0.01 0.005 0.002 0.001; do
         for more in "" "lubrication={roughness=1e-6;range=7.5e-4;};" \
             "lubrication={roughness=1e-6;range=7.5e-4;};basset={};"; do
             run wet-rebound rebound -s fluid.viscosity=$mu -s fluid.step=2e-5 \
-                -s output.history=2e-5 -s output.end=0.012 \
+                -s output.history=2e-5 -s output.every=0.025 -s output.end=0.025 \
                 -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};$more}"
-            columns rebound mean_fall_velocity |
-                awk '{ if ($1 > down) down = $1; if (-$1 > up) up = -$1 }
+            columns rebound mean_height mean_fall_velocity |
+                awk '$1 > 2.25e-3 && $2 > 0 { down = $2 }
+                     $1 > 2.25e-3 && $2 < 0 && !up { up = -$2 }
                      END { printf "%.4f %.3f\n", down, up / down }'
         done | awk -v mu=$mu '{ e[NR] = $2; u = $1 }
             END { printf "%7.1f %6.3f %6.3f %6.3f\n",

@@ -25,7 +25,8 @@ while [ $# -gt 0 ] && [ "$1" != -- ]; do
     shift
 done
 [ $# = 0 ] || shift
-# shellcheck disable=SC2086 # one word a file
+# shellcheck disable=SC2046,SC2086 # one word a file
 ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp \
-    -Isrc -o "$work/program" "$program" $changed "$library" ${LIBS:-} -lgsl -lgslcblas -lz -lm
+    -Isrc -o "$work/program" "$program" $changed "$library" ${LIBS:-} -lconfig \
+    -lgsl -lgslcblas $(pkg-config --libs hdf5 2>/dev/null || echo -lhdf5) -lz -lm
 "$work/program" "$@"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
+#include "base/left_out.h"
 #include "base/version.h"
 #include "case/command.h"
 #include "case/nearest.h"
@@ -32,7 +33,11 @@ static const struct command *command_named(const char *name)
         if (strcmp((*c)->name, name) == 0) return *c;
         nearest_offer(&n, (*c)->name);
     }
-    if (nearest_best(&n) != NULL)
+    if (left_out_folder(name) != NULL)
+        fprintf(stderr,
+                "winnow: %s is not in this build, which leaves out %s\n", name,
+                left_out_folder(name));
+    else if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no command %s; did you mean %s?\n", name,
                 nearest_best(&n));
     else
@@ -49,13 +54,36 @@ static int wrong(const struct command *c, const char *what, const char *why)
     return 2;
 }
 
+/* Options that are words, and how a command says that it takes one. */
+static const struct {
+    const char *word;
+    char letter;
+} words[] = {{"--quiet", '-'}, {"--resume", 'r'}, {NULL, 0}};
+
+/* 1 if the option is such a word, which is then noted. */
+static int take_word(const struct command *c, const char *option,
+                     struct command_line *l)
+{
+    int *const noted[] = {&l->quiet, &l->resume};
+
+    for (int i = 0; words[i].word != NULL; i++)
+        if (strcmp(option, words[i].word) == 0 &&
+            strchr(c->options, words[i].letter) != NULL)
+            return *noted[i] = 1;
+    return 0;
+}
+
 static int wrong_option(const struct command *c, const char *option)
 {
-    const int near =
-        strchr(c->options, '-') != NULL && nearest_edits(option, "--quiet") < 4;
+    const char *near = NULL;
 
-    fprintf(stderr, "winnow: %s knows no option %s%s\nwinnow %s %s\n", c->name,
-            option, near ? "; did you mean --quiet?" : "", c->name,
+    for (int i = 0; words[i].word != NULL && near == NULL; i++)
+        if (strchr(c->options, words[i].letter) != NULL &&
+            nearest_edits(option, words[i].word) < 4)
+            near = words[i].word;
+    fprintf(stderr, "winnow: %s knows no option %s%s%s%s\nwinnow %s %s\n",
+            c->name, option, near != NULL ? "; did you mean " : "",
+            near != NULL ? near : "", near != NULL ? "?" : "", c->name,
             c->arguments);
     return 2;
 }
@@ -78,10 +106,7 @@ static int take_option(const struct command *c, int argc, char **argv, int *i,
     const char *value =
         option[1] != '\0' && option[2] != '\0' ? option + 2 : NULL;
 
-    if (strcmp(option, "--quiet") == 0 && strchr(c->options, '-') != NULL) {
-        l->quiet = 1;
-        return 0;
-    }
+    if (take_word(c, option, l)) return 0;
     if (option[1] == '\0' || option[1] == '-' ||
         strchr(c->options, option[1]) == NULL)
         return wrong_option(c, option);
@@ -133,7 +158,7 @@ int main(int argc, char **argv)
 
     const char *const first = argc > 1 ? argv[1] : "";
     const char **const room = alloc_zeroed(2 * (size_t)argc, sizeof *room);
-    struct command_line l = {0, 0, room, room + argc, NULL, 0, 0};
+    struct command_line l = {.words = room, .overrides = room + argc};
     const struct command *c = NULL;
     int code = 0;
 

@@ -340,6 +340,28 @@ written() {
 fact what_is_written_does_not_change_the_motion 0 1 written
 sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
 soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
+# Of statistics: one axial and two transverse temperatures make that of history,
+# here in the last row of both; the heights of two spheres, 2 and 4 mm, are 6 mm.
+"$winnow" run tiny.cfg -o stat --quiet -s output.statistics.from=0.01 \
+    -s output.statistics.lags=0.002 >/dev/null 2>&1
+temperatures() {
+    t=$(sed 's/\(.*\),granular_temperature.*/\1/; q' one/history.csv | tr ',' '\n' | wc -l)
+    paste -d, one/history.csv stat/statistics/series.csv |
+        awk -F, -v t=$((t + 1)) 'END { n = NF - 5 # its time stands there
+            d = ($(n + 1) + 2 * $(n + 2)) / 3 / $t - 1; print d * d < 1e-18 }'
+}
+fact temperatures_of_statistics_make_that_of_history 0 1 temperatures
+fact statistics_have_an_error_by_blocks 0 '"error"' cat stat/statistics/summary.json
+fact statistics_begin_before_the_end 2 "before the first sample" \
+    "$winnow" check tiny.cfg -s output.statistics.from=0.02
+fact random_drag_goes_from_one_reynolds_number_up 2 "Re_high is below Re_low" \
+    "$winnow" check tiny.cfg -s effects.stochastic_drag.sigma_low=1.0 \
+    -s effects.stochastic_drag.sigma_high=1.0 -s effects.stochastic_drag.time=1.0 \
+    -s effects.stochastic_drag.Re_low=5.0
+"$winnow" run tiny.cfg -o rand --quiet -s effects.stochastic_drag.sigma_low=9.0 \
+    -s effects.stochastic_drag.sigma_high=9.0 \
+    -s effects.stochastic_drag.time=0.01 >/dev/null 2>&1
+fact cuts_of_the_random_drag_are_told 0 '"stochastic_drag_cuts"' cat rand/summary.json
 fact overlap_deeper_than_expected_is_told_with_who_and_where 0 \
     "particle 0 and particle 1 overlap by 0.1" soft
 once() { soft | grep -c expected_overlap; }

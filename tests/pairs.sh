@@ -55,7 +55,7 @@ generate() {
 
 # Everything that two runs wrote but the time that they took.
 same() { # folder, folder
-    diff -rq -x summary.json "$1" "$2" &&
+    diff -rq -x summary.json -x "checkpoint*" "$1" "$2" &&
         for run in "$1" "$2"; do
             sed '/seconds": {/,/}/d; /"threads"/d; /_per_second/d' \
                 "$run/summary.json" >"$run.told"

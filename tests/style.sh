@@ -11,6 +11,7 @@ trap 'rm -f "$found"' EXIT
 
 flags='-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -Itests -fsyntax-only
 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -Werror'
+flags="$flags $(pkg-config --cflags hdf5 2>/dev/null)"
 sources=$(find src tests -name '*.[ch]' | sort)
 modules=$(find src -name '*.c' | sort)
 headers=$(find src -name '*.h' | sort)
@@ -76,7 +77,7 @@ rooms() {
 # A room's own files need none of its subfolders, which can be taken away; a
 # folder needs others only where its models.txt says so. This many includes
 # still do; the number may only become smaller.
-seams_left=19
+seams_left=0
 seams() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
     { # src/room/[folder/]file:line:#include "other/[folder/]file"

@@ -172,7 +172,7 @@ static inline struct simulation *build(const struct scene *s)
         .periodic = {1, 1, 1}};
 
     const double gap[2] = {s->roughness, 0.2 * s->d};
-    const struct attraction_scene liquid = {NULL, s->mu};
+    const struct attraction_scene liquid = {.viscosity = s->mu};
     static struct attraction attraction;
 
     if (s->roughness > 0.0) {
@@ -185,7 +185,7 @@ static inline struct simulation *build(const struct scene *s)
     sim->dem_steps = s->dem_steps;
     scatter(sim, s);
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, sim->held_force, 3);
+    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     sim->dem = dem_create(sim->particles, &o);
     if (s->fed > 0.0 || s->sink > 0.0) create_life(sim, s, &o);
     create_fluid(sim, s);

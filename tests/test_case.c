@@ -287,7 +287,7 @@ START_TEST(cohesion_is_complete_and_possible)
     refused("particles.grains.charge=1e-12",
             "particles.grains.charge needs effects.electrostatic");
     refused("effects.van_der_waals={hamaker=1e-19;range=1e-10;}",
-            "longer than the closest gap, 4e-10 m");
+            "longer than the closest gap");
     refused("effects.van_der_waals={hamaker=1e-19;}",
             "effects.van_der_waals.range is missing");
     refused("effects.capillary={tension=0.07;angle=2.0;}",

@@ -223,6 +223,23 @@ START_TEST(resistance_falls_with_fluid_and_rises_with_slip)
 }
 END_TEST
 
+/* A fluid fraction of 1 + 1e-16 is that of a sphere alone, as 1 is, and one of
+ * 1.001, where an averaged field undershoots, is a number near it: 1 % for the
+ * powers of eps_f. The root of 1 - eps_f would be none. */
+START_TEST(a_field_that_undershoots_has_a_drag)
+{
+    for (int k = 0; drag_laws[k] != NULL; k++) {
+        const struct drag_law *const law = drag_laws[k];
+        const double one = law->resistance(1.0, 1.0, 1.0, 1.0, 20.0);
+        ck_assert_double_eq_tol(
+            law->resistance(1.001, 1.0, 1.0, 1.0, 20.0) / one, 1.0, 0.01);
+        ck_assert_double_eq_tol(
+            law->resistance(1.0 + 2e-16, 1.0, 1.0, 1.0, 20.0) / one, 1.0,
+            1e-14);
+    }
+}
+END_TEST
+
 START_TEST(every_law_states_the_range_of_its_data)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
@@ -308,6 +325,7 @@ FACTS("drag_laws")
     FACT(resolved_simulations_agree_on_slow_flow_in_an_array);
     FACT(ls_5_27_huilin_gidaspow_has_no_jump);
     FACT(resistance_falls_with_fluid_and_rises_with_slip);
+    FACT(a_field_that_undershoots_has_a_drag);
     FACT(every_law_states_the_range_of_its_data);
     FACT(cellos_law_keeps_its_drag_coefficient_beyond_its_range);
     FACT(ew18_26_stokes_law_has_24_over_re);

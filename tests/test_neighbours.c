@@ -300,7 +300,7 @@ START_TEST(what_belongs_to_a_particle_follows_it_when_particles_are_sorted)
         pair[2 * i + 1] = -i;
         ps->ez[i] = 1e-6 * i;
     }
-    particles_attach(ps, pair, 2);
+    particles_attach(ps, "pair", "-", pair, 2);
     struct dem *const dem = dem_create(ps, &o);
     ck_assert_int_eq(dem_run(dem, 400, &r), 0);
     ck_assert_int_gt(r.rebuilds, 20);

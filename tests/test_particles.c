@@ -72,8 +72,8 @@ START_TEST(an_attached_array_follows_until_it_is_detached)
         for (int k = 0; k < 3; k++)
             three[3 * i + k] = 10.0 * i + k;
     }
-    particles_attach(ps, one, 1);
-    particles_attach(ps, three, 3);
+    particles_attach(ps, "one", "-", one, 1);
+    particles_attach(ps, "three", "-", three, 3);
     particles_permute(ps, order);
     particles_detach(ps, one);
     for (int i = 0; i < N; i++) {

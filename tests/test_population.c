@@ -9,6 +9,7 @@
 
 #include "dem/population/population.h"
 #include "facts.h"
+#include "kept.h"
 #include "spheres.h"
 
 static const double table[][2] = {{1e-3, 3.0}, {2e-3, 1.0}, {4e-3, 1.0}};
@@ -310,33 +311,24 @@ START_TEST(remaining_particles_keep_their_tangential_displacements)
 }
 END_TEST
 
-/* Stopped in the middle of it, with the state of particles, contacts and
- * population written and read, the run continues with the same bits. Both runs
- * restore the state of contacts, so that both rebuild their lists then. */
+/* Stopped in the middle of it, saved and loaded, the run continues with the
+ * same bits. */
 START_TEST(a_resumed_run_with_insertion_has_the_same_bits)
 {
     struct run a = begin(), b = begin();
-    int n;
+    struct kept *const kept = kept_create();
 
     go_on(&a, 400);
-    struct dem_spring *const springs = dem_springs(a.dem, &n);
     ck_assert_int_gt(a.ps->n, 40);
-    dem_restore_springs(a.dem, springs, n);
-    FILE *const f = tmpfile();
-    population_save(a.life, a.ps, f);
-    rewind(f);
-    for (int i = 0; i < a.ps->n; i++) {
-        const double x[3] = {a.ps->x[i], a.ps->y[i], a.ps->z[i]};
-        particles_add(b.ps, x, a.ps->d[i], 1500.0);
-        spheres_throw(b.ps, i, a.ps->vx[i], a.ps->vy[i], a.ps->vz[i]);
-        spheres_spin(b.ps, i, a.ps->wx[i], a.ps->wy[i], a.ps->wz[i]);
-        b.ps->id[i] = a.ps->id[i];
-    }
-    ck_assert_int_eq(population_load(b.life, b.ps, f), 0);
-    fclose(f);
-    dem_restore_springs(b.dem, springs, n);
+    particles_state(a.ps, &kept->state);
+    dem_state(a.dem, &kept->state);
+    population_state(a.life, &kept->state);
+    particles_state(b.ps, kept_load(kept));
+    dem_state(b.dem, &kept->state);
+    population_state(b.life, &kept->state);
+    ck_assert_int_eq(kept->state.failed, 0);
+    kept_free(kept);
     b.step = a.step;
-    free(springs);
     go_on(&a, 300);
     go_on(&b, 300);
     ck_assert_int_eq(a.ps->n, b.ps->n);
@@ -356,7 +348,7 @@ START_TEST(inserted_particles_have_no_data_of_removed_ones)
     struct particles *const ps = particles_create(2);
     double attached[2] = {0.0, 0.0};
 
-    particles_attach(ps, attached, 1);
+    particles_attach(ps, "attached", "-", attached, 1);
     const int i = spheres_add(ps, 0, 0, 0, 0.01);
     spheres_throw(ps, i, 1, 2, 3);
     spheres_spin(ps, i, 4, 5, 6);

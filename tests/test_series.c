@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/series.h"
 #include "facts.h"
+#include "kept.h"
 #include "scratch.h"
-
-#include "base/number.h"
 
 static char dir[64];
 
@@ -46,7 +45,7 @@ START_TEST(a_collection_lists_each_file_with_its_time)
 END_TEST
 
 /* Paths are as the folder has them, but the collection names them as XML. */
-START_TEST(names_are_escaped_and_read_back)
+START_TEST(names_are_escaped)
 {
     struct series *s = series_create(dir, "a&b <\"c\">", "vtp");
 
@@ -58,58 +57,51 @@ START_TEST(names_are_escaped_and_read_back)
                         "file=\"a&amp;b &lt;&quot;c&quot;&gt;/"
                         "a&amp;b &lt;&quot;c&quot;&gt;_000000.vtp\"/>\n" TAIL);
     series_free(s);
-    s = series_create(dir, "a&b <\"c\">", "vtp");
-    ck_assert_int_eq(series_resume(s, 2.0), 0);
-    ck_assert_int_eq(series_count(s), 1);
-    series_free(s);
 }
 END_TEST
 
-/* The times are compared bit for bit, so what was written at the very time of
- * the restart is written again: 7 * 0.1 is not 0.7. */
-START_TEST(a_restart_drops_what_is_at_its_time_or_later)
+/* The collection on the disk is cut as well. */
+START_TEST(a_resumed_series_has_the_files_of_its_state)
 {
+    struct kept *const kept = kept_create();
     struct series *s = series_create(dir, "fluid", "vtr");
-    char text[NUMBER_LENGTH], line[128];
 
-    for (int i = 0; i < 70; i++)
+    for (int i = 0; i < 2; i++) {
+        scratch_write(series_next(s), "");
         ck_assert_int_eq(series_add(s, i * 0.1), 0);
+    }
+    series_state(s, &kept->state);
+    char *const was = scratch_read(scratch_path(dir, "fluid.pvd"), NULL);
+    ck_assert_int_eq(series_add(s, 0.2), 0);
     series_free(s);
     s = series_create(dir, "fluid", "vtr");
-    ck_assert_int_eq(series_resume(s, 7 * 0.1), 0);
-    ck_assert_int_eq(series_count(s), 7);
+    series_state(s, kept_load(kept));
+    ck_assert_int_eq(kept->state.failed, 0);
+    ck_assert_int_eq(series_count(s), 2);
     ck_assert_str_eq(series_next(s),
-                     scratch_path(dir, "fluid/fluid_000007.vtr"));
-    ck_assert_int_eq(series_add(s, 7 * 0.1), 0);
+                     scratch_path(dir, "fluid/fluid_000002.vtr"));
+    scratch_assert_text(scratch_path(dir, "fluid.pvd"), was);
     series_free(s);
-
-    char *const pvd = scratch_read(scratch_path(dir, "fluid.pvd"), NULL);
-    const char *at = pvd;
-    for (int i = 0; i < 8; i++) {
-        snprintf(line, sizeof line, "<DataSet timestep=\"%s\" ",
-                 number_text(i * 0.1, text));
-        at = strstr(at, line);
-        ck_assert_ptr_nonnull(at);
-    }
-    ck_assert_ptr_null(strstr(at + 1, "<DataSet"));
-    free(pvd);
+    kept_free(kept);
+    free(was);
 }
 END_TEST
 
-START_TEST(a_restart_refuses_a_missing_or_foreign_collection)
+START_TEST(a_series_that_has_lost_a_file_is_not_resumed)
 {
+    struct kept *const kept = kept_create();
     struct series *const s = series_create(dir, "fluid", "vtr");
 
     scratch_listen(dir);
-    ck_assert_int_ne(series_resume(s, 1.0), 0);
-    scratch_write(scratch_path(dir, "fluid.pvd"),
-                  HEAD "<DataSet timestep=\"0\" file=\"other.vtu\"/>\n" TAIL);
-    ck_assert_int_ne(series_resume(s, 1.0), 0);
+    ck_assert_int_eq(series_add(s, 0.0), 0);
+    series_state(s, &kept->state);
+    series_state(s, kept_load(kept));
+    ck_assert_int_eq(kept->state.failed, 1);
     char *const said = scratch_heard(dir);
-    ck_assert_ptr_nonnull(strstr(said, "fluid.pvd: No such file"));
-    ck_assert_ptr_nonnull(strstr(said, "fluid.pvd:4: "));
+    ck_assert_ptr_nonnull(strstr(said, "fluid_000000.vtr, which "));
     free(said);
     series_free(s);
+    kept_free(kept);
 }
 END_TEST
 
@@ -126,8 +118,8 @@ FACTS("series")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(a_collection_lists_each_file_with_its_time);
-    FACT(names_are_escaped_and_read_back);
-    FACT(a_restart_drops_what_is_at_its_time_or_later);
-    FACT(a_restart_refuses_a_missing_or_foreign_collection);
+    FACT(names_are_escaped);
+    FACT(a_resumed_series_has_the_files_of_its_state);
+    FACT(a_series_that_has_lost_a_file_is_not_resumed);
     FACT(a_folder_that_cannot_be_made_is_reported);
 }

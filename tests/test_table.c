@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/table.h"
 #include "facts.h"
+#include "kept.h"
 #include "scratch.h"
 
 #include <math.h>
@@ -60,26 +61,56 @@ START_TEST(names_with_commas_and_quotes_are_quoted)
 }
 END_TEST
 
-/* As after a power cut in the middle of a row, of whatever time. */
-START_TEST(a_restart_keeps_whole_rows_from_before_its_time)
+/* As after a power cut in the middle of a row. */
+START_TEST(a_resumed_table_goes_on_after_the_rows_of_its_state)
 {
-    scratch_write(history(), "time [s],pressure_drop [Pa]\n"
-                             "0.1,1\n0.2,2\n0.3,3\n0.15");
-    struct table *t = table_resume(history(), 2, names, 0.3);
+    struct kept *const kept = kept_create();
+    struct table *t = table_create(history(), 2, names);
+
+    ck_assert_int_eq(table_add(t, (double[2]){0.1, 1.0}), 0);
+    table_state(t, &kept->state);
+    ck_assert_int_eq(table_add(t, (double[2]){0.2, 2.0}), 0);
+    table_free(t);
+    scratch_write(history(), "time [s],pressure_drop [Pa]\n0.1,1\n0.2,2\n0.3");
+    t = table_open(history(), 2, names);
     ck_assert_ptr_nonnull(t);
-    ck_assert_int_eq(table_add(t, (double[2]){0.3, 4.0}), 0);
+    table_state(t, kept_load(kept));
+    ck_assert_int_eq(kept->state.failed, 0);
+    ck_assert_int_eq(table_add(t, (double[2]){0.2, 4.0}), 0);
     table_free(t);
     scratch_assert_text(history(), "time [s],pressure_drop [Pa]\n"
-                                   "0.1,1\n0.2,2\n0.3,4\n");
+                                   "0.1,1\n0.2,4\n");
+    kept_free(kept);
+}
+END_TEST
+
+START_TEST(a_table_that_has_lost_rows_is_not_resumed)
+{
+    struct kept *const kept = kept_create();
+    struct table *t = table_create(history(), 2, names);
+
+    scratch_listen(dir);
+    ck_assert_int_eq(table_add(t, (double[2]){0.1, 1.0}), 0);
+    table_state(t, &kept->state);
+    table_free(t);
+    scratch_write(history(), "time [s],pressure_drop [Pa]\n");
+    t = table_open(history(), 2, names);
+    table_state(t, kept_load(kept));
+    ck_assert_int_eq(kept->state.failed, 1);
+    table_free(t);
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "has only 28 of its 34 bytes"));
+    free(said);
+    kept_free(kept);
 }
 END_TEST
 
 START_TEST(a_restart_refuses_a_missing_file_and_other_columns)
 {
     scratch_listen(dir);
-    ck_assert_ptr_null(table_resume(history(), 2, names, 1.0));
+    ck_assert_ptr_null(table_open(history(), 2, names));
     scratch_write(history(), "time [s],cfl [-]\n0.1,1\n");
-    ck_assert_ptr_null(table_resume(history(), 2, names, 1.0));
+    ck_assert_ptr_null(table_open(history(), 2, names));
     scratch_assert_text(history(), "time [s],cfl [-]\n0.1,1\n");
     ck_assert(!scratch_exists(scratch_path(dir, "history.csv.partial")));
     char *const said = scratch_heard(dir);
@@ -119,7 +150,8 @@ FACTS("table")
     FACT(the_first_line_names_columns_with_units);
     FACT(each_row_is_in_the_file_at_once);
     FACT(names_with_commas_and_quotes_are_quoted);
-    FACT(a_restart_keeps_whole_rows_from_before_its_time);
+    FACT(a_resumed_table_goes_on_after_the_rows_of_its_state);
+    FACT(a_table_that_has_lost_rows_is_not_resumed);
     FACT(a_restart_refuses_a_missing_file_and_other_columns);
     FACT(a_full_disk_is_reported_and_leaves_whole_rows);
 }

@@ -33,6 +33,7 @@ void interrupt_hold(void)
     sigset_t held;
 
     set_of(&held);
+    sigaddset(&held, SIGUSR1);
     pthread_sigmask(SIG_BLOCK, &held, NULL);
     signal(SIGPIPE, SIG_IGN);
 }
@@ -47,6 +48,16 @@ int interrupt_arrived(void)
     for (int i = 0; i < ASKING; i++)
         arrived |= sigismember(&waiting, asking[i]) == 1;
     return arrived;
+}
+
+int interrupt_asks_to_save(void)
+{
+    const struct timespec at_once = {0, 0};
+    sigset_t set;
+
+    sigemptyset(&set);
+    sigaddset(&set, SIGUSR1);
+    return sigtimedwait(&set, NULL, &at_once) > 0;
 }
 
 void interrupt_take(void)

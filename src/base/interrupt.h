@@ -22,6 +22,10 @@ void interrupt_hold(void);
 /* 1 once one of them has arrived. */
 int interrupt_arrived(void);
 
+/* 1 if SIGUSR1 has arrived since the last call: the state is to be saved, and
+ * the run goes on. */
+int interrupt_asks_to_save(void);
+
 /* Discards the signals that have arrived; only later ones count. */
 void interrupt_take(void);
 

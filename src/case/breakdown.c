@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "dem/surfaces/surface.h"
 #include "coupling/coupling.h"
 #include "case/case_overlap.h"
 
@@ -43,7 +42,7 @@ static void describe_through(const struct simulation *sim, const char *when,
              "d, the highest speed %.3g m/s.\nTry a smaller particles.step "
              "(winnow check suggests one) or a stiffer material",
              r->lost, r->lost == 1 ? "" : "s", when, r->lost_id,
-             sim->surfaces[r->lost_through].name, r->lost_at[0], r->lost_at[1],
+             sim->surface_names[r->lost_through], r->lost_at[0], r->lost_at[1],
              r->lost_at[2], r->max_overlap, r->max_speed);
 }
 

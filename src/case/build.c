@@ -12,9 +12,8 @@
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
+#include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_surfaces.h"
-#include "case/case_walls.h"
 #include "case/case_file.h"
 #include "case/models.h"
 
@@ -120,7 +119,8 @@ static void count_and_create_effects(const struct settings *s,
     create_effects(s, sim);
 }
 
-struct simulation *build_simulation(const struct settings *s, int *code)
+static struct simulation *build(const struct settings *s, int with_bed,
+                                int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
@@ -128,7 +128,7 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     sim->mesh = build_mesh(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    if (settings_has(s, "particles")) *code = build_particles(s, sim);
+    if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
     if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
@@ -142,6 +142,16 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     return NULL;
 }
 
+struct simulation *build_simulation(const struct settings *s, int *code)
+{
+    return build(s, 1, code);
+}
+
+struct simulation *build_to_resume(const struct settings *s, int *code)
+{
+    return build(s, 0, code);
+}
+
 void build_free(struct simulation *sim)
 {
     if (sim == NULL) return;
@@ -152,11 +162,10 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    case_surfaces_free(sim->surfaces, sim->n_surfaces);
-    free(sim->prescribed);
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->free != NULL) case_parts[i]->free(sim);
     if (sim->population != NULL)
         sim->population->functions->free(sim->population);
-    case_walls_free(sim->walls);
     free(sim->materials);
     free(sim->attractions);
     particles_free(sim->particles);

@@ -8,6 +8,8 @@
 /* The simulation that the case describes, its bed settled. NULL after a
  * message; *code is then 2, 3 (the bed did not settle) or 4. */
 struct simulation *build_simulation(const struct settings *s, int *code);
+/* The same without its bed, whose state will be loaded. */
+struct simulation *build_to_resume(const struct settings *s, int *code);
 void build_free(struct simulation *sim);
 
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */

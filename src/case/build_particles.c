@@ -6,15 +6,12 @@
 
 #include "base/alloc.h"
 #include "dem/dem_method.h"
-#include "dem/surfaces/surface_start.h"
 #include "case/build.h"
 #include "case/case_steps.h"
-#include "case/case_surfaces.h"
 #include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/case_overlap.h"
-#include "case/case_walls.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
 
@@ -34,8 +31,11 @@ struct dem_options build_dem_options(const struct settings *s, double step)
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
 
-    case_walls_ends(s, o.lo, o.hi);
+    case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->dem_options != NULL)
+            case_parts[i]->dem_options(s, &o);
     return o;
 }
 
@@ -71,6 +71,16 @@ static int bed_lost(const struct bed_report *r)
     return 3;
 }
 
+static int leave_room(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o)
+{
+    const int n = settings_int(s, "particles.bed.count");
+
+    sim->particles = particles_create(n + case_part_count_later(s));
+    sim->dem = dem_create(sim->particles, o);
+    return sim->dem == NULL ? 2 : 0;
+}
+
 /* The bed from its file, or made anew and kept there. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
@@ -83,7 +93,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (kept)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
-    b.region = case_walls_placement_region(sim->walls);
+    b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     sim->dem = dem_create(sim->particles, o);
     const int found = sim->dem == NULL
@@ -94,7 +104,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
     if (r.steps == 0 || settings_quiet(s)) return 0;
-    if (sim->walls != NULL)
+    if (sim->region.has_room != NULL)
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
                 r.time, r.kinetic,
                 r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
@@ -142,12 +152,7 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
-    if (case_part_place(s, sim->particles, o) != 0) return 2;
-    if ((!settings_has(s, "particles.overlaps") ||
-         strcmp(settings_text(s, "particles.overlaps"), "allow") != 0) &&
-        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0)
-        return 2;
-    return 0;
+    return case_part_place(s, sim->particles, o);
 }
 
 static int place_spheres(const struct settings *s, struct simulation *sim,
@@ -164,55 +169,24 @@ static int lay_bed(const struct settings *s, struct simulation *sim,
 {
     struct bed_options b = build_bed_options(s);
 
-    b.region = case_walls_placement_region(sim->walls);
+    b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
-    const int wrong =
-        bed_fill(sim->particles, &b, o) != 0 ||
-        surface_start_wrong(sim->particles, o->surfaces, o->n_surfaces) != 0;
+    const int wrong = bed_fill(sim->particles, &b, o) != 0;
     build_bed_release(&b);
     if (wrong) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
 }
 
-/* A prescribed particle must be there. */
-static int driven_missing(const struct settings *s, const struct particles *ps)
-{
-    static const char list[] = "particles.prescribed";
-
-    for (int k = 0; k < settings_length(s, list); k++) {
-        const int id = settings_item_int(s, list, k, "id");
-        if (ps->n == 0)
-            return settings_wrong(s, list,
-                                  "there is no particle %d: there is none at "
-                                  "the start",
-                                  id);
-        if (id >= ps->n)
-            return settings_wrong(s, list,
-                                  "there is no particle %d: they are 0 to %d",
-                                  id, ps->n - 1);
-    }
-    return 0;
-}
-
-/* All that the particles meet. */
+/* What the particles are made of, what they touch and what moves them. */
 static int furnish(const struct settings *s, struct simulation *sim,
                    struct dem_options *o)
 {
-    int code = 0;
-
     *o = build_dem_options(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);
-    o->prescribed = sim->prescribed = case_surfaces_driven(s, &o->n_prescribed);
-    o->surfaces = sim->surfaces =
-        case_surfaces_create(s, &sim->n_surfaces, &code);
-    o->n_surfaces = sim->n_surfaces;
-    if (code != 0) return code;
-    sim->walls = case_walls_create(
-        s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
-    return 0;
+    return case_part_furnish(s, sim, o);
 }
 
 int build_particles_check(const struct settings *s)
@@ -226,28 +200,28 @@ int build_particles_check(const struct settings *s)
     if (code == 0)
         code = settings_has(s, "particles.bed") ? lay_bed(s, sim, &o)
                                                 : place_spheres(s, sim, &o);
-    if (code == 0) code = driven_missing(s, sim->particles);
+    if (code == 0) code = case_part_add(s, sim);
     build_free(sim);
     return code;
 }
 
-int build_particles(const struct settings *s, struct simulation *sim)
+int build_particles(const struct settings *s, struct simulation *sim,
+                    int with_bed)
 {
     struct dem_options o;
     int code = furnish(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
-        code = create_bed(s, sim, &o);
+        code = with_bed ? create_bed(s, sim, &o) : leave_room(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
-    if (driven_missing(s, sim->particles) != 0) return 2;
     dem_clock(sim->dem, 0);
     case_overlap_limit(s, sim);
     code = case_part_add(s, sim);
     if (code != 0) return code;
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, sim->held_force, 3);
+    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     return 0;
 }

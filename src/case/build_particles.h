@@ -6,9 +6,11 @@
 #include "dem/bed.h"
 #include "case/settings.h"
 
-/* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Returns
- * the exit code, after a message if not 0. */
-int build_particles(const struct settings *s, struct simulation *sim);
+/* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
+ * bed there is room for it only. Returns the exit code, after a message if not
+ * 0. */
+int build_particles(const struct settings *s, struct simulation *sim,
+                    int with_bed);
 
 /* 0 if they can be where the case puts them, a bed on its lattice; nothing
  * moves, and nothing is kept. */

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "dem/surfaces/surface.h"
-
 static const char expected[] = "particles.expected_overlap";
 
 void case_overlap_limit(const struct settings *s, struct simulation *sim)
@@ -24,7 +22,7 @@ static void other_name(const struct simulation *sim, int other, char *text,
         snprintf(text, size, "the %s wall across %c",
                  (-1 - other) % 2 ? "upper" : "lower", 'x' + (-1 - other) / 2);
     else
-        snprintf(text, size, "the wall \"%s\"", sim->surfaces[-7 - other].name);
+        snprintf(text, size, "the wall \"%s\"", sim->surface_names[-7 - other]);
 }
 
 void case_overlap_describe(const struct simulation *sim,

@@ -15,6 +15,17 @@ int case_part_check(const struct settings *s)
     return code;
 }
 
+int case_part_furnish(const struct settings *s, struct simulation *sim,
+                      struct dem_options *o)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish != NULL)
+            code = case_parts[i]->furnish(s, sim, o);
+    return code;
+}
+
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o)
 {

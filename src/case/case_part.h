@@ -16,11 +16,18 @@ struct case_diameters {
     double min, max;
 };
 
+struct case_scales;
+
 struct case_part {
     const struct key *keys; /* its table */
+    int mesh_walls; /* [-] 1: it makes walls for particles of the boundary of
+                       any mesh */
 
     /* Whether what the case says is possible. */
     int (*check)(const struct settings *s);
+    /* What it adds to the options: numbers and ends, before anything is made.
+     */
+    void (*dem_options)(const struct settings *s, struct dem_options *o);
     /* The sizes of the bed, where they are not all equal. */
     void (*bed_sizes)(const struct settings *s, struct bed_options *b);
     /* How many particles may come after the start. */
@@ -28,6 +35,13 @@ struct case_part {
     /* Their diameters, of one material or, if it is negative, of all. */
     struct case_diameters (*later_diameters)(const struct settings *s,
                                              int material);
+    /* Prints its lines for `winnow check`. */
+    void (*print)(const struct settings *s, const struct case_scales *k);
+    /* What particles touch and what moves them, before there are any; released
+     * by free. */
+    int (*furnish)(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o);
+    void (*free)(struct simulation *sim);
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
@@ -42,6 +56,8 @@ extern const struct case_part *const case_parts[];
 
 /* The same of all parts together. */
 int case_part_check(const struct settings *s);
+int case_part_furnish(const struct settings *s, struct simulation *sim,
+                      struct dem_options *o);
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);

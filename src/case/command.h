@@ -14,11 +14,13 @@ struct command_line {
     const char *dir; /* of -o; NULL: chosen from the name of the case */
     int threads;     /* of -j, at most; 0: as many as OpenMP likes */
     int quiet;       /* 1: --quiet was given */
+    int resume;      /* 1: --resume was given */
 };
 
 struct command {
     const char *name, *arguments, *what;
-    const char *options; /* first letters of those it takes, - for --quiet */
+    const char *options; /* first letters of those it takes, - for --quiet, r
+                            for --resume */
     int least, most;     /* words after the name; most < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);

@@ -6,8 +6,6 @@
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
-#include "output/outline.h"
-#include "output/series.h"
 #include "output/vtk.h"
 
 enum { MOST_ARRAYS = 16 }; /* [-] of the fluid in a file */
@@ -15,18 +13,16 @@ enum { MOST_ARRAYS = 16 }; /* [-] of the fluid in a file */
 struct field_output {
     const struct mesh *mesh;
     const struct simulation *sim;
-    struct folder *folder;                       /* borrowed */
-    struct series *fluid, *particles, *surfaces; /* NULL where there are none */
-    struct outline outline;
+    struct folder *folder;            /* borrowed */
+    struct series *fluid, *particles; /* NULL where there are none */
     struct vtk_writer *writer;
     const struct vtk_grid *grid; /* the form of a mesh that is no box */
     void *cells;                 /* its state; NULL for a box */
     double last;                 /* [s] */
 };
 
-/* The collection NAME.pvd and a folder for its files. */
-static struct series *create_series(struct folder *f, const char *name,
-                                    const char *suffix)
+struct series *field_output_series(struct folder *f, const char *name,
+                                   const char *suffix)
 {
     char pvd[32];
 
@@ -65,15 +61,12 @@ struct field_output *field_output_create(const struct simulation *sim,
     if (sim->fluid != NULL && p->mesh->shape != NULL)
         p->cells = create_cells(p);
     if (sim->fluid != NULL)
-        p->fluid =
-            create_series(folder, "fluid", p->cells != NULL ? "vtu" : "vtr");
+        p->fluid = field_output_series(folder, "fluid",
+                                       p->cells != NULL ? "vtu" : "vtr");
     if (sim->particles != NULL)
-        p->particles = create_series(folder, "particles", "vtp");
-    if (sim->n_surfaces > 0)
-        p->surfaces = create_series(folder, "surfaces", "vtp");
+        p->particles = field_output_series(folder, "particles", "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
-        (sim->particles == NULL || p->particles != NULL) &&
-        (sim->n_surfaces == 0 || p->surfaces != NULL))
+        (sim->particles == NULL || p->particles != NULL))
         return p;
     field_output_free(p);
     return NULL;
@@ -84,8 +77,6 @@ void field_output_free(struct field_output *p)
     if (p == NULL) return;
     series_free(p->fluid);
     series_free(p->particles);
-    series_free(p->surfaces);
-    outline_release(&p->outline);
     if (p->cells != NULL) p->grid->free(p->cells);
     vtk_writer_free(p->writer);
     free(p);
@@ -164,41 +155,23 @@ static int add_particles(struct field_output *p, const struct snapshot *s)
            series_add(p->particles, s->t) != 0;
 }
 
-static int any_moves(const struct simulation *sim)
-{
-    int moves = 0;
-
-    for (int k = 0; k < sim->n_surfaces; k++)
-        moves |= motion_is_any(&sim->surfaces[k].motion);
-    return moves;
-}
-
-/* Once, if none of them moves. */
-static int add_surfaces(struct field_output *p, double t)
-{
-    const struct mesh *const m = p->mesh;
-    const struct simulation *const sim = p->sim;
-    struct outline *const o = &p->outline;
-
-    if (series_count(p->surfaces) > 0 && !any_moves(sim)) return 0;
-    outline_draw(o, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
-    const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
-                                       o->corner, o->end};
-    const struct vtk_array of = {
-        .name = "surface", .components = 1, .ints = o->of};
-    const char *const path = next_of(p, p->surfaces);
-    return path == NULL ||
-           vtk_write_polygons(p->writer, path, &shape, t, 1, &of) != 0 ||
-           series_add(p->surfaces, t) != 0;
-}
-
 int field_output_add(struct field_output *p, const struct snapshot *s)
 {
     if (p->fluid != NULL && add_fluid(p, s) != 0) return 1;
     if (p->particles != NULL && add_particles(p, s) != 0) return 1;
-    if (p->surfaces != NULL && add_surfaces(p, s->t) != 0) return 1;
     p->last = s->t;
     return 0;
+}
+
+void field_output_state(struct field_output *p, struct state *s)
+{
+    struct series *const all[] = {p->fluid, p->particles};
+
+    state_begin(s, "field_output");
+    for (int i = 0; i < 2; i++)
+        if (all[i] != NULL) series_state(all[i], s);
+    state_real(s, "last", "s", &p->last);
+    state_end(s);
 }
 
 double field_output_last(const struct field_output *p)

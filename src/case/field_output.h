@@ -4,6 +4,7 @@
 
 #include "coupling/simulation.h"
 #include "output/folder.h"
+#include "output/series.h"
 #include "case/snapshot.h"
 
 struct field_output;
@@ -13,8 +14,15 @@ struct field_output *field_output_create(const struct simulation *sim,
                                          struct folder *folder);
 void field_output_free(struct field_output *p);
 
+/* The collection NAME.pvd and a folder for its files; NULL after a message. */
+struct series *field_output_series(struct folder *f, const char *name,
+                                   const char *suffix);
+
 /* Non-zero after a message. */
 int field_output_add(struct field_output *p, const struct snapshot *s);
+
+/* The files so far (state.h). */
+void field_output_state(struct field_output *p, struct state *s);
 
 /* The time of the last one [s]; -1 before the first. */
 double field_output_last(const struct field_output *p);

@@ -7,7 +7,6 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
-#include "dem/surfaces/surface.h"
 #include "fluid/fluid.h"
 
 #include <assert.h>
@@ -128,5 +127,3 @@ int models_value(const struct model *const *choices, const char *name)
         choices++;
     return (*choices)->value;
 }
-MODELS_KIND(models_surface, surface_shapes, "surface",
-            "walls besides those of the box", "particles.surfaces.shape", NULL)

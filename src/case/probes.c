@@ -85,6 +85,14 @@ void probes_free(struct probes *p)
     free(p);
 }
 
+void probes_state(struct probes *p, struct state *s)
+{
+    if (p->table == NULL) return;
+    state_begin(s, "probes");
+    table_state(p->table, s);
+    state_end(s);
+}
+
 int probes_add(struct probes *p)
 {
     if (p->n == 0) return 0;

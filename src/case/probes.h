@@ -17,6 +17,9 @@ struct probes *probes_create(const struct settings *s,
                              struct folder *folder);
 void probes_free(struct probes *p);
 
+/* The rows so far (state.h). */
+void probes_state(struct probes *p, struct state *s);
+
 /* A row for the snapshot as it is now; non-zero after a message. */
 int probes_add(struct probes *p);
 

@@ -97,6 +97,17 @@ void profiles_add(struct profiles *l, double dt)
         profile_add(l->line[i].profile, l->snapshot->t, dt);
 }
 
+void profiles_state(struct profiles *l, struct state *s)
+{
+    state_begin(s, "profiles");
+    for (int i = 0; i < l->n; i++) {
+        state_begin(s, l->line[i].name);
+        profile_state(l->line[i].profile, s);
+        state_end(s);
+    }
+    state_end(s);
+}
+
 static int write_line(const struct line *l, struct folder *folder)
 {
     char name[sizeof l->name + sizeof "profiles/.csv"];

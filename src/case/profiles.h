@@ -25,6 +25,9 @@ void profiles_free(struct profiles *l);
 /* Takes a sample of the snapshot, which stands for dt [s]. */
 void profiles_add(struct profiles *l, double dt);
 
+/* The means so far (state.h). */
+void profiles_state(struct profiles *l, struct state *s);
+
 /* Writes DIR/profiles/...; non-zero after a message. */
 int profiles_write(const struct profiles *l, struct folder *folder);
 

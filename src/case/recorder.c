@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/recorder_internal.h"
 #include "case/effect_shares.h"
-#include "case/recorder.h"
 
 #include <math.h>
 #include <omp.h>
@@ -13,51 +13,17 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
-#include "output/folder.h"
-#include "output/animation.h"
+#include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
-#include "output/table.h"
 #include "dem/population.h"
 #include "case/case_steps.h"
-#include "case/history.h"
-#include "case/profiles.h"
-#include "case/field_output.h"
-#include "case/probes.h"
-#include "case/surface_table.h"
-
-enum { MOST_COLUMNS = 64 };
-
-struct recorder {
-    const struct settings *settings;
-    const struct simulation *sim;
-    struct folder *folder; /* borrowed */
-    double began;          /* [s] wall clock */
-    double ended;          /* [s] the same; 0 while the run goes on */
-    int n_columns;
-    const struct history_column *column[MOST_COLUMNS];
-    struct table *history;
-    struct snapshot *snapshot;
-    struct field_output *pictures;
-    struct animation *animation;    /* NULL: off */
-    struct surface_table *surfaces; /* NULL without any */
-    struct profiles *lines;
-    struct probes *probes;
-    long row_every, picture_every; /* [-] steps of the loop */
-    /* For the summary: the worst of the whole run, and means over its second
-     * half. */
-    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
-    double eps_lowest;
-    long capped_steps;
-    double drop_sum, weight_sum;
-    long drop_rows;
-};
 
 void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    surface_table_free(r->surfaces);
+    recorder_part_free(&r->parts);
     field_output_free(r->pictures);
     animation_free(r->animation);
     profiles_free(r->lines);
@@ -106,7 +72,7 @@ static int add_row(struct recorder *r)
 
     for (int i = 0; i < r->n_columns; i++)
         row[i] = r->column[i]->value(r->sim);
-    return table_add(r->history, row);
+    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
 /* The present state as a picture (picture.h). */
@@ -130,7 +96,9 @@ static int add_fields(struct recorder *r)
 {
     const struct picture p = picture_of(r);
 
-    if (field_output_add(r->pictures, r->snapshot) != 0) return 1;
+    if (field_output_add(r->pictures, r->snapshot) != 0 ||
+        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
+        return 1;
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
@@ -143,9 +111,7 @@ int recorder_sample(struct recorder *r)
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         sample_pressure_drop(r);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0 ||
-            surface_table_add(r->surfaces) != 0)
-            return 1;
+        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     snapshot_take(r->snapshot, r->sim);
@@ -231,6 +197,19 @@ static void write_life(struct summary *f, const struct recorder *r)
     summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
 }
 
+static void write_counts(struct summary *f, const struct recorder *r)
+{
+    struct effect_count c[EFFECT_COUNTS];
+
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_state *const e = &r->sim->effects[i];
+        const int n =
+            e->effect->counts != NULL ? e->effect->counts(e->memory, c) : 0;
+        for (int k = 0; k < n; k++)
+            summary_count(f, c[k].name, c[k].value);
+    }
+}
+
 /* What is yet to come has no exit code: it is null. */
 enum { STILL_RUNNING = -1 };
 
@@ -259,6 +238,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_seconds(f, r);
     write_speed(f, r);
     write_residuals(f, r);
+    write_counts(f, r);
     write_means(f, r);
     effect_shares_write(f, sim);
     return summary_commit(f);
@@ -278,13 +258,23 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed; non-zero after a message. */
-static int begin(struct recorder *r)
+/* What is there of a run that is killed. */
+int recorder_begin(const struct recorder *r)
 {
-    if (folder_begin(r->folder) != 0) return 1;
+    return write_summary(r, "running", STILL_RUNNING);
+}
+
+/* A summary from the start; that of a run that goes on stays as it is until the
+ * state is loaded. Non-zero after a message. */
+static int begin(struct recorder *r, int resume)
+{
+    if (resume)
+        folder_resume(r->folder);
+    else if (folder_begin(r->folder) != 0)
+        return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);
-    return path == NULL || write_summary(r, "running", STILL_RUNNING) != 0;
+    return path == NULL || (!resume && recorder_begin(r) != 0);
 }
 
 /* The parts that write from the start; non-zero after a message. */
@@ -302,17 +292,15 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (sim->n_surfaces > 0) {
-        r->surfaces = surface_table_create(sim, folder);
-        if (r->surfaces == NULL) return 1;
-    }
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 struct folder *folder)
+                                 struct folder *folder, int resume)
 {
     struct recorder *const r = alloc_zeroed(1, sizeof *r);
 
@@ -325,9 +313,10 @@ struct recorder *recorder_create(const struct settings *s,
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
     r->lines = profiles_create(s, sim, r->snapshot);
-    if (r->lines != NULL && begin(r) == 0) {
+    if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
-        write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
+        if (!resume)
+            write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
     }
     recorder_free(r);
     return NULL;
@@ -353,7 +342,8 @@ int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 || draw_picture(r) != 0)) {
+        (profiles_write(r->lines, r->folder) != 0 ||
+         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }

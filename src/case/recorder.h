@@ -13,13 +13,20 @@
 
 struct recorder;
 
-/* Begins anew in the folder: first a summary that says "running", then what is
- * written from the start. NULL after a message: the folder cannot be written.
- * Simulation and folder are borrowed. */
+/* Begins anew in the folder, or, to resume a run, opens what is there. NULL
+ * after a message: the folder cannot be written. Simulation and folder are
+ * borrowed. */
 struct recorder *recorder_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 struct folder *folder);
+                                 struct folder *folder, int resume);
 void recorder_free(struct recorder *r);
+
+/* All that was written and summed up so far (state.h): what was written later
+ * is cut off. */
+void recorder_state(struct recorder *r, struct state *s);
+
+/* Writes a summary that says "running"; non-zero after a message. */
+int recorder_begin(const struct recorder *r);
 
 /* Samples the simulation at its present time: adds to the profiles, and writes
  * the rows and field files that are due. Non-zero after a message if writing

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
+#include "dem/population.h"
 #include "output/folder.h"
 #include "case/breakdown.h"
 #include "case/build.h"
@@ -21,6 +22,7 @@
 #include "case/case_scales.h"
 #include "case/progress.h"
 #include "case/recorder.h"
+#include "case/saver.h"
 
 enum {
     WRONG = 2,
@@ -48,33 +50,82 @@ static int step(struct simulation *sim, struct thread_tuner *crew)
     return failed;
 }
 
-/* The loop. Returns the exit code; a breakdown is described in why. A step that
- * was interrupted may have been cut short: it is not looked at. */
-static int advance(const struct settings *s, struct simulation *sim,
-                   struct recorder *r, struct progress *bar,
-                   struct thread_tuner *crew, char *why)
-{
-    const long steps = case_steps_until_end(s);
-    int told = 0;
+/* All that a run consists of; borrowed but for the recorder. */
+struct run {
+    const struct settings *settings;
+    const struct run_options *options;
+    struct folder *folder;
+    struct simulation *sim;
+    struct recorder *recorder;
+    const struct saver *saver; /* NULL: the run cannot be saved */
+    void *memory;              /* of the saver */
+    char why[BREAKDOWN_TEXT];  /* it broke down */
+};
 
-    if (coupling_start(sim) != 0) {
-        breakdown_describe(sim, why);
-        return BROKE_DOWN;
-    }
-    if (sample(r, sim) != 0) return NOT_WRITTEN;
+static int broke_down(struct run *run)
+{
+    breakdown_describe(run->sim, run->why);
+    return BROKE_DOWN;
+}
+
+/* The state before the first step: as the case has it, or as it was saved. */
+static int start(struct run *run)
+{
+    if (!run->options->resume && coupling_start(run->sim) != 0)
+        return broke_down(run);
+    if (!run->options->resume && sample(run->recorder, run->sim) != 0)
+        return NOT_WRITTEN;
+    if (run->saver == NULL) return 0;
+    return run->saver->begin(run->memory, run->sim, run->recorder) != 0
+               ? NOT_WRITTEN
+               : 0;
+}
+
+/* A signal ends the search of new particles for room, and so the step is not
+ * the one that it would have been. */
+static int is_cut_short(const struct simulation *sim)
+{
+    return interrupt_arrived() && sim->population != NULL &&
+           sim->population->totals.waiting > 0;
+}
+
+/* The loop. Returns the exit code. A step that was cut short is not sampled. */
+static int advance(struct run *run, struct progress *bar,
+                   struct thread_tuner *crew)
+{
+    struct simulation *const sim = run->sim;
+    const long steps = case_steps_until_end(run->settings);
+    int told = sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
+
     while (sim->steps < steps) {
         const int failed = step(sim, crew);
 
-        if (interrupt_arrived()) return INTERRUPTED;
-        if (failed) {
-            breakdown_describe(sim, why);
-            return BROKE_DOWN;
-        }
+        if (is_cut_short(sim)) return INTERRUPTED;
+        if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
         case_overlap_tell(sim, &told);
-        if (sample(r, sim) != 0) return NOT_WRITTEN;
+        if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
+        if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
+            return NOT_WRITTEN;
+        if (interrupt_arrived()) return INTERRUPTED;
         progress_show(bar, sim->t);
     }
     return 0;
+}
+
+static int go(struct run *run)
+{
+    struct progress bar;
+    struct thread_tuner crew;
+
+    progress_init(&bar, run->sim->t, settings_real(run->settings, "output.end"),
+                  run->options->quiet);
+    thread_tuner_use_all(&crew);
+    int code = advance(run, &bar, &crew);
+    thread_tuner_restore(&crew);
+    progress_end(&bar);
+    if (code == INTERRUPTED) interrupt_take();
+    case_part_after_run(run->sim);
+    return code;
 }
 
 static const char *reason_of(int code, const char *why)
@@ -85,40 +136,54 @@ static const char *reason_of(int code, const char *why)
                                  : why;
 }
 
-/* Everything after the simulation is built. */
-static int run_simulation(const struct settings *s, struct simulation *sim,
-                          struct folder *folder, const struct run_options *o)
+static void tell_end(const struct run *run, int code)
 {
-    struct recorder *const r = recorder_create(s, sim, folder);
-    struct progress bar;
-    struct thread_tuner crew;
-    char why[BREAKDOWN_TEXT] = "";
+    const char *const dir = run->options->dir;
 
-    if (r == NULL) {
-        folder_leave(folder); /* if it was not begun */
-        return NOT_WRITTEN;
-    }
-    progress_init(&bar, 0.0, settings_real(s, "output.end"), o->quiet);
-    thread_tuner_use_all(&crew);
-    int code = advance(s, sim, r, &bar, &crew, why);
-    thread_tuner_restore(&crew);
-    progress_end(&bar);
-    if (code == INTERRUPTED) interrupt_take();
-    case_part_after_run(sim);
-    if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
-        code = NOT_WRITTEN;
-    if (recorder_finish(r, reason_of(code, why), code) != 0) code = NOT_WRITTEN;
     if (code == BROKE_DOWN)
-        fprintf(stderr, "winnow: %s\nthe last good state is in %s\n", why,
-                o->dir);
+        fprintf(stderr, "winnow: %s\nthe last good state is in %s\n", run->why,
+                dir);
     else if (code == INTERRUPTED)
         fprintf(stderr,
                 "winnow: interrupted at t = %g s; what is done is in "
                 "%s\n",
-                sim->t, o->dir);
+                run->sim->t, dir);
     else if (code == 0)
-        recorder_print(r);
-    recorder_free(r);
+        recorder_print(run->recorder);
+}
+
+/* The state is saved before the last picture and what else only an end has. */
+static int finish(struct run *run, int code)
+{
+    struct recorder *const r = run->recorder;
+
+    if (code != NOT_WRITTEN && run->saver != NULL &&
+        run->saver->end(run->memory) != 0)
+        code = NOT_WRITTEN;
+    if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
+        code = NOT_WRITTEN;
+    if (recorder_finish(r, reason_of(code, run->why), code) != 0)
+        code = NOT_WRITTEN;
+    tell_end(run, code);
+    return code;
+}
+
+/* Everything after the simulation is built. A run that cannot be resumed leaves
+ * the folder as it was. */
+static int run_simulation(struct run *run)
+{
+    const int resume = run->options->resume;
+
+    run->recorder =
+        recorder_create(run->settings, run->sim, run->folder, resume);
+    if (run->recorder == NULL) {
+        if (!resume) folder_leave(run->folder); /* if it was not begun */
+        return NOT_WRITTEN;
+    }
+    int code = start(run);
+    if (code == 0) code = go(run);
+    if (code == 0 || !resume || run->sim->steps > 0) code = finish(run, code);
+    recorder_free(run->recorder);
     return code;
 }
 
@@ -137,19 +202,36 @@ static void leave(void *of)
 }
 
 /* The simulation; a signal meanwhile ends the program. */
-static struct simulation *build(const struct settings *s, struct folder *folder,
-                                int *code)
+static struct simulation *build(const struct run *run, int *code)
 {
+    const struct settings *const s = run->settings;
+
     static const char bed[] = "particles.bed.file";
-    struct beginning b = {folder,
+    struct beginning b = {run->folder,
                           settings_has(s, bed) ? settings_text(s, bed) : NULL};
     struct interrupt_watch watch;
 
     interrupt_watch_begin(&watch, leave, &b);
-    struct simulation *const sim = build_simulation(s, code);
+    struct simulation *const sim = run->options->resume
+                                       ? build_to_resume(s, code)
+                                       : build_simulation(s, code);
     interrupt_watch_end(&watch);
-    if (sim == NULL) folder_leave(folder);
     return sim;
+}
+
+/* Non-zero, the exit code, after a message. */
+static int create_saver(struct run *run)
+{
+    int code = 0;
+
+    run->saver = savers[0];
+    if (run->saver == NULL && run->options->resume)
+        fprintf(stderr, "winnow: this program was built without src/case/resume"
+                        " and cannot resume a run\n");
+    if (run->saver == NULL) return run->options->resume ? WRONG : 0;
+    run->memory =
+        run->saver->create(run->settings, run->folder, run->options, &code);
+    return code;
 }
 
 int run_case(const struct settings *s, const struct run_options *o)
@@ -157,13 +239,17 @@ int run_case(const struct settings *s, const struct run_options *o)
     int code;
 
     if (case_scales_check(s) != 0) return WRONG;
-    struct folder *const folder = folder_take(o->dir); /* before settling */
-    if (folder == NULL) return NOT_WRITTEN;
-    if (o->quiet) folder_be_quiet(folder);
-    struct simulation *const sim = build(s, folder, &code);
-    if (sim != NULL) code = run_simulation(s, sim, folder, o);
-    build_free(sim);
-    folder_free(folder);
+    struct run run = {.settings = s, .options = o};
+    run.folder = folder_take(o->dir); /* before settling */
+    if (run.folder == NULL) return NOT_WRITTEN;
+    if (o->quiet) folder_be_quiet(run.folder);
+    code = create_saver(&run);
+    if (code == 0) run.sim = build(&run, &code);
+    if (run.sim == NULL) folder_leave(run.folder);
+    if (run.sim != NULL) code = run_simulation(&run);
+    if (run.memory != NULL) run.saver->free(run.memory);
+    build_free(run.sim);
+    folder_free(run.folder);
     return code;
 }
 
@@ -185,7 +271,11 @@ static int act(const struct command_line *l)
     int code;
     struct interrupt_watch watch;
     char *const dir = default_dir(l->words[0]);
-    const struct run_options o = {l->dir != NULL ? l->dir : dir, l->quiet};
+    const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
+                                  .quiet = l->quiet,
+                                  .resume = l->resume,
+                                  .n_overrides = l->n_overrides,
+                                  .overrides = l->overrides};
 
     interrupt_hold();
     interrupt_watch_begin(&watch, NULL, NULL);
@@ -201,9 +291,10 @@ static int act(const struct command_line *l)
 
 const struct command command_run = {
     "run",
-    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--quiet]",
-    "run a case; DIR is out/ and the name of the case if not given",
-    "osj-",
+    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--quiet]",
+    "run a case; DIR is out/ and the name of the case if not given; --resume "
+    "goes on where the run in DIR ended",
+    "osj-r",
     1,
     1,
     act};

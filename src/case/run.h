@@ -7,6 +7,9 @@
 struct run_options {
     const char *dir; /* where the output goes, borrowed */
     int quiet;       /* [-] 1: no progress on stderr */
+    int resume;      /* [-] 1: goes on where the run in dir ended */
+    int n_overrides; /* [-] of the case, borrowed */
+    const char *const *overrides;
 };
 
 /* Builds and runs the simulation that the case describes, in as many threads as

@@ -2,7 +2,6 @@
 #include "case/settings.h"
 
 #include "base/alloc.h"
-#include "mesh/poly/poly.h"
 #include "case/override.h"
 #include "case/patch_schema.h"
 #include "case/schema.h"
@@ -38,19 +37,17 @@ void settings_beside(const struct settings *s, const char *file, char *path,
 /* Where the mesh comes from files, its patches take the place of the sides. */
 static int take_patches(struct settings *s)
 {
-    const config_setting_t *const at = config_lookup(&s->tree, "mesh.polymesh");
-    struct poly_patch *patch;
-    char dir[POLY_FOLDER];
+    const config_setting_t *at;
+    const struct mesh_form *const form = patch_schema_form(&s->tree, &at);
+    struct mesh_patch_name *patch;
+    char dir[SETTINGS_PATH];
 
-    if (at == NULL || config_setting_type(at) != CONFIG_TYPE_STRING) return 0;
+    if (form == NULL) return 0;
     settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
-    if (!poly_is(dir))
-        return source_wrong(at,
-                            "mesh.polymesh: there is no mesh in the folder %s: "
-                            "no file boundary in it, in polyMesh or in "
-                            "constant/polyMesh",
-                            dir);
-    const int n = poly_patches(dir, &patch);
+    if (!form->is_there(dir))
+        return source_wrong(at, "%s: there is no mesh in the folder %s: %s",
+                            form->keys[0].path, dir, form->looked_for);
+    const int n = form->patches(dir, &patch);
     if (n < 0) return 2;
     if (patch_schema_check(s->tables, at, n, patch) != 0) {
         free(patch);
@@ -107,6 +104,11 @@ const char *settings_file(const struct settings *s)
     return s->file;
 }
 
+const struct config_setting_t *settings_root(const struct settings *s)
+{
+    return config_root_setting(&s->tree);
+}
+
 void settings_be_quiet(struct settings *s)
 {
     s->quiet = 1;
@@ -133,10 +135,8 @@ static const config_setting_t *find(const struct settings *s, const char *path,
     const struct key *const key = schema_find(s->tables, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(key != NULL && key->type == type);
-    assert(found != NULL);
-    (void)key;
-    (void)type;
+    assert(key != NULL && key->type == type && found != NULL);
+    (void)key, (void)type;
     return found;
 }
 
@@ -152,13 +152,11 @@ static const config_setting_t *find_in(const struct settings *s,
 
     snprintf(path, sizeof path, "%s.%s", list, name);
     key = schema_find(s->tables, path);
-    assert(type_fits(key, type));
-    assert(i >= 0 && i < config_setting_length(groups));
+    assert(type_fits(key, type) && i >= 0 && i < config_setting_length(groups));
     found = config_setting_get_member(
         config_setting_get_elem(groups, (unsigned)i), name);
     assert(found != NULL);
-    (void)key;
-    (void)type;
+    (void)key, (void)type;
     return found;
 }
 
@@ -177,8 +175,8 @@ static double real(const config_setting_t *s)
 /* A word in its place is 0. */
 static int whole(const config_setting_t *s)
 {
-    return config_setting_type(s) == CONFIG_TYPE_INT ? config_setting_get_int(s)
-                                                     : 0;
+    const int is_whole = config_setting_type(s) == CONFIG_TYPE_INT;
+    return is_whole ? config_setting_get_int(s) : 0;
 }
 
 static void vector(const config_setting_t *s, double v[3])
@@ -191,7 +189,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(schema_find(s->tables, path) != NULL);
+    assert(schema_knows(s->tables, path));
     return found != NULL && !source_is_default(found);
 }
 
@@ -284,7 +282,7 @@ int settings_length(const struct settings *s, const char *list)
 {
     const config_setting_t *const found = config_lookup(&s->tree, list);
 
-    assert(schema_find(s->tables, list) != NULL);
+    assert(schema_knows(s->tables, list));
     return found != NULL ? config_setting_length(found) : 0;
 }
 

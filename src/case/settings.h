@@ -32,12 +32,16 @@ void settings_free(struct settings *s);
 /* The case file as it was given. */
 const char *settings_file(const struct settings *s);
 
+/* All that the case says, with its overrides and defaults. */
+struct config_setting_t;
+const struct config_setting_t *settings_root(const struct settings *s);
+
 /* Whether progress is to be told on stderr. */
 void settings_be_quiet(struct settings *s);
 int settings_quiet(const struct settings *s);
 
 /* 1 if the case itself names the key or group, 0 if it is left out or has its
- * default. */
+ * default, and if this build leaves the key's folder out. */
 int settings_has(const struct settings *s, const char *path);
 
 double settings_real(const struct settings *s, const char *path);

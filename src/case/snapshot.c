@@ -18,6 +18,7 @@ static void create_particles(struct snapshot *s, int capacity)
     s->d = alloc_doubles(capacity);
     s->speed = alloc_doubles(capacity);
     s->id = alloc_ints(capacity);
+    s->capacity = capacity;
 }
 
 struct snapshot *snapshot_create(const struct simulation *sim)
@@ -92,6 +93,38 @@ static void take_particles(struct snapshot *s, const struct particles *ps)
     for (int i = 0; i < ps->n; i++)
         s->speed[i] = sqrt(ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
                            ps->vz[i] * ps->vz[i]);
+}
+
+static void particles_of_state(struct snapshot *s, struct state *state)
+{
+    static const char *const name[9] = {"x",  "y",  "z",  "vx", "vy",
+                                        "vz", "wx", "wy", "wz"};
+    static const char *const unit[3] = {"m", "m/s", "rad/s"};
+    double *const *const group[3] = {s->x, s->v, s->w};
+
+    state_count(state, "count", &s->n, s->capacity);
+    for (int a = 0; a < 9; a++)
+        state_reals(state, name[a], unit[a / 3], group[a / 3][a % 3], s->n, 1);
+    state_reals(state, "d", "m", s->d, s->n, 1);
+    state_reals(state, "speed", "m/s", s->speed, s->n, 1);
+    state_wholes(state, "id", "-", s->id, s->n, 1);
+    state_wholes(state, "material", "-", s->material, s->n, 1);
+}
+
+void snapshot_state(struct snapshot *s, const struct mesh *mesh,
+                    struct state *state)
+{
+    const int n = mesh->n_cells;
+
+    state_begin(state, "snapshot");
+    state_real(state, "t", "s", &s->t);
+    state_reals(state, "eps", "-", s->eps, n, 1);
+    state_reals(state, "eps_s", "-", s->eps_s, n, 1);
+    state_reals(state, "u", "m/s", s->u, n, 3);
+    state_reals(state, "p", "Pa", s->p, n, 1);
+    state_reals(state, "u_s", "m/s", s->u_s, n, 3);
+    particles_of_state(s, state);
+    state_end(state);
 }
 
 void snapshot_take(struct snapshot *s, const struct simulation *sim)

@@ -19,7 +19,7 @@ struct snapshot {
     double *u_s;   /* [m/s] mean velocity of the particles, 3 a cell; 0 where
                       there are none */
     /* Particles; n = 0 without any. */
-    int n;
+    int n, capacity;
     double *x[3];  /* [m] */
     double *v[3];  /* [m/s] */
     double *w[3];  /* [rad/s] */
@@ -31,6 +31,9 @@ struct snapshot {
 
 struct snapshot *snapshot_create(const struct simulation *sim);
 void snapshot_free(struct snapshot *s);
+/* All of it (state.h). */
+void snapshot_state(struct snapshot *s, const struct mesh *mesh,
+                    struct state *state);
 void snapshot_take(struct snapshot *s, const struct simulation *sim);
 
 #endif

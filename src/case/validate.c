@@ -13,8 +13,6 @@
 #include "case/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_surfaces.h"
-#include "case/case_walls.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
@@ -243,15 +241,25 @@ static int check_integrator(const struct settings *s)
 /* A method that finds the pairs may not know all that a case asks for. */
 static int check_list(const struct settings *s)
 {
-    struct dem_options o = build_dem_options(s, 1.0);
-
-    o.n_surfaces =
-        settings_length(s, "particles.surfaces") + case_walls_count(s);
-    o.n_prescribed = settings_length(s, "particles.prescribed");
+    const struct dem_options o = build_dem_options(s, 1.0);
     const char *const unknown = o.method->unknown(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(s, "particles.list", "%s knows no %s; %s does",
                           o.method->name, unknown, dem_methods[0]->name);
+}
+
+/* Without walls of its boundary, particles would leave a mesh that is not a
+ * box. */
+static int check_mesh_walls(const struct settings *s)
+{
+    int made = settings_mesh(s) == NULL;
+
+    for (int i = 0; case_parts[i] != NULL; i++)
+        made |= case_parts[i]->mesh_walls;
+    if (made) return 0;
+    return settings_wrong(s, "particles",
+                          "this build has no walls for particles in a mesh "
+                          "that is not a box");
 }
 
 static int check_particles(const struct settings *s)
@@ -263,11 +271,9 @@ static int check_particles(const struct settings *s)
     if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
-    if (code == 0) code = case_surfaces_check(s);
-    if (code == 0) code = case_walls_check(s);
-    if (code == 0) code = check_list(s);
-    if (code != 0) return code;
+    if (code == 0) code = check_mesh_walls(s);
     if (code == 0) code = case_part_check(s);
+    if (code == 0) code = check_list(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
         return settings_wrong(s, "particles", "give either bed or place%s",

@@ -36,11 +36,11 @@ struct coupling *coupling_create(struct simulation *sim,
     if (options->interpolation == interpolation_named("linear"))
         cp->u_b =
             alloc_doubles(3 * (sim->mesh->n_faces - sim->mesh->n_internal));
-    particles_attach(ps, cp->u_f, 3);
-    particles_attach(ps, cp->eps, 1);
-    particles_attach(ps, cp->k, 1);
-    particles_attach(ps, cp->u_mean, 3);
-    particles_attach(ps, cp->unpaid_impulse, 3);
+    particles_attach(ps, "u_f", "m/s", cp->u_f, 3);
+    particles_attach(ps, "eps", "-", cp->eps, 1);
+    particles_attach(ps, "k", "kg/s", cp->k, 1);
+    particles_attach(ps, "u_mean", "m/s", cp->u_mean, 3);
+    particles_attach(ps, "unpaid_impulse", "N s", cp->unpaid_impulse, 3);
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
         particles_add_implicit_drag(ps);
     if (sim->population != NULL) cp->replacement = replacement_create(cells);
@@ -224,6 +224,31 @@ int coupling_step(struct simulation *sim)
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);
     return failed;
+}
+
+/* The field of the last step is what the next one is checked against. */
+static void exchange_state(struct simulation *sim, struct state *s)
+{
+    struct coupling_report *const r = &sim->coupling->report;
+
+    state_begin(s, "coupling");
+    state_reals(s, "K_and_F", "kg/(m^3 s) N/m^3", sim->coupling->field,
+                sim->mesh->n_cells, 4);
+    state_whole(s, "substeps", "-", &r->substeps);
+    state_real(s, "shortest_time", "s", &r->shortest_time);
+    state_real(s, "exchange_residual", "-", &r->exchange_residual);
+    state_real(s, "eps_lowest", "-", &r->eps_lowest);
+    state_real(s, "seen_lowest", "-", &r->seen_lowest);
+    state_end(s);
+}
+
+/* The arrays are attached to the particles and visited with them; what removed
+ * particles leave acts within the step that removes them. */
+void coupling_state(struct simulation *sim, struct state *s)
+{
+    if (sim->population != NULL)
+        sim->population->functions->state(sim->population, s);
+    if (sim->coupling != NULL) exchange_state(sim, s);
 }
 
 void coupling_add_impulse(struct simulation *sim, int i,

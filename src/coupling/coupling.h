@@ -97,6 +97,10 @@ int coupling_start(struct simulation *sim);
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);
 
+/* Visits what coupling, insertion and removal keep from step to step besides
+ * the particles (state.h). */
+void coupling_state(struct simulation *sim, struct state *s);
+
 /* Adds an impulse [N s] of the fluid on particle i, whose reaction acts on the
  * fluid in its next step. For effects, while the particles are advanced. */
 void coupling_add_impulse(struct simulation *sim, int i,

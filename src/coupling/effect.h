@@ -12,11 +12,13 @@
 #define COUPLING_EFFECT_H
 
 #include "base/key.h"
+#include "base/state.h"
 
 struct simulation;
 struct effect;
 struct effect_scales;
 struct effect_estimate;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
 
@@ -58,10 +60,19 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
+    /* Visits what the next step depends on, but for arrays that are attached to
+     * the particles. */
+    void (*state)(void *memory, struct state *s);
     void (*free)(void *memory);
+    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
+    /* What of its parameters is impossible, in words; NULL: nothing is. */
+    const char *(*wrong)(const double *parameters,
+                         const struct attraction_scene *scene);
     /* How large the force is by the scales of a case, for the effect named or
      * not (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);

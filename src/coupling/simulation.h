@@ -14,6 +14,7 @@
 #include "mesh/mesh.h"
 #include "dem/dem.h"
 #include "dem/particles.h"
+#include "dem/placement_region.h"
 
 struct coupling;
 struct population;
@@ -30,11 +31,12 @@ struct simulation {
     struct dem *dem;
     struct surface *surfaces; /* walls other than the box; NULL: none */
     int n_surfaces;
+    const char **surface_names; /* n_surfaces */
     struct prescribed_particle
         *prescribed; /* particles of prescribed motion; NULL: none */
-    struct population *population; /* NULL: no insertion or removal */
-    struct case_walls
-        *walls; /* placement region in a polyhedral mesh; or NULL */
+    struct population *population;  /* NULL: no insertion or removal */
+    struct case_walls *walls;       /* of a polyhedral mesh; or NULL */
+    struct placement_region region; /* where particles may be placed */
     struct materials *materials;    /* NULL: all are of one */
     struct attraction *attractions; /* NULL: none */
     struct averaging *averaging;
@@ -57,5 +59,9 @@ struct simulation {
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
 };
+
+/* Visits all parts that decide the next step (state.h); a simulation that is
+ * loaded was built from the same case. Non-zero after a message. */
+int simulation_state(struct simulation *sim, struct state *s);
 
 #endif

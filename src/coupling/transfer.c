@@ -37,6 +37,21 @@ static double drag_rate(const struct simulation *sim, int i)
                                slip_speed(sim, i));
 }
 
+/* k of all particles for the slip they have now, with what effects make of it.
+ */
+static void find_drag_rates(struct simulation *sim, double *k, int stride)
+{
+    const int n = sim->particles->n;
+
+#pragma omp parallel for schedule(static) if (n >= MANY)
+    for (int i = 0; i < n; i++)
+        k[stride * i] = drag_rate(sim, i);
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->drag != NULL) e->effect->drag(e->memory, sim, k, stride);
+    }
+}
+
 double transfer_drag(const struct simulation *sim, int i)
 {
     return sim->coupling->rate[i] * slip_speed(sim, i);
@@ -123,11 +138,12 @@ static void estimate_drag_impulse(struct simulation *sim)
     const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
     double shortest = INFINITY;
 
+    find_drag_rates(sim, cp->amount, 4);
 #pragma omp parallel for schedule(static)                                      \
     reduction(min                                                              \
               : shortest) if (ps->n >= MANY)
     for (int i = 0; i < ps->n; i++) {
-        const double k = drag_rate(sim, i);
+        const double k = cp->amount[4 * i];
         shortest = fmin(shortest, ps->m[i] / k); /* tau_p [XS11 3.16] */
         cp->rate[i] = k;
         cp->k[i] = implicit ? k : 0.0;
@@ -275,7 +291,8 @@ static void add_received(struct simulation *sim, int i, const double f[3],
 static void apply_frozen(struct simulation *sim, int i, double share)
 {
     struct particles *const ps = sim->particles;
-    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+    const double k = sim->coupling->amount[i];
+    const double *const u = &sim->coupling->u_f[3 * i];
     const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
     const double f[3] = {k * (u[0] - v[0]), k * (u[1] - v[1]),
                          k * (u[2] - v[2])};
@@ -290,7 +307,8 @@ static void apply_frozen(struct simulation *sim, int i, double share)
 static void apply_exponential(struct simulation *sim, int i)
 {
     struct particles *const ps = sim->particles;
-    const double k = drag_rate(sim, i), *const u = &sim->coupling->u_f[3 * i];
+    const double k = sim->coupling->amount[i];
+    const double *const u = &sim->coupling->u_f[3 * i];
 
     ps->drag_coefficient[i] = k;
     ps->ex[i] += k * u[0];
@@ -307,6 +325,7 @@ void transfer_begin_substep(struct simulation *sim, int steps)
         sim->coupling->options.slip_integration == SLIP_INTEGRATION_FROZEN;
     const double share = (double)steps / sim->dem_steps;
 
+    find_drag_rates(sim, sim->coupling->amount, 1);
 #pragma omp parallel for schedule(static) if (n >= MANY)
     for (int i = 0; i < n; i++)
         if (frozen)

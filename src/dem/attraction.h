@@ -29,6 +29,7 @@ struct attraction {
 struct attraction_scene {
     const double *charge; /* [C] by material */
     double viscosity;     /* [Pa s] of the fluid; 0 without one */
+    int charged;          /* [-] 1: one of the charges is not 0 */
 };
 
 /* The force [N] along the line of centres, positive pushes apart: between

@@ -13,7 +13,6 @@
 #include "base/number.h"
 #include "base/thread_tuner.h"
 #include "dem/limits.h"
-#include "dem/surfaces/surface_start.h"
 
 static const double closest = 1.02;   /* [-] lattice spacing over d */
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
@@ -199,7 +198,8 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
     else
         wrong = fill_room(ps, &l, d, bed, dem);
     free(d);
-    return wrong;
+    if (wrong || bed->region.start_wrong == NULL) return wrong;
+    return bed->region.start_wrong(bed->region.state, ps);
 }
 
 /* While a bed of several sizes settles, small spheres have the inertia of the
@@ -214,7 +214,7 @@ static double *set_added_mass(struct particles *ps,
     if (bed->sizes == NULL) return NULL;
     double *const own = alloc_doubles(ps->capacity);
     memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
-    particles_attach(ps, own, 1);
+    particles_attach(ps, "own_mass", "kg", own, 1);
     for (int i = 0; i < ps->n; i++)
         ps->m[i] = fmax(own[i], mean);
     return own;
@@ -357,9 +357,7 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
     if (path != NULL) code = store->load(path, ps, &springs, bed, dem);
     if (code == BED_CREATED) bed_measure(ps, bed, dem, r);
     if (code == BED_ABSENT) {
-        if (bed_fill(ps, bed, dem) != 0 ||
-            surface_start_wrong(ps, dem->surfaces, dem->n_surfaces))
-            return BED_REFUSED;
+        if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
         const int wrong = bed_settle(ps, bed, dem, r, &springs);
         code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&

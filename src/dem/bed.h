@@ -85,8 +85,8 @@ struct bed_range {
 };
 struct bed_range bed_range(const struct bed_options *bed);
 
-/* Its parts. Adds the lattice to ps; non-zero after a message if the box is
- * too small. */
+/* Its parts. Adds the lattice to ps; non-zero after a message if the box is too
+ * small, or if a sphere overlaps a wall. */
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 

@@ -151,6 +151,30 @@ void dem_clock(struct dem *dem, long steps)
     dem->motion_on = 1;
 }
 
+static void deepest_state(struct dem_overlap *deep, struct state *s)
+{
+    state_begin(s, "deepest_overlap");
+    state_real(s, "depth", "-", &deep->depth);
+    state_whole(s, "id", "-", &deep->id);
+    state_whole(s, "other", "-", &deep->other);
+    state_reals(s, "at", "m", deep->at, 3, 1);
+    state_end(s);
+}
+
+void dem_state(struct dem *dem, struct state *s)
+{
+    struct energy *const e = dem->energy;
+
+    state_begin(s, "dem");
+    state_long(s, "motion_steps", "-", &dem->motion_steps);
+    state_whole(s, "motion_on", "-", &dem->motion_on);
+    state_real(s, "max_overlap", "-", &dem->max_overlap);
+    deepest_state(&dem->deepest, s);
+    if (e != NULL) energy_state(e, s);
+    dem->method->visit(dem, s);
+    state_end(s);
+}
+
 struct dem_spring *dem_springs(struct dem *dem, int *n)
 {
     return dem->method->springs(dem, n);

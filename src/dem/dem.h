@@ -17,6 +17,7 @@
 #ifndef DEM_DEM_H
 #define DEM_DEM_H
 
+#include "base/state.h"
 #include "dem/dem_options.h"
 #include "dem/particles.h"
 
@@ -102,6 +103,10 @@ struct dem_spring *dem_springs(struct dem *dem, int *n);
 /* Starts the next run with these tangential displacements and no others;
  * entries of particles that do not exist are ignored. */
 void dem_restore_springs(struct dem *dem, const struct dem_spring *list, int n);
+
+/* All that the next run depends on besides the particles, which are visited
+ * first (state.h). */
+void dem_state(struct dem *dem, struct state *s);
 
 /* Changes restitution or friction of material 0; the tangential displacements
  * are unchanged. */

@@ -33,6 +33,8 @@ struct dem_method {
     void (*changed)(struct dem *dem);
     /* dem->deepest has been set anew. */
     void (*limit_overlap)(struct dem *dem);
+    /* Visits dem->state (state.h). */
+    void (*visit)(struct dem *dem, struct state *s);
     struct dem_spring *(*springs)(struct dem *dem, int *n);
     /* All of the list exist; index: as of dem_indices. */
     void (*restore_springs)(struct dem *dem, const struct dem_spring *list,

@@ -10,6 +10,8 @@
 #ifndef DEM_ENERGY_H
 #define DEM_ENERGY_H
 
+#include "base/state.h"
+
 struct energy {
     /* Now there. */
     double kinetic; /* [J] of translation and rotation, and of the added mass */
@@ -30,6 +32,9 @@ struct energy {
     double added; /* [J] by particles that were inserted, removed or given other
                      velocities between two runs */
 };
+
+/* All terms (state.h). */
+void energy_state(struct energy *e, struct state *s);
 
 /* The left side less the right one [J]. */
 double energy_residual(const struct energy *e);

@@ -16,6 +16,7 @@ struct attachments {
     int n;
     double *array[MOST_ATTACHED];
     int width[MOST_ATTACHED];
+    const char *name[MOST_ATTACHED], *unit[MOST_ATTACHED];
     double *room; /* a copy of one array, while it is permuted */
     int *id_room; /* the same for whole numbers */
 };
@@ -27,6 +28,12 @@ struct particles *particles_create(int capacity)
                                &ps->vz,  &ps->wx, &ps->wy, &ps->wz, &ps->d,
                                &ps->m,   &ps->ex, &ps->ey, &ps->ez, &ps->cfx,
                                &ps->cfy, &ps->cfz};
+    static const char *const named[OWN][2] = {
+        {"x", "m"},      {"y", "m"},    {"z", "m"},      {"vx", "m/s"},
+        {"vy", "m/s"},   {"vz", "m/s"}, {"wx", "rad/s"}, {"wy", "rad/s"},
+        {"wz", "rad/s"}, {"d", "m"},    {"m", "kg"},     {"ex", "N"},
+        {"ey", "N"},     {"ez", "N"},   {"cfx", "N"},    {"cfy", "N"},
+        {"cfz", "N"}};
 
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
@@ -35,7 +42,7 @@ struct particles *particles_create(int capacity)
     ps->attached->id_room = alloc_ints(capacity);
     for (int a = 0; a < OWN; a++) {
         *own[a] = alloc_doubles(capacity);
-        particles_attach(ps, *own[a], 1);
+        particles_attach(ps, named[a][0], named[a][1], *own[a], 1);
     }
     return ps;
 }
@@ -62,9 +69,9 @@ void particles_add_implicit_drag(struct particles *ps)
     ps->drag_coefficient = alloc_doubles(ps->capacity);
     ps->added_mass = alloc_doubles(ps->capacity);
     ps->drag_impulse = alloc_doubles(3 * ps->capacity);
-    particles_attach(ps, ps->drag_coefficient, 1);
-    particles_attach(ps, ps->added_mass, 1);
-    particles_attach(ps, ps->drag_impulse, 3);
+    particles_attach(ps, "drag_coefficient", "kg/s", ps->drag_coefficient, 1);
+    particles_attach(ps, "added_mass", "kg", ps->added_mass, 1);
+    particles_attach(ps, "drag_impulse", "N s", ps->drag_impulse, 3);
 }
 
 int particles_add(struct particles *ps, const double x[3], double d,
@@ -92,12 +99,17 @@ void particles_add_material(struct particles *ps)
     if (ps->material == NULL) ps->material = alloc_ints(ps->capacity);
 }
 
-void particles_attach(struct particles *ps, double *array, int width)
+void particles_attach(struct particles *ps, const char *name, const char *unit,
+                      double *array, int width)
 {
     struct attachments *const a = ps->attached;
 
     assert(a->n < MOST_ATTACHED && width <= MOST_WIDTH);
+    for (int k = 0; k < a->n; k++)
+        assert(strcmp(a->name[k], name) != 0);
     a->array[a->n] = array;
+    a->name[a->n] = name;
+    a->unit[a->n] = unit;
     a->width[a->n++] = width;
 }
 
@@ -110,6 +122,8 @@ void particles_detach(struct particles *ps, const double *array)
             a->n--;
             a->array[k] = a->array[a->n];
             a->width[k] = a->width[a->n];
+            a->name[k] = a->name[a->n];
+            a->unit[k] = a->unit[a->n];
             return;
         }
 }
@@ -151,6 +165,20 @@ void particles_remove(struct particles *ps, const int *gone)
     particles_permute(ps, order);
     ps->n = stay;
     free(order);
+}
+
+void particles_state(struct particles *ps, struct state *s)
+{
+    const struct attachments *const a = ps->attached;
+
+    state_begin(s, "particles");
+    state_count(s, "count", &ps->n, ps->capacity);
+    state_whole(s, "next_id", "-", &ps->next_id);
+    state_wholes(s, "id", "-", ps->id, ps->n, 1);
+    state_wholes(s, "material", "-", ps->material, ps->n, 1);
+    for (int k = 0; k < a->n; k++)
+        state_reals(s, a->name[k], a->unit[k], a->array[k], ps->n, a->width[k]);
+    state_end(s);
 }
 
 double particles_volume(const struct particles *ps, int i)

@@ -9,6 +9,8 @@
 #ifndef DEM_PARTICLES_H
 #define DEM_PARTICLES_H
 
+#include "base/state.h"
+
 struct particles {
     int n, capacity;
     int next_id;             /* [-] of the next one: none is given twice */
@@ -46,9 +48,12 @@ void particles_add_implicit_drag(struct particles *ps);
 /* Adds a material number to each particle, initially 0. */
 void particles_add_material(struct particles *ps);
 
-/* `array`, with `width` numbers a particle, follows the particles from now on.
- * Borrowed: it must stay as long as the particles do, or be detached. */
-void particles_attach(struct particles *ps, double *array, int width);
+/* `array`, with `width` numbers a particle, follows the particles from now on,
+ * and is a part of their state: under a name that no other array has, and with
+ * its unit. All are borrowed: they must stay as long as the particles do, or
+ * until the array is detached. */
+void particles_attach(struct particles *ps, const char *name, const char *unit,
+                      double *array, int width);
 void particles_detach(struct particles *ps, const double *array);
 
 /* Removes the particles i with gone[i]; the others keep their order. */
@@ -56,6 +61,9 @@ void particles_remove(struct particles *ps, const int *gone);
 
 /* Puts the particle that was at order[i] to place i, for all arrays. */
 void particles_permute(struct particles *ps, const int *order);
+
+/* All arrays, those that are attached too (state.h). */
+void particles_state(struct particles *ps, struct state *s);
 
 /* Volume of particle i [m^3]. */
 double particles_volume(const struct particles *ps, int i);

@@ -7,8 +7,7 @@
 #ifndef DEM_POPULATION_H
 #define DEM_POPULATION_H
 
-#include <stdio.h>
-
+#include "base/state.h"
 #include "dem/box_domain.h"
 #include "dem/dem.h"
 
@@ -38,11 +37,8 @@ struct population_functions {
      * from the returned index on. */
     int (*insert)(struct population *l, struct particles *ps, struct dem *dem,
                   double t);
-    /* The state for a resumed run, besides particles and tangential
-     * displacements; load returns non-zero if the file does not fit. */
-    void (*save)(const struct population *l, const struct particles *ps,
-                 FILE *f);
-    int (*load)(struct population *l, struct particles *ps, FILE *f);
+    /* Visits the totals and what the sources have inserted (state.h). */
+    void (*state)(struct population *l, struct state *s);
     void (*free)(struct population *l);
 };
 

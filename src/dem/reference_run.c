@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -265,6 +266,39 @@ static void run_steps(struct dem *dem, int steps, struct dem_report *report)
     dem->motion_steps += dem->motion_on ? report->steps : 0;
 }
 
+/* --- state ------------------------------------------------------------- */
+
+static void touches_state(struct touches *t, int n_spheres, struct state *s)
+{
+    state_begin(s, "contacts");
+    state_count(s, "count", &t->n, INT_MAX);
+    if (s->loading && !s->failed) {
+        free(t->list);
+        t->capacity = t->n;
+        t->list = alloc_zeroed((size_t)t->n, sizeof *t->list);
+    }
+    state_wholes(s, "start", "-", t->start, n_spheres + 1L, 1);
+    const size_t size = sizeof *t->list;
+    state_wholes_of(s, "partner", "-", &t->list->partner, size, t->n, 1);
+    state_reals_of(s, "xi", "m", t->list->xi, size, t->n, 3);
+    state_reals_of(s, "roll_angle", "rad", t->list->roll_angle, size, t->n, 3);
+    state_end(s);
+}
+
+/* The loads of the last step push in the first half of the next one. */
+static void visit(struct dem *dem, struct state *s)
+{
+    struct run *const run = dem->state;
+    struct reference *const r = &run->loop;
+    const int n = dem->ps->n;
+    struct sphere *const all = r->sphere;
+
+    state_whole(s, "stale", "-", &run->stale);
+    touches_state(&r->now, n, s);
+    state_reals_of(s, "force", "N", all->F, sizeof *all, n, 3);
+    state_reals_of(s, "torque", "N m", all->T, sizeof *all, n, 3);
+}
+
 /* --- histories ------------------------------------------------------------ */
 
 static struct dem_spring *springs(struct dem *dem, int *n)
@@ -340,6 +374,7 @@ const struct dem_method reference_all_pairs = {
     .run = run_steps,
     .changed = changed,
     .limit_overlap = limit_overlap,
+    .visit = visit,
     .springs = springs,
     .restore_springs = restore_springs};
 
@@ -355,5 +390,6 @@ const struct dem_method reference_link_cells = {
     .run = run_steps,
     .changed = changed,
     .limit_overlap = limit_overlap,
+    .visit = visit,
     .springs = springs,
     .restore_springs = restore_springs};

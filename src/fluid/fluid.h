@@ -24,6 +24,7 @@
 #define FLUID_FLUID_H
 
 #include "base/model.h"
+#include "base/state.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
 #include "fluid/velocity_gradient.h"
@@ -123,6 +124,9 @@ struct fluid {
 struct fluid *fluid_create(const struct mesh *mesh,
                            const struct fluid_options *options);
 void fluid_free(struct fluid *fl);
+
+/* All that the next step depends on (state.h). */
+void fluid_state(struct fluid *fl, struct state *s);
 
 /* Sets the old values of eps to the present one; called after the first
  * averaging. */

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "output/gnuplot.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -68,23 +69,40 @@ void animation_free(struct animation *a)
     free(a);
 }
 
+/* Room for n frames. */
+static void reserve(struct animation *a, int n)
+{
+    if (n <= a->capacity) return;
+    double *const time = alloc_doubles(2 * n + 64);
+    for (int i = 0; i < a->n; i++)
+        time[i] = a->time[i];
+    free(a->time);
+    a->time = time;
+    a->capacity = 2 * n + 64;
+}
+
 int animation_add(struct animation *a, const struct picture *p)
 {
     char name[40];
 
-    if (a->n == a->capacity) {
-        const int capacity = 2 * a->capacity + 64;
-        double *const time = alloc_doubles(capacity);
-        for (int i = 0; i < a->n; i++)
-            time[i] = a->time[i];
-        free(a->time);
-        a->time = time;
-        a->capacity = capacity;
-    }
+    reserve(a, a->n + 1);
     a->time[a->n++] = p->time;
     a->fast = fmax(a->fast, picture_usual_speed(p));
     snprintf(name, sizeof name, "frames/frame_%05d.txt", a->n);
     return picture_write_particles(a->folder, name, p);
+}
+
+void animation_state(struct animation *a, struct state *s)
+{
+    int n = a->n;
+
+    state_begin(s, "animation");
+    state_count(s, "frames", &n, INT_MAX / 4);
+    if (!s->failed) reserve(a, n);
+    a->n = n;
+    state_reals(s, "time", "s", a->time, n, 1);
+    state_real(s, "fast", "m/s", &a->fast);
+    state_end(s);
 }
 
 /* The script with the numbers of this run before it. */

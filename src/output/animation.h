@@ -9,6 +9,7 @@
 #ifndef OUTPUT_ANIMATION_H
 #define OUTPUT_ANIMATION_H
 
+#include "base/state.h"
 #include "output/picture.h"
 
 struct animation;
@@ -20,6 +21,9 @@ void animation_free(struct animation *a);
 /* Writes the particles of a picture as the next frame; non-zero after a
  * message. */
 int animation_add(struct animation *a, const struct picture *p);
+
+/* The frames so far (state.h). */
+void animation_state(struct animation *a, struct state *s);
 
 /* Writes the script and lets gnuplot draw DIR/bed.gif; p gives title and box.
  * Non-zero after a message if the script cannot be written; without gnuplot a

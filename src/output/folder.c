@@ -19,8 +19,9 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".", "fluid", "particles", "surfaces", "picture", "profiles", "frames"};
+static const char *const below[] = {".",        "fluid",      "particles",
+                                    "surfaces", "picture",    "profiles",
+                                    "frames",   "statistics", "case"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -40,7 +41,13 @@ static const char *const ours[] = {"./summary.json",
                                    "frames/frame_*.txt",
                                    "frames/bed.gp",
                                    "frames/gnuplot.log",
-                                   "profiles/*.csv"};
+                                   "profiles/*.csv",
+                                   "statistics/*.csv",
+                                   "statistics/summary.json",
+                                   "./case.cfg",
+                                   "case/*",
+                                   "./checkpoint",
+                                   "./checkpoint.before"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]
@@ -53,6 +60,7 @@ struct folder {
     int here;     /* descriptor of the folder; negative: not open */
     int file;     /* of the manifest, locked; negative: not open */
     int fresh;    /* [-] 1: the manifest was not there before */
+    int resumes;  /* [-] 1: what is listed already stays as it is */
     int quiet;    /* [-] 1: what is removed is not told */
     off_t length; /* [bytes] of the manifest, whole lines */
     struct manifest old;
@@ -255,8 +263,29 @@ int folder_begin(struct folder *f)
     return complaint("write", f->path);
 }
 
+void folder_resume(struct folder *f)
+{
+    f->resumes = 1;
+    f->fresh = 0;
+    f->length = lseek(f->file, 0, SEEK_END);
+}
+
+void folder_state(struct folder *f, struct state *s)
+{
+    long length = (long)f->length;
+
+    if (!s->loading && fsync(f->file) != 0)
+        s->failed = complaint("write", f->path);
+    state_long(s, "manifest_bytes", "-", &length);
+    if (!s->loading || s->failed) return;
+    s->failed = manifest_cut(f->file, f->path, length, f->here, f->dir) != 0;
+    f->length = (off_t)length;
+    f->resumes = 0;
+}
+
 static int list(struct folder *f, const char *name)
 {
+    if (f->resumes && manifest_has(&f->old, name)) return 0;
     const size_t length = strlen(name);
     char *const line = strcpy(alloc_zeroed(length + 2, 1), name);
 
@@ -300,8 +329,10 @@ struct table *folder_table(struct folder *f, const char *name, int n_columns,
                            const char *const *columns)
 {
     char *const path = folder_file(f, name);
-    struct table *const made =
-        path == NULL ? NULL : table_create(path, n_columns, columns);
+    struct table *const made = path == NULL ? NULL
+                               : f->resumes
+                                   ? table_open(path, n_columns, columns)
+                                   : table_create(path, n_columns, columns);
 
     free(path);
     return made;

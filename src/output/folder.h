@@ -38,6 +38,14 @@ void folder_be_quiet(struct folder *f);
  * after a message. */
 int folder_begin(struct folder *f);
 
+/* Instead of folder_begin, for a run that goes on: the files stay, and what is
+ * in the manifest already is not added again, until the state is loaded. */
+void folder_resume(struct folder *f);
+
+/* The length of the manifest (state.h). When it is loaded, what was listed
+ * later is removed. */
+void folder_state(struct folder *f, struct state *s);
+
 /* The path DIR/NAME of a file to be made, as a new string; adds the name to the
  * manifest. NULL after a message. */
 char *folder_file(struct folder *f, const char *name);
@@ -49,7 +57,8 @@ int folder_make(struct folder *f, const char *name);
  * message. */
 int folder_list(struct folder *f, const char *path);
 
-/* A new table in it (table.h); NULL after a message. */
+/* A new table in it, or that of a run that goes on (table.h); NULL after a
+ * message. */
 struct table *folder_table(struct folder *f, const char *name, int n_columns,
                            const char *const *columns);
 

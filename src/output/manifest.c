@@ -193,3 +193,57 @@ int manifest_remove(const struct manifest *m, int here, const char *dir,
     }
     return 0;
 }
+
+/* The names of a text, which it takes over; 0 lines if it is empty. */
+static struct manifest list_of(char *text, size_t length)
+{
+    struct manifest m = {.text = text};
+    int lines = 0;
+
+    for (size_t i = 0; i < length; i++)
+        lines += text[i] == '\n';
+    m.name = alloc_zeroed((size_t)lines, sizeof *m.name);
+    for (char *at = text, *end; (end = strchr(at, '\n')) != NULL;
+         at = end + 1) {
+        *end = '\0';
+        m.name[m.n++] = at;
+    }
+    qsort(m.name, (size_t)m.n, sizeof *m.name, by_name);
+    return m;
+}
+
+/* Only the names that `kept` does not have. */
+static void leave_out(struct manifest *m, const struct manifest *kept)
+{
+    int n = 0;
+
+    for (int i = 0; i < m->n; i++)
+        if (is_inside(m->name[i]) && !manifest_has(kept, m->name[i]))
+            m->name[n++] = m->name[i];
+    m->n = n;
+}
+
+int manifest_cut(int file, const char *path, long length, int here,
+                 const char *dir)
+{
+    size_t all = 0, kept = (size_t)length;
+    char *const text = text_of(file, &all);
+    int removed;
+
+    if (text == NULL || all < kept || kept < strlen(MANIFEST_HEAD)) {
+        fprintf(stderr, "winnow: %s lists the files of another run\n", path);
+        free(text);
+        return 1;
+    }
+    char *const later = strcpy(alloc_zeroed(all - kept + 1, 1), text + kept);
+    text[kept] = '\0';
+    struct manifest old = list_of(text, kept);
+    struct manifest gone = list_of(later, all - kept);
+    leave_out(&gone, &old);
+    const int failed = manifest_remove(&gone, here, dir, &removed);
+    manifest_release(&old);
+    manifest_release(&gone);
+    if (!failed && ftruncate(file, length) != 0)
+        return complaint("cut", dir, "manifest.txt");
+    return failed;
+}

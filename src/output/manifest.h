@@ -31,4 +31,10 @@ int manifest_has(const struct manifest *m, const char *name);
 int manifest_remove(const struct manifest *m, int here, const char *dir,
                     int *removed);
 
+/* Removes what the open list of a folder has after its first `length` bytes,
+ * and then those lines. Non-zero after a message; then also if the list is
+ * shorter. */
+int manifest_cut(int file, const char *path, long length, int here,
+                 const char *dir);
+
 #endif

@@ -46,7 +46,9 @@ double mean_spread(const struct mean *m, int i)
     return sqrt(m->square[i] / m->weight[i]); /* 0 / 0: nan */
 }
 
-double *mean_state(struct mean *m)
+void mean_state(struct mean *m, struct state *s)
 {
-    return m->weight;
+    state_reals(s, "weight", "of the weights", m->weight, m->n, 1);
+    state_reals(s, "value", "of the values", m->value, m->n, 1);
+    state_reals(s, "square", "weight value^2", m->square, m->n, 1);
 }

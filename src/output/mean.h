@@ -11,6 +11,8 @@
 #ifndef OUTPUT_MEAN_H
 #define OUTPUT_MEAN_H
 
+#include "base/state.h"
+
 struct mean {
     int n;
     double *weight; /* [unit of w] sum of w, one a number */
@@ -28,7 +30,7 @@ void mean_add(struct mean *m, double dt, const double *x, const double *w);
 /* Spread over time of number i; nan where weight is 0. */
 double mean_spread(const struct mean *m, int i);
 
-/* The whole state, 3 n doubles in one array, for a checkpoint. */
-double *mean_state(struct mean *m);
+/* All sums (state.h). */
+void mean_state(struct mean *m, struct state *s);
 
 #endif

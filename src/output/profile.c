@@ -195,6 +195,11 @@ void profile_add(struct profile *p, double time, double dt)
     mean_add(p->mean, dt, p->sample, p->weight);
 }
 
+void profile_state(struct profile *p, struct state *s)
+{
+    mean_state(p->mean, s);
+}
+
 /* "x [m]", then "NAME_mean [UNIT]", "NAME_std [UNIT]" of each field. */
 static char **column_names(const struct profile *p)
 {

@@ -16,6 +16,7 @@
 #ifndef OUTPUT_PROFILE_H
 #define OUTPUT_PROFILE_H
 
+#include "base/state.h"
 #include "mesh/mesh.h"
 
 /* Directions: 0, 1, 2 for x, y, z; along and up must differ. */
@@ -46,6 +47,9 @@ void profile_free(struct profile *p);
 /* Takes a sample of the present fields at `time`; it represents an interval of
  * dt [s]. */
 void profile_add(struct profile *p, double time, double dt);
+
+/* The means so far (state.h). */
+void profile_state(struct profile *p, struct state *s);
 
 /* Columns: x [m], then NAME_mean and NAME_std (over time) of each field, nan
  * where the weight was always 0. Non-zero after a message. */

@@ -8,9 +8,11 @@
 
 #include <assert.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 struct series {
     char *name, *suffix;
@@ -111,11 +113,8 @@ static void put_entry(FILE *out, struct series *s, int i)
     fprintf(out, "\"/>\n");
 }
 
-int series_add(struct series *s, double time)
+static int write_collection(struct series *s)
 {
-    assert(s->n == 0 || time > s->time[s->n - 1]);
-    append(s, time);
-
     struct file *const f = file_create(s->pvd);
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
@@ -128,47 +127,39 @@ int series_add(struct series *s, double time)
     return file_commit(f);
 }
 
-/* Reads one line of a collection; non-zero if it lists a file that this program
- * would not have written. `found` has file_room bytes. */
-static int read_entry(struct series *s, const char *line, double before,
-                      char *found)
+int series_add(struct series *s, double time)
 {
-    char text[NUMBER_LENGTH];
-
-    if (strstr(line, "<DataSet ") == NULL) return 0;
-    if (xml_attribute(line, "timestep", text, sizeof text) != 0 ||
-        xml_attribute(line, "file", found, file_room(s)) != 0)
-        return 1;
-    const double time = strtod(text, NULL);
-    if (time >= before) return 0;
-    name_file(s, s->n, s->file);
-    if (strcmp(found, s->file) != 0) return 1;
+    assert(s->n == 0 || time > s->time[s->n - 1]);
     append(s, time);
-    return 0;
+    return write_collection(s);
 }
 
-int series_resume(struct series *s, double time)
+/* Non-zero after a message if a listed file is not there. */
+static int file_missing(struct series *s)
 {
-    FILE *const in = fopen(s->pvd, "r");
-    char *line = NULL, *const found = alloc_zeroed(file_room(s), 1);
-    size_t room = 0;
-    int number = 0, foreign = 0;
+    const int n = s->n;
+    int missing = 0;
 
-    s->n = 0;
-    if (in == NULL)
-        fprintf(stderr, "winnow: cannot read %s: %s\n", s->pvd,
-                strerror(errno));
-    while (in && !foreign && getline(&line, &room, in) > 0) {
-        number++;
-        foreign = read_entry(s, line, time, found);
+    for (s->n = 0; s->n < n && !missing; s->n++) {
+        missing = access(series_next(s), R_OK) != 0;
+        if (missing)
+            fprintf(stderr, "winnow: %s, which %s lists, cannot be read: %s\n",
+                    s->path, s->pvd, strerror(errno));
     }
-    if (foreign)
-        fprintf(stderr,
-                "winnow: %s:%d: not a line of this program's own; to go on, "
-                "move the file away or start a new output folder\n",
-                s->pvd, number);
-    if (in) fclose(in);
-    free(line);
-    free(found);
-    return in == NULL || foreign;
+    s->n = n;
+    return missing;
+}
+
+void series_state(struct series *s, struct state *state)
+{
+    int n = s->n;
+
+    state_begin(state, s->name);
+    state_count(state, "files", &n, INT_MAX);
+    while (state->loading && !state->failed && s->n < n)
+        append(s, 0.0);
+    state_reals(state, "time", "s", s->time, n, 1);
+    state_end(state);
+    if (!state->loading || state->failed || n == 0) return;
+    state->failed = file_missing(s) != 0 || write_collection(s) != 0;
 }

@@ -7,6 +7,8 @@
 #ifndef OUTPUT_SERIES_H
 #define OUTPUT_SERIES_H
 
+#include "base/state.h"
+
 struct series;
 
 /* Makes the folder DIR/NAME for files ending in .SUFFIX; NULL after a message.
@@ -15,10 +17,8 @@ struct series *series_create(const char *dir, const char *name,
                              const char *suffix);
 void series_free(struct series *s);
 
-/* For a run that goes on from `time` [s]: keeps the entries of DIR/NAME.pvd
- * before that time. Non-zero after a message if there is no such collection, or
- * one that this program did not write. */
-int series_resume(struct series *s, double time);
+/* The files so far (state.h); a collection that is loaded lists these. */
+void series_state(struct series *s, struct state *state);
 
 /* How many files it lists. */
 int series_count(const struct series *s);

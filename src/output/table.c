@@ -121,43 +121,50 @@ static char *head_text(int n, const char *const *names)
     return text;
 }
 
-/* Copies the head and the whole rows before `time`; non-zero if the head is
- * another. */
-static int copy_rows(FILE *in, FILE *out, const char *head, double time)
-{
-    char *line = NULL;
-    size_t room = 0;
-    ssize_t length = getline(&line, &room, in);
-    const int foreign = length < 0 || strcmp(line, head) != 0;
-
-    if (!foreign) fputs(head, out);
-    while (!foreign && (length = getline(&line, &room, in)) > 0)
-        if (line[length - 1] == '\n' && strtod(line, NULL) < time)
-            fwrite(line, 1, (size_t)length, out);
-    free(line);
-    return foreign;
-}
-
-struct table *table_resume(const char *path, int n_columns,
-                           const char *const *names, double time)
+/* Non-zero if the file cannot be read, or has another head. */
+static int head_wrong(const char *path, const char *head)
 {
     FILE *const in = fopen(path, "r");
-    if (in == NULL) {
-        complaint("read", path);
-        return NULL;
-    }
-    struct file *const f = file_create(path);
+    char *line = NULL;
+    size_t room = 0;
+
+    if (in == NULL) return complaint("read", path);
+    const int differs =
+        getline(&line, &room, in) < 0 || strcmp(line, head) != 0;
+    if (differs)
+        fprintf(stderr, "winnow: %s has other columns than this run\n", path);
+    free(line);
+    fclose(in);
+    return differs;
+}
+
+struct table *table_open(const char *path, int n_columns,
+                         const char *const *names)
+{
     char *const head = head_text(n_columns, names);
-    const int foreign = f && copy_rows(in, file_stream(f), head, time);
+    const int wrong = head_wrong(path, head);
 
     free(head);
-    fclose(in);
-    if (foreign) {
-        fprintf(stderr, "winnow: %s has other columns than this run\n", path);
-        file_discard(f);
-    }
-    if (f == NULL || foreign || file_commit(f) != 0) return NULL;
-    return opened(path, n_columns);
+    return wrong ? NULL : opened(path, n_columns);
+}
+
+void table_state(struct table *t, struct state *s)
+{
+    long length = (long)t->length;
+
+    if (!s->loading && fsync(t->file) != 0)
+        s->failed = complaint("write", t->path);
+    state_long(s, "bytes", "-", &length);
+    if (!s->loading || s->failed) return;
+    if (length > (long)t->length) {
+        fprintf(stderr,
+                "winnow: %s has only %ld of its %ld bytes when the state was "
+                "saved\n",
+                t->path, (long)t->length, length);
+        s->failed = 1;
+    } else if (ftruncate(t->file, (off_t)length) != 0)
+        s->failed = complaint("cut", t->path);
+    t->length = (off_t)length;
 }
 
 void table_free(struct table *t)

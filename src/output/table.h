@@ -7,6 +7,8 @@
 #ifndef OUTPUT_TABLE_H
 #define OUTPUT_TABLE_H
 
+#include "base/state.h"
+
 struct table;
 
 /* A new table, with its head; the names are "name [unit]". NULL after a
@@ -14,11 +16,15 @@ struct table;
 struct table *table_create(const char *path, int n_columns,
                            const char *const *names);
 
-/* Continues a table: keeps the complete rows whose first number, the time, is
- * below `time`. NULL after a message, also if the columns differ. */
-struct table *table_resume(const char *path, int n_columns,
-                           const char *const *names, double time);
+/* Opens a table to continue it. NULL after a message, also if the columns
+ * differ. */
+struct table *table_open(const char *path, int n_columns,
+                         const char *const *names);
 void table_free(struct table *t);
+
+/* The rows so far (state.h): flushes them to the disk, or cuts off those that
+ * came later. */
+void table_state(struct table *t, struct state *s);
 
 /* Adds a row of n_columns numbers; non-zero after a message. */
 int table_add(struct table *t, const double *row);

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/xml.h"
 
-#include <string.h>
-
 static const struct entity {
     char letter;
     const char *name;
@@ -24,41 +22,4 @@ void xml_put(FILE *out, const char *text)
 {
     for (const char *p = text; *p; p++)
         put_letter(out, *p);
-}
-
-/* Reads one character at *p and moves *p past it. */
-static char read_letter(const char **p)
-{
-    for (int i = 0; i < N_ENTITIES; i++) {
-        const size_t length = strlen(entities[i].name);
-        if (strncmp(*p, entities[i].name, length) == 0) {
-            *p += length;
-            return entities[i].letter;
-        }
-    }
-    return *(*p)++;
-}
-
-/* Where the value of the attribute begins, or NULL. */
-static const char *value_of(const char *line, const char *attribute)
-{
-    const size_t length = strlen(attribute);
-
-    for (const char *p = strstr(line, attribute); p;
-         p = strstr(p + 1, attribute))
-        if (p > line && p[-1] == ' ' && strncmp(p + length, "=\"", 2) == 0)
-            return p + length + 2;
-    return NULL;
-}
-
-int xml_attribute(const char *line, const char *attribute, char *value,
-                  size_t size)
-{
-    const char *p = value_of(line, attribute);
-    size_t n = 0;
-
-    while (p && *p && *p != '"' && n + 1 < size)
-        value[n++] = read_letter(&p);
-    value[n] = '\0';
-    return p == NULL || *p != '"';
 }

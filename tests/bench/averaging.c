@@ -93,7 +93,7 @@ static void create_particles(struct simulation *sim, const double hi[3])
                                   .hi = {hi[0], hi[1], hi[2]}};
 
     sim->held_force = alloc_doubles(3 * sim->particles->n);
-    particles_attach(sim->particles, sim->held_force, 3);
+    particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     sim->dem = dem_create(sim->particles, &o);
 }
 

@@ -275,6 +275,9 @@ function put_effects() {
     if (is("lift", "magnus both")) put("  magnus = {};")
     if (on("fluid_torque")) put("  fluid_torque = {};")
     if (on("lubrication")) put("  lubrication = { roughness = 1e-6; range = 1e-4; };")
+    if (on("stochastic_drag"))
+        put("  stochastic_drag = { sigma_low = 3.0; sigma_high = 1.0; " \
+            "Re_high = 100.0; time = 1e-3; };")
     if (on("time_average")) put("  time_average = { time = 1e-3; };")
     put("};")
 }
@@ -296,6 +299,9 @@ function put_output(    h, p, i, n, f) {
             put("    { field = \"" f[i] "\"; position = " at(0.5, 0.15 * i, 0.5) "; }" (i < n ? "," : ""))
         put("  );")
     }
+    if (on("statistics"))
+        put("  statistics = { from = " 3 * step "; blocks = 2;" \
+            (letter == "c" ? " lags = " 4 * step ";" : "") " };")
     put("};")
 }
 

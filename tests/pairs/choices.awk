@@ -58,10 +58,12 @@ BEGIN {
     choice("cm", "fluid_torque", "off on")
     choice("cm", "lubrication", "off on")
     choice("c", "time_average", "off on")
+    choice("cm", "stochastic_drag", "off on")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
     choice("cf", "probes", "off on")
+    choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
     choice("m", "mesh", "box graded thin")

@@ -15,7 +15,6 @@
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
-#include "case/case_walls.h"
 #include "case/population/case_sizes.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
@@ -365,7 +364,7 @@ static int add(const struct settings *s, struct simulation *sim)
         population_create(&box, n, m);
     for (int i = 0; i < n && code == 0; i++) {
         code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
-        l->sources[i].options.region = case_walls_placement_region(sim->walls);
+        l->sources[i].options.region = sim->region;
     }
     for (int i = 0; i < m; i++)
         l->sinks[i] = sink_of(s, i);

@@ -12,12 +12,7 @@
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/build_particles.h"
-
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
+#include "case/check_line.h"
 
 /* tau_p [s] of spheres of diameter d [m] that take eps_s of the room. */
 static double relaxation_time(const struct settings *s,
@@ -57,12 +52,12 @@ static void print_range(const struct settings *s, const struct drag_scales *k,
     if (eps_f < law->eps_min || eps_f > law->eps_max) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
                  law->name, law->eps_min, law->eps_max);
-        line("fluid fraction", eps_f, "-", remark);
+        check_line("fluid fraction", eps_f, "-", remark);
     }
     if (k->inlet > 0.0 && !(Re >= law->Re_min && Re <= law->Re_max)) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
                  law->name, law->Re_min, law->Re_max);
-        line("Re of the inlet", Re, "-", remark);
+        check_line("Re of the inlet", Re, "-", remark);
     }
 }
 
@@ -85,7 +80,7 @@ static void print_fluidization(const struct settings *s,
              "minimum fluidization, Ergun at eps_s = %g; the inlet has %.3g "
              "times that",
              k->eps_s, k->inlet / u);
-    line("u_mf", u, "m/s", remark);
+    check_line("u_mf", u, "m/s", remark);
 }
 
 /* What only a bed asks for: (20.6), (20.9). */
@@ -100,17 +95,20 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
         1.0 - k->eps_s, relaxation_time(s, k, mean_diameter(s), k->eps_s));
     const double densest = stability_max_solid_fraction(C, rho_s, rho_f);
 
-    line("longest step for a packed bed", longest, "s",
-         k->dt <= longest ? "2 eps_f^2 tau_p: the step is below"
-                          : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
-    line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
-         "mass of the bed over that of the fluid in it");
-    line("swing of the pressure",
-         stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
-         k->eps_s < densest ? "part of it left after a step: it dies out"
-                            : "NOT STABLE: it grows where the bed is packed");
-    line("densest bed without it", densest, "-",
-         helped ? "eps_s, with virtual mass" : "eps_s, without virtual mass");
+    check_line("longest step for a packed bed", longest, "s",
+               k->dt <= longest
+                   ? "2 eps_f^2 tau_p: the step is below"
+                   : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
+    check_line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
+               "mass of the bed over that of the fluid in it");
+    check_line("swing of the pressure",
+               stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
+               k->eps_s < densest
+                   ? "part of it left after a step: it dies out"
+                   : "NOT STABLE: it grows where the bed is packed");
+    check_line("densest bed without it", densest, "-",
+               helped ? "eps_s, with virtual mass"
+                      : "eps_s, without virtual mass");
 }
 
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
@@ -119,10 +117,12 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     const double bed = relaxation_time(s, k, k->d, k->eps_s);
 
     puts("Drag");
-    line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
-    line("tau_p", relaxation_time(s, k, k->d, 0.0), "s", "of a lone particle");
-    line("sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
-         asked > 0 ? "as the case asks" : "drag updates in a step, about");
+    check_line("tau_p", bed, "s", "relaxation time at eps_s = 0.6");
+    check_line("tau_p", relaxation_time(s, k, k->d, 0.0), "s",
+               "of a lone particle");
+    check_line(
+        "sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
+        asked > 0 ? "as the case asks" : "drag updates in a step, about");
     const int is_bed = settings_has(s, "particles.bed") &&
                        settings_int(s, "particles.bed.count") > 0;
     print_range(s, k, is_bed ? 1.0 - k->eps_s : 1.0);

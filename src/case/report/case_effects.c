@@ -38,7 +38,7 @@ static const struct attraction *pair_of(const struct effect *e,
                                         const struct attraction *all, int n)
 {
     static const double none = 0.0;
-    const struct attraction_scene scene = {&none, 0.0};
+    const struct attraction_scene scene = {.charge = &none};
 
     if (e->attraction == NULL) return NULL;
     const struct attraction_law *const law = e->attraction(numbers, &scene).law;

@@ -9,6 +9,7 @@
 #include "coupling/drag_laws/coefficient.h"
 #include "coupling/drag_laws/di_felice.h"
 #include "coupling/drag_laws/fluidization.h"
+#include "coupling/effects/stochastic_drag.h"
 
 #include <stddef.h>
 
@@ -37,6 +38,26 @@ static double coefficient(const double *x)
 static double superficial_reynolds(const double *x)
 {
     return coefficient_reynolds(x[0], x[1], x[2], x[3], x[4]);
+}
+
+static double fluctuation(const double *x)
+{
+    return stochastic_drag_step(x[0], x[1], x[2], x[3]);
+}
+
+static double expected_mean(const double *x)
+{
+    return stochastic_drag_mean(x[0], x[1], x[2]);
+}
+
+static double expected_variance(const double *x)
+{
+    return stochastic_drag_variance(x[0], x[1], x[2]);
+}
+
+static double integral_time(const double *x)
+{
+    return stochastic_drag_time(x[0], x[1]);
 }
 
 static double di_felice_force(const double *x)
@@ -84,6 +105,16 @@ const struct equation equations_ew18[] = {
      "Re_p = rho_f d eps |u_r| / mu",
      "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re_p", "-",
      "coefficient_reynolds", superficial_reynolds},
+    {"EW18:33", "fluctuation of the drag coefficient after a step",
+     "C_next = a C + b sqrt(1 - a^2) w", "a [-], b [-], C [-], w [-]", "C_next",
+     "-", "stochastic_drag_step", fluctuation},
+    {"EW18:35", "fluctuation to be expected after n steps", "E = a^n C",
+     "a [-], n [-], C [-]", "E", "-", "stochastic_drag_mean", expected_mean},
+    {"EW18:36", "variance to be expected after n steps",
+     "Var = b^2 (1 - a^(2 n))", "a [-], b [-], n [-]", "Var", "-",
+     "stochastic_drag_variance", expected_variance},
+    {"EW18:37", "integral time of the fluctuation", "T = -dt / ln(a)",
+     "a [-], dt [s]", "T", "s", "stochastic_drag_time", integral_time},
     {"EW18:A.1", "Reynolds number with the superficial slip",
      "Re_p = rho_f d eps |u_r| / mu",
      "eps [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re_p", "-",

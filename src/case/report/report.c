@@ -3,21 +3,22 @@
 
 #include "averaging/averaging.h"
 #include "base/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/poly/quality.h"
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/build_particles.h"
-#include "case/case_cohesion.h"
 #include "case/report/case_drag.h"
+#include "case/report/report_cohesion.h"
 #include "case/report/case_effects.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
 #include "case/case_materials.h"
 #include "case/case_memory.h"
+#include "case/case_part.h"
+#include "case/check_line.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/case_surfaces.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -34,12 +35,6 @@ static const double particle_steps_per_second = 8e6;
 static const double cell_steps_per_second = 5e5;
 static const double report_threshold = 10e6; /* [byte] */
 
-static void line(const char *name, double value, const char *unit,
-                 const char *remark)
-{
-    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
-}
-
 /* A line with the place of the cell in question. */
 static void line_at(const char *name, double value, const char *unit,
                     const struct mesh *m, int c, const char *advice)
@@ -49,7 +44,7 @@ static void line_at(const char *name, double value, const char *unit,
 
     snprintf(remark, sizeof remark, "at [%.3g, %.3g, %.3g] m%s%s", x[0], x[1],
              x[2], advice[0] != '\0' ? ": " : "", advice);
-    line(name, value, unit, remark);
+    check_line(name, value, unit, remark);
 }
 
 /* What links that are not normal to their faces cost: the part along the face
@@ -68,7 +63,7 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
                                 : "good");
     line_at("largest aspect ratio", q->aspect, "-", m, q->n_flat,
             q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");
-    line("openness", q->openness, "-", "of the worst cell: closed");
+    check_line("openness", q->openness, "-", "of the worst cell: closed");
     line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
 }
 
@@ -84,37 +79,39 @@ static void print_quality(const struct settings *s)
     mesh_volumes(m, &least, &most, &mean);
     if (crooked) print_bad_cells(m, &q);
     if (most > least * (1.0 + 1e-9))
-        line("largest over smallest cell", most / least, "-",
-             "volumes; what the schemes assume is near 1 between neighbours");
+        check_line(
+            "largest over smallest cell", most / least, "-",
+            "volumes; what the schemes assume is near 1 between neighbours");
     if (q.growth > 1.0 + 1e-9)
-        line("largest between neighbours", q.growth, "-",
-             q.growth > 2.1 ? "HIGH: second order is lost there" : "good");
+        check_line("largest between neighbours", q.growth, "-",
+                   q.growth > 2.1 ? "HIGH: second order is lost there"
+                                  : "good");
     mesh_free(m);
 }
 
 static void print_resolution(const struct case_scales *k)
 {
     puts("Resolution");
-    line("cells", k->cells, "-", "");
-    line("S_c", k->S_c, "m", "cube root of the mean cell volume");
+    check_line("cells", k->cells, "-", "");
+    check_line("S_c", k->S_c, "m", "cube root of the mean cell volume");
     if (k->particles == 0) return;
-    line("particles", k->particles, "-", "");
-    line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
-    line("N_p / N_c", (double)k->particles / k->cells, "-", "");
+    check_line("particles", k->particles, "-", "");
+    check_line("S_c / d", k->S_c / k->d_most, "-", "of the largest particle");
+    check_line("N_p / N_c", (double)k->particles / k->cells, "-", "");
 }
 
 static void print_one(const struct case_scales *k, const struct case_limits *m)
 {
     if (m->rayleigh < HUGE_VAL) {
-        line("T_R", m->rayleigh, "s",
-             "Rayleigh's wave around the smallest particle");
-        line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
+        check_line("T_R", m->rayleigh, "s",
+                   "Rayleigh's wave around the smallest particle");
+        check_line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
     }
-    line("contact time", m->contact, "s",
-         m->contact < HUGE_VAL ? "of two of the smallest particles"
-                               : "critical damping: they never part");
-    line("suggested step", m->suggested, "s", "");
-    line("safe step", m->longest, "s", "");
+    check_line("contact time", m->contact, "s",
+               m->contact < HUGE_VAL ? "of two of the smallest particles"
+                                     : "critical damping: they never part");
+    check_line("suggested step", m->suggested, "s", "");
+    check_line("safe step", m->longest, "s", "");
 }
 
 static void print_contacts(const struct settings *s,
@@ -123,17 +120,18 @@ static void print_contacts(const struct settings *s,
     const double safe = case_limits_tightest(s, k->impact).longest;
 
     puts("Contacts");
-    line("impact speed", k->impact, "m/s", "assumed for what follows");
+    check_line("impact speed", k->impact, "m/s", "assumed for what follows");
     for (int m = 0; m < case_limits_count(s); m++) {
         const struct case_limits one = case_limits_of(s, m, k->impact);
         if (one.d <= 0.0) continue;
         if (case_limits_count(s) > 1)
-            line(case_limits_name(s, m), one.d, "m", "smallest of it");
+            check_line(case_limits_name(s, m), one.d, "m", "smallest of it");
         print_one(k, &one);
     }
-    line("particle step", k->dem_dt, "s",
-         k->dem_dt <= safe ? "safe" : "NOT SAFE: collisions are not resolved");
-    line("particle steps in one step", k->dem_steps, "-", "");
+    check_line("particle step", k->dem_dt, "s",
+               k->dem_dt <= safe ? "safe"
+                                 : "NOT SAFE: collisions are not resolved");
+    check_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
 /* The fluid between the grains of a packed bed moves at U / eps_f. */
@@ -142,13 +140,13 @@ static void print_flow(const struct case_scales *k)
     const double u = k->inlet / (1.0 - packed);
 
     puts("Flow");
-    line("step", k->dt, "s", "");
+    check_line("step", k->dt, "s", "");
     if (k->inlet <= 0.0) return;
-    line("inlet", k->inlet, "m/s", "superficial, largest");
-    line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
-    line("step at CFL = 1", k->dx / u, "s",
-         k->dt <= k->dx / u ? "the step is below: accurate in time"
-                            : "the step is above: stable, not accurate");
+    check_line("inlet", k->inlet, "m/s", "superficial, largest");
+    check_line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
+    check_line("step at CFL = 1", k->dx / u, "s",
+               k->dt <= k->dx / u ? "the step is below: accurate in time"
+                                  : "the step is above: stable, not accurate");
 }
 
 /* Weights at the centres of cells want a bandwidth that reaches from one large
@@ -159,11 +157,12 @@ static void print_bandwidth(const struct mesh *m, double b, double S_c,
     double V, least, mean;
 
     mesh_volumes(m, &least, &V, &mean);
-    line("bandwidth / S_c", b / S_c, "-", "");
+    check_line("bandwidth / S_c", b / S_c, "-", "");
     if (cbrt(V) > 1.01 * S_c)
-        line("bandwidth / width of the largest cell", b / cbrt(V), "-",
-             b < widths * cbrt(V) ? "LOW: small cells beside it are too full"
-                                  : "");
+        check_line("bandwidth / width of the largest cell", b / cbrt(V), "-",
+                   b < widths * cbrt(V)
+                       ? "LOW: small cells beside it are too full"
+                       : "");
 }
 
 /* Crank-Nicolson needs so many steps not to undershoot. */
@@ -181,11 +180,11 @@ static void print_averaging(const struct settings *s,
     if (o.bandwidth > 0.0)
         print_bandwidth(m, o.bandwidth, k->S_c, method->even_widths);
     if (steps > 0)
-        line("averaging.steps", steps, "-",
-             "needed: with fewer the fields undershoot");
+        check_line("averaging.steps", steps, "-",
+                   "needed: with fewer the fields undershoot");
     if (bytes > report_threshold)
-        line("memory for the cells near each", 1e-6 * bytes, "MB",
-             "about, besides that below");
+        check_line("memory for the cells near each", 1e-6 * bytes, "MB",
+                   "about, besides that below");
     mesh_free(m);
 }
 
@@ -197,9 +196,9 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
     if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
-    line("weight of the bed over its area",
-         k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
-         "what the pressure drop comes to when it is carried");
+    check_line("weight of the bed over its area",
+               k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
+               "what the pressure drop comes to when it is carried");
 }
 
 static void print_cost(const struct settings *s, const struct case_scales *k)
@@ -211,41 +210,26 @@ static void print_cost(const struct settings *s, const struct case_scales *k)
         steps * k->cells * flow / cell_steps_per_second;
 
     puts("Cost");
-    line("steps", steps, "-", "");
-    line("particle steps", steps * k->dem_steps * k->particles, "-", "");
-    line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
-    line("time", work, "s", "about, after settling, on one core");
-}
-
-/* In a step a wall should move a small part of a particle, as particles do. */
-static void print_walls(const struct wall_scales *w,
-                        const struct case_scales *k)
-{
-    puts("Walls besides the box");
-    line("surfaces", w->surfaces, "-", "");
-    line("triangles", w->triangles, "-", "");
-    line("highest speed", w->speed, "m/s", "of any point of them in the box");
-    if (k->particles > 0 && w->speed > 0.0)
-        line("way of it in a particle step / d", w->speed * k->dem_dt / k->d,
-             "-", "of the smallest particle");
+    check_line("steps", steps, "-", "");
+    check_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
+    check_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
+    check_line("time", work, "s", "about, after settling, on one core");
 }
 
 int report_case(const struct settings *s)
 {
     const struct case_scales k = case_scales_of(s);
-    struct wall_scales walls;
 
     if (case_scales_check_memory(s, &k) != 0) return 2;
     if (settings_has(s, "particles") && build_particles_check(s) != 0) return 2;
-    if (case_surfaces_measure(s, &walls) != 0) return 2;
 
     printf("%s\n%s\n", settings_text(s, "title"), settings_text(s, "cites"));
     print_resolution(&k);
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
-    if (k.particles > 0)
-        case_cohesion_print(s, k.d, k.density, k.dem_dt, k.impact);
-    if (walls.surfaces > 0) print_walls(&walls, &k);
+    if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->print != NULL) case_parts[i]->print(s, &k);
     if (settings_has(s, "fluid")) print_flow(&k);
     if (settings_has(s, "averaging")) print_averaging(s, &k);
     if (settings_has(s, "exchange") && k.particles > 0)

@@ -17,15 +17,18 @@
 #include "coupling/drag.h"
 
 /* beta / eps_s [kg/(m^3 s)] of the factor F. From Re = 1e9 on, and without
- * viscosity, the drag coefficient stays what it is there. */
+ * viscosity, the drag coefficient stays what it is there. Averaged fields may
+ * be above 1 by rounding or where they undershoot; to F, with roots of 1 -
+ * eps_f, such a sphere is alone. */
 static inline double drag_by_factor(double (*F)(double eps_f, double Re),
                                     double eps_f, double rho_f, double mu,
                                     double d, double u_r)
 {
     const double fast = 1e9, Re = drag_reynolds(rho_f, mu, d, eps_f * u_r);
+    const double eps = eps_f < 1.0 ? eps_f : 1.0;
 
-    if (Re < fast) return 18.0 * mu / (d * d) * eps_f * F(eps_f, Re);
-    return 18.0 * rho_f * eps_f * u_r / d * eps_f * F(eps_f, fast) / fast;
+    if (Re < fast) return 18.0 * mu / (d * d) * eps_f * F(eps, Re);
+    return 18.0 * rho_f * eps_f * u_r / d * eps_f * F(eps, fast) / fast;
 }
 
 #endif

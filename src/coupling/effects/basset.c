@@ -17,6 +17,7 @@
 #include "coupling/effects/basset.h"
 
 #include <gsl/gsl_math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -31,9 +32,11 @@ enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
  * but `held` and `start` are the past that the force remembers. */
 struct basset {
     struct basset_kernel kernel;
-    double decay[BASSET_TERMS];            /* [-] exp(-s_k dt) */
-    double gain[BASSET_TERMS];             /* [-] g(s_k dt) */
-    double *E[BASSET_TERMS / TERMS_A_ROW]; /* [m/s] ROW each */
+    double decay[BASSET_TERMS];                /* [-] exp(-s_k dt) */
+    double gain[BASSET_TERMS];                 /* [-] g(s_k dt) */
+    double *E[BASSET_TERMS / TERMS_A_ROW];     /* [m/s] ROW each */
+    char name[BASSET_TERMS / TERMS_A_ROW][16]; /* of each of these, for a
+                                                  checkpoint */
     double *change; /* [m/s] of w in the step before, 3 */
     double *u;      /* [m/s] of the fluid in the step before, 3 */
     double *age;    /* [-] steps done, 1 at most: 0 has no past */
@@ -41,11 +44,12 @@ struct basset {
     double *start;  /* [m/s] velocity at the start of the step, 3 */
 };
 
-static double *attached(struct particles *ps, int width)
+static double *attached(struct particles *ps, const char *name,
+                        const char *unit, int width)
 {
     double *const array = alloc_doubles(width * ps->capacity);
 
-    particles_attach(ps, array, width);
+    particles_attach(ps, name, unit, array, width);
     return array;
 }
 
@@ -58,13 +62,16 @@ static void *basset_create(struct simulation *sim, const double *parameters)
     for (int k = 0; k < self->kernel.n; k++) {
         self->decay[k] = exp(-self->kernel.s[k] * sim->dt);
         self->gain[k] = implicit_drag_gain(self->kernel.s[k] * sim->dt);
-        if (k % TERMS_A_ROW == 0) self->E[k / TERMS_A_ROW] = attached(ps, ROW);
+        if (k % TERMS_A_ROW != 0) continue;
+        const int row = k / TERMS_A_ROW;
+        snprintf(self->name[row], sizeof self->name[row], "basset_E_%d", row);
+        self->E[row] = attached(ps, self->name[row], "m/s", ROW);
     }
-    self->change = attached(ps, 3);
-    self->u = attached(ps, 3);
-    self->age = attached(ps, 1);
-    self->held = attached(ps, 3);
-    self->start = attached(ps, 3);
+    self->change = attached(ps, "basset_change", "m/s", 3);
+    self->u = attached(ps, "basset_u", "m/s", 3);
+    self->age = attached(ps, "basset_age", "-", 1);
+    self->held = attached(ps, "basset_held", "N", 3);
+    self->start = attached(ps, "basset_start", "m/s", 3);
     particles_add_implicit_drag(ps);
     return self;
 }

@@ -81,6 +81,15 @@ static struct attraction electrostatic_of(const double *p,
                                .charge = scene->charge};
 }
 
+static const char *electrostatic_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)p;
+    return scene->charged ? NULL
+                          : "no material has a charge: give "
+                            "particles.grains.charge [C]";
+}
+
 static const struct key electrostatic_keys[] = {
     {"effects.electrostatic", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force between charged particles; walls have no charge", "LS 4.13",
@@ -101,6 +110,7 @@ const struct effect cohesion_electrostatic = {
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = electrostatic_of,
+    .wrong = electrostatic_wrong,
     .estimate = estimate_electrostatic,
 };
 
@@ -112,6 +122,15 @@ static struct attraction van_der_waals_of(const double *p,
                                .strength = p[0],
                                .closest = p[1],
                                .range = p[2]};
+}
+
+static const char *van_der_waals_wrong(const double *p,
+                                       const struct attraction_scene *scene)
+{
+    (void)scene;
+    return p[1] < p[2] ? NULL
+                       : "the range must be longer than the closest gap, "
+                         "min_gap";
 }
 
 static const struct key van_der_waals_keys[] = {
@@ -136,6 +155,7 @@ const struct effect cohesion_van_der_waals = {
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = van_der_waals_of,
+    .wrong = van_der_waals_wrong,
     .estimate = estimate_van_der_waals,
 };
 

@@ -21,7 +21,7 @@ static void *fluid_torque_create(struct simulation *sim,
                                  const double *parameters)
 {
     (void)parameters;
-    return vorticity_create(sim);
+    return vorticity_create(sim, "fluid_torque_vorticity");
 }
 
 static void fluid_torque_free(void *memory)

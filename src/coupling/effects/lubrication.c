@@ -69,6 +69,13 @@ static const struct key keys[] = {
      "gap z_out from which on it acts", "", ""},
     {0}};
 
+static const char *lubrication_wrong(const double *p,
+                                     const struct attraction_scene *scene)
+{
+    (void)scene;
+    return p[0] < p[1] ? NULL : "the range must be longer than the roughness";
+}
+
 const struct effect lubrication_effect = {
     .name = "lubrication",
     .what = "resistance of the liquid between close particles",
@@ -79,5 +86,6 @@ const struct effect lubrication_effect = {
     .after_step = pair_share_after_step,
     .free = pair_share_free,
     .attraction = lubrication_attraction,
+    .wrong = lubrication_wrong,
     .estimate = estimate,
 };

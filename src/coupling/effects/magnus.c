@@ -9,7 +9,7 @@
 static void *magnus_create(struct simulation *sim, const double *parameters)
 {
     (void)parameters;
-    return vorticity_create(sim);
+    return vorticity_create(sim, "magnus_vorticity");
 }
 
 static void magnus_free(void *memory)

@@ -50,7 +50,7 @@ void saffman_lift(double rho, double mu, double d, const double w[3],
 static void *saffman_create(struct simulation *sim, const double *parameters)
 {
     (void)parameters;
-    return vorticity_create(sim);
+    return vorticity_create(sim, "saffman_vorticity");
 }
 
 static void saffman_free(void *memory)

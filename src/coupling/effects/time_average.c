@@ -29,6 +29,7 @@ static void *time_average_create(struct simulation *sim,
     const int n = sim->mesh->n_cells;
 
     self->alpha = time_average_weight(sim->dt, parameters[0]);
+    self->n = n;
     self->eps = alloc_doubles(n);
     self->eps_us = alloc_doubles(3 * n);
     return self;
@@ -53,6 +54,14 @@ static void time_average_after_step(void *memory, struct simulation *sim)
     transfer_solids_velocity(sim);
     time_average_update(alpha, n, fl->eps, self->eps);
     time_average_update(alpha, 3 * n, fl->eps_us, self->eps_us);
+}
+
+static void time_average_state(void *memory, struct state *s)
+{
+    struct time_average *const self = memory;
+
+    state_reals(s, "eps", "-", self->eps, self->n, 1);
+    state_reals(s, "eps_us", "m/s", self->eps_us, self->n, 3);
 }
 
 static int time_average_fields(const void *memory, struct effect_field *f)
@@ -81,5 +90,6 @@ const struct effect time_average_effect = {
     .create = time_average_create,
     .after_step = time_average_after_step,
     .fields = time_average_fields,
+    .state = time_average_state,
     .free = time_average_free,
 };

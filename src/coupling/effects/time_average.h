@@ -8,6 +8,7 @@
 #define COUPLING_EFFECTS_TIME_AVERAGE_H
 
 struct time_average {
+    int n;          /* [-] cells */
     double alpha;   /* [-] weight of the past in one step */
     double *eps;    /* [-] mean fluid fraction */
     double *eps_us; /* [m/s] mean of eps_s u_s, 3 a cell */

@@ -23,7 +23,8 @@
 #include "coupling/coupling.h"
 
 struct virtual_mass {
-    double C;      /* [-] */
+    double C; /* [-] */
+    int n_cells;
     double *past;  /* [m/s] u of the step before, 3 a cell */
     double *Du;    /* [m/s^2] Du/Dt, 3 a cell */
     double *at;    /* [m/s^2] interpolated to the particles, 3 each */
@@ -38,15 +39,16 @@ static void *virtual_mass_create(struct simulation *sim,
     const int cells = sim->mesh->n_cells, n = sim->particles->capacity;
 
     self->C = parameters[0];
+    self->n_cells = cells;
     self->past = alloc_doubles(3 * cells);
     self->Du = alloc_doubles(3 * cells);
     self->at = alloc_doubles(3 * n);
     self->start = alloc_doubles(3 * n);
     self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
-    particles_attach(sim->particles, self->at, 3);
-    particles_attach(sim->particles, self->start, 3);
-    particles_attach(sim->particles, self->mass, 1);
+    particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
+    particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
+    particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
     return self;
 }
 
@@ -133,6 +135,13 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
     }
 }
 
+static void virtual_mass_state(void *memory, struct state *s)
+{
+    struct virtual_mass *const self = memory;
+
+    state_reals(s, "u_past", "m/s", self->past, self->n_cells, 3);
+}
+
 static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double C = k->numbers != NULL ? k->numbers[0] : 0.5;
@@ -159,6 +168,7 @@ const struct effect virtual_mass_effect = {
     .create = virtual_mass_create,
     .before_particles = virtual_mass_before_particles,
     .after_particles = virtual_mass_after_particles,
+    .state = virtual_mass_state,
     .free = virtual_mass_free,
     .estimate = estimate,
 };

@@ -6,7 +6,7 @@
 #include "base/alloc.h"
 #include "fluid/velocity_gradient.h"
 
-struct vorticity *vorticity_create(struct simulation *sim)
+struct vorticity *vorticity_create(struct simulation *sim, const char *name)
 {
     const struct mesh *const m = sim->mesh;
     struct vorticity *const v = alloc_zeroed(1, sizeof *v);
@@ -15,7 +15,7 @@ struct vorticity *vorticity_create(struct simulation *sim)
     v->gradient = alloc_doubles(9 * m->n_cells);
     v->curl = alloc_doubles(3 * m->n_cells);
     v->at = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, v->at, 3);
+    particles_attach(sim->particles, name, "1/s", v->at, 3);
     return v;
 }
 

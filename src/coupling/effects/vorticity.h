@@ -17,7 +17,8 @@ struct vorticity {
     double *at;       /* [1/s] interpolated to the particles, 3 each */
 };
 
-struct vorticity *vorticity_create(struct simulation *sim);
+/* `name` is that of the attached array `at` (particles.h); borrowed. */
+struct vorticity *vorticity_create(struct simulation *sim, const char *name);
 void vorticity_free(struct vorticity *v);
 
 /* Fills curl and at from the velocity of the fluid now. */

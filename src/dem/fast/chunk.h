@@ -132,6 +132,13 @@ void chunk_finish_lists(struct chunk *s, int n);
 void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
                            double margin);
 
+/* All of the chunk that the next run depends on (state.h); n particles in all.
+ * chunk_set_range has been called if the chunk was ever listed. */
+void chunk_state(struct chunk *s, int n, struct state *state);
+
+/* The budget alone. */
+void chunk_energy_state(struct chunk_energy *e, struct state *state);
+
 /* Allocates space for n histories; existing ones are kept. */
 void chunk_reserve_history(struct chunk *s, int n);
 

@@ -200,5 +200,6 @@ const struct dem_method fast_verlet = {
     .run = run,
     .changed = changed,
     .limit_overlap = limit_overlap,
+    .visit = fast_state,
     .springs = fast_springs,
     .restore_springs = fast_restore_springs};

@@ -25,6 +25,9 @@ static inline struct fast *fast_of(const struct dem *dem)
 /* So many steps, by one thread of the team. */
 void fast_move(struct dem *dem, int steps);
 
+/* All that the next run depends on (dem_method.h). */
+void fast_state(struct dem *dem, struct state *s);
+
 /* The contact histories as a list, and back (dem_method.h). */
 struct dem_spring *fast_springs(struct dem *dem, int *n);
 void fast_restore_springs(struct dem *dem, const struct dem_spring *list, int n,

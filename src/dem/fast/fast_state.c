@@ -4,6 +4,12 @@
 #include "base/alloc.h"
 #include "dem/surfaces/surface_history.h"
 
+void fast_state(struct dem *dem, struct state *s)
+{
+    state_real(s, "min_margin", "m", &fast_of(dem)->min_margin);
+    neighbours_state(fast_of(dem)->neighbours, s);
+}
+
 struct dem_spring *fast_springs(struct dem *dem, int *n)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;

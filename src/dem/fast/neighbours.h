@@ -64,6 +64,9 @@ struct chunk_range neighbours_static_range(const struct neighbours *nb);
  * of the two partitions there must be a barrier. */
 struct chunk_range neighbours_balanced_range(const struct neighbours *nb);
 
+/* All that the next run depends on (state.h). */
+void neighbours_state(struct neighbours *nb, struct state *s);
+
 /* Waits for all threads of the team. */
 void neighbours_barrier(const struct neighbours *nb);
 

@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,32 +10,17 @@
 #include "base/input.h"
 #include "base/interrupt.h"
 #include "base/number.h"
+#include "base/random.h"
 
 /* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
  * and what waits is asked again in the next step. */
 enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
-/* 0 <= u < 1 from four numbers: the mixer of SplitMix64 [Steele14]. */
-static double chance(unsigned long seed, long k, long attempt, int which)
-{
-    const uint64_t part[4] = {seed, (uint64_t)k, (uint64_t)attempt,
-                              (uint64_t)which};
-    uint64_t z = 0;
-
-    for (int i = 0; i < 4; i++) {
-        z += part[i] + 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        z ^= z >> 31;
-    }
-    return (double)(z >> 11) / 9007199254740992.0;
-}
-
 double insertion_diameter(const struct insertion_options *o, long k)
 {
     if (o->list != NULL) return o->list[k].d;
     if (o->sizes == NULL) return o->diameter;
-    return sizes_quantile(o->sizes, chance(o->seed, k, 0, 3));
+    return sizes_quantile(o->sizes, random_uniform(o->seed, k, 0, 3));
 }
 
 void insertion_place(const struct insertion_options *o, long k, long attempt,
@@ -44,7 +28,7 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
 {
     for (int a = 0; a < 3; a++) {
         const double room = o->hi[a] - o->lo[a] - d;
-        const double u = chance(o->seed, k, attempt, a);
+        const double u = random_uniform(o->seed, k, attempt, a);
         x[a] = o->list != NULL ? o->list[k].x[a]
                                : o->lo[a] + 0.5 * d + u * fmax(room, 0.0);
     }

@@ -89,38 +89,30 @@ int population_insert(struct population *l, struct particles *ps,
     return before;
 }
 
-void population_save(const struct population *l, const struct particles *ps,
-                     FILE *f)
+static void source_state(struct insertion *in, struct state *s)
 {
-    const struct population_totals *const a = &l->totals;
-
-    fprintf(f, "life %d %d %ld %ld %a %a\n", ps->next_id, l->n_sources,
-            a->inserted, a->removed, a->mass_in, a->mass_out);
-    for (int k = 0; k < 3; k++)
-        fprintf(f, "momentum %a %a\n", a->momentum_in[k], a->momentum_out[k]);
-    for (int s = 0; s < l->n_sources; s++)
-        fprintf(f, "source %ld %ld\n", l->sources[s].n_inserted,
-                l->sources[s].n_attempts);
+    state_long(s, "n_inserted", "-", &in->n_inserted);
+    state_long(s, "n_attempts", "-", &in->n_attempts);
 }
 
-int population_load(struct population *l, struct particles *ps, FILE *f)
+void population_state(struct population *l, struct state *s)
 {
     struct population_totals *const a = &l->totals;
-    int n = -1;
 
-    if (fscanf(f, " life %d %d %ld %ld %la %la", &ps->next_id, &n, &a->inserted,
-               &a->removed, &a->mass_in, &a->mass_out) != 6 ||
-        n != l->n_sources)
-        return 1;
-    for (int k = 0; k < 3; k++)
-        if (fscanf(f, " momentum %la %la", &a->momentum_in[k],
-                   &a->momentum_out[k]) != 2)
-            return 1;
-    for (int s = 0; s < n; s++)
-        if (fscanf(f, " source %ld %ld", &l->sources[s].n_inserted,
-                   &l->sources[s].n_attempts) != 2)
-            return 1;
-    return 0;
+    state_begin(s, "population");
+    state_long(s, "inserted", "-", &a->inserted);
+    state_long(s, "removed", "-", &a->removed);
+    state_long(s, "waiting", "-", &a->waiting);
+    state_real(s, "mass_in", "kg", &a->mass_in);
+    state_real(s, "mass_out", "kg", &a->mass_out);
+    state_reals(s, "momentum_in", "N s", a->momentum_in, 3, 1);
+    state_reals(s, "momentum_out", "N s", a->momentum_out, 3, 1);
+    for (int k = 0; k < l->n_sources; k++) {
+        state_begin_number(s, "source", k);
+        source_state(&l->sources[k], s);
+        state_end(s);
+    }
+    state_end(s);
 }
 
 void population_free(struct population *l)
@@ -137,8 +129,8 @@ void population_free(struct population *l)
 }
 
 static const struct population_functions functions = {
-    population_mark, population_remove, population_insert,
-    population_save, population_load,   population_free};
+    population_mark, population_remove, population_insert, population_state,
+    population_free};
 
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks)

@@ -30,8 +30,8 @@ int population_mark(struct population *l, const struct particles *ps,
 void population_remove(struct population *l, struct dem *dem);
 int population_insert(struct population *l, struct particles *ps,
                       struct dem *dem, double t);
-void population_save(const struct population *l, const struct particles *ps,
-                     FILE *f);
-int population_load(struct population *l, struct particles *ps, FILE *f);
+
+/* What was inserted and removed (state.h). */
+void population_state(struct population *l, struct state *s);
 
 #endif

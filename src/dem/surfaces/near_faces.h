@@ -59,6 +59,9 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
 void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
                       double x[3]);
 
+/* All faces, as the part of that name (state.h). */
+void near_faces_state(struct near_faces *l, const char *name, struct state *s);
+
 /* Returns `list` with capacity for one more than n items of this size [bytes].
  */
 void *near_faces_room(void *list, int n, int *room, size_t size);

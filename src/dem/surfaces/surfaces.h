@@ -61,14 +61,16 @@ void surfaces_clear_history(struct surfaces *sf);
 void surfaces_restore_history(struct surfaces *sf,
                               const struct surface_history *one);
 
+/* All that the next run depends on (state.h). */
+void surfaces_state(struct surfaces *sf, struct state *s);
+
 /* Before a run, and after it: contacts that touch [-], and the largest overlap
  * of the run over the diameter [-]. */
 void surfaces_begin_run(struct surfaces *sf);
 int surfaces_contacts(const struct surfaces *sf);
 double surfaces_deepest(const struct surfaces *sf);
 
-/* The energy budget of the contacts with them, chunk by chunk. */
-struct chunk_energy *surfaces_energy(struct surfaces *sf, int s);
+struct chunk_energy *surfaces_energy(struct surfaces *sf, int s); /* chunk s */
 double surfaces_work(const struct surfaces *sf); /* [J] on the particles */
 
 /* The totals of a surface over all chunks. */

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/surface_table.h"
+/* surface_table.c -- forces and torques on the surfaces: DIR/surfaces.csv.
+ *
+ * It has a row with each row of history.csv: of each surface the force and the
+ * torque, as means since the row before, and the work that it has done so far.
+ */
+#include "case/recorder_part.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
 #include "dem/surfaces/dem_surface.h"
-#include "dem/surfaces/surface.h"
 #include "output/table.h"
 
 enum { EACH = 7, NAME = 128 }; /* columns a surface; length of one's name */
@@ -34,7 +38,7 @@ static struct table *create_table(const struct simulation *sim,
         if (c == 0)
             snprintf(text[c], NAME, "time [s]");
         else
-            snprintf(text[c], NAME, "%s_%s", sim->surfaces[(c - 1) / EACH].name,
+            snprintf(text[c], NAME, "%s_%s", sim->surface_names[(c - 1) / EACH],
                      what[(c - 1) % EACH]);
     }
     struct table *const made = folder_table(folder, "surfaces.csv", n, name);
@@ -43,9 +47,21 @@ static struct table *create_table(const struct simulation *sim,
     return made;
 }
 
-struct surface_table *surface_table_create(const struct simulation *sim,
-                                           struct folder *folder)
+static void release(void *part)
 {
+    struct surface_table *const t = part;
+
+    table_free(t->table);
+    free(t->before);
+    free(t->row);
+    free(t);
+}
+
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    (void)s;
+    if (sim->n_surfaces == 0) return NULL;
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
 
     t->sim = sim;
@@ -54,22 +70,29 @@ struct surface_table *surface_table_create(const struct simulation *sim,
     t->row = alloc_doubles(1 + EACH * sim->n_surfaces);
     t->table = create_table(sim, folder);
     if (t->table != NULL) return t;
-    surface_table_free(t);
+    *failed = 1;
+    release(t);
     return NULL;
 }
 
-void surface_table_free(struct surface_table *t)
+/* The rows so far, and what the next one needs. */
+static void visit(void *part, struct state *s)
 {
-    if (t == NULL) return;
-    table_free(t->table);
-    free(t->before);
-    free(t->row);
-    free(t);
+    struct surface_table *const t = part;
+    struct dem_surface *const all = t->before;
+    const int n = t->sim->n_surfaces;
+
+    state_begin(s, "surface_table");
+    table_state(t->table, s);
+    state_real(s, "t", "s", &t->t);
+    state_reals_of(s, "impulse", "N s", all->impulse, sizeof *all, n, 3);
+    state_reals_of(s, "angular", "N m s", all->angular, sizeof *all, n, 3);
+    state_end(s);
 }
 
-int surface_table_add(struct surface_table *t)
+static int add_row(void *part)
 {
-    if (t == NULL) return 0;
+    struct surface_table *const t = part;
     const double passed = t->t >= 0.0 ? t->sim->t - t->t : 0.0;
     const double per = passed > 0.0 ? 1.0 / passed : 0.0;
 
@@ -87,3 +110,6 @@ int surface_table_add(struct surface_table *t)
     }
     return table_add(t->table, t->row);
 }
+
+const struct recorder_part surface_table_part = {
+    .create = create, .free = release, .row = add_row, .state = visit};

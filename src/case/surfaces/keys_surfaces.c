@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_surfaces.h"
+#include "case/surfaces/case_surfaces.h"
 
 #include <stddef.h>
 
 /* As in keys.c. The last seven of a surface and of a prescribed particle say
  * how it moves. */
-const struct key keys_surfaces[] = {
+const struct key case_surfaces_keys[] = {
     {"particles.surfaces", KEY_LIST, "", "", "",
      "walls besides those of the box", "LS section 4.3", ""},
     {"particles.surfaces.name", KEY_TEXT, "", "", NULL,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_surfaces.h"
+#include "case/surfaces/case_surfaces.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,11 +8,11 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "dem/surfaces/stl.h"
 #include "case/case_materials.h"
-#include "case/case_walls.h"
 #include "case/case_mesh.h"
 #include "case/models.h"
+#include "case/surfaces/case_walls.h"
+#include "dem/surfaces/stl.h"
 
 static const char list[] = "particles.surfaces",
                   driven[] = "particles.prescribed";
@@ -97,21 +97,28 @@ static int fill(const struct settings *s, int i, struct surface *one)
     return one->triangles == NULL;
 }
 
-struct surface *case_surfaces_create(const struct settings *s, int *n,
-                                     int *code)
+int case_surfaces_count(const struct settings *s)
 {
-    const int listed = settings_length(s, list);
-    const int walled = case_walls_count(s) > 0;
+    return settings_length(s, list) + (case_walls_count(s) > 0);
+}
 
-    *n = listed + walled;
+int case_surfaces_count_prescribed(const struct settings *s)
+{
+    return settings_length(s, driven);
+}
+
+struct surface *case_surfaces_create(const struct settings *s, int *code)
+{
+    const int n = case_surfaces_count(s), listed = settings_length(s, list);
+
     *code = 0;
-    if (*n == 0) return NULL;
-    struct surface *const made = alloc_zeroed((size_t)*n, sizeof *made);
+    if (n == 0) return NULL;
+    struct surface *const made = alloc_zeroed((size_t)n, sizeof *made);
     for (int i = 0; i < listed && *code == 0; i++)
         if (fill(s, i, &made[i]) != 0) *code = 2;
-    if (walled) made[listed] = case_walls_surface(s);
+    if (listed < n) made[listed] = case_walls_surface(s);
     if (*code == 0) return made;
-    case_surfaces_free(made, *n);
+    case_surfaces_free(made, n);
     return NULL;
 }
 
@@ -126,38 +133,19 @@ void case_surfaces_free(struct surface *made, int n)
     free(made);
 }
 
-struct prescribed_particle *case_surfaces_driven(const struct settings *s,
-                                                 int *n)
+struct prescribed_particle *
+case_surfaces_create_prescribed(const struct settings *s)
 {
-    *n = settings_length(s, driven);
-    if (*n == 0) return NULL;
+    const int n = case_surfaces_count_prescribed(s);
+
+    if (n == 0) return NULL;
     struct prescribed_particle *const made =
-        alloc_zeroed((size_t)*n, sizeof *made);
-    for (int i = 0; i < *n; i++) {
+        alloc_zeroed((size_t)n, sizeof *made);
+    for (int i = 0; i < n; i++) {
         made[i].id = settings_item_int(s, driven, i, "id");
         made[i].motion = motion_of(s, driven, i);
     }
     return made;
-}
-
-int case_surfaces_measure(const struct settings *s, struct wall_scales *w)
-{
-    double lo[3], hi[3];
-    int code;
-    struct surface *const made = case_surfaces_create(s, &w->surfaces, &code);
-
-    w->triangles = 0;
-    w->speed = 0.0;
-    if (code != 0) return code;
-    case_mesh_ends(s, lo, hi);
-    for (int i = 0; i < w->surfaces; i++) {
-        const double reach = surface_reach(&made[i], lo, hi);
-        if (made[i].shape == SURFACE_TRIANGLES)
-            w->triangles += made[i].triangles->n;
-        w->speed = fmax(w->speed, motion_speed(&made[i].motion, reach));
-    }
-    case_surfaces_free(made, w->surfaces);
-    return 0;
 }
 
 /* --- checks --------------------------------------------------------------- */

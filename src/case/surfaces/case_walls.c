@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_walls.h"
+#include "case/surfaces/case_walls.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -196,9 +196,8 @@ void case_walls_free(struct case_walls *w)
     free(w);
 }
 
-static int has_room(const void *where, const double x[3], double R)
+int case_walls_has_room(const struct case_walls *w, const double x[3], double R)
 {
-    const struct case_walls *const w = where;
     double offset[3];
 
     for (int k = 0; k < 3; k++)
@@ -206,10 +205,4 @@ static int has_room(const void *where, const double x[3], double R)
             return 0;
     if (mesh_cell_and_offset(w->mesh, x, offset) < 0) return 0;
     return w->walls == NULL || surface_start_distance(w->walls, x, R) >= R;
-}
-
-struct placement_region case_walls_placement_region(const struct case_walls *w)
-{
-    return w != NULL ? (struct placement_region){has_room, w}
-                     : (struct placement_region){NULL, NULL};
 }

@@ -6,10 +6,9 @@
  * of the box that no face lies in is moved away: it could touch a grain only
  * where the mesh has a wall of its own.
  */
-#ifndef CASE_CASE_WALLS_H
-#define CASE_CASE_WALLS_H
+#ifndef CASE_SURFACES_CASE_WALLS_H
+#define CASE_SURFACES_CASE_WALLS_H
 
-#include "dem/placement_region.h"
 #include "dem/surfaces/surface.h"
 #include "case/settings.h"
 
@@ -27,12 +26,15 @@ void case_walls_ends(const struct settings *s, double lo[3], double hi[3]);
 /* What cannot be done with particles on such a mesh: 2 after a message. */
 int case_walls_check(const struct settings *s);
 
-/* Room within the mesh, which is held until case_walls_free; walls: the surface
- * above, borrowed, or NULL where there is none. NULL for a box. */
+/* The mesh, which is held until case_walls_free, and its surface above,
+ * borrowed, or NULL where there is none. NULL for a box. */
 struct case_walls;
 struct case_walls *case_walls_create(const struct settings *s,
                                      const struct surface *walls);
 void case_walls_free(struct case_walls *w);
-struct placement_region case_walls_placement_region(const struct case_walls *w);
+
+/* 1 if a sphere of radius R [m] around x [m] is within the mesh. */
+int case_walls_has_room(const struct case_walls *w, const double x[3],
+                        double R);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/outline.h"
+#include "output/surfaces/outline.h"
 
 #include <gsl/gsl_math.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
  * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
  * box, triangles as they are.
  */
-#ifndef OUTPUT_OUTLINE_H
-#define OUTPUT_OUTLINE_H
+#ifndef OUTPUT_SURFACES_OUTLINE_H
+#define OUTPUT_SURFACES_OUTLINE_H
 
 #include "dem/surfaces/surface.h"
 

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/state.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+enum { STATE_SEVERAL = 32 };
+
+void state_begin(struct state *s, const char *part)
+{
+    const size_t used = strlen(s->path);
+
+    assert(used + strlen(part) + 2 < sizeof s->path);
+    snprintf(s->path + used, sizeof s->path - used, "/%s", part);
+}
+
+void state_begin_number(struct state *s, const char *part, int number)
+{
+    char name[64];
+
+    snprintf(name, sizeof name, "%s%d", part, number);
+    state_begin(s, name);
+}
+
+void state_end(struct state *s)
+{
+    char *const last = strrchr(s->path, '/');
+
+    assert(last != NULL);
+    *last = '\0';
+}
+
+static void visit(struct state *s, const char *name, struct state_array a)
+{
+    if (s->failed || a.values == NULL || a.rows == 0) return;
+    state_begin(s, name);
+    a.path = s->path;
+    s->failed = s->visit(s->store, &a) != 0;
+    state_end(s);
+}
+
+void state_reals(struct state *s, const char *name, const char *unit, double *x,
+                 long n, int width)
+{
+    visit(s, name, (struct state_array){NULL, unit, STATE_REAL, x, n, width});
+}
+
+void state_wholes(struct state *s, const char *name, const char *unit, int *x,
+                  long n, int width)
+{
+    visit(s, name, (struct state_array){NULL, unit, STATE_WHOLE, x, n, width});
+}
+
+/* Through a copy in which the members lie side by side. */
+static void visit_members(struct state *s, const char *name,
+                          struct state_array a, size_t row, size_t stride)
+{
+    char *const x = a.values, *const copy = alloc_zeroed((size_t)a.rows, row);
+
+    a.values = copy;
+    for (long i = 0; i < a.rows && !s->loading; i++)
+        memcpy(copy + (size_t)i * row, x + (size_t)i * stride, row);
+    visit(s, name, a);
+    for (long i = 0; i < a.rows && s->loading && !s->failed; i++)
+        memcpy(x + (size_t)i * stride, copy + (size_t)i * row, row);
+    free(copy);
+}
+
+void state_reals_of(struct state *s, const char *name, const char *unit,
+                    double *x, size_t stride, long n, int width)
+{
+    visit_members(s, name,
+                  (struct state_array){NULL, unit, STATE_REAL, x, n, width},
+                  (size_t)width * sizeof *x, stride);
+}
+
+void state_wholes_of(struct state *s, const char *name, const char *unit,
+                     int *x, size_t stride, long n, int width)
+{
+    visit_members(s, name,
+                  (struct state_array){NULL, unit, STATE_WHOLE, x, n, width},
+                  (size_t)width * sizeof *x, stride);
+}
+
+void state_real(struct state *s, const char *name, const char *unit, double *x)
+{
+    state_reals(s, name, unit, x, 1, 1);
+}
+
+void state_whole(struct state *s, const char *name, const char *unit, int *x)
+{
+    state_wholes(s, name, unit, x, 1, 1);
+}
+
+void state_long(struct state *s, const char *name, const char *unit, long *x)
+{
+    visit(s, name, (struct state_array){NULL, unit, STATE_LONG, x, 1, 1});
+}
+
+void state_several(struct state *s, const char *name, const char *unit,
+                   double *const x[], int n)
+{
+    double all[STATE_SEVERAL];
+
+    assert(n <= STATE_SEVERAL);
+    for (int k = 0; k < n; k++)
+        all[k] = *x[k];
+    state_reals(s, name, unit, all, n, 1);
+    for (int k = 0; k < n; k++)
+        *x[k] = all[k];
+}
+
+void state_count(struct state *s, const char *name, int *n, int most)
+{
+    int now = *n;
+
+    state_whole(s, name, "-", &now);
+    if (!s->failed && (now < 0 || now > most)) {
+        fprintf(stderr,
+                "winnow: the state has %s/%s = %d; expected at most %d\n",
+                s->path, name, now, most);
+        s->failed = 1;
+    }
+    if (!s->failed) *n = now;
+}

@@ -1,0 +1,41 @@
+/* recorder_internal.h -- what the files behind recorder.h share. */
+#ifndef CASE_RECORDER_INTERNAL_H
+#define CASE_RECORDER_INTERNAL_H
+
+#include "case/field_output.h"
+#include "case/history.h"
+#include "case/probes.h"
+#include "case/profiles.h"
+#include "case/recorder.h"
+#include "case/recorder_part.h"
+#include "output/animation.h"
+#include "output/table.h"
+
+enum { MOST_COLUMNS = 64 };
+
+struct recorder {
+    const struct settings *settings;
+    const struct simulation *sim;
+    struct folder *folder; /* borrowed */
+    double began;          /* [s] wall clock */
+    double ended;          /* [s] the same; 0 while the run goes on */
+    int n_columns;
+    const struct history_column *column[MOST_COLUMNS];
+    struct table *history;
+    struct snapshot *snapshot;
+    struct field_output *pictures;
+    struct animation *animation;     /* NULL: off */
+    struct recorder_part_list parts; /* what folders add */
+    struct profiles *lines;
+    struct probes *probes;
+    long row_every, picture_every; /* [-] steps of the loop */
+    /* For the summary: the worst of the whole run, and means over its second
+     * half. */
+    double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
+    double eps_lowest;
+    long capped_steps;
+    double drop_sum, weight_sum;
+    long drop_rows;
+};
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/recorder_part.h"
+
+#include <assert.h>
+#include <stddef.h>
+
+int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
+                         const struct simulation *sim, struct folder *folder)
+{
+    int failed = 0;
+
+    for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
+        assert(l->n < RECORDER_PART_MOST);
+        l->part[l->n] = recorder_parts[i];
+        l->state[l->n] = recorder_parts[i]->create(s, sim, folder, &failed);
+        l->n += l->state[l->n] != NULL;
+    }
+    return failed;
+}
+
+void recorder_part_free(struct recorder_part_list *l)
+{
+    for (int i = 0; i < l->n; i++)
+        l->part[i]->free(l->state[i]);
+}
+
+int recorder_part_row(const struct recorder_part_list *l)
+{
+    int failed = 0;
+
+    for (int i = 0; i < l->n && !failed; i++)
+        if (l->part[i]->row != NULL) failed = l->part[i]->row(l->state[i]);
+    return failed;
+}
+
+int recorder_part_fields(const struct recorder_part_list *l, double t)
+{
+    int failed = 0;
+
+    for (int i = 0; i < l->n && !failed; i++)
+        if (l->part[i]->fields != NULL)
+            failed = l->part[i]->fields(l->state[i], t);
+    return failed;
+}
+
+int recorder_part_finish(const struct recorder_part_list *l)
+{
+    int failed = 0;
+
+    for (int i = 0; i < l->n && !failed; i++)
+        if (l->part[i]->finish != NULL)
+            failed = l->part[i]->finish(l->state[i]);
+    return failed;
+}
+
+void recorder_part_state(const struct recorder_part_list *l, struct state *s)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->state != NULL) l->part[i]->state(l->state[i], s);
+}

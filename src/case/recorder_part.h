@@ -1,0 +1,48 @@
+/* recorder_part.h -- a file of results that a folder adds to those of a run.
+ *
+ * Its descriptor is named in the models.txt of the folder. row, fields and
+ * finish and state may be NULL; they return non-zero after a message.
+ */
+#ifndef CASE_RECORDER_PART_H
+#define CASE_RECORDER_PART_H
+
+#include "base/state.h"
+#include "case/settings.h"
+#include "coupling/simulation.h"
+#include "output/folder.h"
+
+struct recorder_part {
+    /* What the functions below get, released by free. NULL if this simulation
+     * has nothing of the kind, and, with *failed, after a message if the file
+     * cannot be written. */
+    void *(*create)(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed);
+    void (*free)(void *part);
+    int (*row)(void *part);              /* with each row of history.csv */
+    int (*fields)(void *part, double t); /* with the fields of time t [s] */
+    int (*finish)(void *part);           /* at the end of the run */
+    /* Visits what the rows to come depend on (state.h). */
+    void (*state)(void *part, struct state *s);
+};
+
+/* All of them, ended by NULL. */
+extern const struct recorder_part *const recorder_parts[];
+
+/* Those that this simulation has something of. */
+enum { RECORDER_PART_MOST = 16 };
+struct recorder_part_list {
+    int n;
+    const struct recorder_part *part[RECORDER_PART_MOST];
+    void *state[RECORDER_PART_MOST];
+};
+
+/* The same of all parts together. */
+int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
+                         const struct simulation *sim, struct folder *folder);
+void recorder_part_free(struct recorder_part_list *l);
+int recorder_part_row(const struct recorder_part_list *l);
+int recorder_part_fields(const struct recorder_part_list *l, double t);
+int recorder_part_finish(const struct recorder_part_list *l);
+void recorder_part_state(const struct recorder_part_list *l, struct state *s);
+
+#endif

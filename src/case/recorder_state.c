@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* recorder_state.c -- the visit of all output.  Chapter "Nothing is lost". */
+#include "case/recorder_internal.h"
+
+#include "base/clock.h"
+
+static void sums_state(struct recorder *r, struct state *s)
+{
+    double elapsed = clock_now() - r->began;
+
+    state_real(s, "elapsed", "s", &elapsed);
+    r->began = clock_now() - elapsed;
+    state_real(s, "worst_mass", "-", &r->worst_mass);
+    state_real(s, "worst_momentum", "-", &r->worst_momentum);
+    state_real(s, "worst_exchange", "-", &r->worst_exchange);
+    state_real(s, "worst_overlap", "-", &r->worst_overlap);
+    state_real(s, "worst_cfl", "-", &r->worst_cfl);
+    state_real(s, "eps_lowest", "-", &r->eps_lowest);
+    state_long(s, "capped_steps", "-", &r->capped_steps);
+    state_real(s, "drop_sum", "Pa", &r->drop_sum);
+    state_real(s, "weight_sum", "Pa", &r->weight_sum);
+    state_long(s, "drop_rows", "-", &r->drop_rows);
+}
+
+/* The folder comes last: only when all files are found to be there, it removes
+ * later ones. */
+void recorder_state(struct recorder *r, struct state *s)
+{
+    state_begin(s, "recorder");
+    sums_state(r, s);
+    snapshot_state(r->snapshot, r->sim->mesh, s);
+    profiles_state(r->lines, s);
+    table_state(r->history, s);
+    probes_state(r->probes, s);
+    recorder_part_state(&r->parts, s);
+    field_output_state(r->pictures, s);
+    if (r->animation != NULL) animation_state(r->animation, s);
+    folder_state(r->folder, s);
+    state_end(s);
+}

@@ -1,0 +1,321 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resume/case_text.h"
+
+#include <libconfig.h>
+#include <stdlib.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/input.h"
+#include "base/number.h"
+#include "case/case_file.h"
+#include "case/schema.h"
+#include "case/source.h"
+
+enum { PATH = 512 };
+
+/* --- values --------------------------------------------------------------- */
+
+static void put_string(FILE *out, const char *text)
+{
+    fputc('"', out);
+    for (; *text != '\0'; text++) {
+        if (*text == '"' || *text == '\\') fputc('\\', out);
+        if (*text == '\n')
+            fputs("\\n", out);
+        else
+            fputc(*text, out);
+    }
+    fputc('"', out);
+}
+
+/* A real number keeps its point, or libconfig would read a whole one. */
+static void put_real(FILE *out, double x)
+{
+    char text[NUMBER_LENGTH];
+
+    fputs(number_text(x, text), out);
+    if (strpbrk(text, ".en") == NULL) fputs(".0", out);
+}
+
+/* A value on one line, as a case would write it. */
+static void put_value(FILE *out, const config_setting_t *s)
+{
+    const int type = config_setting_type(s);
+    const char *const ends = type == CONFIG_TYPE_ARRAY ? "[]" : "()";
+
+    if (type == CONFIG_TYPE_STRING)
+        put_string(out, config_setting_get_string(s));
+    else if (type == CONFIG_TYPE_BOOL)
+        fputs(config_setting_get_bool(s) ? "true" : "false", out);
+    else if (type == CONFIG_TYPE_FLOAT)
+        put_real(out, config_setting_get_float(s));
+    else if (type == CONFIG_TYPE_INT)
+        fprintf(out, "%d", config_setting_get_int(s));
+    else if (type == CONFIG_TYPE_INT64)
+        fprintf(out, "%lldL", config_setting_get_int64(s));
+    else {
+        fputc(ends[0], out);
+        for (int i = 0; i < config_setting_length(s); i++) {
+            fputs(i > 0 ? ", " : "", out);
+            put_value(out, config_setting_get_elem(s, (unsigned)i));
+        }
+        fputc(ends[1], out);
+    }
+}
+
+/* A list of groups, of which each is written by itself. */
+static int has_groups(const config_setting_t *s)
+{
+    return config_setting_is_group(s) ||
+           (config_setting_is_list(s) && config_setting_length(s) > 0 &&
+            config_setting_is_group(config_setting_get_elem(s, 0)));
+}
+
+/* --- files that are named ------------------------------------------------- */
+
+/* The key of a path without the numbers of lists: "particles.surfaces.file". */
+static int is_file(const char *path)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+    char key[PATH] = "";
+
+    for (const char *at = path; *at != '\0';) {
+        const size_t n = strcspn(at, ".");
+        if (strspn(at, "0123456789") < n)
+            snprintf(key + strlen(key), PATH - strlen(key), "%s%.*s",
+                     key[0] != '\0' ? "." : "", (int)n, at);
+        at += n + (at[n] == '.');
+    }
+    case_file_tables(tables);
+    const struct key *const row = schema_find(tables, key);
+    return row != NULL && row->type == KEY_FILE;
+}
+
+static unsigned long checksum_of(const char *path)
+{
+    size_t length;
+    const char *why;
+    char *const text = input_text(path, &length, &why);
+    const unsigned long sum =
+        text != NULL ? crc32_z(0, (unsigned char *)text, length) : 0;
+
+    free(text);
+    return sum;
+}
+
+/* A bed is made by the run itself where it is not there yet. */
+static void put_contents(FILE *out, const struct settings *s, const char *path,
+                         const char *name)
+{
+    char file[SETTINGS_PATH];
+
+    if (strcmp(path, "particles.bed.file") == 0) return;
+    settings_beside(s, name, file, sizeof file);
+    fprintf(out, "%s = crc32 %08lx\n", path, checksum_of(file));
+}
+
+/* --- lines ---------------------------------------------------------------- */
+
+static void put_lines(FILE *out, const struct settings *s,
+                      const config_setting_t *at, const char *path)
+{
+    for (int i = 0; i < config_setting_length(at); i++) {
+        const config_setting_t *const one =
+            config_setting_get_elem(at, (unsigned)i);
+        const char *const name = config_setting_name(one);
+        char below[PATH], number[16];
+
+        snprintf(number, sizeof number, "%d", i);
+        snprintf(below, sizeof below, "%s%s%s", path,
+                 path[0] != '\0' ? "." : "", name != NULL ? name : number);
+        if (has_groups(one)) {
+            put_lines(out, s, one, below);
+        } else if (is_file(below)) {
+            put_contents(out, s, below, config_setting_get_string(one));
+        } else {
+            fprintf(out, "%s = ", below);
+            put_value(out, one);
+            fputc('\n', out);
+        }
+    }
+}
+
+static int by_text(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* In order, for a case may name its keys in any. */
+static char *sorted(char *text)
+{
+    size_t n = 0, at = 0;
+    const size_t length = strlen(text);
+    char *const result = alloc_zeroed(length + 1, 1);
+
+    for (size_t i = 0; i < length; i++)
+        n += text[i] == '\n';
+    char **const line = alloc_zeroed(n, sizeof *line);
+    n = 0;
+    for (char *next = strtok(text, "\n"); next; next = strtok(NULL, "\n"))
+        line[n++] = next;
+    qsort(line, n, sizeof *line, by_text);
+    for (size_t i = 0; i < n; i++)
+        at += (size_t)sprintf(result + at, "%s\n", line[i]);
+    free(line);
+    free(text);
+    return result;
+}
+
+char *case_text_lines(const struct settings *s)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *const out = open_memstream(&text, &length);
+
+    put_lines(out, s, settings_root(s), "");
+    fclose(out);
+    return sorted(text);
+}
+
+/* --- comparison ----------------------------------------------------------- */
+
+static int may_change(const char *line)
+{
+    static const char *const free_keys[] = {
+        "title ",        "cites ",          "output.end ",
+        "output.every ", "output.history ", "output.checkpoint "};
+
+    for (size_t i = 0; i < sizeof free_keys / sizeof *free_keys; i++)
+        if (strncmp(line, free_keys[i], strlen(free_keys[i])) == 0) return 1;
+    return 0;
+}
+
+static size_t line_length(const char *line)
+{
+    return strcspn(line, "\n");
+}
+
+/* The line of the same key, or NULL. */
+static const char *line_of(const char *lines, const char *key, size_t length)
+{
+    for (; *lines != '\0'; lines += line_length(lines) + 1)
+        if (strncmp(lines, key, length) == 0 &&
+            strncmp(lines + length, " = ", 3) == 0)
+            return lines;
+    return NULL;
+}
+
+char *case_text_value(const char *lines, const char *key)
+{
+    const char *const line = line_of(lines, key, strlen(key));
+
+    if (line == NULL) return NULL;
+    return strndup(line + strlen(key) + 3, line_length(line) - strlen(key) - 3);
+}
+
+/* The first line of `a` that is not in `b`. */
+static const char *first_missing(const char *a, const char *b)
+{
+    for (; *a != '\0'; a += line_length(a) + 1) {
+        const size_t key = strcspn(a, " ");
+        const char *const other = line_of(b, a, key);
+        const size_t n = line_length(a) + 1;
+
+        if (!may_change(a) && (other == NULL || strncmp(a, other, n) != 0))
+            return a;
+    }
+    return NULL;
+}
+
+int case_text_differs(const char *was, const char *is, const char *path)
+{
+    const char *line = first_missing(is, was);
+
+    if (line == NULL) line = first_missing(was, is);
+    if (line == NULL) return 0;
+    const int n = (int)strcspn(line, " ");
+    const char *const a = line_of(was, line, (size_t)n);
+    const char *const b = line_of(is, line, (size_t)n);
+
+    fprintf(stderr,
+            "winnow: %.*s is %.*s in this case, and %.*s in that of %s; to "
+            "resume a run only the title, output.end, every, history and "
+            "checkpoint may change\n",
+            n, line, b != NULL ? (int)line_length(b) - n - 3 : 7,
+            b != NULL ? b + n + 3 : "not set",
+            a != NULL ? (int)line_length(a) - n - 3 : 7,
+            a != NULL ? a + n + 3 : "not set", path);
+    return 1;
+}
+
+/* --- as a case ------------------------------------------------------------ */
+
+struct writer {
+    FILE *out;
+    char *(*file_name)(void *of, const char *key, const char *name);
+    void *of;
+};
+
+static void put_members(const struct writer *w, const config_setting_t *at,
+                        const char *path, int depth);
+
+static void put_group(const struct writer *w, const config_setting_t *s,
+                      const char *path, int depth)
+{
+    fputs("{\n", w->out);
+    put_members(w, s, path, depth + 1);
+    fprintf(w->out, "%*s}", 4 * depth, "");
+}
+
+static void put_setting(const struct writer *w, const config_setting_t *s,
+                        const char *path, int depth)
+{
+    if (config_setting_is_group(s)) {
+        put_group(w, s, path, depth);
+    } else if (has_groups(s)) {
+        fputc('(', w->out);
+        for (int i = 0; i < config_setting_length(s); i++) {
+            fputs(i > 0 ? ", " : "", w->out);
+            put_group(w, config_setting_get_elem(s, (unsigned)i), path, depth);
+        }
+        fputc(')', w->out);
+    } else if (is_file(path)) {
+        char *const name =
+            w->file_name(w->of, path, config_setting_get_string(s));
+        put_string(w->out, name);
+        free(name);
+    } else {
+        put_value(w->out, s);
+    }
+}
+
+static void put_members(const struct writer *w, const config_setting_t *at,
+                        const char *path, int depth)
+{
+    for (int i = 0; i < config_setting_length(at); i++) {
+        const config_setting_t *const one =
+            config_setting_get_elem(at, (unsigned)i);
+        const char *const name = config_setting_name(one);
+        char below[PATH];
+
+        if (source_is_default(one)) continue;
+        snprintf(below, sizeof below, "%s%s%s", path,
+                 path[0] != '\0' ? "." : "", name);
+        fprintf(w->out, "%*s%s = ", 4 * depth, "", name);
+        put_setting(w, one, below, depth);
+        fputs(";\n", w->out);
+    }
+}
+
+void case_text_write(const struct settings *s, FILE *out,
+                     char *(*file_name)(void *of, const char *key,
+                                        const char *name),
+                     void *of)
+{
+    const struct writer w = {out, file_name, of};
+
+    put_members(&w, settings_root(s), "", 0);
+}

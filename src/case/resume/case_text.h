@@ -1,0 +1,31 @@
+/* case_text.h -- a case as text: all that it says, with its overrides. Chapter
+ * "Nothing is lost".
+ */
+#ifndef CASE_RESUME_CASE_TEXT_H
+#define CASE_RESUME_CASE_TEXT_H
+
+#include <stdio.h>
+
+#include "case/settings.h"
+
+/* One line for each value, "fluid.density = 1.2", defaults too; a file that the
+ * case names stands for its contents, by their checksum. A new string. */
+char *case_text_lines(const struct settings *s);
+
+/* Whether two such texts are of the same case, but for what may change when a
+ * run is resumed: output.end, every, history and checkpoint, and the title.
+ * Non-zero after a message that names the first other key with both values. */
+int case_text_differs(const char *was, const char *is, const char *path);
+
+/* The value of a key in such a text, as a new string; NULL if it is not there.
+ */
+char *case_text_value(const char *lines, const char *key);
+
+/* The case as a file that `winnow run` reads: no defaults, and files by the
+ * names that `file_name` gives them (a new string each). */
+void case_text_write(const struct settings *s, FILE *out,
+                     char *(*file_name)(void *of, const char *key,
+                                        const char *name),
+                     void *of);
+
+#endif

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* resume.c -- saves the state of a run, and resumes it.  Chapter "Nothing is
+ * lost".
+ *
+ * DIR/checkpoint is written every output.checkpoint seconds of wall time, on
+ * SIGUSR1, and at every end; DIR/checkpoint.before is the one before it. In
+ * between, a copy of the state in memory is renewed about every second, for a
+ * run that breaks down has no good state any more. */
+#include "case/saver.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/input.h"
+#include "base/interrupt.h"
+#include "base/version.h"
+#include "case/resume/case_text.h"
+#include "case/resume/resume.h"
+#include "output/checkpoint/state_file.h"
+
+/* Wall time between two copies: at least this, and so many times what one
+ * takes [s], [-]. */
+static const double shortest_interval = 1.0, least_ratio = 50.0;
+
+struct resume {
+    const struct settings *settings;
+    const struct run_options *options;
+    struct folder *folder;
+    struct simulation *sim;
+    struct recorder *recorder;
+    char *path, *before;      /* of the two files */
+    char *lines;              /* the case (case_text.h) */
+    struct state_file *found; /* to resume from; NULL */
+    struct state_image image; /* the last copy of the state */
+    long sampled;             /* [-] steps whose results were written */
+    double copied, written;   /* [s] wall clock of the last of each */
+    double cost;              /* [s] that a copy takes */
+};
+
+/* --- saving --------------------------------------------------------------- */
+
+static void put_texts(const struct resume *r, struct state_file *f)
+{
+    const char *why;
+    size_t length;
+    char *const text = input_text(settings_file(r->settings), &length, &why);
+
+    state_file_put_text(f, "program", "winnow " VERSION_TEXT);
+    state_file_put_text(f, "case_file", settings_file(r->settings));
+    state_file_put_text(f, "case", text != NULL ? text : "");
+    state_file_put_text(f, "settings", r->lines);
+    free(text);
+    for (int i = 0; i < r->options->n_overrides; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "override_%d", i + 1);
+        state_file_put_text(f, name, r->options->overrides[i]);
+    }
+}
+
+static int visit_all(const struct resume *r, struct state_file *f)
+{
+    struct state *const s = state_file_state(f);
+
+    if (simulation_state(r->sim, s) == 0) recorder_state(r->recorder, s);
+    return s->failed;
+}
+
+/* A copy of the state as it is now. */
+static int copy_state(struct resume *r)
+{
+    double clock = clock_now();
+    struct state_file *const f = state_file_create();
+
+    put_texts(r, f);
+    visit_all(r, f);
+    free(r->image.bytes);
+    r->image = state_file_image(f);
+    r->cost = 0.0;
+    clock_add(&r->cost, &clock);
+    r->copied = clock;
+    return r->image.bytes == NULL;
+}
+
+/* Writes the copy; the file of before becomes the one before. */
+static int write_copy(struct resume *r)
+{
+    r->written = clock_now();
+    return state_file_write(&r->image, r->path, r->before);
+}
+
+static int save(struct resume *r)
+{
+    return copy_state(r) != 0 || write_copy(r) != 0;
+}
+
+/* --- finding -------------------------------------------------------------- */
+
+/* The newer of the two files that is whole. */
+static struct state_file *find(const struct resume *r)
+{
+    const char *const path[2] = {r->path, r->before};
+    int there = 0;
+
+    for (int i = 0; i < 2; i++) {
+        const char *why;
+        struct state_file *const f = state_file_open(path[i], &why);
+        if (f != NULL) return f;
+        if (why == NULL) continue;
+        there = 1;
+        fprintf(stderr, "winnow: %s is not taken: %s\n", path[i], why);
+    }
+    fprintf(stderr, "winnow: nothing to resume in %s: no %scheckpoint\n",
+            folder_name(r->folder), there ? "whole " : "");
+    return NULL;
+}
+
+/* The state that was found must be of this case, and before its end. */
+static int found_wrong(const struct resume *r)
+{
+    char *const was = state_file_text(r->found, "settings");
+    char *const program = state_file_text(r->found, "program");
+    const int wrong = case_text_differs(was, r->lines, r->path);
+
+    if (!wrong && strcmp(program, "winnow " VERSION_TEXT) != 0)
+        fprintf(stderr,
+                "winnow: %s was written by %s; this is winnow " VERSION_TEXT
+                ", whose numbers may differ\n",
+                r->path, program);
+    free(was);
+    free(program);
+    return wrong;
+}
+
+static void release(void *memory)
+{
+    struct resume *const r = memory;
+
+    state_file_free(r->found);
+    free(r->image.bytes);
+    free(r->path);
+    free(r->before);
+    free(r->lines);
+    free(r);
+}
+
+static void *create(const struct settings *s, struct folder *folder,
+                    const struct run_options *o, int *code)
+{
+    struct resume *const r = alloc_zeroed(1, sizeof *r);
+
+    *code = 0;
+    r->settings = s;
+    r->options = o;
+    r->folder = folder;
+    r->path = file_join(folder_name(folder), RESUME_FILE);
+    r->before = file_join(folder_name(folder), RESUME_FILE_BEFORE);
+    r->lines = case_text_lines(s);
+    if (!o->resume) return r;
+    r->found = find(r);
+    if (r->found != NULL && !found_wrong(r)) return r;
+    *code = 2;
+    release(r);
+    return NULL;
+}
+
+/* --- the run -------------------------------------------------------------- */
+
+static int load(struct resume *r)
+{
+    if (visit_all(r, r->found) != 0 || state_file_all_visited(r->found) != 0)
+        return 1;
+    state_file_free(r->found);
+    r->found = NULL;
+    if (!r->options->quiet)
+        fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
+                folder_name(r->folder), r->sim->t, r->sim->steps);
+    return recorder_begin(r->recorder);
+}
+
+/* Lists a file before it is written. */
+static int list(const struct resume *r, const char *name)
+{
+    char *const path = folder_file(r->folder, name);
+
+    free(path);
+    return path == NULL;
+}
+
+static int begin(void *memory, struct simulation *sim,
+                 struct recorder *recorder)
+{
+    struct resume *const r = memory;
+
+    r->sim = sim;
+    r->recorder = recorder;
+    if (r->found != NULL && load(r) != 0) return 1;
+    if (!r->options->resume &&
+        (list(r, RESUME_FILE) != 0 || list(r, RESUME_FILE_BEFORE) != 0))
+        return 1;
+    r->written = clock_now();
+    r->sampled = sim->steps;
+    return copy_state(r);
+}
+
+static int after_step(void *memory)
+{
+    struct resume *const r = memory;
+    const double now = clock_now();
+    const double every = settings_real(r->settings, "output.checkpoint");
+
+    r->sampled = r->sim->steps;
+    if (interrupt_asks_to_save()) {
+        if (save(r) != 0) return 1;
+        fprintf(stderr, "%s: saved at t = %g s\n", r->path, r->sim->t);
+        return 0;
+    }
+    if (now - r->written >= every) return save(r);
+    if (now - r->copied < fmax(shortest_interval, least_ratio * r->cost))
+        return 0;
+    return copy_state(r);
+}
+
+/* The state as it is now, unless the last step broke down or was cut short. */
+static int end(void *memory)
+{
+    struct resume *const r = memory;
+    if (r->image.bytes == NULL) return 0;
+    return r->sampled == r->sim->steps ? save(r) : write_copy(r);
+}
+
+const struct saver resume_saver = {.name = "resume",
+                                   .create = create,
+                                   .begin = begin,
+                                   .after_step = after_step,
+                                   .end = end,
+                                   .free = release};

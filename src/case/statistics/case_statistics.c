@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/statistics/case_statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "case/case_steps.h"
+#include "case/history.h"
+#include "case/statistics/grain_series.h"
+#include "case/statistics/layers.h"
+#include "case/statistics/statistics_files.h"
+
+static const char group[] = "output.statistics";
+
+/* What is sampled as one number a row: the last only with a fluid. */
+static const char *const names[STATISTICS_SCALARS] = {
+    "temperature_axial", "temperature_transverse", "bed_height",
+    "bed_height_99",     "pressure_drop",
+};
+static const char *const columns[1 + STATISTICS_SCALARS] = {
+    "time [s]",
+    "temperature_axial [m2/s2]",
+    "temperature_transverse [m2/s2]",
+    "bed_height [m]",
+    "bed_height_99 [m]",
+    "pressure_drop [Pa]",
+};
+
+/* The axis that gravity has most of; the way up, y, without it. */
+static int axis_of(const double g[3])
+{
+    int axis = 1;
+
+    for (int k = 0; k < 3; k++)
+        if (fabs(g[k]) > fabs(g[axis])) axis = k;
+    return axis;
+}
+
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    (void)failed; /* nothing is written before the end */
+    if (!settings_has(s, group)) return NULL;
+    struct case_statistics *const self = alloc_zeroed(1, sizeof *self);
+    const long rows = case_steps_until_end(s) / case_steps_between_rows(s) + 2;
+
+    self->sim = sim;
+    self->folder = folder;
+    self->names = names;
+    self->columns = columns;
+    self->n_scalars = STATISTICS_SCALARS - (sim->fluid == NULL);
+    self->from = settings_real(s, "output.statistics.from");
+    self->plateau = settings_real(s, "output.statistics.plateau");
+    self->blocks = settings_int(s, "output.statistics.blocks");
+    self->dt = (double)case_steps_between_rows(s) * sim->dt;
+    self->axis = axis_of(sim->gravity);
+    self->rows = (int)rows;
+    self->first = -1;
+    self->series = alloc_doubles((1 + STATISTICS_SCALARS) * self->rows);
+    self->room = alloc_doubles(2 * sim->particles->capacity);
+    if (sim->fluid != NULL)
+        self->layers = layers_create(sim->mesh, self->axis, self->rows);
+    if (sim->coupling != NULL && sim->population == NULL &&
+        settings_has(s, "output.statistics.lags")) {
+        self->lags =
+            (int)fmin(settings_real(s, "output.statistics.lags") / self->dt,
+                      self->rows / 2.0) +
+            1;
+        self->grains = grain_series_create(sim->particles->n, self->rows);
+    }
+    return self;
+}
+
+static void release(void *memory)
+{
+    struct case_statistics *const self = memory;
+
+    free(self->series);
+    free(self->room);
+    layers_free(self->layers);
+    grain_series_free(self->grains);
+    free(self);
+}
+
+/* The two components across the axis, with one mean each. */
+static double transverse_temperature(const struct case_statistics *self)
+{
+    const struct particles *const ps = self->sim->particles;
+    const double *const v[3] = {ps->vx, ps->vy, ps->vz};
+
+    return 0.5 * (temperature_of(ps->n, v[(self->axis + 1) % 3]) +
+                  temperature_of(ps->n, v[(self->axis + 2) % 3]));
+}
+
+/* One row of series.csv. */
+static void sample_scalars(struct case_statistics *self, double *row)
+{
+    const struct simulation *const sim = self->sim;
+    const struct particles *const ps = sim->particles;
+    const double *const v[3] = {ps->vx, ps->vy, ps->vz};
+    const double *const x[3] = {ps->x, ps->y, ps->z};
+    const int a = self->axis;
+    const double up = sim->gravity[a] > 0.0 ? -1.0 : 1.0;
+    const double floor = up > 0.0 ? sim->mesh->lo[a] : -sim->mesh->hi[a];
+
+    for (int i = 0; i < ps->n; i++)
+        self->room[i] = up * x[a][i];
+    row[0] = sim->t;
+    row[1] = temperature_of(ps->n, v[a]);
+    row[2] = transverse_temperature(self);
+    row[3] = temperature_bed_height(ps->n, self->room, floor);
+    row[4] = temperature_percentile(ps->n, self->room, 0.99,
+                                    self->room + ps->capacity) -
+             floor;
+    if (sim->fluid != NULL) row[5] = history_pressure_drop(sim);
+}
+
+static int add(void *memory)
+{
+    struct case_statistics *const self = memory;
+    const int stride = 1 + self->n_scalars;
+
+    if (self->n >= self->rows) return 0; /* the last state, once more */
+    sample_scalars(self, &self->series[stride * self->n++]);
+    if (self->sim->t < self->from - 0.5 * self->dt) return 0;
+    if (self->first < 0) self->first = self->n - 1;
+    if (self->layers != NULL) layers_add(self->layers, self->sim->fluid->eps);
+    if (self->grains != NULL) grain_series_add(self->grains, self->sim);
+    return 0;
+}
+
+static void visit(void *memory, struct state *s)
+{
+    struct case_statistics *const self = memory;
+
+    state_begin(s, "statistics");
+    state_count(s, "rows", &self->n, self->rows);
+    state_whole(s, "first", "-", &self->first);
+    state_reals(s, "series", "s m2/s2 m2/s2 m m Pa", self->series, self->n,
+                1 + self->n_scalars);
+    if (self->layers != NULL) layers_state(self->layers, s);
+    if (self->grains != NULL) grain_series_state(self->grains, s);
+    state_end(s);
+}
+
+static int finish(void *memory)
+{
+    return statistics_files_write(memory);
+}
+
+static const struct key keys[] = {
+    {"output.statistics", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "means, errors, correlations of a bed, in the folder statistics",
+     "EW18 23-31", "particles"},
+    {"output.statistics.from", KEY_REAL, "s", ">= 0", "0.0",
+     "time of the first sample; each row of history.csv is one", "EW18 23", ""},
+    {"output.statistics.blocks", KEY_INT, "-", ">= 2, <= 1000", "8",
+     "blocks for the standard errors; each should outlast a memory", "", ""},
+    {"output.statistics.lags", KEY_REAL, "s", "> 0", KEY_OPTIONAL,
+     "longest time of the correlation of the grains' drag coefficients, whose "
+     "series are then kept; left out: none",
+     "EW18 28", "exchange"},
+    {"output.statistics.plateau", KEY_REAL, "s", ">= 0", "0.0",
+     "integral times are means over ends beyond this", "EW18 31", ""},
+    KEY_END};
+
+static int check(const struct settings *s)
+{
+    if (!settings_has(s, group)) return 0;
+    if (settings_real(s, "output.statistics.from") <
+        settings_real(s, "output.end"))
+        return 0;
+    return settings_wrong(s, "output.statistics.from",
+                          "the run ends at %g s, before the first sample",
+                          settings_real(s, "output.end"));
+}
+
+const struct case_part case_statistics_part = {.keys = keys, .check = check};
+
+const struct recorder_part case_statistics_output = {.create = create,
+                                                     .free = release,
+                                                     .row = add,
+                                                     .finish = finish,
+                                                     .state = visit};

@@ -1,0 +1,24 @@
+/* case_statistics.h -- output.statistics: what a bed does in the mean.
+ * Chapter "Agitation".
+ *
+ * From the time `from` on each row of history.csv is a sample. Written into
+ * DIR/statistics/ at the end:
+ *
+ *   series.csv       granular temperature along gravity and across it, heights,
+ *                    and with a fluid the pressure drop, all from the start
+ *   profile.csv      fluid fraction against height, with its error
+ *   correlation.csv  R of the grains' drag coefficients, its running integral
+ *   density.csv      their density, and that of one over its mean
+ *   summary.json     mean, standard error by blocks, deviation, skewness, and
+ *                    integral time of each
+ */
+#ifndef CASE_STATISTICS_CASE_STATISTICS_H
+#define CASE_STATISTICS_CASE_STATISTICS_H
+
+#include "case/case_part.h"
+#include "case/recorder_part.h"
+
+extern const struct case_part case_statistics_part;
+extern const struct recorder_part case_statistics_output;
+
+#endif

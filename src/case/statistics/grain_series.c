@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/statistics/grain_series.h"
+
+#include <gsl/gsl_math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+#include "coupling/drag_laws/coefficient.h"
+
+struct grain_series *grain_series_create(int n, int rows)
+{
+    struct grain_series *const g = alloc_zeroed(1, sizeof *g);
+
+    g->n = n;
+    g->rows = rows;
+    g->Cd = alloc_doubles(n * rows);
+    g->Re = alloc_doubles(n);
+    g->eps = alloc_doubles(n);
+    return g;
+}
+
+void grain_series_free(struct grain_series *g)
+{
+    if (g == NULL) return;
+    free(g->Cd);
+    free(g->Re);
+    free(g->eps);
+    free(g);
+}
+
+static double slip_of(const struct simulation *sim, int i)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const u = &sim->coupling->u_f[3 * i];
+
+    return gsl_hypot3(u[0] - ps->vx[i], u[1] - ps->vy[i], u[2] - ps->vz[i]);
+}
+
+void grain_series_add(struct grain_series *g, const struct simulation *sim)
+{
+    const struct fluid_options *const o = &sim->fluid->options;
+    const struct particles *const ps = sim->particles;
+    const struct coupling *const cp = sim->coupling;
+
+    for (int i = 0; i < ps->n; i++) {
+        const int id = ps->id[i];
+        const double w = slip_of(sim, i), eps = cp->eps[i], d = ps->d[i];
+        g->eps[id] = eps;
+        g->Re[id] = coefficient_reynolds(eps, o->rho, o->mu, d, w);
+        g->Cd[(long)id * g->rows + g->n_rows] =
+            w > 0.0
+                ? coefficient_of_force(cp->k[i] * w / eps, o->rho, d, eps, w)
+                : 0.0;
+    }
+    g->n_rows++;
+}
+
+void grain_series_state(struct grain_series *g, struct state *s)
+{
+    state_count(s, "grain_rows", &g->n_rows, g->rows);
+    state_reals(s, "C_d", "-", g->Cd, g->n, g->rows);
+    state_reals(s, "Re_p", "-", g->Re, g->n, 1);
+    state_reals(s, "eps_f", "-", g->eps, g->n, 1);
+}

@@ -1,0 +1,31 @@
+/* case_surfaces.h -- the walls of a case besides its box, and prescribed
+ * particles.  Chapter "Walls".
+ */
+#ifndef CASE_SURFACES_CASE_SURFACES_H
+#define CASE_SURFACES_CASE_SURFACES_H
+
+#include "base/key.h"
+#include "case/settings.h"
+#include "dem/surfaces/prescribed_particles.h"
+#include "dem/surfaces/surface.h"
+
+extern const struct key case_surfaces_keys[];
+
+/* How many there are, the walls of a mesh counted as one. */
+int case_surfaces_count(const struct settings *s);
+int case_surfaces_count_prescribed(const struct settings *s);
+
+/* The surfaces of particles.surfaces, with their files read, and the walls of
+ * the mesh; *code is 0, or 2 after one message. Their names belong to the
+ * settings. */
+struct surface *case_surfaces_create(const struct settings *s, int *code);
+void case_surfaces_free(struct surface *list, int n);
+
+/* Those of particles.prescribed, to be released with free(). */
+struct prescribed_particle *
+case_surfaces_create_prescribed(const struct settings *s);
+
+/* 0, or 2 after a message about what the case says of them. */
+int case_surfaces_check(const struct settings *s);
+
+#endif

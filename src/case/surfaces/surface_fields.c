@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* surface_fields.c -- the surfaces as polygons: DIR/surfaces.pvd. */
+#include "case/recorder_part.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "case/field_output.h"
+#include "dem/surfaces/surface.h"
+#include "output/series.h"
+#include "output/surfaces/outline.h"
+#include "output/vtk.h"
+
+struct surface_fields {
+    const struct simulation *sim;
+    struct folder *folder; /* borrowed */
+    struct series *series;
+    struct outline outline;
+    struct vtk_writer *writer;
+};
+
+static void release(void *part)
+{
+    struct surface_fields *const p = part;
+
+    series_free(p->series);
+    outline_release(&p->outline);
+    vtk_writer_free(p->writer);
+    free(p);
+}
+
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    (void)s;
+    if (sim->n_surfaces == 0) return NULL;
+    struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
+
+    p->sim = sim;
+    p->folder = folder;
+    p->writer = vtk_writer_create();
+    p->series = field_output_series(folder, "surfaces", "vtp");
+    if (p->series != NULL) return p;
+    *failed = 1;
+    release(p);
+    return NULL;
+}
+
+static int any_moves(const struct simulation *sim)
+{
+    int moves = 0;
+
+    for (int k = 0; k < sim->n_surfaces; k++)
+        moves |= motion_is_any(&sim->surfaces[k].motion);
+    return moves;
+}
+
+/* Writes them once, if none of them moves. */
+static int add(void *part, double t)
+{
+    struct surface_fields *const p = part;
+    const struct simulation *const sim = p->sim;
+    const struct mesh *const m = sim->mesh;
+    struct outline *const o = &p->outline;
+
+    if (series_count(p->series) > 0 && !any_moves(sim)) return 0;
+    outline_draw(o, sim->surfaces, sim->n_surfaces, m->lo, m->hi, t);
+    const struct vtk_polygons shape = {o->n_points, o->n_polygons, o->x,
+                                       o->corner, o->end};
+    const struct vtk_array of = {
+        .name = "surface", .components = 1, .ints = o->of};
+    const char *const path = series_next(p->series);
+    return folder_list(p->folder, path) != 0 ||
+           vtk_write_polygons(p->writer, path, &shape, t, 1, &of) != 0 ||
+           series_add(p->series, t) != 0;
+}
+
+static void visit(void *part, struct state *s)
+{
+    struct surface_fields *const p = part;
+    series_state(p->series, s);
+}
+
+const struct recorder_part surface_fields_part = {
+    .create = create, .free = release, .fields = add, .state = visit};

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* surfaces_part.c -- surfaces and prescribed particles as a part of a case. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "case/case_mesh.h"
+#include "case/case_part.h"
+#include "case/case_scales.h"
+#include "case/check_line.h"
+#include "case/models.h"
+#include "case/surfaces/case_surfaces.h"
+#include "case/surfaces/case_walls.h"
+#include "dem/surfaces/surface_start.h"
+
+static int check(const struct settings *s)
+{
+    const int code = case_surfaces_check(s);
+    return code != 0 ? code : case_walls_check(s);
+}
+
+static void dem_options(const struct settings *s, struct dem_options *o)
+{
+    case_walls_ends(s, o->lo, o->hi);
+    o->n_surfaces = case_surfaces_count(s);
+    o->n_prescribed = case_surfaces_count_prescribed(s);
+}
+
+/* --- what `winnow check` says of it --------------------------------------- */
+
+/* In a step a wall should move a small part of a particle, as particles do. */
+static void print_speed(double speed, const struct case_scales *k)
+{
+    check_line("highest speed", speed, "m/s",
+               "of any point of them in the box");
+    if (k->particles > 0 && speed > 0.0)
+        check_line("way of it in a particle step / d", speed * k->dem_dt / k->d,
+                   "-", "of the smallest particle");
+}
+
+static void print(const struct settings *s, const struct case_scales *k)
+{
+    const int n = case_surfaces_count(s);
+    double lo[3], hi[3], speed = 0.0;
+    int code, triangles = 0;
+    struct surface *const made = case_surfaces_create(s, &code);
+
+    if (made == NULL) return;
+    case_mesh_ends(s, lo, hi);
+    for (int i = 0; i < n; i++) {
+        const double reach = surface_reach(&made[i], lo, hi);
+        if (made[i].shape == SURFACE_TRIANGLES)
+            triangles += made[i].triangles->n;
+        speed = fmax(speed, motion_speed(&made[i].motion, reach));
+    }
+    puts("Walls besides the box");
+    check_line("surfaces", n, "-", "");
+    check_line("triangles", triangles, "-", "");
+    print_speed(speed, k);
+    case_surfaces_free(made, n);
+}
+
+/* --- in a simulation ------------------------------------------------------ */
+
+static int has_room(const void *state, const double x[3], double R)
+{
+    const struct simulation *const sim = state;
+    return case_walls_has_room(sim->walls, x, R);
+}
+
+static int start_wrong(const void *state, const struct particles *ps)
+{
+    const struct simulation *const sim = state;
+    return surface_start_wrong(ps, sim->surfaces, sim->n_surfaces);
+}
+
+static void take_names(struct simulation *sim)
+{
+    sim->surface_names =
+        alloc_zeroed((size_t)sim->n_surfaces, sizeof *sim->surface_names);
+    for (int i = 0; i < sim->n_surfaces; i++)
+        sim->surface_names[i] = sim->surfaces[i].name;
+}
+
+static int furnish(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o)
+{
+    int code;
+
+    o->prescribed = sim->prescribed = case_surfaces_create_prescribed(s);
+    o->surfaces = sim->surfaces = case_surfaces_create(s, &code);
+    if (code != 0) return code;
+    sim->n_surfaces = o->n_surfaces;
+    take_names(sim);
+    sim->walls = case_walls_create(
+        s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
+    sim->region = (struct placement_region){
+        .has_room = sim->walls != NULL ? has_room : NULL,
+        .start_wrong = start_wrong,
+        .state = sim};
+    return 0;
+}
+
+static void release(struct simulation *sim)
+{
+    case_surfaces_free(sim->surfaces, sim->n_surfaces);
+    free(sim->surface_names);
+    free(sim->prescribed);
+    case_walls_free(sim->walls);
+}
+
+/* Placed spheres may overlap a surface only where the case allows it. */
+static int place(const struct settings *s, struct particles *ps,
+                 const struct dem_options *o)
+{
+    static const char overlaps[] = "particles.overlaps";
+
+    if (settings_has(s, overlaps) &&
+        strcmp(settings_text(s, overlaps), "allow") == 0)
+        return 0;
+    return surface_start_wrong(ps, o->surfaces, o->n_surfaces) != 0 ? 2 : 0;
+}
+
+/* Prescribed particles must exist. */
+static int add(const struct settings *s, struct simulation *sim)
+{
+    static const char list[] = "particles.prescribed";
+    const int n = settings_has(s, "particles.bed")
+                      ? settings_int(s, "particles.bed.count")
+                      : sim->particles->n;
+
+    for (int k = 0; k < settings_length(s, list); k++) {
+        const int id = settings_item_int(s, list, k, "id");
+        if (n == 0)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: there is none at "
+                                  "the start",
+                                  id);
+        if (id >= n)
+            return settings_wrong(s, list,
+                                  "there is no particle %d: they are 0 to %d",
+                                  id, n - 1);
+    }
+    return 0;
+}
+
+MODELS_KIND(surfaces_part_kind, surface_shapes, "surface",
+            "walls besides those of the box", "particles.surfaces.shape", NULL)
+
+const struct case_part surfaces_part = {.keys = case_surfaces_keys,
+                                        .mesh_walls = 1,
+                                        .check = check,
+                                        .dem_options = dem_options,
+                                        .print = print,
+                                        .furnish = furnish,
+                                        .free = release,
+                                        .place = place,
+                                        .add = add};

@@ -1,0 +1,11 @@
+/* effect_count.h -- how often something has happened in an effect. */
+#ifndef COUPLING_EFFECT_COUNT_H
+#define COUPLING_EFFECT_COUNT_H
+
+struct effect_count {
+    const char *name; /* as in summary.json */
+    long value;       /* [-] in the run so far */
+};
+enum { EFFECT_COUNTS = 4 }; /* of one effect, at most */
+
+#endif

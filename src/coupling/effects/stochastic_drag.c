@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* stochastic_drag.c -- see stochastic_drag.h for the process.
+ *
+ * The random force is the one that [EW18 26] makes of C',
+ *
+ *   F' = (pi/8) rho_f d^2 eps^2 |w| w C',   w = u_f - v,
+ *
+ * along the slip. It changes nothing but the coefficient k of the drag k w, by
+ * k' = (pi/8) rho_f d^2 eps^2 |w| C', so that what the fluid is charged with,
+ * sub-steps and implicit treatment stay as they are, and momentum with them.
+ * Where k' would be below -k the drag would turn round: there |k'| is cut to k,
+ * above as below lest the mean should move, and the cuts are counted.
+ *
+ * Kept for each particle is y = C' / sigma, whose variance is 1 on any path
+ * through regions of other sigma. It changes once a step of the fluid, before
+ * the fluid is charged for the next one. The normal numbers are those of seed,
+ * particle and step (base/random.h); 0 is a particle that has none yet.
+ */
+#include "coupling/effects/stochastic_drag.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/random.h"
+#include "coupling/coupling.h"
+#include "coupling/effect_count.h"
+#include "coupling/drag_laws/coefficient.h"
+#include "coupling/effects.h"
+
+double stochastic_drag_memory(double dt, double T)
+{
+    return exp(-dt / T);
+}
+
+double stochastic_drag_time(double a, double dt)
+{
+    return -dt / log(a); /* [EW18 37] */
+}
+
+double stochastic_drag_step(double a, double b, double C, double w)
+{
+    return a * C + b * sqrt(1.0 - a * a) * w; /* [EW18 33] */
+}
+
+double stochastic_drag_mean(double a, double n, double C)
+{
+    return pow(a, n) * C; /* [EW18 35] */
+}
+
+double stochastic_drag_variance(double a, double b, double n)
+{
+    return b * b * (1.0 - pow(a, 2.0 * n)); /* [EW18 36] */
+}
+
+double stochastic_drag_sigma(const struct stochastic_drag_sigma *s, double Re)
+{
+    if (Re <= s->Re_low) return s->low;
+    if (Re >= s->Re_high) return s->high;
+    const double x = (Re - s->Re_low) / (s->Re_high - s->Re_low);
+    const double y = log(Re / s->Re_low) / log(s->Re_high / s->Re_low);
+    return s->linear || s->low == 0.0 ? s->low + x * (s->high - s->low)
+                                      : s->low * pow(s->high / s->low, y);
+}
+
+struct stochastic_drag {
+    struct stochastic_drag_sigma sigma;
+    double T; /* [s] */
+    unsigned long seed;
+    double *y;       /* [-] C' / sigma(C_d), one a particle; 0: none yet */
+    long uses, cuts; /* [-] of k' so far */
+};
+
+static void *stochastic_drag_create(struct simulation *sim,
+                                    const double *parameters)
+{
+    struct stochastic_drag *const self = alloc_zeroed(1, sizeof *self);
+
+    self->sigma = (struct stochastic_drag_sigma){parameters[0], parameters[1],
+                                                 parameters[2], parameters[3],
+                                                 parameters[4] != 0.0};
+    self->T = parameters[5];
+    self->seed = (unsigned long)parameters[6];
+    self->y = alloc_doubles(sim->particles->capacity);
+    particles_attach(sim->particles, "stochastic_y", "-", self->y, 1);
+    return self;
+}
+
+static void stochastic_drag_free(void *memory)
+{
+    struct stochastic_drag *const self = memory;
+    free(self->y);
+    free(self);
+}
+
+/* The normal number of particle i in a step, counted from 1 [EW18 34]. */
+static double normal_of(const struct stochastic_drag *self,
+                        const struct particles *ps, int i, long step)
+{
+    return random_normal(self->seed, ps->id[i], step, 0);
+}
+
+static double slip_of(const struct simulation *sim, int i)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const u = &sim->coupling->u_f[3 * i];
+
+    return gsl_hypot3(u[0] - ps->vx[i], u[1] - ps->vy[i], u[2] - ps->vz[i]);
+}
+
+/* k' [kg/s] of particle i before it is cut. */
+static double random_coefficient(const struct stochastic_drag *self,
+                                 const struct simulation *sim, int i)
+{
+    const struct fluid_options *const o = &sim->fluid->options;
+    const double d = sim->particles->d[i], w = slip_of(sim, i);
+    const double eps = sim->coupling->eps[i];
+    const double Re = coefficient_reynolds(eps, o->rho, o->mu, d, w);
+    const double C = stochastic_drag_sigma(&self->sigma, Re) * self->y[i];
+
+    return M_PI / 8.0 * o->rho * d * d * eps * eps * w * C; /* [EW18 26] */
+}
+
+static void stochastic_drag_drag(void *memory, struct simulation *sim,
+                                 double *k, int stride)
+{
+    struct stochastic_drag *const self = memory;
+    const int n = sim->particles->n;
+    long cuts = 0;
+
+#pragma omp parallel for schedule(static) reduction(+ : cuts) if (n >= 1000)
+    for (int i = 0; i < n; i++) {
+        if (self->y[i] == 0.0)
+            self->y[i] = normal_of(self, sim->particles, i, sim->steps);
+        const double all = k[stride * i];
+        const double part = random_coefficient(self, sim, i);
+        cuts += fabs(part) > all;
+        k[stride * i] = all + fmax(-all, fmin(all, part)); /* [EW18 32] */
+    }
+    self->cuts += cuts;
+    self->uses += n;
+}
+
+/* One step of the process, for the step that comes. */
+static void stochastic_drag_after_particles(void *memory,
+                                            struct simulation *sim)
+{
+    struct stochastic_drag *const self = memory;
+    const double a = stochastic_drag_memory(sim->dt, self->T);
+    const int n = sim->particles->n;
+
+#pragma omp parallel for schedule(static) if (n >= 1000)
+    for (int i = 0; i < n; i++)
+        self->y[i] = stochastic_drag_step(
+            a, 1.0, self->y[i],
+            normal_of(self, sim->particles, i, sim->steps + 1));
+}
+
+static void stochastic_drag_state(void *memory, struct state *s)
+{
+    struct stochastic_drag *const self = memory;
+
+    state_long(s, "uses", "-", &self->uses);
+    state_long(s, "cuts", "-", &self->cuts);
+}
+
+/* Sigma goes from one Reynolds number up to another. */
+static const char *wrong(const double *parameters,
+                         const struct attraction_scene *scene)
+{
+    (void)scene;
+    return parameters[3] < parameters[2] ? "Re_high is below Re_low" : NULL;
+}
+
+static int stochastic_drag_counts(const void *memory, struct effect_count *c)
+{
+    const struct stochastic_drag *const self = memory;
+
+    c[0] = (struct effect_count){"stochastic_drag_uses", self->uses};
+    c[1] = (struct effect_count){"stochastic_drag_cuts", self->cuts};
+    return 2;
+}
+
+static const struct key keys[] = {
+    {"effects.stochastic_drag", KEY_GROUP, "", "", KEY_OPTIONAL,
+     "a random part of the drag, for what averaging has smoothed away",
+     "EW18 32-37", "fluid particles averaging exchange"},
+    {"effects.stochastic_drag.sigma_low", KEY_REAL, "-", ">= 0", NULL,
+     "standard deviation of the drag coefficient at Re_low and below",
+     "EW18 Fig. 10", ""},
+    {"effects.stochastic_drag.sigma_high", KEY_REAL, "-", ">= 0", NULL,
+     "the same at Re_high and above", "EW18 Fig. 10", ""},
+    {"effects.stochastic_drag.Re_low", KEY_REAL, "-", "> 0", "1.0",
+     "Reynolds number with the superficial slip", "EW18 27", ""},
+    {"effects.stochastic_drag.Re_high", KEY_REAL, "-", "> 0", "1.0",
+     "the same; between the two sigma is a power of it", "EW18 27", ""},
+    {"effects.stochastic_drag.linear", KEY_BOOL, "", "", "false",
+     "between the two sigma is linear", "EW18 Fig. 10", ""},
+    {"effects.stochastic_drag.time", KEY_REAL, "s", "> 0", NULL,
+     "integral time T: how long a fluctuation lasts", "EW18 37", ""},
+    {"effects.stochastic_drag.seed", KEY_INT, "-", ">= 0", "1",
+     "of the random numbers; the same seed, the same run", "EW18 34", ""},
+    {0}};
+
+const struct effect stochastic_drag_effect = {
+    .name = "stochastic_drag",
+    .what = "a random part of the drag, along the slip",
+    .equations = "EW18 32-37",
+    .function = "stochastic_drag_drag",
+    .keys = keys,
+    .create = stochastic_drag_create,
+    .after_particles = stochastic_drag_after_particles,
+    .free = stochastic_drag_free,
+    .drag = stochastic_drag_drag,
+    .counts = stochastic_drag_counts,
+    .state = stochastic_drag_state,
+    .wrong = wrong,
+};

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* chunk_state.c -- the visit of a chunk.  Chapter "Nothing is lost". */
+#include "dem/fast/chunk.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+/* Makes room for a loaded list by adding its pairs anew. */
+static void add_partners(struct chunk *c, struct neighbour_list *v, int n,
+                         const int *partner)
+{
+    if (v == &c->pairs)
+        chunk_add_pairs(c, n, partner);
+    else
+        for (int q = 0; q < n; q++)
+            chunk_add_wall(c, partner[q]);
+}
+
+static void partners_state(struct chunk *c, struct neighbour_list *v,
+                           struct state *s)
+{
+    int n = v->n;
+
+    state_count(s, "count", &n, INT_MAX);
+    int *const partner = s->loading ? alloc_ints(n) : v->partner;
+    state_wholes(s, "partner", "-", partner, n, 1);
+    state_wholes(s, "start", "-", v->start, c->end - c->begin + 1L, 1);
+    if (!s->loading) return;
+    if (!s->failed) add_partners(c, v, n, partner);
+    free(partner);
+}
+
+static void list_histories_state(struct neighbour_list *v, struct state *s)
+{
+    if (v->n == 0) return;
+    state_reals(s, "xi", "m", v->xi[0], v->n, 3);
+    if (v->roll_angle != NULL)
+        state_reals(s, "roll_angle", "rad", v->roll_angle[0], v->n, 3);
+}
+
+static void contacts_state(struct chunk *c, struct state *s)
+{
+    static const char *const xi[] = {"xi_x", "xi_y", "xi_z"};
+    static const char *const roll[] = {"roll_x", "roll_y", "roll_z"};
+    struct chunk_contacts *const k = &c->contacts;
+
+    state_begin(s, "contacts");
+    state_count(s, "pairs", &k->n_pairs, c->pairs.n);
+    state_count(s, "walls", &k->n_walls, c->walls.n);
+    const long n = k->n_pairs + k->n_walls;
+    state_wholes(s, "owner", "-", k->owner, n, 1);
+    state_wholes(s, "partner", "-", k->partner, n, 1);
+    state_wholes(s, "list_index", "-", k->list_index, n, 1);
+    for (int a = 0; a < 3; a++) {
+        state_reals(s, xi[a], "m", k->xi[a], n, 1);
+        state_reals(s, roll[a], "rad", k->roll_angle[a], n, 1);
+    }
+    state_end(s);
+}
+
+/* The lists, and what has room for as much as they have. */
+static void lists_state(struct chunk *c, int n, struct state *s)
+{
+    const size_t size = sizeof *c->blocks;
+
+    if (s->loading) chunk_clear_lists(c);
+    state_begin(s, "pairs");
+    partners_state(c, &c->pairs, s);
+    state_end(s);
+    state_begin(s, "walls");
+    partners_state(c, &c->walls, s);
+    state_end(s);
+    if (s->loading && !s->failed) chunk_finish_lists(c, n);
+    state_begin(s, "pairs");
+    list_histories_state(&c->pairs, s);
+    state_end(s);
+    state_begin(s, "walls");
+    list_histories_state(&c->walls, s);
+    state_end(s);
+    contacts_state(c, s);
+    state_wholes_of(s, "block_end", "-", &c->blocks->end, size, c->n_blocks, 1);
+    state_wholes_of(s, "block_pairs", "-", &c->blocks->pairs, size, c->n_blocks,
+                    1);
+    state_wholes_of(s, "block_walls", "-", &c->blocks->walls, size, c->n_blocks,
+                    1);
+    state_wholes_of(s, "block_loads", "-", &c->blocks->n_loads, size,
+                    c->n_blocks, 1);
+    if (c->window > 0) state_reals(s, "load", "N", c->load[0], c->window, 8);
+}
+
+static void histories_state(struct chunk *c, struct state *s)
+{
+    int n = c->n_history;
+
+    state_begin(s, "histories");
+    state_count(s, "count", &n, INT_MAX);
+    if (s->loading && !s->failed) chunk_reserve_history(c, n);
+    struct contact_history *const all = c->history;
+    state_wholes_of(s, "owner", "-", &all->owner, sizeof *all, n, 1);
+    state_wholes_of(s, "partner", "-", &all->partner, sizeof *all, n, 1);
+    state_reals_of(s, "xi", "m", all->xi, sizeof *all, n, 3);
+    state_reals_of(s, "roll_angle", "rad", all->roll_angle, sizeof *all, n, 3);
+    state_end(s);
+}
+
+void chunk_energy_state(struct chunk_energy *e, struct state *s)
+{
+    double *const all[] = {&e->normal, &e->tangential, &e->found,
+                           &e->stored, &e->damped_n,   &e->damped_t,
+                           &e->slid,   &e->released,   &e->rolled,
+                           &e->work,   &e->attracted,  &e->driven};
+
+    state_several(s, "energy", "J", all, sizeof all / sizeof *all);
+    state_whole(s, "skip_release", "-", &e->skip_release);
+}
+
+void chunk_state(struct chunk *c, int n, struct state *s)
+{
+    int listed = c->load != NULL;
+
+    state_whole(s, "listed", "-", &listed);
+    if (listed) lists_state(c, n, s);
+    histories_state(c, s);
+    state_real(s, "deep_overlap", "-", &c->deep.overlap);
+    state_whole(s, "deep_id", "-", &c->deep.id);
+    state_whole(s, "deep_other", "-", &c->deep.other);
+    state_reals(s, "deep_at", "m", c->deep.at, 3, 1);
+    state_reals(s, "max_speed", "m/s", c->max_speed, 4, 1);
+    chunk_energy_state(&c->energy, s);
+}

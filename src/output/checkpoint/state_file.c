@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/checkpoint/state_file.h"
+
+#include <errno.h>
+#include <hdf5.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/input.h"
+
+struct state_file {
+    struct state state;
+    hid_t file;
+    char *path;  /* for messages */
+    long arrays; /* [-] visited so far */
+};
+
+/* The last line: the checksum of all bytes before it. */
+enum { LAST_LINE = 24, GROWTH = 1 << 20 };
+
+static void last_line(char line[LAST_LINE + 1], const unsigned char *bytes,
+                      size_t size)
+{
+    snprintf(line, LAST_LINE + 1, "\nwinnow crc32 %08lx\n\n",
+             (unsigned long)crc32_z(0, bytes, size));
+}
+
+/* --- in and out ----------------------------------------------------------- */
+
+static hid_t type_of(enum state_type type)
+{
+    return type == STATE_REAL    ? H5T_NATIVE_DOUBLE
+           : type == STATE_WHOLE ? H5T_NATIVE_INT
+                                 : H5T_NATIVE_LONG;
+}
+
+static size_t bytes_of(const struct state_array *a)
+{
+    const size_t one = a->type == STATE_REAL    ? sizeof(double)
+                       : a->type == STATE_WHOLE ? sizeof(int)
+                                                : sizeof(long);
+    return one * (size_t)a->rows * (size_t)a->width;
+}
+
+static unsigned checksum(const struct state_array *a)
+{
+    return (unsigned)crc32_z(0, a->values, bytes_of(a));
+}
+
+/* Of one row or column: a list, else a table. */
+static int shape_of(const struct state_array *a, hsize_t shape[2])
+{
+    shape[0] = (hsize_t)a->rows;
+    shape[1] = (hsize_t)a->width;
+    return a->width > 1 ? 2 : 1;
+}
+
+static int put_attribute(hid_t at, const char *name, hid_t type,
+                         const void *value)
+{
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t made =
+        H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    const int failed = H5Awrite(made, type, value) < 0;
+
+    H5Aclose(made);
+    H5Sclose(space);
+    return failed;
+}
+
+static hid_t string_type(const char *text)
+{
+    const hid_t type = H5Tcopy(H5T_C_S1);
+
+    H5Tset_size(type, strlen(text) + 1);
+    return type;
+}
+
+static int put_text(hid_t at, const char *name, const char *text)
+{
+    const hid_t type = string_type(text);
+    const int failed = put_attribute(at, name, type, text);
+    H5Tclose(type);
+    return failed;
+}
+
+static int save(void *store, const struct state_array *a)
+{
+    struct state_file *const f = store;
+    const unsigned sum = checksum(a);
+    hsize_t shape[2];
+    const hid_t space = H5Screate_simple(shape_of(a, shape), shape, NULL);
+    const hid_t with = H5Pcreate(H5P_LINK_CREATE);
+
+    H5Pset_create_intermediate_group(with, 1);
+    const hid_t made = H5Dcreate2(f->file, a->path, type_of(a->type), space,
+                                  with, H5P_DEFAULT, H5P_DEFAULT);
+    const int failed = H5Dwrite(made, type_of(a->type), H5S_ALL, H5S_ALL,
+                                H5P_DEFAULT, a->values) < 0 ||
+                       put_text(made, "unit", a->unit) != 0 ||
+                       put_attribute(made, "crc32", H5T_NATIVE_UINT, &sum) != 0;
+    H5Dclose(made);
+    H5Pclose(with);
+    H5Sclose(space);
+    f->arrays++;
+    if (failed)
+        fprintf(stderr, "winnow: the state cannot be saved: %s\n", a->path);
+    return failed;
+}
+
+static int refuse(const struct state_file *f, const struct state_array *a,
+                  const char *why)
+{
+    fprintf(stderr, "winnow: %s: %s %s\n", f->path, a->path, why);
+    return 1;
+}
+
+static int has_shape(hid_t data, const struct state_array *a)
+{
+    hsize_t shape[2], there[2] = {0, 0};
+    const int n = shape_of(a, shape);
+    const hid_t space = H5Dget_space(data);
+    const int fits = H5Sget_simple_extent_ndims(space) == n &&
+                     H5Sget_simple_extent_dims(space, there, NULL) == n &&
+                     there[0] == shape[0] && (n < 2 || there[1] == shape[1]);
+
+    H5Sclose(space);
+    return fits;
+}
+
+static unsigned read_checksum(hid_t data)
+{
+    const hid_t at = H5Aopen(data, "crc32", H5P_DEFAULT);
+    unsigned sum = 0;
+
+    H5Aread(at, H5T_NATIVE_UINT, &sum);
+    H5Aclose(at);
+    return sum;
+}
+
+static int load(void *store, const struct state_array *a)
+{
+    struct state_file *const f = store;
+    const hid_t data = H5Dopen2(f->file, a->path, H5P_DEFAULT);
+
+    if (data < 0) return refuse(f, a, "is not there, which this case needs");
+    const char *why = NULL;
+    if (!has_shape(data, a))
+        why = "has another number of entries than this case";
+    else if (H5Dread(data, type_of(a->type), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                     a->values) < 0)
+        why = "cannot be read";
+    else if (read_checksum(data) != checksum(a))
+        why = "is damaged: its checksum is another one";
+    H5Dclose(data);
+    f->arrays++;
+    return why != NULL ? refuse(f, a, why) : 0;
+}
+
+/* --- files ---------------------------------------------------------------- */
+
+/* HDF5 would print its own account of each failure. */
+static hid_t in_memory(void)
+{
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    H5Pset_fapl_core(access, GROWTH, 0);
+    return access;
+}
+
+static struct state_file *file_of(hid_t file, const char *path, int loading)
+{
+    struct state_file *const f = alloc_zeroed(1, sizeof *f);
+
+    f->file = file;
+    f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
+    f->state.loading = loading;
+    f->state.visit = loading ? load : save;
+    f->state.store = f;
+    return f;
+}
+
+struct state_file *state_file_create(void)
+{
+    const hid_t access = in_memory();
+    const hid_t made = H5Fcreate("state", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+
+    H5Pclose(access);
+    return file_of(made, "state", 0);
+}
+
+void state_file_free(struct state_file *f)
+{
+    if (f == NULL) return;
+    H5Fclose(f->file);
+    free(f->path);
+    free(f);
+}
+
+struct state *state_file_state(struct state_file *f)
+{
+    return &f->state;
+}
+
+void state_file_put_text(struct state_file *f, const char *name,
+                         const char *text)
+{
+    const hid_t type = string_type(text), space = H5Screate(H5S_SCALAR);
+    const hid_t made = H5Dcreate2(f->file, name, type, space, H5P_DEFAULT,
+                                  H5P_DEFAULT, H5P_DEFAULT);
+
+    H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+    H5Dclose(made);
+    H5Sclose(space);
+    H5Tclose(type);
+}
+
+/* The number of arrays is written last. */
+struct state_image state_file_image(struct state_file *f)
+{
+    struct state_image image = {NULL, 0};
+
+    put_attribute(f->file, "arrays", H5T_NATIVE_LONG, &f->arrays);
+    H5Fflush(f->file, H5F_SCOPE_GLOBAL);
+    const ssize_t size = H5Fget_file_image(f->file, NULL, 0);
+    if (!f->state.failed && size > 0) {
+        image.size = (size_t)size + LAST_LINE;
+        image.bytes = alloc_zeroed(image.size + 1, 1);
+        H5Fget_file_image(f->file, image.bytes, (size_t)size);
+        last_line((char *)image.bytes + size, image.bytes, (size_t)size);
+    }
+    state_file_free(f);
+    return image;
+}
+
+/* The old file gets its second name when the new one has been written, so a
+ * full disk leaves both as they were; a file system without such names keeps
+ * one. */
+int state_file_write(const struct state_image *image, const char *path,
+                     const char *before)
+{
+    struct file *const f = file_create(path);
+
+    if (f == NULL) return 1;
+    FILE *const out = file_stream(f);
+    if (fwrite(image->bytes, 1, image->size, out) == image->size &&
+        fflush(out) == 0 && access(path, F_OK) == 0) {
+        unlink(before);
+        (void)!link(path, before);
+    }
+    return file_commit(f);
+}
+
+/* A file whose bytes are all there, and as they were written. */
+static int is_whole(const char *bytes, size_t length)
+{
+    char line[LAST_LINE + 1];
+
+    if (length < LAST_LINE) return 0;
+    last_line(line, (const unsigned char *)bytes, length - LAST_LINE);
+    return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0;
+}
+
+static hid_t opened(char *bytes, size_t length)
+{
+    const hid_t access = in_memory();
+
+    H5Pset_file_image(access, bytes, length);
+    const hid_t file = H5Fopen("state", H5F_ACC_RDONLY, access);
+    H5Pclose(access);
+    return file;
+}
+
+struct state_file *state_file_open(const char *path, const char **why)
+{
+    size_t length;
+    char *const bytes = input_text(path, &length, why);
+
+    if (bytes == NULL) {
+        if (errno == ENOENT) *why = NULL;
+        return NULL;
+    }
+    *why = "it is damaged: its checksum is another one";
+    const hid_t file = is_whole(bytes, length)
+                           ? opened(bytes, length - LAST_LINE)
+                           : H5I_INVALID_HID;
+    free(bytes);
+    return file < 0 ? NULL : file_of(file, path, 1);
+}
+
+char *state_file_text(struct state_file *f, const char *name)
+{
+    const hid_t at = H5Dopen2(f->file, name, H5P_DEFAULT);
+    if (at < 0) return alloc_zeroed(1, 1);
+    const hid_t type = H5Dget_type(at);
+    char *const text = alloc_zeroed(H5Tget_size(type) + 1, 1);
+
+    H5Dread(at, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+    H5Tclose(type);
+    H5Dclose(at);
+    return text;
+}
+
+int state_file_all_visited(const struct state_file *f)
+{
+    const hid_t at = H5Aopen(f->file, "arrays", H5P_DEFAULT);
+    long arrays = -1;
+
+    H5Aread(at, H5T_NATIVE_LONG, &arrays);
+    H5Aclose(at);
+    if (arrays == f->arrays) return 0;
+    fprintf(stderr,
+            "winnow: %s: it has %ld arrays, of which this case knows %ld\n",
+            f->path, arrays, f->arrays);
+    return 1;
+}

@@ -1,0 +1,191 @@
+#!/bin/sh
+# The beds of EW18 without resolved flow: how much the grains fluctuate with a
+# coarse averaging, with a Gaussian, and with a random part of the drag. A run that
+# is done is not made again, so that what was interrupted goes on.
+#
+#   sh tests/validate/agitation.sh build/winnow [liquid|kernels|gas ...]
+#
+# liquid takes about ten minutes for each Reynolds number of RE (4 6 8 11), kernels
+# half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
+# EW18's GK-2, some hours). END=60 in the environment ends each run at 60, to try
+# the script; what it finds then goes to out/validate-agitation/figures.
+set -eu
+PATH=$(cd "$(dirname "$1")" && pwd):$PATH
+shift
+out=out/validate-agitation
+figures=figures
+[ -z "${END:-}" ] || figures=$out/figures
+export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
+mkdir -p $out $figures
+
+# NAME CASE OVERRIDES...: what the run was asked is kept beside it.
+run() {
+    name=$1 case=$2
+    shift 2
+    [ -z "${END:-}" ] || set -- "$@" -s "output.end=$END" -s output.statistics.from=20.0
+    if [ "$(cat "$out/$name.asked" 2>/dev/null)" != "$case $*" ]; then
+        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" \
+            >"$out/$name.log" 2>&1 || { tail -n 3 "$out/$name.log" >&2; exit 1; }
+        echo "$case $*" >"$out/$name.asked"
+    fi
+}
+
+made() { # PART
+    echo "# Made by: ${END:+END=$END }sh tests/validate/agitation.sh build/winnow $1"
+}
+
+# NAME QUANTITY KEY: a number of its statistics.
+value() {
+    awk -v group="\"$2\":" -v key="\"$3\":" '
+        $1 == group { inside = 1 }
+        inside && $1 == key { sub(/,$/, "", $2); print $2; exit }
+        inside && /}/ { exit }' "$out/$1/statistics/summary.json"
+}
+
+count() { # NAME KEY
+    awk -v key="\"$2\":" '$1 == key { sub(/,$/, "", $2); print $2 }' \
+        "$out/$1/summary.json"
+}
+
+# NAME WORDS...: a row of a table. Temperatures as their roots, with errors.
+row() {
+    name=$1
+    shift
+    weight=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++)
+            if ($i ~ /^buoyant_weight/) c = i }
+        END { print $c }' "$out/$name/history.csv")
+    cuts=$(count "$name" stochastic_drag_cuts) uses=$(count "$name" stochastic_drag_uses)
+    echo "$* $(value "$name" temperature_axial mean) $(value "$name" temperature_axial error)" \
+        "$(value "$name" temperature_transverse mean) $(value "$name" temperature_transverse error)" \
+        "$(value "$name" bed_height mean) $(value "$name" bed_height error)" \
+        "$(value "$name" pressure_drop mean) $(value "$name" pressure_drop error) $weight" \
+        "$(value "$name" drag_coefficient mean) $(value "$name" drag_coefficient deviation)" \
+        "$(value "$name" drag_coefficient integral_time) ${cuts:-0} ${uses:-1}" |
+        awk '{ n = NF - 14
+            for (i = 1; i <= n; i++) printf "%s ", $i
+            printf "%.4f %.4f %.4f %.4f %.3f %.3f %.4f %.4f %.2f %.3f %.3f %.4f\n",
+                sqrt($(n + 1)), $(n + 2) / (2 * sqrt($(n + 1))),
+                sqrt($(n + 3)), $(n + 4) / (2 * sqrt($(n + 3))),
+                $(n + 5), $(n + 6), $(n + 7) / $(n + 9), $(n + 8) / $(n + 9),
+                $(n + 10), $(n + 11) / $(n + 10), $(n + 12), $(n + 13) / $(n + 14) }'
+}
+columns="sqrt_T_axial error sqrt_T_transverse error height error drop/weight error\
+ C_d sigma/C_d T cuts"
+
+# The rows of such a table by name, for the text; in which columns the words are.
+numbers() {
+    awk -v first="$1" -v second="$2" -v columns="$columns" '
+        BEGIN { n = split(columns, name, " ") }
+        /^# Made/ { print }
+        /^#/ { next }
+        {
+            print "## " $first "-" $second
+            for (i = 1; i <= n; i++) {
+                key = name[i] == "error" ? name[i - 1] "_error" : name[i]
+                gsub("/", "_over_", key)
+                print key " = " $(NF - n + i) " [-]"
+            }
+        }'
+}
+
+# NAME FILE [EVERY]: a block for gnuplot, of a table of the run.
+block() {
+    echo "# $1"
+    awk -F, -v every="${3:-1}" 'NR == 1 || NR % every == 0 {
+        if (NR > 1) { for (i = 1; i <= NF; i++) printf "%.5g ", $i; print "" } }' \
+        "$out/$1/statistics/$2.csv"
+    printf '\n\n'
+}
+
+# Figs. 14 to 17 and Table 1, reading A: Re_in, 1 / Re_in, Fr.
+liquid() {
+    ways="cube gauss random"
+    for re in ${RE:-4 6 8 11}; do
+        case $re in
+        4) scale="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0]" ;;
+        6) scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]" ;;
+        8) scale="-s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0]" ;;
+        *) scale= ;;
+        esac
+        # shellcheck disable=SC2086 # two words or none
+        {
+            run cube-$re cases/ew18-liquid-cube.cfg $scale
+            run gauss-$re cases/ew18-liquid.cfg $scale
+            run random-$re cases/ew18-liquid-random.cfg $scale
+        }
+    done
+    {
+        made liquid
+        echo "# Re_in way $columns"
+        for re in ${RE:-4 6 8 11}; do
+            for way in $ways; do row "$way-$re" "$re" "$way"; done
+        done
+    } >$figures/23-liquid.txt
+    numbers 2 1 <$figures/23-liquid.txt >$figures/23-numbers.txt
+    for file in series profile correlation density; do
+        {
+            made liquid
+            for way in $ways; do
+                for re in ${RE:-4 6 8 11}; do
+                    block "$way-$re" $file "$([ $file = series ] && echo 5 || echo 1)"
+                done
+            done
+        } >$figures/23-liquid-$file.txt
+    done
+}
+
+# Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
+kernels() {
+    scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]"
+    # shellcheck disable=SC2086
+    {
+        run gauss-6 cases/ew18-liquid.cfg $scale
+        run cells-0.5 cases/ew18-liquid.cfg $scale -s mesh.cells=[4,8,4]
+        run cells-1.5 cases/ew18-liquid.cfg $scale -s mesh.cells=[12,22,12]
+        run cells-2 cases/ew18-liquid.cfg $scale -s mesh.cells=[16,30,16]
+        run width-1.5 cases/ew18-liquid.cfg $scale -s averaging.delta_05=1.5
+        run width-2 cases/ew18-liquid.cfg $scale -s averaging.delta_05=2.0
+    }
+    {
+        made kernels
+        echo "# cells a d, delta_05/d, $columns"
+        row cells-0.5 0.5 1
+        row gauss-6 1 1
+        row cells-1.5 1.5 1
+        row cells-2 2 1
+        row width-1.5 1 1.5
+        row width-2 1 2
+    } >$figures/23-kernels.txt
+}
+
+# Figs. 19 and 20.
+gas() {
+    cells="-s mesh.cells=[${GAS:-10,50,10}]"
+    sigma="-s effects.stochastic_drag.sigma_low=43.9 -s effects.stochastic_drag.Re_low=16.54"
+    sigma="$sigma -s effects.stochastic_drag.sigma_high=16.0 -s effects.stochastic_drag.Re_high=28.0"
+    sigma="$sigma -s effects.stochastic_drag.linear=true -s effects.stochastic_drag.time=1.0"
+    # shellcheck disable=SC2086
+    {
+        run gas cases/ew18-gas.cfg $cells
+        run gas-random cases/ew18-gas.cfg $cells $sigma
+        run gas-1994 cases/ew18-gas.cfg $cells -s exchange.drag=di-felice
+    }
+    {
+        made gas
+        echo "# way $columns"
+        row gas printed
+        row gas-random printed+random
+        row gas-1994 di-felice
+    } >$figures/23-gas.txt
+    for file in series profile; do
+        {
+            made gas
+            for name in gas gas-random gas-1994; do
+                block $name $file "$([ $file = series ] && echo 5 || echo 1)"
+            done
+        } >$figures/23-gas-$file.txt
+    done
+}
+
+[ $# -gt 0 ] || set -- liquid kernels gas
+for part in "$@"; do $part; done
