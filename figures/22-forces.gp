@@ -33,6 +33,7 @@ plot f using 1:2 with lines linetype 1 title "lift and torque", \
      f using 5:6 with lines linetype 2 title "neither"
 r = part("rebound", "scenes")
 set title "a steel ball on the floor: lubrication"
+set key top left
 set xlabel "St"
 set ylabel "rebound / impact"
 set logscale x
@@ -41,5 +42,5 @@ set key bottom right
 plot r using 1:2 with linespoints pointtype 7 pointsize 0.5 linetype 2 title "without", \
      r using 1:3 with linespoints pointtype 7 pointsize 0.5 linetype 1 title "with", \
      r using 1:4 with linespoints pointtype 7 pointsize 0.5 linetype 4 title "and history", \
-     0.97 * exp(-35 / x) with lines linecolor "#000000" linewidth 1 title "measured (fit of Legendre)"
+     0.97 * exp(-35 / x) with lines linecolor "#000000" linewidth 1 title "measured, fit"
 unset multiplot

@@ -11,13 +11,13 @@
 set -eu
 mkdir -p out
 run() { # CASE NAME OVERRIDES...
-    file=cases/$1.cfg to=out/$2
+    file=cases/$1.cfg to=out/22-$2
     shift 2
     winnow run "$file" -o "$to" --quiet "$@" >/dev/null
 }
 # Columns of a history, by the beginning of their titles.
 columns() { # NAME TITLE...
-    from=out/$1/history.csv
+    from=out/22-$1/history.csv
     shift
     awk -F, -v wanted="$*" '
         NR == 1 {
@@ -108,12 +108,13 @@ rebound() {
                 -s output.history=2e-5 -s output.every=0.025 -s output.end=0.025 \
                 -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};$more}"
             columns rebound mean_height mean_fall_velocity |
-                awk '$1 > 2.25e-3 && $2 > 0 { down = $2 }
+                awk '$1 > 2.25e-3 && $2 > 0 && !up { down = $2 }
                      $1 > 2.25e-3 && $2 < 0 && !up { up = -$2 }
                      END { printf "%.4f %.3f\n", down, up / down }'
         done | awk -v mu=$mu '{ e[NR] = $2; u = $1 }
+            NR == 1 { first = u }
             END { printf "%7.1f %6.3f %6.3f %6.3f\n",
-                  7800 * u * 3e-3 / (9 * mu), e[1], e[2], e[3] }'
+                  7800 * first * 3e-3 / (9 * mu), e[1], e[2], e[3] }'
     done
 }
 # Nanoseconds a particle and step, and over all that a step takes.
@@ -132,7 +133,7 @@ cost() {
             own && index($1, "\"" name "\"") == 1 { seconds = $2 + 0 }
             END { printf "%-18s %6.0f %5.1f\n", name,
                   1e9 * seconds / steps / 300, 100 * seconds / total }
-        ' out/cost/summary.json
+        ' out/22-cost/summary.json
     done
 }
 $1

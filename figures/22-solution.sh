@@ -6,5 +6,5 @@ for density in 1e4 3e4 1e5; do
     winnow check cases/history-sphere.cfg -s particles.grains.density=$density |
         grep basset
     winnow run cases/history-sphere.cfg -s particles.grains.density=$density \
-        -o out/dense --quiet | grep basset
+        -o out/22-dense --quiet | grep basset
 done
