@@ -33,12 +33,11 @@ plot f using 1:2 with lines linetype 1 title "lift and torque", \
      f using 5:6 with lines linetype 2 title "neither"
 r = part("rebound", "scenes")
 set title "a steel ball on the floor: lubrication"
-set key top left
 set xlabel "St"
 set ylabel "rebound / impact"
 set logscale x
 set yrange [0:1.05]
-set key bottom right
+set key top left
 plot r using 1:2 with linespoints pointtype 7 pointsize 0.5 linetype 2 title "without", \
      r using 1:3 with linespoints pointtype 7 pointsize 0.5 linetype 1 title "with", \
      r using 1:4 with linespoints pointtype 7 pointsize 0.5 linetype 4 title "and history", \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every effect in every coupled case: what `winnow check` estimates, and what a
-# short run with all of them on measures. In a row "-" stands for a case that
-# cannot have the effect.
+# short run with all of them on measures. The ratio of the two is told where one
+# of them is over 1 %.
 #
 #   sh figures/22-shares.sh build/winnow >figures/22-shares.txt
 set -u
@@ -31,8 +31,12 @@ shares() { # case, end [s], overrides
             FILENAME ~ /check$/ && $1 == effect { estimate = $2 }
             $1 == "\"" effect "\":" && $2 == "{" { within = 1 }
             within && /mean_share/ { measured = 100 * $2; within = 0 }
-            END { printf "%-22s %-18s %9.3g %9.3g %6.2f\n", name, effect,
-                  estimate, measured, (measured > 0) ? estimate / measured : 0 }
+            END {
+                ratio = estimate < 1 && measured < 1 ? "small" \
+                    : measured > 0 ? sprintf("%.2f", estimate / measured) : "-"
+                printf "%-22s %-18s %9.3g %9.3g %6s\n", name, effect, estimate,
+                    measured, ratio
+            }
         ' "$work/check" "$work/$name/summary.json"
     done
 }
