@@ -137,10 +137,10 @@ START_TEST(ls_5_4_settling_from_rest_is_boussinesq_basset_oseen)
 END_TEST
 
 /* Half of the space is heavy spheres in gas. A change of the gas pushes them
- * with virtual mass and history, and if the reaction came a step later, it would
- * throw the gas back by (C + C_B) eps_s/eps_f = 1.3 of the change, less what the
- * drag takes: after 40 steps a quarter of the first change would be left. The
- * fluid resists the history force in the same step, and it is 8 %. */
+ * with virtual mass and history, and if the reaction came a step later, it
+ * would throw the gas back by (C + C_B) eps_s/eps_f = 1.3 of the change, less
+ * what the drag takes: after 40 steps a quarter of the first change would be
+ * left. The fluid resists the history force in the same step, and it is 8 %. */
 START_TEST(ls_5_4_gas_in_a_packed_bed_does_not_ring)
 {
     struct scene s = air;
