@@ -58,13 +58,13 @@ static int wrong(const struct command *c, const char *what, const char *why)
 static const struct {
     const char *word;
     char letter;
-} words[] = {{"--quiet", '-'}, {"--resume", 'r'}, {NULL, 0}};
+} words[] = {{"--quiet", '-'}, {"--resume", 'r'}, {"--fresh", 'f'}, {NULL, 0}};
 
 /* 1 if the option is such a word, which is then noted. */
 static int take_word(const struct command *c, const char *option,
                      struct command_line *l)
 {
-    int *const noted[] = {&l->quiet, &l->resume};
+    int *const noted[] = {&l->quiet, &l->resume, &l->fresh};
 
     for (int i = 0; words[i].word != NULL; i++)
         if (strcmp(option, words[i].word) == 0 &&
@@ -128,7 +128,7 @@ static int perform(const struct command *c, int argc, char **argv,
                    struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
-        if (argv[i][0] != '-')
+        if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
         else if (take_option(c, argc, argv, &i, l) != 0)
             return 2;

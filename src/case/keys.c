@@ -192,6 +192,8 @@ const struct key keys_core[] = {
      "time between two pictures of all fields and particles", "", ""},
     {"output.animation", KEY_BOOL, "", "", "false",
      "bed.gif, a moving picture of the particles at these times", "", ""},
+    {"output.picture", KEY_BOOL, "", "", "true",
+     "bed.png, a picture of the last state, where there is a gnuplot", "", ""},
     {"output.checkpoint", KEY_REAL, "s", "> 0", "600.0",
      "wall time between two checkpoints, from which --resume goes on", "", ""},
     {"output.history", KEY_REAL, "s", "> 0", "",

@@ -44,9 +44,12 @@ static int sample(struct recorder *r, struct simulation *sim)
 /* One step, by as many threads as pay. */
 static int step(struct simulation *sim, struct thread_tuner *crew)
 {
+    const double began = clock_processor();
+
     thread_tuner_begin(crew);
     const int failed = coupling_step(sim);
     thread_tuner_end(crew);
+    sim->seconds.processor += clock_processor() - began;
     return failed;
 }
 
@@ -274,6 +277,7 @@ static int act(const struct command_line *l)
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
                                   .quiet = l->quiet,
                                   .resume = l->resume,
+                                  .fresh = l->fresh,
                                   .n_overrides = l->n_overrides,
                                   .overrides = l->overrides};
 
@@ -291,10 +295,11 @@ static int act(const struct command_line *l)
 
 const struct command command_run = {
     "run",
-    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--quiet]",
+    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
+    "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended",
-    "osj-r",
+    "goes on where the run in DIR ended, --fresh settles its bed anew",
+    "osj-rf",
     1,
     1,
     act};

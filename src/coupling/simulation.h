@@ -9,6 +9,7 @@
 #define COUPLING_SIMULATION_H
 
 #include "averaging/averaging.h"
+#include "coupling/active_effect.h"
 #include "coupling/effect.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh.h"
@@ -19,9 +20,11 @@
 struct coupling;
 struct population;
 
-/* Wall-clock seconds spent so far, by part. */
+/* Wall-clock seconds spent so far, by part; and processor seconds of all
+ * threads, without output. */
 struct seconds {
     double cfd, dem, averaging, exchange, output;
+    double processor;
 };
 
 struct simulation {
