@@ -58,8 +58,7 @@ struct effect {
     /* What of its parameters is impossible, in words; NULL: nothing is. */
     const char *(*wrong)(const double *parameters,
                          const struct attraction_scene *scene);
-    /* How large the force is by the scales of a case, for the effect named or
-     * not (effect_scales.h). */
+    /* How large the force would be in a case (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);
 };
 
