@@ -19,14 +19,15 @@ LIGHTLY  = -O1
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
-# What is built: the rooms' own files, and the folders in them that are named
+# What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ALL_FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved
+ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
 FOLDERS := $(ALL_FOLDERS)
-SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(FOLDERS:=/models.txt))
 LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
@@ -52,10 +53,12 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow
+slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow cylinder-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
+cylinder-slow: $B/winnow
+	@sh tests/cylinder.sh $B/winnow
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
@@ -187,7 +190,7 @@ $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow sanitized-slow style-slow solutions results text pages \
+        commands-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -4,17 +4,6 @@
 
 #include "base/clock.h"
 
-/* Where the end has changed, the means of the second half begin anew. */
-static void half_time_state(struct recorder *r, struct state *s)
-{
-    double half_time = r->half_time;
-
-    state_real(s, "half_time", "s", &half_time);
-    if (half_time == r->half_time) return;
-    r->drop_sum = r->weight_sum = 0.0;
-    r->drop_rows = 0;
-}
-
 static void sums_state(struct recorder *r, struct state *s)
 {
     double elapsed = clock_now() - r->began;
@@ -28,10 +17,6 @@ static void sums_state(struct recorder *r, struct state *s)
     state_real(s, "worst_cfl", "-", &r->worst_cfl);
     state_real(s, "eps_lowest", "-", &r->eps_lowest);
     state_long(s, "capped_steps", "-", &r->capped_steps);
-    state_real(s, "drop_sum", "Pa", &r->drop_sum);
-    state_real(s, "weight_sum", "Pa", &r->weight_sum);
-    state_long(s, "drop_rows", "-", &r->drop_rows);
-    half_time_state(r, s);
 }
 
 /* The folder comes last: only when all files are found to be there, it removes
@@ -40,6 +25,7 @@ void recorder_state(struct recorder *r, struct state *s)
 {
     state_begin(s, "recorder");
     sums_state(r, s);
+    second_half_state(r->second_half, s);
     snapshot_state(r->snapshot, r->sim->mesh, s);
     profiles_state(r->lines, s);
     table_state(r->history, s);

@@ -165,6 +165,18 @@ static int move_freely(struct simulation *sim, double *clock)
     return failed;
 }
 
+/* What else moves, bodies that the fluid flows around. */
+static int move_others(struct simulation *sim)
+{
+    int failed = 0;
+
+    for (int i = 0; i < sim->n_effects && !failed; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->move != NULL) failed = e->effect->move(e->memory, sim);
+    }
+    return failed;
+}
+
 static void finish_step(struct simulation *sim)
 {
     sim->steps++;
@@ -221,6 +233,7 @@ int coupling_step(struct simulation *sim)
         }
         if (!failed) effects_measure_scale(sim);
     }
+    if (!failed) failed = move_others(sim);
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);
     return failed;
@@ -306,4 +319,8 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
     coupling_unpaid_impulse(sim, owed);
     for (int k = 0; k < 3; k++)
         total[k] -= owed[k];
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->momentum != NULL) e->effect->momentum(e->memory, total);
+    }
 }

@@ -19,13 +19,21 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {".",        "fluid",      "particles",
-                                    "surfaces", "picture",    "profiles",
-                                    "frames",   "statistics", "case"};
+static const char *const below[] = {
+    ".",        "fluid",      "particles", "surfaces", "picture", "profiles",
+    "frames",   "statistics", "walls",     "contacts", "case",    "bodies"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
                                    "./surfaces.csv",
+                                   "./bodies.csv",
+                                   "./bodies.pvd",
+                                   "bodies/bodies_*.vtp",
+                                   "./forces.csv",
+                                   "./walls.pvd",
+                                   "./contacts.pvd",
+                                   "walls/walls_*.vtp",
+                                   "contacts/contacts_*.vtp",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
@@ -35,6 +43,9 @@ static const char *const ours[] = {"./summary.json",
                                    "surfaces/surfaces_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
+                                   "picture/flow.txt",
+                                   "picture/walls.txt",
+                                   "picture/streamlines.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
                                    "./bed.gif",
