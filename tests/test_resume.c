@@ -14,13 +14,14 @@
 #include "facts.h"
 #include "kept.h"
 
-enum { STEPS = 4, N_EFFECTS = 17, TEXT = 512 };
+enum { STEPS = 4, N_EFFECTS = 32, TEXT = 512 };
 
 /* Values of keys that have no default, by the last part of their paths. */
 static const char *const required[][2] = {
     {"time", "2e-3"},      {"range", "2e-5"},     {"hamaker", "1e-19"},
     {"tension", "0.01"},   {"roughness", "1e-6"}, {"sigma_low", "0.2"},
-    {"sigma_high", "0.2"}, {NULL, NULL}};
+    {"sigma_high", "0.2"}, {"height", "0.01"},    {"sample", "4e-3"},
+    {NULL, NULL}};
 
 static const char *value_of(const char *path)
 {
