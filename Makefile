@@ -60,7 +60,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli vtk tools \
+checks: solutions results sanitized pairs facts style faults steps-check cli free vtk tools \
         commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -77,6 +77,8 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+free: $B/winnow
+	@sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 pairs: $B/winnow
@@ -174,7 +176,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults pairs \
-        steps steps-check cli vtk tools commands faults-slow pairs-slow \
+        steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow sanitized-slow style-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:

@@ -14,7 +14,7 @@ static const double d = 1e-3, mu = 1e-3, z_min = 1e-6, z_out = 1e-4;
 static struct attraction water(double viscosity)
 {
     const double numbers[] = {z_min, z_out};
-    const struct attraction_scene scene = {NULL, viscosity};
+    const struct attraction_scene scene = {.viscosity = viscosity};
     return effects_named("lubrication")->attraction(numbers, &scene);
 }
 

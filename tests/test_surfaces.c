@@ -62,11 +62,11 @@ static struct particles *thrown(double vx, double vy)
 }
 
 /* Where the sphere is after so many steps. */
-struct state {
+struct sphere_state {
     double x[9];
 };
 
-static struct state state_after(const struct dem_options *o, double vx,
+static struct sphere_state state_after(const struct dem_options *o, double vx,
                                 double vy, int steps)
 {
     struct particles *const ps = thrown(vx, vy);
@@ -74,14 +74,14 @@ static struct state state_after(const struct dem_options *o, double vx,
     struct dem_report r;
 
     ck_assert_int_eq(dem_run(dem, steps, &r), 0);
-    const struct state s = {{ps->x[0], ps->y[0], ps->z[0], ps->vx[0], ps->vy[0],
+    const struct sphere_state s = {{ps->x[0], ps->y[0], ps->z[0], ps->vx[0], ps->vy[0],
                              ps->vz[0], ps->wx[0], ps->wy[0], ps->wz[0]}};
     dem_free(dem);
     particles_free(ps);
     return s;
 }
 
-static void assert_alike(const struct state *a, const struct state *b,
+static void assert_alike(const struct sphere_state *a, const struct sphere_state *b,
                          double tol)
 {
     for (int k = 0; k < 9; k++)
@@ -109,8 +109,8 @@ START_TEST(plane_is_what_a_wall_of_the_box_is)
     if (_i >= 2) wall.material.rolling = o.material.rolling = 0.1;
     if (_i == 3) wall.materials = o.materials = &two;
     if (_i == 3) s.material = 1; /* else of material 0, with e = 0.8 */
-    const struct state a = state_after(&wall, 0.5, -1.0, 20000);
-    const struct state b = state_after(&o, 0.5, -1.0, 20000);
+    const struct sphere_state a = state_after(&wall, 0.5, -1.0, 20000);
+    const struct sphere_state b = state_after(&o, 0.5, -1.0, 20000);
     assert_alike(&a, &b, 1e-10);
 }
 END_TEST
@@ -289,8 +289,8 @@ START_TEST(sphere_crosses_a_seam_as_if_there_were_none)
                                  : floor_with_hanging_corners();
     const struct dem_options a = with(&contact_hertz, 2e-5, &flat, 1);
     const struct dem_options b = with(&contact_hertz, 2e-5, &s, 1);
-    const struct state one = state_after(&a, 1.6, -0.2, 20000);
-    const struct state two = state_after(&b, 1.6, -0.2, 20000);
+    const struct sphere_state one = state_after(&a, 1.6, -0.2, 20000);
+    const struct sphere_state two = state_after(&b, 1.6, -0.2, 20000);
 
     ck_assert_double_gt(one.x[0], 0.05);
     assert_alike(&one, &two, 1e-10);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
+#include "case/effect_shares.h"
 
 #include <math.h>
 #include <omp.h>
@@ -239,6 +240,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_residuals(f, r);
     write_counts(f, r);
     write_means(f, r);
+    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -359,6 +361,7 @@ void recorder_print(const struct recorder *r)
                r->drop_sum / (double)r->drop_rows,
                r->weight_sum / (double)r->drop_rows,
                sim->mesh->shape != NULL ? " over the mean section" : "");
+    effect_shares_print(sim);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/effects.h"
 #include "case/validate.h"
 
 #include <stdio.h>
@@ -330,7 +331,9 @@ static int check_fields(const struct settings *s)
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < settings_length(s, lists[k]); i++)
             if (check_field(s, lists[k], i) != 0) return 2;
-    if (!settings_has(s, "effects.time_average") || build_two_way(s)) return 0;
+    if (effects_named("time_average") == NULL ||
+        !settings_has(s, "effects.time_average") || build_two_way(s))
+        return 0;
     return settings_wrong(s, "effects.time_average",
                           "one-way there are no averaged fields; it asks for "
                           "exchange.coupling = \"two-way\"");

@@ -31,6 +31,7 @@ struct coupling *coupling_create(struct simulation *sim,
     cp->unpaid_impulse = alloc_doubles(3 * n);
     cp->smooth = alloc_doubles(3 * n);
     cp->amount = alloc_doubles(4 * n);
+    cp->rate = alloc_doubles(n);
     cp->field = alloc_doubles(4 * cells);
     if (options->interpolation == interpolation_named("linear"))
         cp->u_b =
@@ -52,6 +53,7 @@ void coupling_free(struct coupling *cp)
     free(cp->u_f);
     free(cp->eps);
     free(cp->k);
+    free(cp->rate);
     free(cp->u_mean);
     free(cp->unpaid_impulse);
     free(cp->smooth);
@@ -210,7 +212,6 @@ int coupling_step(struct simulation *sim)
         failed = sim->coupling != NULL ? move_with_drag(sim, &clock)
                                        : move_freely(sim, &clock);
         if (!failed) effects_call(sim, EFFECTS_AFTER_PARTICLES);
-        effects_measure_scale(sim);
 
         /* 5. New eps_s and u_s; from them Omega and A for the next step. */
         if (sim->coupling != NULL && !failed) {
@@ -218,6 +219,7 @@ int coupling_step(struct simulation *sim)
             clock_add(&sim->seconds.averaging, &clock);
             if (!failed) transfer_drag_terms(sim);
         }
+        if (!failed) effects_measure_scale(sim);
     }
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);

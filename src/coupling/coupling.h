@@ -79,6 +79,7 @@ struct coupling {
                        NULL unless the interpolation is linear */
     double *smooth; /* [m/s] adjoint of averaging applied to u, 3 a particle */
     double *amount; /* up to 4 a particle */
+    double *rate;   /* [kg/s] k at the end of the step */
     double *field;  /* up to 4 a cell */
     struct replacement *replacement; /* NULL without insertion and removal */
 };

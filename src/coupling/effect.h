@@ -18,15 +18,16 @@ struct simulation;
 struct effect;
 struct effect_scales;
 struct effect_count;
+struct effect_estimate;
 struct attraction;
 struct attraction_scene;
 
-/* The forces that an effect has exerted, of the steps that are measured. */
+/* The forces that an effect has exerted. */
 struct effect_tally {
     double sum;     /* [N] of their sizes, over particles and steps */
     double largest; /* [N] on one particle */
-    double seconds; /* [s] wall-clock time in its hooks, of all steps */
-    long n;         /* [-] particles, over all those steps */
+    double weight;  /* [-] number of these */
+    double seconds; /* [s] wall-clock time in its hooks */
 };
 
 /* An active effect: its descriptor and its state. */
@@ -59,8 +60,7 @@ struct effect {
     void (*after_particles)(void *memory, struct simulation *sim);
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
-    /* Visits what the next step depends on, but for arrays that are attached to
-     * the particles. */
+    /* Visits what the next step depends on besides attached arrays. */
     void (*state)(void *memory, struct state *s);
     void (*free)(void *memory);
     /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
@@ -72,9 +72,9 @@ struct effect {
     /* What of its parameters is impossible, in words; NULL: nothing is. */
     const char *(*wrong)(const double *parameters,
                          const struct attraction_scene *scene);
-    /* The share of the larger one of weight and drag that the force has by the
-     * scales of a case, for the effect named or not [-] (effect_scales.h). */
-    double (*share)(const struct effect_scales *k, const char **remark);
+    /* How large the force is by the scales of a case, for the effect named or
+     * not (effect_scales.h). */
+    struct effect_estimate (*estimate)(const struct effect_scales *k);
 };
 
 #endif

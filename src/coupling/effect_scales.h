@@ -10,17 +10,26 @@ struct effect_scales {
     double rho_f, mu;    /* [kg/m^3], [Pa s] */
     double rho_s, d;     /* [kg/m^3], [m] of the mean particle */
     double gravity;      /* [m/s^2] */
-    double slip;         /* [m/s] terminal velocity, or that of the inlet */
-    double shear;        /* [1/s] velocity over the width that it changes in */
-    double length;       /* [m] that width */
-    double spin;         /* [rad/s] of a particle against the fluid */
     double eps_s;        /* [-] solids fraction where the particles are */
+    int carried;         /* [-] 1: the stream carries them, or they fall */
+    double slip;         /* [m/s] of a particle in the stream */
+    double length;       /* [m] over which the velocity changes by that */
+    double shear;        /* [1/s] of the stream */
+    double spin;         /* [rad/s] of a particle against the fluid */
     double tau;          /* [s] relaxation time */
-    double acceleration; /* [m/s^2] of the slip */
-    double weight;       /* [N] */
-    double drag;         /* [N] at the slip */
+    double acceleration; /* [m/s^2] of the slip, in the mean */
+    double time;         /* [s] that the slip has had to develop */
+    double weight, drag; /* [N] */
     double force;        /* [N] the larger one of the two */
-    int resting;         /* [-] 1: a bed that is not carried */
+    const struct attraction *pair; /* of the effect, if it is named */
+    const double *numbers;         /* its parameters, if it is named */
+};
+
+/* Size of the force over the larger one of weight and drag. */
+struct effect_estimate {
+    double share;       /* [-] in the mean, or as the remark says */
+    const char *remark; /* "" if there is nothing to add */
+    int conditional;    /* [-] 1: only if the remark holds */
 };
 
 #endif

@@ -7,8 +7,6 @@
 #include "base/clock.h"
 #include "coupling/transfer.h"
 
-enum { MEASURED = 8 }; /* [-] one step in so many */
-
 const struct effect *effects_named(const char *name)
 {
     for (const struct effect *const *e = effects; *e != NULL; e++)
@@ -31,22 +29,18 @@ void effects_call(struct simulation *sim, enum effects_moment when)
     }
 }
 
-int effects_are_measured(const struct simulation *sim)
-{
-    return sim->steps % MEASURED == 0;
-}
-
 static void add(struct effect_tally *t, double size, double share)
 {
     t->sum += share * size;
+    t->weight += share;
     t->largest = fmax(t->largest, size);
 }
 
 void effects_report(struct simulation *sim, const double f[3], double share)
 {
-    if (sim->at_work == NULL || !effects_are_measured(sim)) return;
-    add(&sim->at_work->tally, sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]),
-        share);
+    if (sim->at_work != NULL)
+        add(&sim->at_work->tally, sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]),
+            share);
 }
 
 void effects_measure_scale(struct simulation *sim)
@@ -54,10 +48,8 @@ void effects_measure_scale(struct simulation *sim)
     const double *const g = sim->gravity;
     const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
 
-    if (sim->n_effects == 0 || !effects_are_measured(sim)) return;
-    for (int i = 0; i < sim->particles->n; i++) {
+    for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
         const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;
         add(&sim->force_scale, fmax(drag, sim->particles->m[i] * size), 1.0);
     }
-    sim->force_scale.n += sim->particles->n;
 }

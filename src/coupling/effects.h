@@ -1,9 +1,8 @@
 /* effects.h -- the list of all effects, and what those of a case do.
  * Chapter "The coupled loop".
  *
- * In every eighth step the forces of the effects are measured, and with them
- * what they are compared with: the larger one of a particle's weight and its
- * drag. The seconds are those of all steps.
+ * The forces of the effects are measured in every step, and with them what they
+ * are compared with: the larger one of a particle's weight and its drag.
  */
 #ifndef COUPLING_EFFECTS_H
 #define COUPLING_EFFECTS_H
@@ -30,15 +29,12 @@ enum effects_moment {
  * order, and takes the time. */
 void effects_call(struct simulation *sim, enum effects_moment when);
 
-/* 1 in a step in which forces are measured. */
-int effects_are_measured(const struct simulation *sim);
-
 /* Reports the force f [N] of the effect at work on one particle, which acts
  * during this share of the step [-]. A hook that no step calls reports nothing.
  */
 void effects_report(struct simulation *sim, const double f[3], double share);
 
-/* Measures the scale after the particles have moved. */
+/* Measures the scale at the end of a step. */
 void effects_measure_scale(struct simulation *sim);
 
 #endif

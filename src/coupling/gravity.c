@@ -5,6 +5,7 @@
  * fluid.h leaves out; where that part does not act on the particles (no
  * pressure_gradient), transfer.c adds the difference to the fluid.
  */
+#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 
 #include <stddef.h>
@@ -31,6 +32,11 @@ static void gravity_before_particles(void *memory, struct simulation *sim)
     }
 }
 
+static struct effect_estimate estimate(const struct effect_scales *k)
+{
+    return (struct effect_estimate){k->weight / k->force, "", 0};
+}
+
 static const struct key keys[] = {
     {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
      "acceleration by gravity: the weight of the particles", "XS11 2.1",
@@ -45,4 +51,5 @@ const struct effect gravity_effect = {
     .keys = keys,
     .create = gravity_create,
     .before_particles = gravity_before_particles,
+    .estimate = estimate,
 };

@@ -11,6 +11,7 @@
  * and the reaction of f_i acts on it like the drag, in the next step [SX15 2b,
  * EW18 11].
  */
+#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 
 #include <gsl/gsl_math.h>
@@ -77,6 +78,18 @@ static void pressure_gradient_before_particles(void *memory,
     }
 }
 
+/* A bed that is carried takes eps_s + eps_f rho_f/rho_s of its weight by the
+ * pressure; a lone particle has the buoyancy. Under a bed that is not carried
+ * the gradient is that of the drag, eps_s beta w. */
+static struct effect_estimate estimate(const struct effect_scales *k)
+{
+    const double V = M_PI / 6.0 * k->d * k->d * k->d;
+    const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
+
+    return (struct effect_estimate){
+        V * (gradient + k->rho_f * k->gravity) / k->force, "", 0};
+}
+
 static const struct key keys[] = {
     {"effects.pressure_gradient", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the pressure gradient, with buoyancy, on the particles",
@@ -92,4 +105,5 @@ const struct effect pressure_gradient_effect = {
     .create = pressure_gradient_create,
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,
+    .estimate = estimate,
 };

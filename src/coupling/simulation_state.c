@@ -17,7 +17,7 @@ static void tally_state(struct effect_tally *t, struct state *s)
     state_real(s, "sum", "N", &t->sum);
     state_real(s, "largest", "N", &t->largest);
     state_real(s, "seconds", "s", &t->seconds);
-    state_long(s, "n", "-", &t->n);
+    state_real(s, "weight", "-", &t->weight);
 }
 
 static void effects_state(struct simulation *sim, struct state *s)

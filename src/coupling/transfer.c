@@ -54,7 +54,7 @@ static void find_drag_rates(struct simulation *sim, double *k, int stride)
 
 double transfer_drag(const struct simulation *sim, int i)
 {
-    return drag_rate(sim, i) * slip_speed(sim, i);
+    return sim->coupling->rate[i] * slip_speed(sim, i);
 }
 
 /* From m fields a cell, of which the first is eps_s and the next, if there are
@@ -145,6 +145,7 @@ static void estimate_drag_impulse(struct simulation *sim)
     for (int i = 0; i < ps->n; i++) {
         const double k = cp->amount[4 * i];
         shortest = fmin(shortest, ps->m[i] / k); /* tau_p [XS11 3.16] */
+        cp->rate[i] = k;
         cp->k[i] = implicit ? k : 0.0;
         cp->amount[4 * i] = cp->k[i];
         for (int a = 0; a < 3; a++)

@@ -29,7 +29,7 @@ void transfer_fluid(struct simulation *sim);
  * u_f, 3 a particle. */
 void transfer_velocity(struct simulation *sim, double *u_f);
 
-/* The size of the drag on particle i at this moment [N]. */
+/* The size of the drag on particle i after transfer_drag_terms [N]. */
 double transfer_drag(const struct simulation *sim, int i);
 
 /* Starts the sums over the sub-steps. */

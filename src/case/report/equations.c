@@ -235,7 +235,8 @@ static const struct equation others[] = {
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
 
-static const struct equation *const tables[] = {others, equations_ew18, NULL};
+static const struct equation *const tables[] = {others, equations_forces,
+                                                equations_ew18, NULL};
 
 const struct equation *equations_at(int i)
 {

@@ -25,8 +25,9 @@ struct equation {
 /* The i-th of all, in the order of the documents; NULL past the last. */
 const struct equation *equations_at(int i);
 
-/* Those of EW18 alone, ended by one without a key. */
+/* Those of EW18, and of the further forces, ended by one without a key. */
 extern const struct equation equations_ew18[];
+extern const struct equation equations_forces[];
 
 /* The equation of that key, or NULL. */
 const struct equation *equations_named(const char *key);

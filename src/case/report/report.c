@@ -9,6 +9,7 @@
 #include "case/build_particles.h"
 #include "case/report/case_drag.h"
 #include "case/report/report_cohesion.h"
+#include "case/report/case_effects.h"
 #include "case/case_limits.h"
 #include "case/case_scales.h"
 #include "case/case_materials.h"
@@ -233,7 +234,10 @@ int report_case(const struct settings *s)
     if (settings_has(s, "averaging")) print_averaging(s, &k);
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
-    if (k.particles > 0) print_weight(s, &k);
+    if (k.particles > 0) {
+        print_weight(s, &k);
+        case_effects_print(s, &k);
+    }
     print_cost(s, &k);
     return 0;
 }

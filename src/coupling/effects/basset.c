@@ -180,14 +180,17 @@ static void basset_after_particles(void *memory, struct simulation *sim)
     }
 }
 
-/* d/(2 sqrt(pi nu t)) of the drag after a step of the slip, at t = tau. */
-static double share(const struct effect_scales *k, const char **remark)
+/* C (2 sqrt(t)) dw/dt for as long as the slip develops, but no longer than it
+ * takes to. */
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
-    *remark = k->slip * k->d * k->rho_f > k->mu
-                  ? "right after a change of the slip; Re > 1: too large"
-                  : "right after a change of the slip";
-    return basset_coefficient(k->rho_f, k->mu, k->d) * k->slip / sqrt(k->tau) /
-           k->force;
+    const double C = basset_coefficient(k->rho_f, k->mu, k->d);
+
+    return (struct effect_estimate){
+        2.0 * C * sqrt(k->time) * k->acceleration / k->force,
+        k->slip * k->d * k->rho_f > k->mu ? "Re > 1: the kernel fades too late"
+                                          : "",
+        0};
 }
 
 static const struct key keys[] = {
@@ -208,5 +211,5 @@ const struct effect basset_effect = {
     .before_particles = basset_before_particles,
     .after_particles = basset_after_particles,
     .free = basset_free,
-    .share = share,
+    .estimate = estimate,
 };

@@ -3,21 +3,73 @@
  * Chapter "Materials, rolling and cohesion". */
 #include "coupling/effects.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stddef.h>
 
+#include "coupling/effect_scales.h"
+#include "coupling/effects/pair_share.h"
 #include "dem/attraction.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/cohesion/van_der_waals.h"
 
 /* They act within the steps of the particles, and while a bed settles:
- * therefore the particles are created with them (.attraction), and create makes
- * nothing. */
-static void *create(struct simulation *sim, const double *parameters)
+ * therefore the particles are created with them (.attraction), and what create
+ * makes only measures them. */
+static void *create_electrostatic(struct simulation *sim,
+                                  const double *parameters)
 {
-    (void)sim, (void)parameters;
-    return NULL;
+    (void)parameters;
+    return pair_share_create(sim, &electrostatic);
+}
+
+static void *create_van_der_waals(struct simulation *sim,
+                                  const double *parameters)
+{
+    (void)parameters;
+    return pair_share_create(sim, &van_der_waals);
+}
+
+static void *create_capillary(struct simulation *sim, const double *parameters)
+{
+    (void)parameters;
+    return pair_share_create(sim, &capillary);
+}
+
+/* The force of two that touch, F [N] if the effect is not named: then it has no
+ * strength, and F is that of ordinary materials. */
+static struct effect_estimate touching(const struct effect_scales *k, double F,
+                                       const char *remark)
+{
+    const double R = 0.5 * k->d;
+
+    if (k->pair == NULL)
+        return (struct effect_estimate){fabs(F) / k->force, remark, 1};
+    return (struct effect_estimate){
+        fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
+        "of two that touch", 0};
+}
+
+static struct effect_estimate
+estimate_electrostatic(const struct effect_scales *k)
+{
+    const double q = 1e-5 * M_PI * k->d * k->d;
+    return touching(k, electrostatic_force(q, q, 1.0, k->d),
+                    "if they touch and are charged to 1e-5 C/m^2");
+}
+
+static struct effect_estimate
+estimate_van_der_waals(const struct effect_scales *k)
+{
+    return touching(k, van_der_waals_force(1e-19, 1e-7, 4e-10),
+                    "if they touch by asperities of 0.1 um, A = 1e-19 J");
+}
+
+static struct effect_estimate estimate_capillary(const struct effect_scales *k)
+{
+    return touching(k, capillary_force(0.072, 0.5 * k->d),
+                    "if they touch and are wet");
 }
 
 static struct attraction electrostatic_of(const double *p,
@@ -54,9 +106,12 @@ const struct effect cohesion_electrostatic = {
     .equations = "LS 4.13",
     .function = "electrostatic_force",
     .keys = electrostatic_keys,
-    .create = create,
+    .create = create_electrostatic,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
     .attraction = electrostatic_of,
     .wrong = electrostatic_wrong,
+    .estimate = estimate_electrostatic,
 };
 
 static struct attraction van_der_waals_of(const double *p,
@@ -96,9 +151,12 @@ const struct effect cohesion_van_der_waals = {
     .equations = "LS 4.14",
     .function = "van_der_waals_force",
     .keys = van_der_waals_keys,
-    .create = create,
+    .create = create_van_der_waals,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
     .attraction = van_der_waals_of,
     .wrong = van_der_waals_wrong,
+    .estimate = estimate_van_der_waals,
 };
 
 static struct attraction capillary_of(const double *p,
@@ -131,6 +189,9 @@ const struct effect cohesion_capillary = {
     .equations = "LS 4.15",
     .function = "capillary_force",
     .keys = capillary_keys,
-    .create = create,
+    .create = create_capillary,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
     .attraction = capillary_of,
+    .estimate = estimate_capillary,
 };

@@ -53,13 +53,14 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-/* What the torque takes of a spin in the time that the drag needs to stop the
- * particle: 10/3 of it at small Re. */
-static double share(const struct effect_scales *k, const char **remark)
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
-    *remark = "spin lost within the relaxation time of the drag";
-    return -expm1(-spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin) *
-                  k->tau);
+    const double rate =
+        spin_decay_rate(k->rho_f, k->mu, k->d, k->rho_s, k->spin);
+
+    return (struct effect_estimate){
+        k->spin > 0.0 ? -expm1(-rate * k->tau) : 0.0,
+        "of a spin is lost in a relaxation time", 1};
 }
 
 static const struct key keys[] = {
@@ -78,5 +79,5 @@ const struct effect fluid_torque_effect = {
     .before_particles = fluid_torque_before_particles,
     .before_substep = fluid_torque_before_substep,
     .free = fluid_torque_free,
-    .share = share,
+    .estimate = estimate,
 };

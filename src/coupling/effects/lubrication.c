@@ -7,6 +7,7 @@
 
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
+#include "coupling/effects/pair_share.h"
 #include "dem/attraction.h"
 
 double lubrication_coefficient(double mu, double R_star, double z, double z_min,
@@ -36,23 +37,24 @@ lubrication_attraction(const double *p, const struct attraction_scene *scene)
                                .range = p[1]};
 }
 
-/* The particles are created with it. */
+/* The particles are created with it; this measures it. */
 static void *lubrication_create(struct simulation *sim,
                                 const double *parameters)
 {
-    (void)sim, (void)parameters;
-    return NULL;
+    (void)parameters;
+    return pair_share_create(sim, &law);
 }
 
-/* A sphere loses ln(z_out/z_min), about 7, times 6 pi mu R*^2/m* of its speed
- * on the way through the gap: all of it at St = rho_s u d/(9 mu) of about 10.
- * In a bed neighbours are a gap apart whose force is that of the drag. */
-static double share(const struct effect_scales *k, const char **remark)
+/* A pair that closes with the slip loses ln(z_out/z_min), about 7, times 6 pi
+ * mu R*^2/m* of its speed on the way through the gap: all of it at St = rho_s u
+ * d/(9 mu) of about 10. */
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double St = k->rho_s * k->slip * k->d / (9.0 * k->mu);
 
-    *remark = "speed that an impact loses, St = rho_s u d/(9 mu) against 10";
-    return St > 0.0 ? fmin(1.0, 10.0 / St) : 0.0;
+    return (struct effect_estimate){
+        St > 0.0 && k->carried && k->eps_s > 1e-3 ? fmin(1.0, 10.0 / St) : 0.0,
+        "of the speed of an impact is lost, 10/St", 0};
 }
 
 static const struct key keys[] = {
@@ -65,6 +67,13 @@ static const struct key keys[] = {
      "gap z_out from which on it acts", "", ""},
     {0}};
 
+static const char *lubrication_wrong(const double *p,
+                                     const struct attraction_scene *scene)
+{
+    (void)scene;
+    return p[0] < p[1] ? NULL : "the range must be longer than the roughness";
+}
+
 const struct effect lubrication_effect = {
     .name = "lubrication",
     .what = "resistance of the liquid between close particles",
@@ -72,6 +81,9 @@ const struct effect lubrication_effect = {
     .function = "lubrication_coefficient",
     .keys = keys,
     .create = lubrication_create,
+    .after_step = pair_share_after_step,
+    .free = pair_share_free,
     .attraction = lubrication_attraction,
-    .share = share,
+    .wrong = lubrication_wrong,
+    .estimate = estimate,
 };

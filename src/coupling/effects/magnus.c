@@ -41,16 +41,15 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-static double share(const struct effect_scales *k, const char **remark)
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
     const double Re_r = spin_reynolds(k->rho_f, k->mu, k->d, k->spin);
+    const double F =
+        spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d, k->slip);
 
-    *remark = "the spin that a collision with friction leaves";
-    if (!(Re > 0.0) || !(Re_r > 0.0)) return 0.0;
-    return spin_force(k->rho_f, spin_lift_coefficient(Re, Re_r), k->d,
-                      k->slip) /
-           k->force;
+    return (struct effect_estimate){Re > 0.0 && Re_r > 0.0 ? F / k->force : 0.0,
+                                    "with the spin that collisions leave", 0};
 }
 
 static const struct key keys[] = {{"effects.magnus", KEY_GROUP, "", "",
@@ -69,5 +68,5 @@ const struct effect magnus_effect = {
     .before_particles = magnus_before_particles,
     .before_substep = magnus_before_substep,
     .free = magnus_free,
-    .share = share,
+    .estimate = estimate,
 };

@@ -78,15 +78,15 @@ static void saffman_before_substep(void *memory, struct simulation *sim)
     }
 }
 
-/* 1.615 mu d w sqrt(Re_G) over 3 pi mu d w phi(Re). */
-static double share(const struct effect_scales *k, const char **remark)
+static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double Re = k->rho_f * k->slip * k->d / k->mu;
-    const double alpha = 0.5 * k->d * k->shear / k->slip;
+    const double Re_G = saffman_reynolds(k->d, k->mu / k->rho_f, k->shear);
+    const double F = coefficient * k->mu * k->d * k->slip * sqrt(Re_G);
 
-    *remark = "a shear of the case's velocity over its width";
-    return coefficient * k->mu * k->d * k->slip * saffman_factor(Re, alpha) *
-           sqrt(saffman_reynolds(k->d, k->mu / k->rho_f, k->shear)) / k->force;
+    return (struct effect_estimate){
+        F * saffman_factor(Re, 0.5 * k->d * k->shear / k->slip) / k->force, "",
+        0};
 }
 
 static const struct key keys[] = {
@@ -105,5 +105,5 @@ const struct effect saffman_effect = {
     .before_particles = saffman_before_particles,
     .before_substep = saffman_before_substep,
     .free = saffman_free,
-    .share = share,
+    .estimate = estimate,
 };

@@ -12,6 +12,7 @@
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
  * In the first step there is no past: Du/Dt is 0.
  */
+#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 
 #include <gsl/gsl_math.h>
@@ -141,6 +142,15 @@ static void virtual_mass_state(void *memory, struct state *s)
     state_reals(s, "u_past", "m/s", self->past, self->n_cells, 3);
 }
 
+static struct effect_estimate estimate(const struct effect_scales *k)
+{
+    const double C = k->numbers != NULL ? k->numbers[0] : 0.5;
+    const double V = M_PI / 6.0 * k->d * k->d * k->d;
+
+    return (struct effect_estimate){
+        C * k->rho_f * V * k->acceleration / k->force, "", 0};
+}
+
 static const struct key keys[] = {
     {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the fluid that a particle accelerates with itself", "LS 5.3",
@@ -160,4 +170,5 @@ const struct effect virtual_mass_effect = {
     .after_particles = virtual_mass_after_particles,
     .state = virtual_mass_state,
     .free = virtual_mass_free,
+    .estimate = estimate,
 };

@@ -13,8 +13,10 @@
  * at a boundary u_N is the velocity there, which on a slip wall and an outlet
  * has the tangential part of u.
  */
+#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 
+#include <gsl/gsl_math.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
@@ -102,6 +104,15 @@ static void viscous_stress_before_particles(void *memory,
     }
 }
 
+/* V mu lap u, of a velocity that changes by the slip over the length. */
+static struct effect_estimate estimate(const struct effect_scales *k)
+{
+    const double V = M_PI / 6.0 * k->d * k->d * k->d;
+
+    return (struct effect_estimate){
+        V * k->mu * k->slip / (k->length * k->length) / k->force, "", 0};
+}
+
 static const struct key keys[] = {
     {"effects.viscous_stress", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the viscous stress of the undisturbed flow on the particles",
@@ -117,4 +128,5 @@ const struct effect viscous_stress_effect = {
     .create = viscous_stress_create,
     .before_particles = viscous_stress_before_particles,
     .free = viscous_stress_free,
+    .estimate = estimate,
 };

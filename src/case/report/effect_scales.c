@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/report/case_effects.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "base/vector.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "coupling/drag.h"
+
+static const double packed = 0.6; /* [-] solids fraction of a bed at rest */
+
+/* What was measured in bubbling beds: the mean acceleration of a grain, most of
+ * it by contacts, over that of a fall [-], and its spin over slip/d [-]. */
+static const double pushed = 5.0, spun = 0.1;
+
+/* The mean diameter [m], velocity [m/s] and spin [rad/s] of placed spheres. */
+struct placed {
+    double d, speed, spin;
+};
+
+static struct placed placed_of(const struct settings *s)
+{
+    static const char *const list = "particles.place";
+    const int n = settings_length(s, list);
+    struct placed p = {0.0, 0.0, 0.0};
+
+    for (int i = 0; i < n; i++) {
+        double v[3];
+        p.d += settings_item_real(s, list, i, "diameter") / n;
+        settings_item_vector(s, list, i, "velocity", v);
+        p.speed += vector_length(v) / n;
+        settings_item_vector(s, list, i, "spin", v);
+        p.spin += vector_length(v) / n;
+    }
+    return p;
+}
+
+/* The fastest moving wall over the narrowest way across the box [1/s]. */
+static double shear_of_walls(const struct settings *s)
+{
+    double lo[3], size[3], fastest = 0.0;
+
+    case_mesh_ends(s, lo, size);
+    for (int i = 0; settings_any_side(s, i) != NULL; i++) {
+        char path[128];
+        double v[3];
+        snprintf(path, sizeof path, "%s.wall", settings_any_side(s, i));
+        if (!settings_has(s, path)) continue;
+        settings_vector(s, path, v);
+        fastest = fmax(fastest, vector_length(v));
+    }
+    return fastest / fmin(size[0], fmin(size[1], size[2]));
+}
+
+static double volume(const struct effect_scales *k)
+{
+    return M_PI / 6.0 * gsl_pow_3(k->d);
+}
+
+/* Drag [N] at a slip w where eps_s is solid. */
+static double drag_at(const struct settings *s, const struct effect_scales *k,
+                      double eps_s, double w)
+{
+    return volume(k) * w *
+           drag_law_named(settings_text(s, "exchange.drag"))
+               ->resistance(1.0 - eps_s, k->rho_f, k->mu, k->d, w);
+}
+
+/* The slip at which the drag carries the weight less the buoyancy. */
+static double terminal(const struct settings *s, const struct effect_scales *k,
+                       double eps_s)
+{
+    const double pull = fabs(k->rho_s - k->rho_f) * volume(k) * k->gravity;
+    double low = 0.0, high = 1e3;
+
+    for (int i = 0; i < 100; i++) {
+        const double w = 0.5 * (low + high);
+        if (drag_at(s, k, eps_s, w) / (1.0 - eps_s) < pull)
+            low = w;
+        else
+            high = w;
+    }
+    return low;
+}
+
+/* The solids fraction at which a stream of this superficial velocity carries
+ * the particles: `packed` if it does not. */
+static double expanded(const struct settings *s, const struct effect_scales *k,
+                       double inlet)
+{
+    double low = 0.0, high = packed;
+
+    if (terminal(s, k, packed) * (1.0 - packed) > inlet) return packed;
+    for (int i = 0; i < 60; i++) {
+        const double eps_s = 0.5 * (low + high);
+        if (terminal(s, k, eps_s) * (1.0 - eps_s) > inlet)
+            low = eps_s;
+        else
+            high = eps_s;
+    }
+    return low;
+}
+
+/* A bed in a stream: carried, or at rest. Within it the gas between bubbles
+ * changes by the slip over a few cells, and what a bubble leaves falls for the
+ * time of a diameter. */
+static void bed_scales(const struct settings *s, struct effect_scales *k,
+                       const struct case_scales *in)
+{
+    k->eps_s = in->inlet > 0.0 ? expanded(s, k, in->inlet) : packed;
+    k->carried = k->eps_s < packed;
+    k->slip = in->inlet / (1.0 - k->eps_s);
+    k->length = 2.0 * in->S_c;
+    k->shear = k->slip / k->length;
+    if (!k->carried) return;
+    k->spin = spun * k->slip / k->d;
+    k->acceleration = pushed * k->gravity * fabs(k->rho_s - k->rho_f) /
+                      (k->rho_s + 0.5 * k->rho_f);
+    k->time = sqrt(k->d / k->gravity);
+}
+
+/* Spheres that are far from each other: they fall, or the stream takes them. */
+static void dilute_scales(const struct settings *s, struct effect_scales *k,
+                          const struct case_scales *in, const struct placed *p)
+{
+    double lo[3], size[3];
+
+    case_mesh_ends(s, lo, size);
+    k->eps_s = in->particles * volume(k) / case_mesh_volume(s);
+    k->slip =
+        k->gravity > 0.0 ? terminal(s, k, k->eps_s) : fmax(in->inlet, p->speed);
+    k->carried = 1;
+    k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
+    k->shear = shear_of_walls(s);
+    k->spin = p->spin;
+    k->time = settings_real(s, "output.end");
+    k->acceleration = k->slip / k->time;
+    if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
+}
+
+struct effect_scales case_effects_scales(const struct settings *s,
+                                         const struct case_scales *in)
+{
+    const struct placed p = placed_of(s);
+    double g[3];
+    struct effect_scales k = {
+        .rho_s = settings_real(s, "particles.grains.density"),
+        .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
+                              : p.d,
+        .gravity = build_gravity(s, g) ? vector_length(g) : 0.0};
+
+    k.weight = k.rho_s * volume(&k) * k.gravity;
+    if (settings_has(s, "exchange")) {
+        k.rho_f = settings_real(s, "fluid.density");
+        k.mu = settings_real(s, "fluid.viscosity");
+        if (in->volume > 0.0)
+            bed_scales(s, &k, in);
+        else
+            dilute_scales(s, &k, in, &p);
+        k.drag = drag_at(s, &k, k.eps_s, k.slip);
+        k.tau = k.slip > 0.0 ? k.rho_s * volume(&k) * k.slip / k.drag : 0.0;
+        if (k.time == 0.0) k.time = k.tau;
+        k.acceleration = fmin(k.acceleration, k.slip / k.time);
+    }
+    k.force = fmax(k.weight, k.drag);
+    return k;
+}

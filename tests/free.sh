@@ -1,0 +1,92 @@
+#!/bin/sh
+# An effect that is off costs nothing. For each effect of coupling/effects a
+# program is linked from which its descriptor is left out, so that the linker
+# takes nothing of its file either; the same bed in it and in the whole program,
+# which has the effect and does not name it, must allocate the same arrays,
+# enter the same functions and run the same pieces of code, counted in the rooms
+# coupling and dem. With the effect named they must be more: the count sees it.
+#
+#   sh tests/free.sh build          (says "free: N facts hold", and the table)
+set -u
+build=${1:-build}
+cc=${CC:-gcc}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0 facts=0
+export OMP_NUM_THREADS=1
+
+flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -O1"
+wrap="-Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints"
+counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
+    src/dem/dem.c src/dem/fast/chunk_step.c src/dem/fast/attraction_loop.c
+    src/dem/fast/drag_rows.c src/dem/fast/bodies.c"
+
+# What says what it runs; the rest is as in the program.
+objects=
+for file in $counted; do
+    object=$work/$(basename "$file" .c).o
+    $cc $flags -finstrument-functions -fsanitize-coverage=trace-pc -c \
+        -o "$object" "$file" || exit
+    objects="$objects $object"
+done
+$cc $flags -c -o "$work/count.o" tests/free/count.c || exit
+
+# A program with these lists of models.
+link() { # program, lists
+    out=$1
+    shift
+    awk -f src/models.awk "$@" >"$work/models.c" &&
+        $cc $flags -c -o "$work/models.o" "$work/models.c" &&
+        $cc -fopenmp $wrap -o "$out" "$work/count.o" "$work/models.o" $objects \
+            "$build/libwinnow.a" -lconfig -lgsl -lgslcblas -lz -lm
+}
+
+fact() { # name, 1 if it holds
+    facts=$((facts + 1))
+    [ "$2" = 1 ] && return
+    echo "free: NOT SO: $1"
+    failed=1
+}
+
+own=src/coupling/effects/models.txt
+others=$(ls src/*/models.txt src/*/*/models.txt | grep -v "^$own$")
+# shellcheck disable=SC2086 # one word a file
+link "$work/whole" $others $own || exit
+off=$("$work/whole" tests/free/bed.cfg 5)
+echo "# a hundred spheres, 5 steps: arrays, calls and pieces of code"
+echo "# off, in the whole program: $off"
+echo "# effect         without its file        named"
+
+# Name in a case, descriptor, its group, and what else it takes.
+while read -r name descriptor group more; do
+    grep -v " ${descriptor}\$" $own >"$work/list"
+    # shellcheck disable=SC2086
+    link "$work/without" $others "$work/list" || exit
+    without=$("$work/without" tests/free/bed.cfg 5)
+    # shellcheck disable=SC2086
+    on=$("$work/whole" tests/free/bed.cfg 5 "effects.$name=$group" $more)
+    fact "off, $name costs nothing: $off, without its file $without" \
+        "$([ -n "$off" ] && [ "$off" = "$without" ] && echo 1)"
+    fact "the program without $name does not know it" \
+        "$("$work/without" tests/free/bed.cfg 5 "effects.$name=$group" 2>&1 |
+            grep -q "effects.$name" && echo 1)"
+    fact "named, $name is seen by the count: $on" \
+        "$(echo "$off $on" | awk '{ print ($4 > $1 && $5 > $2) }')"
+    echo "$name $without $on" | awk '{
+        printf "%-16s %4d %6d %7d   %4d %6d %7d\n", $1, $2, $3, $4, $5, $6, $7 }'
+done <<EOF
+viscous_stress viscous_stress_effect {}
+virtual_mass virtual_mass_effect {}
+basset basset_effect {}
+saffman saffman_effect {}
+fluid_torque fluid_torque_effect {}
+magnus magnus_effect {}
+time_average time_average_effect {time=0.1;}
+energy_budget energy_budget_effect {}
+electrostatic cohesion_electrostatic {range=1e-3;} particles.grains.charge=1e-13
+van_der_waals cohesion_van_der_waals {hamaker=1e-19;range=1e-5;}
+capillary cohesion_capillary {tension=0.01;range=5e-5;}
+lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
+EOF
+[ $failed = 0 ] && echo "free: $facts facts hold"
+exit $failed
