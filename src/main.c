@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c -- the command line, nothing else. */
 #include "base/alloc.h"
+#include "base/left_out.h"
 #include "base/version.h"
 #include "case/command.h"
 #include "case/nearest.h"
@@ -32,7 +33,11 @@ static const struct command *command_named(const char *name)
         if (strcmp((*c)->name, name) == 0) return *c;
         nearest_offer(&n, (*c)->name);
     }
-    if (nearest_best(&n) != NULL)
+    if (left_out_folder(name) != NULL)
+        fprintf(stderr,
+                "winnow: %s is not in this build, which leaves out %s\n", name,
+                left_out_folder(name));
+    else if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no command %s; did you mean %s?\n", name,
                 nearest_best(&n));
     else
@@ -123,7 +128,7 @@ static int perform(const struct command *c, int argc, char **argv,
                    struct command_line *l)
 {
     for (int i = 2; i < argc; i++) {
-        if (argv[i][0] != '-')
+        if (c->options == NULL || argv[i][0] != '-')
             l->words[l->n_words++] = argv[i];
         else if (take_option(c, argc, argv, &i, l) != 0)
             return 2;

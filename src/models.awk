@@ -1,7 +1,7 @@
 # Joins the lists of models, one models.txt in each folder that has any, into
 # the arrays that the code looks models up in, written as C:
 #
-#   awk -f src/models.awk src/*/models.txt src/*/*/models.txt
+#   awk -f src/models.awk src/*/models.txt src/*/*/models.txt left=1 FILE.c...
 #
 # A row names a kind and a descriptor of that kind. `struct drag_law` and the
 # descriptor gidaspow_law make the row
@@ -18,11 +18,32 @@
 #
 # `needs FOLDER` is for tests/core.sh: the folder does not work without that
 # other one.
+#
+# The files after left=1 are the source of the folders that are not built. Their
+# keys, models and commands are listed in left_out_words[] (base/left_out.h).
 
 function wrong(what) {
     print FILENAME ":" FNR ": " what >"/dev/stderr"
     failed = 1
     exit 2
+}
+
+# The word in the first quotes of a text.
+function quoted(text) {
+    sub(/^[^"]*"/, "", text)
+    sub(/".*/, "", text)
+    return text
+}
+
+left { # a key, or the name of a descriptor, on its line or on the next
+    if (/\{"[a-z_.0-9<>]+", KEY_/ || /^ *\.name = "/ || /^const struct .*= \{"/ ||
+        (opened && /^ *"/)) {
+        folder = FILENAME
+        sub(/\/[^\/]*$/, "", folder)
+        left_out[++n_left] = "{\"" quoted($0) "\", \"" folder "\"}"
+    }
+    opened = /^const struct .*= \{$/
+    next
 }
 
 { sub(/#.*/, "") }
@@ -60,4 +81,7 @@ END {
         for (i = 1; i <= n[kind]; i++) print "    &" model[kind, i] ","
         print "    NULL};"
     }
+    print "\n#include \"base/left_out.h\"\nconst struct left_out left_out_words[] = {"
+    for (i = 1; i <= n_left; i++) print "    " left_out[i] ","
+    print "    {NULL, NULL}};"
 }

@@ -23,6 +23,7 @@
 #ifndef TESTS_MADE_H
 #define TESTS_MADE_H
 
+#include "mesh/poly/sheared.h"
 #include "fluid/fluid.h"
 
 #include <math.h>

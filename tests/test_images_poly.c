@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly/sheared.h"
 #include "averaging/poly/images_poly.h"
 
 #include <gsl/gsl_math.h>

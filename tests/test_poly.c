@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mesh/poly/quality.h"
 #include "fluid/fluid.h"
 #include "mesh/poly/poly.h"
 #include "mesh/poly/poly_order.h"

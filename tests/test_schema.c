@@ -111,8 +111,11 @@ START_TEST(every_row_of_the_tables_is_complete)
         if (k->type == KEY_REAL || k->type == KEY_INT ||
             k->type == KEY_VECTOR || k->type == KEY_SERIES)
             ck_assert_msg(k->unit[0] != '\0', "%s has no unit", k->path);
-        if (k->type == KEY_NAME && k->fallback != NULL)
-            ck_assert_msg(schema_allow_word(k, k->fallback), "%s", k->path);
+        if (k->type == KEY_NAME && schema_has_default(k)) {
+            char value[SCHEMA_TEXT];
+            schema_default(k, value);
+            ck_assert_msg(schema_allow_word(k, value), "%s", k->path);
+        }
         for (int j = 0; j < i; j++)
             ck_assert_str_ne(schema_at(all, j)->path, k->path);
         if (dot == NULL) continue;

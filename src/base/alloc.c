@@ -73,3 +73,11 @@ double alloc_most(void)
         most = lower(most, (double)own.rlim_cur);
     return most;
 }
+
+double alloc_peak(void)
+{
+    struct rusage used;
+
+    return getrusage(RUSAGE_SELF, &used) == 0 ? 1024.0 * (double)used.ru_maxrss
+                                              : 0.0;
+}

@@ -20,4 +20,7 @@ int *alloc_ints(int n);
  * of the process [byte]. */
 double alloc_most(void);
 
+/* The most memory that this program has had so far [byte]. */
+double alloc_peak(void);
+
 #endif

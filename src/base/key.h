@@ -31,6 +31,8 @@ enum key_type {
  * must be given where a model is chosen that has the row in its tables. */
 #define KEY_OPTIONAL ""
 #define KEY_ASKED "?"
+/* A default: the first of the models that the key chooses between. */
+#define KEY_FIRST "<first>"
 
 enum { KEY_TABLES = 4 }; /* room in a descriptor: three tables and a NULL */
 

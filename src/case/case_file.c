@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_file.h"
 
+#include "mesh/mesh_form.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/validate.h"
@@ -15,6 +16,8 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     int n = 0;
 
     tables[n++] = keys_core;
+    for (int i = 0; mesh_forms[i] != NULL; i++)
+        tables[n++] = mesh_forms[i]->keys;
     for (int i = 0; case_parts[i] != NULL; i++)
         tables[n++] = case_parts[i]->keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);

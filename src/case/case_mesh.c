@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "mesh/poly/poly.h"
+#include "mesh/mesh_form.h"
 #include "case/case_memory.h"
 
 /* --- making it ------------------------------------------------------------ */
@@ -22,36 +22,49 @@ static struct box_spec box_of(const struct settings *s)
     return spec;
 }
 
-/* Files say all of their mesh, a box asks for two keys. */
-static int check_keys(const struct settings *s)
+/* The form that the case chooses, one from files or one that is made of the
+ * box; NULL if it chooses none of that sort. */
+static const struct mesh_form *form_of(const struct settings *s, int from_files)
 {
-    static const char *const of_box[] = {"mesh.size", "mesh.cells",
-                                         "mesh.grading", "mesh.periodic",
-                                         "mesh.shear"};
-    const int files = settings_has(s, "mesh.polymesh");
+    for (int i = 0; mesh_forms[i] != NULL; i++)
+        if ((mesh_forms[i]->read != NULL) == from_files &&
+            settings_has(s, mesh_forms[i]->keys[0].path))
+            return mesh_forms[i];
+    return NULL;
+}
 
-    for (int i = 0; i < 5 && files; i++)
+/* A mesh from files has no key of a box. */
+static int check_files(const struct settings *s, const char *files)
+{
+    const struct mesh_form *const other = form_of(s, 0);
+    const char *const of_box[] = {"mesh.size", "mesh.cells", "mesh.grading",
+                                  "mesh.periodic",
+                                  other != NULL ? other->keys[0].path : NULL};
+
+    for (int i = 0; i < 5 && of_box[i] != NULL; i++)
         if (settings_has(s, of_box[i]))
             return settings_wrong(s, of_box[i],
                                   "the mesh comes from files, which say it "
-                                  "all; leave this key or mesh.polymesh out");
-    for (int i = 0; i < 2 && !files; i++)
-        if (!settings_has(s, of_box[i]))
-            return settings_wrong(s, "mesh",
-                                  "%s is missing: a box asks for mesh.size, "
-                                  "three numbers [m], and mesh.cells; or give "
-                                  "mesh.polymesh",
-                                  of_box[i]);
+                                  "all; leave this key or %s out",
+                                  files);
     return 0;
 }
 
-static struct mesh *sheared(const struct settings *s)
+static int check_box(const struct settings *s)
 {
-    const struct box_spec spec = box_of(s);
-    double shear[3];
+    static const char *const asked[] = {"mesh.size", "mesh.cells"};
+    const char *files = NULL;
 
-    settings_vector(s, "mesh.shear", shear);
-    return mesh_create_sheared(&spec, shear);
+    for (int i = 0; mesh_forms[i] != NULL && files == NULL; i++)
+        if (mesh_forms[i]->read != NULL) files = mesh_forms[i]->keys[0].path;
+    for (int i = 0; i < 2; i++)
+        if (!settings_has(s, asked[i]))
+            return settings_wrong(s, "mesh",
+                                  "%s is missing: a box asks for mesh.size, "
+                                  "three numbers [m], and mesh.cells%s%s",
+                                  asked[i], files != NULL ? "; or give " : "",
+                                  files != NULL ? files : "");
+    return 0;
 }
 
 static struct mesh *create(const struct settings *s,
@@ -138,22 +151,37 @@ static int check_shape(const struct settings *s, const struct mesh *m)
                           least, most, tiny, huge);
 }
 
+static struct mesh *read_files(const struct settings *s,
+                               const struct mesh_form *form)
+{
+    char dir[SETTINGS_PATH];
+
+    settings_beside(s, settings_text(s, form->keys[0].path), dir, sizeof dir);
+    return form->read(dir);
+}
+
+static struct mesh *make_of_box(const struct settings *s,
+                                const struct mesh_form *form)
+{
+    const struct box_spec spec = box_of(s);
+    double v[3];
+
+    settings_vector(s, form->keys[0].path, v);
+    return form->of_box(&spec, v);
+}
+
 static int read_mesh(struct settings *s)
 {
-    struct mesh *m;
-    int code = check_keys(s);
+    const struct mesh_form *const files = form_of(s, 1);
+    const struct mesh_form *const made = form_of(s, 0);
+    int code =
+        files != NULL ? check_files(s, files->keys[0].path) : check_box(s);
 
-    if (code == 0 && !settings_has(s, "mesh.polymesh")) code = check_numbers(s);
+    if (code == 0 && files == NULL) code = check_numbers(s);
     if (code == 0) code = case_memory_check(s, 0.0);
-    if (code != 0) return code;
-    if (settings_has(s, "mesh.polymesh")) {
-        char dir[POLY_FOLDER];
-        settings_beside(s, settings_text(s, "mesh.polymesh"), dir, sizeof dir);
-        m = poly_read(dir);
-    } else if (settings_has(s, "mesh.shear"))
-        m = sheared(s);
-    else
-        return 0;
+    if (code != 0 || (files == NULL && made == NULL)) return code;
+    struct mesh *const m =
+        files != NULL ? read_files(s, files) : make_of_box(s, made);
     settings_keep_mesh(s, m);
     return m == NULL ? 2 : 0;
 }

@@ -20,7 +20,7 @@ struct command_line {
 struct command {
     const char *name, *arguments, *what;
     const char *options; /* first letters of those it takes, - for --quiet, r
-                            for --resume */
+                            for --resume; NULL: all that follows is words */
     int least, most;     /* words after the name; most < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);

@@ -22,15 +22,6 @@ const struct key keys_core[] = {
      "width of the last cell over that of the first", "", ""},
     {"mesh.periodic", KEY_FLAGS, "", "", "[false, false, false]",
      "directions in which the two ends of the box are one", "", ""},
-    {"mesh.shear", KEY_VECTOR, "-", "", "",
-     "shift of the box along x over height y, along x over depth z, along y "
-     "over depth z; left out: none",
-     "", ""},
-    {"mesh.polymesh", KEY_FILE, "", "", "",
-     "instead of a box: the folder of an OpenFOAM mesh, beside the case unless "
-     "it begins with /; its patches take the place of the sides under fluid",
-     "", ""},
-
     {"fluid", KEY_GROUP, "", "", "",
      "the fluid; without it only particles move", "XS11 2.7, 2.8", ""},
     {"fluid.density", KEY_REAL, "kg/m^3", "> 0", NULL,
@@ -88,7 +79,7 @@ const struct key keys_core[] = {
      "the run stops at a deeper overlap", "LS 4.7", ""},
     {"particles.integrator", KEY_NAME, "", "", "velocity-verlet",
      "how the particles step through time", "LS section 4.2", ""},
-    {"particles.list", KEY_NAME, "", "", "verlet",
+    {"particles.list", KEY_NAME, "", "", KEY_FIRST,
      "how pairs are found: fast from a list that lasts, or in each step anew",
      "LS 5.15", ""},
     {"particles.grains", KEY_GROUP, "", "", NULL,
@@ -201,6 +192,8 @@ const struct key keys_core[] = {
      "time between two pictures of all fields and particles", "", ""},
     {"output.animation", KEY_BOOL, "", "", "false",
      "bed.gif, a moving picture of the particles at these times", "", ""},
+    {"output.picture", KEY_BOOL, "", "", "true",
+     "bed.png, a picture of the last state, where there is a gnuplot", "", ""},
     {"output.checkpoint", KEY_REAL, "s", "> 0", "600.0",
      "wall time between two checkpoints, from which --resume goes on", "", ""},
     {"output.history", KEY_REAL, "s", "> 0", "",

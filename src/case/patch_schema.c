@@ -13,7 +13,7 @@ static const char placeholder[] = "<patch>";
 
 /* What all paths take, with an end each [byte]. */
 static size_t room_for(const struct key *table, int n,
-                       const struct poly_patch *patch, int *rows)
+                       const struct mesh_patch_name *patch, int *rows)
 {
     size_t text = 0;
 
@@ -35,7 +35,7 @@ static int is_of_patches(const struct key *table)
 }
 
 struct key *patch_schema_create(const struct key *table, int n,
-                                const struct poly_patch *patch)
+                                const struct mesh_patch_name *patch)
 {
     int rows;
 
@@ -82,7 +82,7 @@ static const char *wrong(const struct key *const *tables, const char *name)
 
 int patch_schema_check(const struct key *const *tables,
                        const config_setting_t *at, int n,
-                       const struct poly_patch *patch)
+                       const struct mesh_patch_name *patch)
 {
     for (int i = 0; i < n; i++) {
         const char *const why = wrong(tables, patch[i].name);
@@ -93,4 +93,16 @@ int patch_schema_check(const struct key *const *tables,
                                 patch[i].name, why);
     }
     return 0;
+}
+
+const struct mesh_form *patch_schema_form(const config_t *tree,
+                                          const config_setting_t **at)
+{
+    for (int i = 0; mesh_forms[i] != NULL; i++) {
+        *at = config_lookup(tree, mesh_forms[i]->keys[0].path);
+        if (*at != NULL && mesh_forms[i]->patches != NULL &&
+            config_setting_type(*at) == CONFIG_TYPE_STRING)
+            return mesh_forms[i];
+    }
+    return NULL;
 }

@@ -138,6 +138,7 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_number(f, "output", s->output);
     summary_number(f, "total",
                    (r->ended > 0.0 ? r->ended : clock_now()) - r->began);
+    summary_number(f, "processor", s->processor);
     summary_end(f);
 }
 
@@ -236,6 +237,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "steps", sim->steps);
     summary_number(f, "simulated_seconds", sim->t);
     write_seconds(f, r);
+    summary_number(f, "peak_memory", alloc_peak());
     write_speed(f, r);
     write_residuals(f, r);
     write_counts(f, r);
@@ -331,8 +333,10 @@ static int draw_picture(const struct recorder *r)
     const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
-    if (picture_write(r->folder, &p) != 0) return 1;
-    if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    if (settings_bool(r->settings, "output.picture")) {
+        if (picture_write(r->folder, &p) != 0) return 1;
+        if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
+    }
     return r->animation != NULL && animation_draw(r->animation, &p) != 0;
 }
 

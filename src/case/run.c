@@ -44,9 +44,12 @@ static int sample(struct recorder *r, struct simulation *sim)
 /* One step, by as many threads as pay. */
 static int step(struct simulation *sim, struct thread_tuner *crew)
 {
+    const double began = clock_processor();
+
     thread_tuner_begin(crew);
     const int failed = coupling_step(sim);
     thread_tuner_end(crew);
+    sim->seconds.processor += clock_processor() - began;
     return failed;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/schema.h"
 
+#include "base/left_out.h"
 #include "case/models.h"
 #include "case/nearest.h"
 
@@ -56,6 +57,11 @@ const struct key *schema_find(const struct key *const *tables, const char *path)
     return NULL;
 }
 
+int schema_knows(const struct key *const *tables, const char *path)
+{
+    return schema_find(tables, path) != NULL || left_out_folder(path) != NULL;
+}
+
 const char *schema_member(const struct key *key, const char *group)
 {
     const char *const dot = strrchr(key->path, '.');
@@ -97,6 +103,16 @@ static const char *next_allowed(const char *rest, char one[SCHEMA_TEXT])
         length--;
     snprintf(one, SCHEMA_TEXT, "%.*s", (int)length, rest);
     return length == 0 ? NULL : rest + length;
+}
+
+void schema_default(const struct key *key, char text[SCHEMA_TEXT])
+{
+    char all[SCHEMA_WORDS];
+
+    if (strcmp(key->fallback, KEY_FIRST) == 0)
+        next_allowed(allowed(key, all), text);
+    else
+        snprintf(text, SCHEMA_TEXT, "%s", key->fallback);
 }
 
 static int is_condition(const char *one)

@@ -22,6 +22,10 @@ extern const char *const schema_patches[];
 const struct key *schema_find(const struct key *const *tables,
                               const char *path);
 
+/* 1 if there is such a row, or would be in a build that leaves no folder out.
+ */
+int schema_knows(const struct key *const *tables, const char *path);
+
 /* The i-th row over all tables, or NULL after the last. */
 const struct key *schema_at(const struct key *const *tables, int i);
 
@@ -37,6 +41,9 @@ int schema_allow_word(const struct key *key, const char *word);
  * that is chosen. */
 int schema_has_default(const struct key *key);
 int schema_is_required(const struct key *key);
+
+/* The default as a case would write it; there is one. */
+void schema_default(const struct key *key, char text[SCHEMA_TEXT]);
 
 /* What the row expects, as a phrase: "a number > 0 [kg/m^3]". */
 void schema_expected(const struct key *key, char text[SCHEMA_TEXT]);

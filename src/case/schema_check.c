@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/schema_check.h"
 
+#include "base/left_out.h"
 #include "case/override.h"
 #include "case/schema.h"
 #include "case/source.h"
@@ -183,12 +184,23 @@ static int check_magnitude(const struct key *key, const char *path,
                         path, r->least, r->most, key->unit, x);
 }
 
+/* A word of a folder that is not built. */
+static int left_out(const config_setting_t *s, const char *path,
+                    const char *word)
+{
+    return source_wrong(s, "%s: %s is not in this build, which leaves out %s",
+                        path, strcmp(word, path) == 0 ? "it" : word,
+                        left_out_folder(word));
+}
+
 static int misfit(const struct key *key, const char *path,
                   const config_setting_t *s)
 {
     char expected[SCHEMA_TEXT], found[SOURCE_TEXT], nearest[SCHEMA_TEXT];
     const int is_text = config_setting_type(s) == CONFIG_TYPE_STRING;
 
+    if (is_text && left_out_folder(config_setting_get_string(s)) != NULL)
+        return left_out(s, path, config_setting_get_string(s));
     schema_expected(key, expected);
     source_value(s, found);
     if (is_count_as_real(key, s))
@@ -209,6 +221,7 @@ static int unknown(const struct key *const *tables, const char *path,
     char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
     const struct key *const key = schema_nearest(tables, path, nearest);
 
+    if (left_out_folder(path) != NULL) return left_out(s, path, path);
     if (key == NULL)
         return source_wrong(s, "%s: no such key; see winnow list keys", path);
     schema_expected(key, expected);
@@ -304,9 +317,13 @@ static void fill_group(const struct key *const *tables, const char *path,
     for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
         const char *const name = schema_member(k, path);
 
-        if (name != NULL && schema_has_default(k) &&
-            config_setting_get_member(group, name) == NULL)
-            override_default(group, name, k->fallback);
+        char value[SCHEMA_TEXT];
+
+        if (name == NULL || !schema_has_default(k) ||
+            config_setting_get_member(group, name) != NULL)
+            continue;
+        schema_default(k, value);
+        override_default(group, name, value);
     }
 }
 

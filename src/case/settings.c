@@ -2,7 +2,6 @@
 #include "case/settings.h"
 
 #include "base/alloc.h"
-#include "mesh/poly/poly.h"
 #include "case/override.h"
 #include "case/patch_schema.h"
 #include "case/schema.h"
@@ -38,19 +37,17 @@ void settings_beside(const struct settings *s, const char *file, char *path,
 /* Where the mesh comes from files, its patches take the place of the sides. */
 static int take_patches(struct settings *s)
 {
-    const config_setting_t *const at = config_lookup(&s->tree, "mesh.polymesh");
-    struct poly_patch *patch;
-    char dir[POLY_FOLDER];
+    const config_setting_t *at;
+    const struct mesh_form *const form = patch_schema_form(&s->tree, &at);
+    struct mesh_patch_name *patch;
+    char dir[SETTINGS_PATH];
 
-    if (at == NULL || config_setting_type(at) != CONFIG_TYPE_STRING) return 0;
+    if (form == NULL) return 0;
     settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
-    if (!poly_is(dir))
-        return source_wrong(at,
-                            "mesh.polymesh: there is no mesh in the folder %s: "
-                            "no file boundary in it, in polyMesh or in "
-                            "constant/polyMesh",
-                            dir);
-    const int n = poly_patches(dir, &patch);
+    if (!form->is_there(dir))
+        return source_wrong(at, "%s: there is no mesh in the folder %s: %s",
+                            form->keys[0].path, dir, form->looked_for);
+    const int n = form->patches(dir, &patch);
     if (n < 0) return 2;
     if (patch_schema_check(s->tables, at, n, patch) != 0) {
         free(patch);
@@ -192,7 +189,7 @@ int settings_has(const struct settings *s, const char *path)
 {
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(schema_find(s->tables, path) != NULL);
+    assert(schema_knows(s->tables, path));
     return found != NULL && !source_is_default(found);
 }
 
@@ -285,7 +282,7 @@ int settings_length(const struct settings *s, const char *list)
 {
     const config_setting_t *const found = config_lookup(&s->tree, list);
 
-    assert(schema_find(s->tables, list) != NULL);
+    assert(schema_knows(s->tables, list));
     return found != NULL ? config_setting_length(found) : 0;
 }
 

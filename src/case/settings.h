@@ -41,7 +41,7 @@ void settings_be_quiet(struct settings *s);
 int settings_quiet(const struct settings *s);
 
 /* 1 if the case itself names the key or group, 0 if it is left out or has its
- * default. */
+ * default, and if this build leaves the key's folder out. */
 int settings_has(const struct settings *s, const char *path);
 
 double settings_real(const struct settings *s, const char *path);

@@ -17,8 +17,8 @@
 struct simulation;
 struct effect;
 struct effect_scales;
-struct effect_count;
 struct effect_estimate;
+struct effect_count;
 struct attraction;
 struct attraction_scene;
 

@@ -19,9 +19,11 @@
 struct coupling;
 struct population;
 
-/* Wall-clock seconds spent so far, by part. */
+/* Wall-clock seconds spent so far, by part; and processor seconds of all
+ * threads, without output. */
 struct seconds {
     double cfd, dem, averaging, exchange, output;
+    double processor;
 };
 
 struct simulation {

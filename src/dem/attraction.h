@@ -28,8 +28,8 @@ struct attraction {
 /* What of a case a law may need besides its own parameters. */
 struct attraction_scene {
     const double *charge; /* [C] by material */
-    int charged;          /* [-] 1: one of them is not 0 */
     double viscosity;     /* [Pa s] of the fluid; 0 without one */
+    int charged;          /* [-] 1: one of the charges is not 0 */
 };
 
 /* The force [N] along the line of centres, positive pushes apart: between

@@ -113,10 +113,6 @@ struct mesh *mesh_outline_box(const struct box_spec *spec);
 /* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
 double mesh_box_faces(const struct box_spec *spec);
 
-/* The same box, sheared: x grows by shear[0] y + shear[1] z, y by shear[2] z.
- * NULL after a message if its cells are too distorted. */
-struct mesh *mesh_create_sheared(const struct box_spec *spec,
-                                 const double shear[3]);
 void mesh_free(struct mesh *m);
 
 /* Adds an owner, which must also call mesh_free, and returns the mesh. */
@@ -138,21 +134,6 @@ int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
  * a period if need be [m]; the vector is not set if the point is outside. */
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
                          double offset[3]);
-
-/* Measures of the quality of a mesh. */
-struct mesh_quality {
-    double openness;       /* [-] mesh_openness */
-    double non_orthogonal; /* [deg] largest angle between S and d */
-    double skewness;       /* [-] largest distance of a face's middle from
-                              where its link crosses it, over the link */
-    double aspect;         /* [-] largest distance of a cell's centre from the
-                              middle of a face over the smallest */
-    double growth;         /* [-] largest ratio of the volumes of neighbours */
-    double V_min, V_max;   /* [m^3] */
-    int n_non_orthogonal, n_skewed, n_flat,
-        n_small; /* [-] numbers of such cells */
-};
-struct mesh_quality mesh_quality(const struct mesh *m);
 
 /* The volumes of the smallest, the largest and the mean cell, also of an
  * outline [m^3]. */

@@ -122,12 +122,12 @@ liquid() {
         done
     } >$figures/23-liquid.txt
     numbers 2 1 <$figures/23-liquid.txt >$figures/23-numbers.txt
-    for file in series profile correlation density; do
+    for file in series profile correlation; do
         {
             made liquid
             for way in $ways; do
                 for re in ${RE:-4 6 8 11}; do
-                    block "$way-$re" $file "$([ $file = series ] && echo 5 || echo 1)"
+                    block "$way-$re" $file "$([ $file = series ] && echo 10 || echo 1)"
                 done
             done
         } >$figures/23-liquid-$file.txt

@@ -5,6 +5,7 @@
 #include "averaging/kernel.h"
 #include "coupling/effects/time_average.h"
 #include "coupling/drag.h"
+#include "case/report/exact.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/contact_hertz.h"
 #include "dem/contact_linear.h"
@@ -43,6 +44,11 @@ static double relaxation_time(const double *x)
 {
     return drag_relaxation_time(drag_law_named("syamlal-obrien"), x[0], x[1],
                                 x[2], x[3], x[4], x[5]);
+}
+
+static double taken_along(const double *x)
+{
+    return exact_taken_along(x[0], x[1], x[2], x[3], x[4], x[5], x[6]);
 }
 
 static double bell(const double *x)
@@ -166,6 +172,13 @@ static const struct equation others[] = {
      "tau_p = rho_s eps_s / beta",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
      "tau_p", "s", "drag_relaxation_time", relaxation_time},
+    {"XS11:4.1", "velocity of a particle at rest that a fluid takes along",
+     "du/dt = (u_f - u) / tau_p, tau_p of XS11:3.17 at u_r = |u_f - u|, u = 0 "
+     "at t = 0",
+     "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
+     "t "
+     "[s]",
+     "u", "m/s", "exact_taken_along", taken_along},
     {"SX15:6", "Gaussian kernel that diffusion amounts to",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
      "diffusion_kernel", gauss},

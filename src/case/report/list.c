@@ -33,14 +33,16 @@ static void print_source(const char *source)
 
 static void print_key(const struct key *key, const char *indent)
 {
-    char expected[SCHEMA_TEXT];
+    char expected[SCHEMA_TEXT], value[SCHEMA_TEXT];
 
     schema_expected(key, expected);
     printf("%s%s = %s", indent, key->path, expected);
     if (schema_is_required(key))
         printf("; required");
-    else if (schema_has_default(key))
-        printf("; default %s", key->fallback);
+    else if (schema_has_default(key)) {
+        schema_default(key, value);
+        printf("; default %s", value);
+    }
     if (key->needs[0] != '\0') printf("; needs %s", key->needs);
     printf("\n%s    %s", indent, key->what);
     print_source(key->source);

@@ -3,10 +3,11 @@
 
 #include "averaging/averaging.h"
 #include "base/vector.h"
-#include "mesh/mesh.h"
+#include "mesh/poly/quality.h"
 #include "dem/contact.h"
 #include "case/build.h"
 #include "case/build_particles.h"
+#include "case/case_cost.h"
 #include "case/report/case_drag.h"
 #include "case/report/report_cohesion.h"
 #include "case/report/case_effects.h"
@@ -28,11 +29,6 @@
  * fluid is quickest between the grains, and a lone particle. */
 static const double packed = 0.6;
 
-/* What one core was seen to do in the Mueller bed, busy with other work beside
- * it: 9.0e6 particle steps a second with Hertz's law, 7.7e6 with the linear
- * one, and 5.1e5 cell steps with all that the coupling needs. */
-static const double particle_steps_per_second = 8e6;
-static const double cell_steps_per_second = 5e5;
 static const double report_threshold = 10e6; /* [byte] */
 
 /* A line with the place of the cell in question. */
@@ -204,16 +200,13 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
 static void print_cost(const struct settings *s, const struct case_scales *k)
 {
     const double steps = k->end / k->dt;
-    const int flow = settings_has(s, "fluid");
-    const double work =
-        steps * k->dem_steps * k->particles / particle_steps_per_second +
-        steps * k->cells * flow / cell_steps_per_second;
 
     puts("Cost");
     check_line("steps", steps, "-", "");
     check_line("particle steps", steps * k->dem_steps * k->particles, "-", "");
     check_line("memory", 1e-6 * case_memory_bytes(s), "MB", "about");
-    check_line("time", work, "s", "about, after settling, on one core");
+    check_line("time", case_cost_seconds(s), "s",
+               "about, after settling, on one core");
 }
 
 int report_case(const struct settings *s)

@@ -5,7 +5,7 @@
 #ifndef MESH_POLY_POLY_H
 #define MESH_POLY_POLY_H
 
-#include "mesh/mesh.h"
+#include "mesh/mesh_form.h"
 
 /* The mesh of the five files in dir, or in dir/polyMesh or
  * dir/constant/polyMesh, written as ascii, packed by gzip or not; NULL after
@@ -21,9 +21,6 @@ int poly_is(const char *dir);
 
 /* Reads only the names of the patches that are not cyclic. Returns their number
  * and a list that the caller frees; -1 after one message. */
-struct poly_patch {
-    char name[64];
-};
-int poly_patches(const char *dir, struct poly_patch **list);
+int poly_patches(const char *dir, struct mesh_patch_name **list);
 
 #endif

@@ -30,7 +30,7 @@ int poly_is(const char *dir)
     return poly_folder(dir, folder);
 }
 
-int poly_patches(const char *dir, struct poly_patch **list)
+int poly_patches(const char *dir, struct mesh_patch_name **list)
 {
     struct poly_raw r = {0};
     char folder[POLY_FOLDER];

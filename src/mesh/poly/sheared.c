@@ -12,6 +12,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "mesh/mesh_form.h"
+#include "mesh/poly/sheared.h"
 
 static const char *const names[3][2] = {
     {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
@@ -122,3 +124,13 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
     mesh_free(straight);
     return m;
 }
+
+static const struct key keys[] = {
+    {"mesh.shear", KEY_VECTOR, "-", "", "",
+     "shift of the box along x over height y, along x over depth z, along y "
+     "over depth z; left out: none",
+     "", ""},
+    KEY_END};
+
+const struct mesh_form sheared_form = {.keys = keys,
+                                       .of_box = mesh_create_sheared};

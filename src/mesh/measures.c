@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* measures.c -- the volumes of the cells of a mesh, and the rate at which a
+ * diffusion on it decays. */
+#include "mesh/mesh.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "base/vector.h"
+
+/* Of a box the products of the narrowest and of the widest slabs. */
+static void box_volumes(const struct box *b, double *least, double *most,
+                        double *mean)
+{
+    *least = *most = *mean = 1.0;
+    for (int k = 0; k < 3; k++) {
+        const double *const e = b->edge[k];
+        double narrow = INFINITY, wide = 0.0;
+        for (int i = 0; i < b->n[k]; i++) {
+            narrow = fmin(narrow, e[i + 1] - e[i]);
+            wide = fmax(wide, e[i + 1] - e[i]);
+        }
+        *least *= narrow;
+        *most *= wide;
+        *mean *= (e[b->n[k]] - e[0]) / b->n[k];
+    }
+}
+
+void mesh_volumes(const struct mesh *m, double *least, double *most,
+                  double *mean)
+{
+    if (m->face_centre == NULL) {
+        box_volumes(&m->box, least, most, mean);
+        return;
+    }
+    *least = INFINITY;
+    *most = *mean = 0.0;
+    for (int c = 0; c < m->n_cells; c++) {
+        *least = fmin(*least, m->V[c]);
+        *most = fmax(*most, m->V[c]);
+        *mean += m->V[c] / m->n_cells;
+    }
+}
+
+/* The contribution of direction k to the rate of a box, where it is largest. */
+static double rate_along(const struct box *b, int k)
+{
+    const double *const e = b->edge[k];
+    const int n = b->n[k], round = b->periodic[k] && n > 1;
+    double fastest = 0.0;
+
+    for (int i = 0; i < n; i++) {
+        const int before = i > 0 ? i - 1 : n - 1, after = i < n - 1 ? i + 1 : 0;
+        const double h = e[i + 1] - e[i];
+        const double below = 0.5 * (h + e[before + 1] - e[before]);
+        const double above = 0.5 * (h + e[after + 1] - e[after]);
+        double sum = 0.0;
+        if (i > 0 || round) sum += 1.0 / (h * below);
+        if (i < n - 1 || round) sum += 1.0 / (h * above);
+        fastest = fmax(fastest, sum);
+    }
+    return fastest;
+}
+
+/* In a box the directions are independent of each other. */
+double mesh_diffusion_rate(const struct mesh *m)
+{
+    double fastest = 0.0;
+
+    if (m->face_centre == NULL)
+        return rate_along(&m->box, 0) + rate_along(&m->box, 1) +
+               rate_along(&m->box, 2);
+    for (int c = 0; c < m->n_cells; c++) {
+        double sum = 0.0;
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            const double *const S = &m->S[3 * f];
+            if (f < m->n_internal)
+                sum += vector_dot(S, S) / vector_dot(S, &m->d[3 * f]);
+        }
+        fastest = fmax(fastest, sum / m->V[c]);
+    }
+    return fastest;
+}

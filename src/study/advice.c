@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* advice.c -- what a study comes to, in words. */
+#include "study/study_report.h"
+
+#include "base/number.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double limits[] = {0.05, 0.01, 0.001};
+enum { LIMITS = 3 };
+
+/* The cheapest variant whose error is surely within the limit; -1 if none. */
+static int cheapest_within(const struct outcomes *o, int m, double limit)
+{
+    int best = -1;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct outcome *const out = &o->variant[v];
+        if (!out->ended || !isfinite(out->cost)) continue;
+        if (!outcome_is_surely(&out->of[m], -1, limit)) continue;
+        if (best < 0 || out->cost < o->variant[best].cost) best = v;
+    }
+    return best;
+}
+
+/* The variant with the smallest error that costs no more than `most`. */
+static int best_for(const struct outcomes *o, int m, double most)
+{
+    int best = -1;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct outcome *const out = &o->variant[v];
+        if (!out->ended || !(out->cost <= most)) continue;
+        if (!isfinite(out->of[m].error)) continue;
+        if (best < 0 || out->of[m].error < o->variant[best].of[m].error)
+            best = v;
+    }
+    return best;
+}
+
+static const char *unit(const struct plan *p)
+{
+    return strcmp(p->cost.name, PLAN_COST) == 0 ? " s" : "";
+}
+
+/* "0.42 s, error 0.8 %, fluid.step=1e-3". */
+static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
+{
+    const struct finding *const f = &o->variant[v].of[m];
+    char text[NUMBER_LENGTH];
+
+    fprintf(out, "%s%s, error ", number_rounded(o->variant[v].cost, 3, text),
+            unit(o->plan));
+    fprintf(out, "%s %%", number_rounded(100.0 * f->error, 3, text));
+    if (f->doubt > 0.0)
+        fprintf(out, " +- %s %%", number_rounded(100.0 * f->doubt, 2, text));
+    fprintf(out, ": %s", o->variant[v].label);
+}
+
+static void put_limits(const struct outcomes *o, int m, FILE *out)
+{
+    for (int i = 0; i < LIMITS; i++) {
+        const int v = cheapest_within(o, m, limits[i]);
+
+        fprintf(out, "- for %g %%: ", 100.0 * limits[i]);
+        if (v >= 0)
+            put_variant(o, v, m, out);
+        else
+            fputs("none of these is surely within it", out);
+        fputc('\n', out);
+    }
+}
+
+/* What half and twice the cost of the variant that the case itself is buy. */
+static void put_standing(const struct outcomes *o, int m, FILE *out)
+{
+    const int v = o->plan->standing;
+    static const struct {
+        double of;
+        const char *words;
+    } share[] = {{0.5, "half of that buys "}, {2.0, "twice of that buys "}};
+
+    if (v < 0 || !isfinite(o->variant[v].of[m].error)) return;
+    fputs("- the case as it stands: ", out);
+    put_variant(o, v, m, out);
+    fputc('\n', out);
+    for (int i = 0, told = v; i < 2; i++) {
+        const int other = best_for(o, m, share[i].of * o->variant[v].cost);
+        if (other < 0 || other == told) continue;
+        told = other;
+        fprintf(out, "- %s", share[i].words);
+        put_variant(o, other, m, out);
+        fputc('\n', out);
+    }
+}
+
+void study_report_advice(const struct outcomes *o, FILE *out)
+{
+    for (int m = 0; m < o->plan->n_measures; m++) {
+        if (o->plan->truth[m].kind == TRUTH_NONE) continue;
+        fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
+                o->plan->truth[m].text);
+        put_limits(o, m, out);
+        put_standing(o, m, out);
+    }
+}

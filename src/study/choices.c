@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/choices.h"
+
+#include "base/alloc.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int refuse(const char *text, const char *why)
+{
+    fprintf(stderr, "winnow: study: %s: %s\n", text, why);
+    return 2;
+}
+
+/* The length of the text up to the separator, or to its end, outside of
+ * brackets and quotes. */
+static size_t length_to(const char *text, char separator)
+{
+    int depth = 0, quoted = 0;
+    size_t n = 0;
+
+    for (; text[n] != '\0'; n++) {
+        if (text[n] == '"' && (n == 0 || text[n - 1] != '\\')) quoted = !quoted;
+        if (quoted) continue;
+        if (depth == 0 && text[n] == separator) break;
+        depth += strchr("([{", text[n]) != NULL;
+        depth -= strchr(")]}", text[n]) != NULL;
+    }
+    return n;
+}
+
+/* The part without blanks around it, as a new string. */
+static char *trimmed(const char *text, size_t length)
+{
+    while (length > 0 && strchr(" \t\n", text[0]) != NULL) {
+        text++;
+        length--;
+    }
+    while (length > 0 && strchr(" \t\n", text[length - 1]) != NULL)
+        length--;
+    char *const part = alloc_zeroed(length + 1, 1);
+    return memcpy(part, text, length);
+}
+
+/* The parts between separators, as new strings; returns how many. */
+static int split(const char *text, char separator, char ***parts)
+{
+    int n = 1;
+
+    for (const char *p = text; p[length_to(p, separator)] != '\0';
+         p += length_to(p, separator) + 1)
+        n++;
+    *parts = alloc_zeroed((size_t)n, sizeof **parts);
+    for (int i = 0; i < n; i++) {
+        const size_t length = length_to(text, separator);
+
+        (*parts)[i] = trimmed(text, length);
+        text += length + 1;
+    }
+    return n;
+}
+
+static void release(int n, char **texts)
+{
+    for (int i = 0; i < n; i++)
+        free(texts[i]);
+    free(texts);
+}
+
+/* Fills the values of one entry; 0 if it has one for every key. */
+static int fill_entry(struct choice *c, int i, const char *entry)
+{
+    char **value;
+    const int n = split(entry, c->n_keys > 1 ? ':' : '\0', &value);
+    int wrong = n != c->n_keys;
+
+    for (int k = 0; k < c->n_keys; k++) {
+        char *const text = strdup(k < n ? value[k] : "");
+        c->value[i * c->n_keys + k] = text;
+        wrong |= text[0] == '\0';
+    }
+    release(n, value);
+    return wrong;
+}
+
+static int fill(struct choice *c, char **entry)
+{
+    int wrong = 0;
+
+    c->value = alloc_zeroed((size_t)c->n * (size_t)c->n_keys, sizeof *c->value);
+    for (int i = 0; i < c->n; i++)
+        wrong |= fill_entry(c, i, entry[i]);
+    return wrong;
+}
+
+static int is_known(const struct choices *c, const char *key)
+{
+    for (int i = 0; i < c->n; i++)
+        for (int k = 0; k < c->of[i].n_keys; k++)
+            if (strcmp(c->of[i].key[k], key) == 0) return 1;
+    return 0;
+}
+
+static int is_entry_twice(const struct choice *c)
+{
+    for (int i = 0; i < c->n; i++)
+        for (int j = 0; j < i; j++) {
+            int same = 1;
+            for (int k = 0; k < c->n_keys; k++)
+                same &= strcmp(c->value[i * c->n_keys + k],
+                               c->value[j * c->n_keys + k]) == 0;
+            if (same) return 1;
+        }
+    return 0;
+}
+
+static void choice_free(struct choice *c)
+{
+    release(c->n_keys, c->key);
+    if (c->value != NULL) release(c->n * c->n_keys, c->value);
+}
+
+int choices_add(struct choices *c, const char *text)
+{
+    const char *const equal = strchr(text, '=');
+    struct choice one = {0};
+    char **entry, *keys;
+    const char *why = NULL;
+
+    if (equal == NULL || equal == text)
+        return refuse(text, "expected path.to.key=value,value,...");
+    keys = trimmed(text, (size_t)(equal - text));
+    one.n_keys = split(keys, ':', &one.key);
+    free(keys);
+    one.n = split(equal + 1, ',', &entry);
+    if (fill(&one, entry) != 0)
+        why = "an entry without a value for each key; between entries stands "
+              "a comma, between values of keys that change together a colon";
+    else if (is_entry_twice(&one))
+        why = "a value is there twice";
+    release(one.n, entry);
+    for (int k = 0; k < one.n_keys && why == NULL; k++)
+        if (is_known(c, one.key[k])) why = "the key was given before";
+    if (why != NULL) {
+        choice_free(&one);
+        return refuse(text, why);
+    }
+    c->of = realloc(c->of, ((size_t)c->n + 1) * sizeof *c->of);
+    if (c->of == NULL) exit(4);
+    c->of[c->n++] = one;
+    return 0;
+}
+
+void choices_free(struct choices *c)
+{
+    for (int i = 0; i < c->n; i++)
+        choice_free(&c->of[i]);
+    free(c->of);
+    *c = (struct choices){0};
+}
+
+int choices_variants(const struct choices *c)
+{
+    double n = 1.0;
+
+    for (int i = 0; i < c->n; i++)
+        n *= c->of[i].n;
+    return n < INT_MAX ? (int)n : INT_MAX;
+}
+
+/* How far apart two variants are that differ by one entry of the choice. */
+static int stride(const struct choices *c, int i)
+{
+    int n = 1;
+
+    for (int j = i + 1; j < c->n; j++)
+        n *= c->of[j].n;
+    return n;
+}
+
+int choices_entry(const struct choices *c, int variant, int i)
+{
+    return variant / stride(c, i) % c->of[i].n;
+}
+
+int choices_with(const struct choices *c, int variant, int i, int entry)
+{
+    return variant + (entry - choices_entry(c, variant, i)) * stride(c, i);
+}
+
+char **choices_overrides(const struct choices *c, int variant, int *n)
+{
+    char **texts;
+
+    *n = 0;
+    for (int i = 0; i < c->n; i++)
+        *n += c->of[i].n_keys;
+    texts = alloc_zeroed((size_t)*n, sizeof *texts);
+    *n = 0;
+    for (int i = 0; i < c->n; i++) {
+        const struct choice *const of = &c->of[i];
+        char *const *const value =
+            of->value + choices_entry(c, variant, i) * of->n_keys;
+
+        for (int k = 0; k < of->n_keys; k++) {
+            const size_t room = strlen(of->key[k]) + strlen(value[k]) + 2;
+            texts[*n] = alloc_zeroed(room, 1);
+            snprintf(texts[(*n)++], room, "%s=%s", of->key[k], value[k]);
+        }
+    }
+    return texts;
+}
+
+/* The last part of a key, where no other key of the study ends so; else all. */
+static const char *short_key(const struct choices *c, const char *key)
+{
+    const char *const dot = strrchr(key, '.');
+    const char *const last = dot != NULL ? dot + 1 : key;
+
+    for (int i = 0; i < c->n; i++)
+        for (int k = 0; k < c->of[i].n_keys; k++) {
+            const char *const other = c->of[i].key[k];
+            const size_t n = strlen(other), m = strlen(last);
+            if (other != key && n >= m && strcmp(other + n - m, last) == 0)
+                return key;
+        }
+    return last;
+}
+
+char *choices_label(const struct choices *c, int variant, int but)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *const out = open_memstream(&text, &length);
+    const char *between = "";
+
+    for (int i = 0; i < c->n; i++) {
+        const struct choice *const of = &c->of[i];
+        const int entry = choices_entry(c, variant, i);
+
+        if (of->n < 2 || i == but) continue;
+        for (int k = 0; k < of->n_keys; k++, between = ", ")
+            fprintf(out, "%s%s=%s", between, short_key(c, of->key[k]),
+                    of->value[entry * of->n_keys + k]);
+    }
+    fclose(out);
+    return text;
+}
+
+/* The components of a value: a number or [number, ...]. 0 for a word. */
+static int numbers(const char *text, double v[3])
+{
+    int n = 0;
+    char *end;
+
+    if (text[0] == '[') text++;
+    for (; n < 3; text = end + strspn(end, ", ")) {
+        v[n] = strtod(text, &end);
+        if (end == text) break;
+        n++;
+    }
+    return text[0] == '\0' || text[0] == ']' ? n : 0;
+}
+
+/* The number of an entry as it stands; nan for a word. */
+static double number(const struct choice *c, int entry)
+{
+    double v[3], first[3], last[3], product = 1.0;
+    const int n = numbers(c->value[entry * c->n_keys], v);
+    int changing = 0;
+
+    if (n == 0 || numbers(c->value[0], first) != n ||
+        numbers(c->value[(c->n - 1) * c->n_keys], last) != n)
+        return NAN;
+    for (int k = 0; k < n; k++)
+        if (first[k] != last[k]) {
+            product *= v[k];
+            changing++;
+        }
+    return changing > 0 && product > 0.0 ? pow(product, 1.0 / changing) : NAN;
+}
+
+double choices_size(const struct choice *c, int entry)
+{
+    int rises = 1, falls = 1;
+
+    for (int i = 1; i < c->n; i++) {
+        rises &= number(c, i) > number(c, i - 1);
+        falls &= number(c, i) < number(c, i - 1);
+    }
+    if (c->n < 2 || rises == falls) return NAN;
+    return falls ? number(c, entry) : 1.0 / number(c, entry);
+}
+
+int choices_axis(const struct choices *c)
+{
+    int axis = -1;
+
+    for (int i = 0; i < c->n; i++)
+        if (isfinite(choices_size(&c->of[i], 0)) &&
+            (axis < 0 || c->of[i].n > c->of[axis].n))
+            axis = i;
+    return axis;
+}

@@ -1,0 +1,53 @@
+/* choices.h -- what a study varies: keys of a case, each with its values.
+ *
+ *     fluid.step=4e-3,2e-3,1e-3                            a key, three values
+ *     mesh.cells:fluid.step=[8,8,8]:2e-3,[16,16,16]:1e-3   two keys together
+ *
+ * Commas separate values where they stand in no brackets, braces or quotes, and
+ * colons the values of keys that change together. Choices are crossed: a
+ * variant takes one entry of each. Entries go from coarse to fine.
+ */
+#ifndef STUDY_CHOICES_H
+#define STUDY_CHOICES_H
+
+/* One choice: entry i sets key k to value[i * n_keys + k]. */
+struct choice {
+    int n_keys, n;
+    char **key, **value;
+};
+
+struct choices {
+    int n;
+    struct choice *of;
+};
+
+/* Adds a choice, or a key that every run has; 0, or 2 after a message. */
+int choices_add(struct choices *c, const char *text);
+void choices_free(struct choices *c);
+
+/* Number of variants; at most INT_MAX is told. */
+int choices_variants(const struct choices *c);
+
+/* The entry of the i-th choice in a variant, and the variant that has another
+ * entry there. The last choice changes fastest. */
+int choices_entry(const struct choices *c, int variant, int i);
+int choices_with(const struct choices *c, int variant, int i, int entry);
+
+/* All that a variant sets, "key=value" each; to be freed with its texts. */
+char **choices_overrides(const struct choices *c, int variant, int *n);
+
+/* What tells a variant from others, "step=1e-3, method=pcm", without the choice
+ * `but` (-1: with all); a key as short as it can be, "" if nothing is left. To
+ * be freed. */
+char *choices_label(const struct choices *c, int variant, int but);
+
+/* A number that falls from entry to entry as they get finer: the value of the
+ * first key, or one over it if the values rise; of a vector the geometric mean
+ * of its components that change. Only ratios of it mean anything. nan if the
+ * values are words, or neither fall nor rise. */
+double choices_size(const struct choice *c, int entry);
+
+/* The choice along which the most sizes lie, at least two; -1 if none. */
+int choices_axis(const struct choices *c);
+
+#endif

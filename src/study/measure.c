@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/measure.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "case/history.h"
+#include "case/nearest.h"
+#include "case/profiles.h"
+#include "study/results.h"
+#include "study/statistics.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers of summary.json that stand in no group. */
+static const char *const in_summary[] = {"steps",
+                                         "cells",
+                                         "particles",
+                                         "particle_steps_in_a_step",
+                                         "particles_in",
+                                         "particles_out",
+                                         "step",
+                                         "simulated_seconds",
+                                         "peak_memory",
+                                         "particle_steps_per_second",
+                                         "particles_waiting",
+                                         "cell_steps_per_second",
+                                         NULL};
+
+static int refuse(const struct measure *m, const char *why)
+{
+    fprintf(stderr, "winnow: study: measure %s: %s\n", m->text, why);
+    return 2;
+}
+
+/* --- what is meant -------------------------------------------------------- */
+
+/* Takes "mean:" and the like off; the rest. */
+static const char *take_how(struct measure *m, const char *text)
+{
+    static const char *const words[] = {
+        "last:", "mean:", "max:", "min:", "curve:"};
+
+    for (int i = 0; i < 5; i++)
+        if (strncmp(text, words[i], strlen(words[i])) == 0) {
+            m->how = (enum measure_how)i;
+            return text + strlen(words[i]);
+        }
+    m->how = MEASURE_LAST;
+    return text;
+}
+
+/* Reads "@FROM", "@FROM..TO" or nothing. */
+static int take_range(struct measure *m, const char *text)
+{
+    char *end;
+
+    m->from = m->to = NAN;
+    if (text[0] == '\0') return 0;
+    m->from = strtod(text + 1, &end);
+    /* "0.3..0.6": the number has taken the first of the two points. */
+    if (end > text + 1 && end[-1] == '.' && end[0] == '.') end--;
+    if (end == text + 1) return 1;
+    if (end[0] == '\0') return 0;
+    if (strncmp(end, "..", 2) != 0 || m->how == MEASURE_LAST) return 1;
+    text = end + 2;
+    m->to = strtod(text, &end);
+    return end == text || *end != '\0' || !(m->to > m->from);
+}
+
+/* "probe.1", "profile.0": the number; -1 if it is not that word. */
+static int numbered(const char *name, const char *word)
+{
+    const size_t n = strlen(word);
+    char *end;
+
+    if (strncmp(name, word, n) != 0) return -1;
+    const long number = strtol(name + n, &end, 10);
+    return end == name + n || *end != '\0' || number < 0 || number > 9999
+               ? -1
+               : (int)number;
+}
+
+static int is_in_history(const char *name)
+{
+    const size_t n = strlen(name);
+
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        if (strncmp(c->name, name, n) == 0 && c->name[n] == ' ') return 1;
+    return 0;
+}
+
+static int is_in_summary(const char *name)
+{
+    for (int i = 0; in_summary[i] != NULL; i++)
+        if (strcmp(in_summary[i], name) == 0) return 1;
+    return strchr(name, '.') != NULL;
+}
+
+/* The probe of that field, or -1. */
+static int probe_of(const struct settings *s, const char *field)
+{
+    for (int i = 0; i < settings_length(s, "output.probes"); i++)
+        if (strcmp(settings_item_text(s, "output.probes", i, "field"), field) ==
+            0)
+            return i;
+    return -1;
+}
+
+static int unknown(const struct measure *m)
+{
+    struct nearest n;
+    char why[MEASURE_NAME + 128];
+
+    nearest_init(&n, m->name);
+    for (const struct history_column *c = history_columns; c->name != NULL;
+         c++) {
+        char name[MEASURE_NAME];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(c->name, " "),
+                 c->name);
+        nearest_offer(&n, name);
+    }
+    for (int i = 0; in_summary[i] != NULL; i++)
+        nearest_offer(&n, in_summary[i]);
+    const char *const best = nearest_best(&n);
+    snprintf(why, sizeof why,
+             best != NULL ? "no column of history.csv or probes.csv is called "
+                            "so, and no number of summary.json; did you mean "
+                            "%s?"
+                          : "no column of history.csv or probes.csv is called "
+                            "so, and no number of summary.json",
+             best);
+    return refuse(m, why);
+}
+
+/* Where the measure is found in the folder of a run. */
+static int locate(struct measure *m, const struct settings *s)
+{
+    const int probe = numbered(m->name, "probe.");
+    const int profile = numbered(m->name, "profile.");
+    const char *const table = strstr(m->name, ".csv/");
+    char name[PROFILES_NAME];
+
+    m->column = -1;
+    if (probe >= 0 || probe_of(s, m->name) >= 0) {
+        strcpy(m->file, "probes.csv");
+        m->column = 1 + (probe >= 0 ? probe : probe_of(s, m->name));
+        if (m->column > settings_length(s, "output.probes"))
+            return refuse(m, "output.probes of the case has no so many");
+    } else if (profile >= 0) {
+        if (profile >= settings_length(s, "output.profiles"))
+            return refuse(m, "output.profiles of the case has no so many");
+        profiles_name(s, profile, name);
+        snprintf(m->file, MEASURE_NAME, "profiles/%s.csv", name);
+        m->column = 1;
+        if (m->how == MEASURE_LAST) m->how = MEASURE_CURVE;
+    } else if (table != NULL) {
+        snprintf(m->file, MEASURE_NAME, "%.*s", (int)(table + 4 - m->name),
+                 m->name);
+        memmove(m->name, table + 5, strlen(table + 5) + 1);
+    } else if (is_in_history(m->name))
+        strcpy(m->file, "history.csv");
+    else if (is_in_summary(m->name) && m->how == MEASURE_LAST)
+        strcpy(m->file, "summary.json");
+    else
+        return unknown(m);
+    return 0;
+}
+
+int measure_parse(struct measure *m, const char *text, const struct settings *s)
+{
+    *m = (struct measure){.column = -1};
+    snprintf(m->text, sizeof m->text, "%s", text);
+    if (strlen(text) >= MEASURE_NAME) return refuse(m, "too long a name");
+    const char *const name = take_how(m, text);
+    const size_t length = strcspn(name, "@");
+    snprintf(m->name, sizeof m->name, "%.*s", (int)length, name);
+    if (take_range(m, name + length) != 0)
+        return refuse(m, m->how == MEASURE_LAST
+                             ? "expected one number after @, a time [s]"
+                             : "expected @FROM or @FROM..TO after the name");
+    return locate(m, s);
+}
+
+/* --- what was found ------------------------------------------------------- */
+
+static struct curve point(double x, double value, double error)
+{
+    struct curve c = curve_create(1);
+
+    c.x[0] = x;
+    c.value[0] = value;
+    c.error[0] = error;
+    return c;
+}
+
+/* The rows that count: first and last column, from .. to. */
+static struct curve within(const struct measure *m,
+                           const struct results_table *t, int column)
+{
+    const double *const last = t->value + (t->n_rows - 1) * t->n_columns;
+    const double near = 1e-9 * fabs(last[0]);
+    const double from = isfinite(m->from)        ? m->from
+                        : m->how == MEASURE_MEAN ? 0.5 * last[0]
+                                                 : -INFINITY;
+    const double to = isfinite(m->to) ? m->to : INFINITY;
+    struct curve c = curve_create(t->n_rows);
+
+    c.n = 0;
+    for (int i = 0; i < t->n_rows; i++) {
+        const double *const row = t->value + i * t->n_columns;
+        if (row[0] < from - near || row[0] > to + near) continue;
+        if (!isfinite(row[column])) continue; /* a cell that nobody was in */
+        c.x[c.n] = row[0];
+        c.value[c.n++] = row[column];
+    }
+    return c;
+}
+
+/* All rows as one number. */
+static struct curve reduced(const struct measure *m, const struct curve *c)
+{
+    double length, best = c->value[0];
+    int at = 0;
+
+    if (m->how == MEASURE_MEAN)
+        return point(NAN, statistics_mean(c->n, c->value),
+                     statistics_block_error(c->n, c->value, &length));
+    if (m->how == MEASURE_LAST && isfinite(m->from))
+        return point(m->from, statistics_between(c->n, c->x, c->value, m->from),
+                     0.0);
+    if (m->how == MEASURE_LAST)
+        return point(c->x[c->n - 1], c->value[c->n - 1], 0.0);
+    for (int i = 1; i < c->n; i++)
+        if (m->how == MEASURE_MAX ? c->value[i] > best : c->value[i] < best)
+            best = c->value[at = i];
+    return point(c->x[at], best, 0.0);
+}
+
+static struct curve from_table(const struct measure *m,
+                               const struct results_table *t)
+{
+    const int column = m->column >= 0 ? m->column : results_column(t, m->name);
+    struct measure all = *m;
+
+    if (column < 0 || column >= t->n_columns) return (struct curve){0};
+    if (m->how == MEASURE_LAST) all.from = NAN;
+    struct curve c = within(&all, t, column);
+    if (c.n > 0 && m->how == MEASURE_CURVE) return c;
+    const struct curve found = c.n > 0 ? reduced(m, &c) : (struct curve){0};
+    curve_free(&c);
+    return found;
+}
+
+struct curve measure_take(const struct measure *m, const char *folder)
+{
+    char *const path = file_join(folder, m->file);
+    struct curve found = {0};
+
+    if (strcmp(m->file, "summary.json") == 0) {
+        const double value = results_number(path, m->name);
+        if (isfinite(value)) found = point(NAN, value, 0.0);
+    } else {
+        struct results_table *const t = results_table_read(path);
+        if (t != NULL) found = from_table(m, t);
+        results_table_free(t);
+    }
+    free(path);
+    return found;
+}

@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/outcome.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "study/results.h"
+#include "study/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- one variant ---------------------------------------------------------- */
+
+/* Means over the seeds: for each the least of the repetitions. */
+static void take_cost(const struct outcomes *o, int v, double *mean,
+                      const struct measure *m)
+{
+    const struct plan *const p = o->plan;
+
+    *mean = 0.0;
+    for (int k = 0; k < p->seeds; k++) {
+        double least = NAN;
+        for (int i = 0; i < o->n_runs; i++) {
+            const struct run *const r = &o->run[i];
+            if (r->variant != v || r->seed != k || r->code != 0) continue;
+            struct curve c = measure_take(m, r->folder);
+            if (c.n > 0) least = fmin(least, c.value[0]);
+            curve_free(&c);
+        }
+        *mean += least / p->seeds;
+    }
+}
+
+/* Adds a curve at the points of the first one; those beyond it are nan. */
+static void add(struct curve *sum, double *squares, const struct curve *c)
+{
+    for (int i = 0; i < sum->n; i++) {
+        const int same = c->n == sum->n;
+        const double q =
+            same ? c->value[i]
+                 : statistics_between(c->n, c->x, c->value, sum->x[i]);
+        const double e = same ? c->error[i] : 0.0;
+
+        sum->value[i] += q;
+        squares[i] += q * q;
+        sum->error[i] += e * e;
+    }
+}
+
+/* Of n seeds: the mean, and the larger of two standard errors, that from the
+ * scatter of the seeds and that from the blocks of each. */
+static void divide(struct curve *sum, const double *squares, int n)
+{
+    for (int i = 0; i < sum->n; i++) {
+        const double mean = sum->value[i] / n;
+        const double scatter = fmax(0.0, squares[i] / n - mean * mean);
+
+        sum->value[i] = mean;
+        sum->error[i] = sqrt(sum->error[i]) / n;
+        if (n > 1) sum->error[i] = fmax(sum->error[i], sqrt(scatter / (n - 1)));
+    }
+}
+
+static struct curve mean_of_seeds(const struct outcomes *o, int v,
+                                  const struct measure *m)
+{
+    struct curve sum = {0};
+    double *squares = NULL;
+    int n = 0;
+
+    for (int i = 0; i < o->n_runs; i++) {
+        const struct run *const r = &o->run[i];
+        if (r->variant != v || r->time != 0) continue;
+        struct curve c = measure_take(m, r->folder);
+        if (c.n > 0 && n == 0) {
+            sum = curve_create(c.n);
+            memcpy(sum.x, c.x, (size_t)c.n * sizeof *c.x);
+            squares = alloc_doubles(c.n);
+        }
+        if (c.n > 0) add(&sum, squares, &c);
+        n += c.n > 0;
+        curve_free(&c);
+    }
+    if (n > 0) divide(&sum, squares, n);
+    free(squares);
+    return sum;
+}
+
+static void take_variant(struct outcomes *o, int v)
+{
+    const struct plan *const p = o->plan;
+    struct outcome *const out = &o->variant[v];
+    struct measure seconds = {.column = -1};
+
+    strcpy(seconds.file, "summary.json");
+    strcpy(seconds.name, PLAN_COST);
+    out->label = choices_label(&p->choices, v, -1);
+    out->ended = 1;
+    for (int i = 0; i < o->n_runs; i++)
+        if (o->run[i].variant == v && o->run[i].code != 0) {
+            out->ended = 0;
+            if (out->broken == NULL) out->broken = &o->run[i];
+        }
+    take_cost(o, v, &out->cost, &p->cost);
+    take_cost(o, v, &out->seconds, &seconds);
+    for (int m = 0; m < p->n_measures && out->ended; m++)
+        out->of[m].found = mean_of_seeds(o, v, &p->measure[m]);
+}
+
+/* --- the truth ------------------------------------------------------------ */
+
+/* The last entry of every choice. */
+static int finest(const struct outcomes *o, int v)
+{
+    const struct choices *const c = &o->plan->choices;
+
+    for (int i = 0; i < c->n; i++)
+        v = choices_with(c, v, i, c->of[i].n - 1);
+    return v;
+}
+
+/* The last three entries of a line, from coarse to fine. */
+struct last_three {
+    const struct curve *c[3];
+    double h[3], p; /* p: the order at which they approach each other */
+};
+
+static struct last_three last_of(const struct outcomes *o, int v, int m)
+{
+    const struct choice *const axis = &o->plan->choices.of[o->axis];
+    struct last_three l;
+
+    for (int k = 0; k < 3; k++) {
+        const int entry = axis->n - 3 + k;
+        l.c[k] = &o->variant[choices_with(&o->plan->choices, v, o->axis, entry)]
+                      .of[m]
+                      .found;
+        l.h[k] = choices_size(axis, entry);
+    }
+    l.p = statistics_richardson(l.h, curve_difference(l.c[0], l.c[1]) /
+                                         curve_difference(l.c[1], l.c[2]));
+    return l;
+}
+
+/* The truth at a point; *doubt is its standard error. */
+static double truth_at(const struct outcomes *o, int v, int m, double x,
+                       double *doubt)
+{
+    const struct truth *const t = &o->plan->truth[m];
+
+    *doubt = 0.0;
+    if (t->kind == TRUTH_NONE) return NAN;
+    if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
+        return truth_value(t, x);
+    if (t->kind == TRUTH_FINEST) {
+        const struct curve *const c = &o->variant[finest(o, v)].of[m].found;
+        if (c->n == 1 && finest(o, v) != v) *doubt = c->error[0];
+        return curve_at(c, x);
+    }
+    const struct last_three l = last_of(o, v, m);
+    const double fine = curve_at(l.c[2], x);
+    return fine +
+           (fine - curve_at(l.c[1], x)) / (pow(l.h[1] / l.h[2], l.p) - 1.0);
+}
+
+/* Compares a variant with the truth where there is one. */
+static void compare(const struct outcomes *o, int v, int m)
+{
+    struct finding *const f = &o->variant[v].of[m];
+    double square = 0.0, truths = 0.0, values = 0.0, doubts = 0.0, one = NAN;
+    int n = 0;
+
+    for (int i = 0; i < f->found.n; i++) {
+        double doubt;
+        const double q = f->found.value[i];
+        const double q_0 = truth_at(o, v, m, f->found.x[i], &doubt);
+
+        values += q * q;
+        if (!isfinite(q_0)) continue;
+        square += (q - q_0) * (q - q_0);
+        truths += q_0 * q_0;
+        doubts += f->found.error[i] * f->found.error[i] + doubt * doubt;
+        one = q_0;
+        n++;
+    }
+    const int single = f->found.n == 1;
+    f->value = single            ? f->found.value[0]
+               : f->found.n == 0 ? NAN
+                                 : sqrt(values / f->found.n);
+    f->truth = single || n == 0 ? one : sqrt(truths / n);
+    f->error = n > 0 && truths > 0.0 ? sqrt(square / truths) : NAN;
+    f->doubt = n > 0 && truths > 0.0 ? sqrt(doubts / truths) : NAN;
+    if (o->plan->truth[m].kind == TRUTH_FINEST && finest(o, v) == v)
+        f->error = NAN; /* the truth itself */
+}
+
+/* --- orders --------------------------------------------------------------- */
+
+static void take_order(const struct outcomes *o, int v, int m)
+{
+    const struct choices *const c = &o->plan->choices;
+    struct finding *const f = &o->variant[v].of[m];
+
+    f->order = NAN;
+    const int entry = o->axis >= 0 ? choices_entry(c, v, o->axis) : 0;
+    if (entry == 0) return;
+    const struct finding *const coarse =
+        &o->variant[choices_with(c, v, o->axis, entry - 1)].of[m];
+    if (!outcome_is_resolved(f) || !outcome_is_resolved(coarse)) return;
+    f->order = statistics_order(choices_size(&c->of[o->axis], entry - 1),
+                                coarse->error,
+                                choices_size(&c->of[o->axis], entry), f->error);
+}
+
+struct outcomes outcomes_create(const struct plan *p, int n_runs,
+                                const struct run *runs)
+{
+    struct outcomes o = {.plan = p, .n_runs = n_runs, .run = runs};
+
+    o.n = choices_variants(&p->choices);
+    o.variant = alloc_zeroed((size_t)o.n, sizeof *o.variant);
+    o.axis = choices_axis(&p->choices);
+    for (int v = 0; v < o.n; v++)
+        take_variant(&o, v);
+    for (int m = 0; m < p->n_measures; m++) {
+        for (int v = 0; v < o.n; v++)
+            compare(&o, v, m);
+        for (int v = 0; v < o.n; v++)
+            take_order(&o, v, m);
+    }
+    return o;
+}
+
+void outcomes_free(struct outcomes *o)
+{
+    for (int v = 0; v < o->n; v++) {
+        free(o->variant[v].label);
+        for (int m = 0; m < PLAN_MEASURES; m++)
+            curve_free(&o->variant[v].of[m].found);
+    }
+    free(o->variant);
+    *o = (struct outcomes){0};
+}
+
+double outcomes_fitted_order(const struct outcomes *o, int v, int m)
+{
+    return o->plan->truth[m].kind == TRUTH_EXTRAPOLATED ? last_of(o, v, m).p
+                                                        : NAN;
+}
+
+int outcome_is_resolved(const struct finding *f)
+{
+    return f->error > 2.0 * f->doubt;
+}
+
+int outcome_is_surely(const struct finding *f, int sign, double limit)
+{
+    return sign < 0 ? f->error + 2.0 * f->doubt <= limit
+                    : f->error - 2.0 * f->doubt > limit;
+}

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* perform.c -- the processes of a study, some at a time. */
+#include "study/runs.h"
+
+#include "base/alloc.h"
+#include "base/clock.h"
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "study/workers.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { REFUSED = 2, NOT_WRITTEN = 4 };
+
+/* One place for a process. */
+struct worker {
+    struct run *run; /* NULL: free */
+    pid_t process;   /* a child of ours; 0: of a former study, waited for */
+};
+
+struct crew {
+    const struct plan *plan;
+    int n_runs;
+    struct run *run;
+    struct worker *worker; /* plan->jobs of them */
+    double began;          /* [s] */
+    double done;           /* [s] expected, of the runs ended since then */
+    int failed;            /* exit code of the study; 0 so far */
+    int on_terminal;       /* [-] 1: progress is drawn over itself */
+};
+
+/* --- progress ------------------------------------------------------------- */
+
+/* How long it will take: what the ended runs took, for the rest. */
+static void put_left(const struct crew *c)
+{
+    const double elapsed = clock_now() - c->began;
+    double left = 0.0;
+
+    for (int i = 0; i < c->n_runs; i++)
+        if (c->run[i].code == RUN_TO_DO) left += c->run[i].expected;
+    if (c->done > 0.0 && left > 0.0)
+        fprintf(stderr, ", about %.0f s left", elapsed * left / c->done);
+}
+
+static void show(const struct crew *c, const struct run *r)
+{
+    int ended = 0;
+
+    if (c->plan->quiet) return;
+    for (int i = 0; i < c->n_runs; i++)
+        ended += c->run[i].code != RUN_TO_DO;
+    fprintf(stderr, "%s%d of %d runs", c->on_terminal ? "\r\033[K" : "", ended,
+            c->n_runs);
+    put_left(c);
+    fprintf(stderr, "; %s%s", r->name,
+            r->code == 0 ? "" : ", which did not come to its end");
+    if (!c->on_terminal || ended == c->n_runs) fputc('\n', stderr);
+    fflush(stderr);
+}
+
+/* --- one run -------------------------------------------------------------- */
+
+/* Writes variant.txt, which tells from now on what the folder is for. */
+static int write_identity(const struct run *r, int code)
+{
+    char *const path = file_join(r->folder, "variant.txt");
+    struct file *const f =
+        file_make_dirs(r->folder) == 0 ? file_create(path) : NULL;
+
+    free(path);
+    if (f == NULL) return NOT_WRITTEN;
+    fputs(r->identity, file_stream(f));
+    if (code == REFUSED) fprintf(file_stream(f), "exit code %d\n", code);
+    return file_commit(f) == 0 ? 0 : NOT_WRITTEN;
+}
+
+/* The end of an earlier run must not pass for that of this one. */
+static void forget(const struct run *r)
+{
+    char *const summary = file_join(r->folder, "summary.json");
+
+    remove(summary);
+    free(summary);
+}
+
+/* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ... */
+static const char **command(const struct plan *p, const struct run *r)
+{
+    const char *const fixed[] = {"winnow",  "run", p->case_file, "-o",
+                                 r->folder, "-j",  "1",          "--quiet"};
+    const size_t n = sizeof fixed / sizeof fixed[0];
+    const char **const words =
+        alloc_zeroed(n + 2 * (size_t)r->n_overrides + 1, sizeof *words);
+
+    memcpy(words, fixed, sizeof fixed);
+    for (int i = 0; i < r->n_overrides; i++) {
+        words[n + 2 * (size_t)i] = "-s";
+        words[n + 2 * (size_t)i + 1] = r->overrides[i];
+    }
+    return words;
+}
+
+/* Starts a run, or waits for the one that a former study has left in its
+ * folder. */
+static int start(struct crew *c, struct worker *w, struct run *r)
+{
+    char *const manifest = file_join(r->folder, "manifest.txt");
+    const pid_t owner = workers_owner(manifest);
+
+    free(manifest);
+    *w = (struct worker){r, 0};
+    if (owner != 0) {
+        if (!c->plan->quiet)
+            fprintf(stderr, "%s is being run by process %ld; waiting for it\n",
+                    r->name, (long)owner);
+        return 0;
+    }
+    forget(r);
+    if (write_identity(r, 0) != 0) return NOT_WRITTEN;
+    const char **const words = command(c->plan, r);
+    char *const log = file_join(r->folder, "log.txt");
+    w->process = workers_start(words, log);
+    if (w->process == 0)
+        fprintf(stderr, "winnow: cannot start a run: %s\n", strerror(errno));
+    free(log);
+    free(words);
+    return w->process != 0 ? 0 : NOT_WRITTEN;
+}
+
+/* --- all of them ---------------------------------------------------------- */
+
+static int is_going(const struct crew *c, const struct run *r)
+{
+    for (int i = 0; i < c->plan->jobs; i++)
+        if (c->worker[i].run == r) return 1;
+    return 0;
+}
+
+static struct run *next_run(const struct crew *c)
+{
+    for (int i = 0; i < c->n_runs; i++)
+        if (c->run[i].code == RUN_TO_DO && !is_going(c, &c->run[i]))
+            return &c->run[i];
+    return NULL;
+}
+
+/* Takes note of the exit code of a run. A run that broke down, that was refused
+ * or that a signal ended is a result; one that could not write, or that was
+ * interrupted, ends the study. */
+static void take_note(struct crew *c, struct run *r, int code)
+{
+    if (code == NOT_WRITTEN || code == INTERRUPT_CODE) {
+        c->failed = code;
+        if (code == NOT_WRITTEN)
+            fprintf(stderr, "winnow: a run could not write; see %s/log.txt\n",
+                    r->folder);
+        return;
+    }
+    r->code = code;
+    c->done += r->expected;
+    if (code == REFUSED && write_identity(r, code) != 0)
+        c->failed = NOT_WRITTEN;
+    show(c, r);
+}
+
+/* A worker whose run has ended is free again. */
+static void look_at(struct crew *c, struct worker *w)
+{
+    struct run *const r = w->run;
+
+    if (r == NULL) return;
+    if (w->process > 0) {
+        const int code = workers_code(w->process);
+        if (code < 0) return;
+        *w = (struct worker){NULL, 0};
+        take_note(c, r, code);
+        return;
+    }
+    char *const manifest = file_join(r->folder, "manifest.txt");
+    const pid_t owner = workers_owner(manifest);
+    free(manifest);
+    if (owner != 0) return;
+    *w = (struct worker){NULL, 0};
+    runs_look(1, r);
+    if (r->code != RUN_TO_DO) take_note(c, r, r->code);
+}
+
+static int working(const struct crew *c)
+{
+    int n = 0;
+
+    for (int i = 0; i < c->plan->jobs; i++)
+        n += c->worker[i].run != NULL;
+    return n;
+}
+
+/* Tells the processes to end, once; those of a former study are left alone. */
+static void stop(struct crew *c)
+{
+    for (int i = 0; i < c->plan->jobs; i++) {
+        struct worker *const w = &c->worker[i];
+        if (w->run != NULL && w->process > 0) kill(w->process, SIGTERM);
+        if (w->run != NULL && w->process == 0) w->run = NULL;
+    }
+}
+
+static void fill(struct crew *c)
+{
+    for (int i = 0; i < c->plan->jobs && c->failed == 0; i++) {
+        struct run *const r = next_run(c);
+        if (c->worker[i].run != NULL || r == NULL) continue;
+        c->failed = start(c, &c->worker[i], r);
+        if (c->failed != 0) c->worker[i].run = NULL;
+    }
+}
+
+static void work(struct crew *c)
+{
+    const struct timespec nap = {0, 5000000}; /* 5 ms */
+    int stopped = 0;
+
+    while (working(c) > 0 || (c->failed == 0 && next_run(c) != NULL)) {
+        if (interrupt_arrived() && c->failed == 0) c->failed = INTERRUPT_CODE;
+        if (c->failed == 0) fill(c);
+        if (c->failed != 0 && !stopped++) stop(c);
+        for (int i = 0; i < c->plan->jobs; i++)
+            look_at(c, &c->worker[i]);
+        nanosleep(&nap, NULL);
+    }
+}
+
+int runs_perform(const struct plan *p, int n, struct run *runs)
+{
+    struct crew c = {.plan = p,
+                     .n_runs = n,
+                     .run = runs,
+                     .began = clock_now(),
+                     .on_terminal = isatty(STDERR_FILENO)};
+
+    c.worker = alloc_zeroed((size_t)p->jobs, sizeof *c.worker);
+    work(&c);
+    free(c.worker);
+    if (c.failed == INTERRUPT_CODE)
+        fprintf(stderr,
+                "winnow: interrupted; the runs that have ended are in %s, and "
+                "the same command goes on from there\n",
+                p->dir);
+    return c.failed;
+}

@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/plan.h"
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "case/case_file.h"
+#include "study/standing.h"
+#include "study/study_words.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_VARIANTS = 10000 };
+
+static int wrong(const char *what, const char *why)
+{
+    fprintf(stderr, "winnow: study: %s%s\n", what, why);
+    return 2;
+}
+
+/* --- what a run gets besides its choices -----------------------------------
+ */
+
+/* Of a fluid, and where the history has its own interval, nothing depends on
+ * how often pictures are written: those of the start and the end will do. */
+static int needs_few_pictures(const struct settings *s)
+{
+    return settings_has(s, "fluid") || settings_has(s, "output.history");
+}
+
+static void add_fixed(struct plan *p, const char *format, const char *value)
+{
+    const size_t room = strlen(format) + strlen(value) + 1;
+    char *const text = alloc_zeroed(room, 1);
+
+    snprintf(text, room, format, value);
+    p->fixed = realloc(p->fixed, ((size_t)p->n_fixed + 1) * sizeof *p->fixed);
+    if (p->fixed == NULL) exit(4);
+    p->fixed[p->n_fixed++] = text;
+}
+
+static void add_output(struct plan *p, const struct settings *s)
+{
+    char end[NUMBER_LENGTH];
+
+    add_fixed(p, "output.picture=%s", "false");
+    if (needs_few_pictures(s))
+        add_fixed(p, "output.every=%s",
+                  number_text(settings_real(s, "output.end"), end));
+}
+
+/* The keys of all seeds of the case, and their values. */
+static int add_seeds(struct plan *p, const struct settings *s)
+{
+    const char *const list = "particles.insert";
+
+    if (settings_has(s, "particles") && settings_has(s, "particles.bed"))
+        p->seed[p->n_seeds++] = (struct plan_seed){
+            "particles.bed.seed", settings_int(s, "particles.bed.seed")};
+    for (int i = 0; settings_is_list(s, list) && i < settings_length(s, list) &&
+                    p->n_seeds < PLAN_SEEDS;
+         i++) {
+        struct plan_seed *const one = &p->seed[p->n_seeds++];
+        snprintf(one->key, sizeof one->key, "%s.%d.seed", list, i);
+        one->value = settings_item_int(s, list, i, "seed");
+    }
+    return p->seeds == 1 || p->n_seeds > 0
+               ? 0
+               : wrong("--seeds", ": the case has none: no particles.bed and "
+                                  "no particles.insert");
+}
+
+char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
+{
+    int n_choices, at = 0;
+    char **const choices = choices_overrides(&p->choices, variant, &n_choices);
+    char **const texts = alloc_zeroed(
+        (size_t)p->n_fixed + PLAN_SEEDS + (size_t)n_choices, sizeof *texts);
+
+    for (int i = 0; i < p->n_fixed; i++)
+        texts[at++] = strdup(p->fixed[i]);
+    for (int i = 0; i < p->n_seeds && p->seeds > 1; i++) {
+        texts[at] = alloc_zeroed(sizeof p->seed[i].key + 16, 1);
+        snprintf(texts[at++], sizeof p->seed[i].key + 16, "%s=%d",
+                 p->seed[i].key, p->seed[i].value + seed);
+    }
+    for (int i = 0; i < n_choices; i++)
+        texts[at++] = choices[i];
+    free(choices);
+    *n = at;
+    return texts;
+}
+
+void plan_free_texts(int n, char **texts)
+{
+    for (int i = 0; i < n; i++)
+        free(texts[i]);
+    free(texts);
+}
+
+/* --- the plan as a whole ---------------------------------------------------
+ */
+
+static int add_choices(struct plan *p, const struct study_words *w)
+{
+    for (int i = 0; i < w->n_choices; i++)
+        if (choices_add(&p->choices, w->choice[i]) != 0) return 2;
+    const int n = choices_variants(&p->choices);
+    if (n < 2)
+        return wrong("nothing to compare", ": give a key several values, -s "
+                                           "key=value,value,...");
+    return n <= MOST_VARIANTS ? 0 : wrong("", "more than 10000 variants");
+}
+
+/* The case of the first variant, which says what there is to be measured. */
+static struct settings *first_case(const struct plan *p, int *code)
+{
+    int n;
+    char **const overrides = choices_overrides(&p->choices, 0, &n);
+    struct settings *const s =
+        case_file_read(p->case_file, n, (const char *const *)overrides, code);
+
+    plan_free_texts(n, overrides);
+    return s;
+}
+
+static int check_truth(const struct plan *p, const struct truth *t)
+{
+    const int axis = choices_axis(&p->choices);
+
+    if (t->kind != TRUTH_EXTRAPOLATED ||
+        (axis >= 0 && p->choices.of[axis].n > 2))
+        return 0;
+    return wrong("extrapolated", ": asks for a key with three numbers or more, "
+                                 "rising or falling");
+}
+
+static int add_measures(struct plan *p, const struct study_words *w,
+                        const struct settings *s)
+{
+    if (w->n_measures == 0)
+        return wrong("what is to be looked at?",
+                     " Give --measure NAME, a column of history.csv or a "
+                     "number of summary.json");
+    for (int i = 0; i < w->n_measures; i++) {
+        const char *const truth = w->truth[i] != NULL ? w->truth[i]
+                                  : w->truth[w->n_measures - 1] != NULL
+                                      ? w->truth[w->n_measures - 1]
+                                      : "finest";
+        int code = measure_parse(&p->measure[i], w->measure[i], s);
+
+        if (code == 0) code = truth_parse(&p->truth[i], truth);
+        p->n_measures = i + 1;
+        if (code == 0) code = check_truth(p, &p->truth[i]);
+        if (code != 0) return code;
+    }
+    return measure_parse(&p->cost, w->cost != NULL ? w->cost : PLAN_COST, s);
+}
+
+/* out/study-NAME for some/where/NAME.cfg. */
+static char *default_dir(const char *file)
+{
+    const char *const slash = strrchr(file, '/');
+    const char *const name = slash != NULL ? slash + 1 : file;
+    char *const dir = alloc_zeroed(strlen(name) + 16, 1);
+
+    sprintf(dir, "out/study-%s", name);
+    char *const dot = strrchr(dir, '.');
+    if (dot != NULL && dot > dir + strlen("out/study-")) *dot = '\0';
+    return dir;
+}
+
+static int complete(struct plan *p, const struct study_words *w)
+{
+    int code = add_choices(p, w);
+    struct settings *const s = code == 0 ? first_case(p, &code) : NULL;
+
+    if (s == NULL) return code;
+    code = add_measures(p, w, s);
+    if (code == 0) code = add_seeds(p, s);
+    if (code == 0) add_output(p, s);
+    if (code == 0) p->standing = standing_variant(p->case_file, &p->choices);
+    if (w->title == NULL && code == 0)
+        p->title = strdup(settings_text(s, "title"));
+    settings_free(s);
+    return code;
+}
+
+int plan_create(struct plan *p, int n_words, const char *const *words)
+{
+    struct study_words w;
+    int code = study_words_take(&w, n_words, words);
+
+    *p = (struct plan){.quiet = w.quiet, .dry = w.dry};
+    if (code == 0) {
+        p->case_file = strdup(w.case_file);
+        p->dir = w.dir != NULL ? strdup(w.dir) : default_dir(w.file);
+        p->seeds = w.seeds > 0 ? w.seeds : 1;
+        p->times = w.times > 0 ? w.times : 1;
+        p->jobs = w.jobs > 0 ? w.jobs : omp_get_num_procs();
+        if (w.title != NULL) p->title = strdup(w.title);
+        code = complete(p, &w);
+    }
+    study_words_free(&w);
+    if (code != 0) plan_free(p);
+    return code;
+}
+
+void plan_free(struct plan *p)
+{
+    for (int i = 0; i < p->n_measures; i++)
+        truth_free(&p->truth[i]);
+    choices_free(&p->choices);
+    plan_free_texts(p->n_fixed, p->fixed);
+    free(p->title);
+    free(p->case_file);
+    free(p->dir);
+    *p = (struct plan){0};
+}

@@ -1,0 +1,49 @@
+/* plan.h -- what a study is to do, from the command line or a study file. */
+#ifndef STUDY_PLAN_H
+#define STUDY_PLAN_H
+
+#include "study/choices.h"
+#include "study/measure.h"
+#include "study/truth.h"
+
+/* Most measures of a study, and most seeds of a case. */
+enum { PLAN_MEASURES = 16, PLAN_SEEDS = 16 };
+
+/* What a run costs, where nothing else is named: processor time [s]. */
+#define PLAN_COST "seconds.processor"
+
+struct plan_seed {
+    char key[64];
+    int value; /* as the case has it */
+};
+
+struct plan {
+    char *title, *case_file;
+    char *dir;              /* where everything goes */
+    struct choices choices; /* those of one entry are the same for all runs */
+    int n_measures;
+    struct measure measure[PLAN_MEASURES];
+    struct truth truth[PLAN_MEASURES];
+    struct measure cost; /* the abscissa of the picture */
+    int seeds;           /* [-] runs of a variant with other seeds */
+    int times;           /* [-] repetitions of each, for its processor time */
+    int jobs;            /* [-] processes at a time */
+    int quiet, dry;      /* [-] 1: no progress; 1: only say what would run */
+    int standing;        /* the variant that the case itself is; -1: none */
+    int n_seeds;
+    struct plan_seed seed[PLAN_SEEDS];
+    int n_fixed;
+    char **fixed; /* overrides of every run: few pictures */
+};
+
+/* Makes a plan of the words after `winnow study`. 0; or after one message 2 for
+ * what is wrong, 4 for what cannot be read. Nothing is written. */
+int plan_create(struct plan *p, int n_words, const char *const *words);
+void plan_free(struct plan *p);
+
+/* Overrides of a variant with the k-th seed, "key=value" each; to be freed with
+ * its texts. */
+char **plan_overrides(const struct plan *p, int variant, int seed, int *n);
+void plan_free_texts(int n, char **texts);
+
+#endif

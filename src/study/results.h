@@ -1,0 +1,29 @@
+/* results.h -- reads back what a run has written: its tables and its summary.
+ */
+#ifndef STUDY_RESULTS_H
+#define STUDY_RESULTS_H
+
+/* A table of table.h: rows side by side, value[n_columns * row + column]. */
+struct results_table {
+    int n_columns, n_rows;
+    char **name; /* with the unit: "pressure_drop [Pa]" */
+    double *value;
+};
+
+/* NULL, without a message, if there is no such file or no such table in it.
+ * Lines that begin with # are left out, and so is a last one that is cut. */
+struct results_table *results_table_read(const char *path);
+void results_table_free(struct results_table *t);
+
+/* The column of a name without its unit; of a probe, "us_y(0.1 0.2 0.3) [m/s]",
+ * the name of the field will do. -1 if there is none. */
+int results_column(const struct results_table *t, const char *name);
+
+/* A number of a summary by its path, "seconds.cfd"; nan if it is not there or
+ * null. */
+double results_number(const char *summary, const char *path);
+
+/* A text of it; NULL if it is not there. To be freed. */
+char *results_text(const char *summary, const char *path);
+
+#endif

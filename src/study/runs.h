@@ -1,0 +1,40 @@
+/* runs.h -- the runs of a study, each a process of its own.
+ *
+ * A run is `winnow run CASE -s ... -o DIR/runs/NAME -j 1 --quiet`. Its folder
+ * also holds variant.txt, which says what it is a run of, and log.txt, what it
+ * said. A run whose summary tells of its end, and whose variant.txt is the same
+ * as now, is not done again.
+ */
+#ifndef STUDY_RUNS_H
+#define STUDY_RUNS_H
+
+#include "study/plan.h"
+
+struct run {
+    int variant, seed, time; /* [-] which of each, from 0 */
+    char *name;              /* of its folder */
+    char *folder;            /* DIR/runs/NAME */
+    char *identity;          /* what variant.txt says */
+    int n_overrides;
+    char **overrides;
+    double expected; /* [s] processor time, roughly; only ratios count */
+    int code;        /* exit code; RUN_TO_DO if it has not ended */
+};
+
+enum { RUN_TO_DO = -1 };
+
+/* The runs of a plan: for each variant its seeds, for each of them its
+ * repetitions. *n is their number. NULL after a message; *code is then 2 or 4.
+ */
+struct run *runs_create(const struct plan *p, int *n, int *code);
+void runs_free(int n, struct run *runs);
+
+/* Finds out which have ended before; returns how many. */
+int runs_look(int n, struct run *runs);
+
+/* Does those that have not ended, p->jobs at a time, with progress on stderr.
+ * 0; or after a message 4 if something could not be written, 130 if a signal
+ * came: the runs have then been told to stop. */
+int runs_perform(const struct plan *p, int n, struct run *runs);
+
+#endif

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/study.h"
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "case/command.h"
+#include "study/outcome.h"
+#include "study/plan.h"
+#include "study/runs.h"
+#include "study/study_report.h"
+#include "study/study_words.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NOT_WRITTEN = 4 };
+
+static double seconds_of(int n, const struct run *runs)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < n; i++)
+        if (runs[i].code == RUN_TO_DO) sum += runs[i].expected;
+    return sum;
+}
+
+static void say_what_would_run(const struct plan *p, int n,
+                               const struct run *runs)
+{
+    const int ended = runs_look(n, (struct run *)runs);
+    const double seconds = seconds_of(n, runs);
+
+    for (int i = 0; i < n; i++)
+        printf("%s  %s\n", runs[i].code == RUN_TO_DO ? "to do" : "done ",
+               runs[i].name);
+    printf(
+        "%d runs, %d of them done; the others take about %.3g s of processor "
+        "time, after settling, %d at a time\n",
+        n, ended, seconds, p->jobs);
+}
+
+/* The folder, kept for this study as long as the descriptor is open; negative
+ * after a message. */
+static int take_folder(const struct plan *p)
+{
+    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    char *const path = file_join(p->dir, "study.lock");
+    int file = -1;
+
+    if (file_make_dirs(p->dir) == 0) {
+        file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (file < 0)
+            fprintf(stderr, "winnow: cannot write %s: %s\n", path,
+                    strerror(errno));
+    }
+    if (file >= 0 && fcntl(file, F_SETLK, &l) != 0) {
+        fprintf(stderr,
+                "winnow: another study works in %s; wait for its end, or "
+                "choose another folder with -o\n",
+                p->dir);
+        close(file);
+        file = -1;
+    }
+    free(path);
+    return file;
+}
+
+static int report(const struct plan *p, int n, const struct run *runs)
+{
+    struct outcomes o = outcomes_create(p, n, runs);
+    const int failed = study_report_runs(&o) != 0 ||
+                       study_report_variants(&o) != 0 ||
+                       study_report_picture(&o) != 0;
+
+    if (!failed) study_report_advice(&o, stdout);
+    outcomes_free(&o);
+    if (!failed) printf("see %s/study.md, study.csv and study.svg\n", p->dir);
+    return failed ? NOT_WRITTEN : 0;
+}
+
+static int perform(const struct plan *p, int n, struct run *runs)
+{
+    const int file = take_folder(p);
+    int code = NOT_WRITTEN;
+
+    if (file < 0) return code;
+    const int before = runs_look(n, runs);
+    if (before > 0 && !p->quiet)
+        fprintf(stderr, "%d of %d runs were done before\n", before, n);
+    code = runs_perform(p, n, runs);
+    if (code == 0) code = report(p, n, runs);
+    close(file);
+    return code;
+}
+
+static int study(const struct command_line *l)
+{
+    struct plan p;
+    int n, code = plan_create(&p, l->n_words, l->words);
+
+    if (code != 0) return code;
+    interrupt_hold();
+    struct run *const runs = runs_create(&p, &n, &code);
+    if (runs != NULL && p.dry)
+        say_what_would_run(&p, n, runs);
+    else if (runs != NULL)
+        code = perform(&p, n, runs);
+    if (runs != NULL) runs_free(n, runs);
+    plan_free(&p);
+    return code;
+}
+
+const struct command study_command = {
+    "study",
+    STUDY_ARGUMENTS,
+    "variants of a case, or those of a study file: what accuracy costs",
+    NULL,
+    1,
+    -1,
+    study};

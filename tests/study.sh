@@ -1,0 +1,226 @@
+#!/bin/sh
+# A study as a person meets it: its processes, its tables, its advice.
+#
+#   sh tests/study.sh build/winnow
+set -u
+winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
+top=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+export OMP_WAIT_POLICY=passive
+failed=0
+facts=0
+
+# fact NAME COMMAND...: the command succeeds.
+fact() {
+    name=$1
+    shift
+    if "$@" >said 2>&1; then
+        facts=$((facts + 1)) && echo "    $name"
+    else
+        echo "FAILED $name:" && cat said
+        failed=$((failed + 1))
+    fi
+}
+
+# The field of a row of study.csv, by the head of its column, in all runs. No
+# value of these studies has a comma.
+column() { # file head
+    awk -F, -v head="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == head) c = i; next }
+                          { print $c }' "$1"
+}
+
+# A channel between two walls starts to flow: sixteen cells.
+cat >channel.cfg <<'END'
+title = "a channel starts to flow";
+mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 16, 1];
+         periodic = [true, false, true]; };
+fluid = { density = 1000; viscosity = 0.1; step = 0.01; bottom_top = "no-slip";
+          mean_gradient = [-10.0, 0.0, 0.0]; convection = "linear"; tolerance = 1e-13; };
+output = { end = 0.32; every = 0.32;
+    probes = ( { field = "u_x"; position = [0.005, 0.005, 0.005]; } );
+    profiles = ( { field = "u_x"; height = 0.005; } ); };
+END
+# A few grains in a little air that do not lie still.
+cat >grains.cfg <<'END'
+title = "a few grains";
+mesh = { size = [0.006, 0.012, 0.006]; cells = [3, 6, 3]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = { inlet = 0.9; }; top = { outlet = 0.0; };
+          sides = "no-slip"; front_back = "slip"; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 20; restitution = 0.9; friction = 0.1; };
+    bed = { count = 20; diameter = 1.2e-3; settle = 0.02; }; };
+averaging = { method = "kernel"; bandwidth = 4e-3; };
+exchange = { drag = "syamlal-obrien"; };
+effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {}; };
+output = { end = 0.02; every = 0.01; };
+END
+
+echo "orders that are known:"
+# Implicit Euler is of order 1, BDF2 of order 2; the next term of the error is
+# still a twentieth of it at these steps.
+"$winnow" study channel.cfg -s fluid.time=euler,bdf2 -s fluid.step=0.02,0.01,0.005 \
+    --measure u_x --truth extrapolated -o time --quiet >advice || cat advice
+order() { # of the line in the study, from, to
+    sed -n "s/^- .*$2: extrapolated with the order //p" "$1/study.md" |
+        awk -v low="$3" -v high="$4" '{ n++; if ($1 < low || $1 > high) wrong = 1 }
+                                      END { exit n != 1 || wrong }'
+}
+fact euler_is_reported_with_order_1 order time euler 0.95 1.05
+fact bdf2_is_reported_with_order_2 order time bdf2 1.9 2.15
+# A parabola between walls, u = G y (h - y) / (2 mu), has the kinetic energy
+# (rho/2) (G / 2 mu)^2 h^5/30 for each area of a wall, here of 1e-4 m^2. The cells
+# meet it to second order.
+"$winnow" study channel.cfg -s mesh.cells='[1,4,1],[1,8,1],[1,16,1]' -s output.end=8 \
+    -s fluid.step=1.0 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' -o cells \
+    --quiet >advice || cat advice
+cells_are_second_order() {
+    awk -F' [|] ' '/^\| cells/ { n++; if (n > 1 && ($5 + 0 < 1.9 || $5 + 0 > 2.15)) wrong = 1 }
+                   END { exit n != 3 || wrong }' cells/study.md
+}
+fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order
+# Frozen drag is explicit Euler, of order 1 in the sub-steps [XS11 4.1].
+"$winnow" study "$top/cases/one-grain.cfg" -s exchange.substeps=4,8,16 \
+    --measure us_y@0.0011 -o grain --quiet --truth "XS11:4.1 rho_s=2000 eps_s=3.74e-5 \
+rho_f=1000 mu=1e-3 d=8.3e-5 u_f=0.05" >advice || cat advice
+substeps_are_first_order() {
+    awk -F' [|] ' '/^\| substeps/ { n++; if (n > 1 && ($5 + 0 < 0.95 || $5 + 0 > 1.2)) wrong = 1 }
+                   END { exit n != 3 || wrong }' grain/study.md
+}
+fact xs11_4_1_sub_steps_are_reported_with_order_1 substeps_are_first_order
+
+echo "tables and advice:"
+# Each number of study.csv is the one of the summary, to the last digit.
+sums_agree() {
+    n=0
+    for folder in time/runs/*; do
+        for key in processor cfd dem output total; do
+            value=$(sed -n "s/^ *\"$key\": \([^,]*\),*$/\1/p" "$folder/summary.json")
+                column time/study.csv "$key [s]" | grep -qxF -- "$value" || return 1
+            n=$((n + 1))
+        done
+    done
+    [ $n -eq 30 ]
+}
+fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
+# The cheapest row within the limit, found again from study.csv.
+advice_agrees() {
+    best=$(awk -F, '
+        NR == 1 { for (i = 1; i <= NF; i++) { if ($i == "processor [s]") s = i
+                  if ($i ~ /^error of/) e = i }; next }
+        $e <= 0.01 && (best == "" || $s < best) { best = $s; step = $3; time = $2 }
+        END { print "time=" time ", step=" step }' time/study.csv)
+    grep '^- for 1 %' time/study.md | grep -qF -- ": $best"
+}
+fact advice_is_the_cheapest_row_within_the_limit advice_agrees
+picture_is_there() {
+    grep -q '</svg>' time/study.svg && [ -s time/study.png ]
+}
+fact the_picture_is_drawn picture_is_there
+
+echo "processes:"
+# Killed in the middle without a word, the study goes on: what has ended is not
+# done again, and what a killed study has left behind is waited for.
+study="-s particles.step=2e-5,1e-5,5e-6,2.5e-6 --measure mean_height -o killed -j 1 --quiet"
+killed_goes_on() {
+    # shellcheck disable=SC2086 # words
+    "$winnow" study grains.cfg $study >/dev/null &
+    pid=$!
+    until [ "$(ls killed/runs 2>/dev/null | wc -l)" -ge 3 ]; do sleep 0.02; done
+    kill -9 $pid
+    wait $pid 2>/dev/null
+    before=$(cat killed/runs/step=2e-5/summary.json)
+    # shellcheck disable=SC2086
+    "$winnow" study grains.cfg $study >/dev/null || return 1
+    [ "$before" = "$(cat killed/runs/step=2e-5/summary.json)" ] &&
+        [ "$(column killed/study.csv exit_code | sort | uniq -c | tr -d ' ')" = 40 ]
+}
+fact a_killed_study_goes_on_and_does_no_run_twice killed_goes_on
+# The same folder with another case: nothing of the old one is taken for it.
+changed_case_is_done_again() {
+    before=$(cat killed/runs/step=2e-5/summary.json)
+    # shellcheck disable=SC2086
+    "$winnow" study grains.cfg $study -s fluid.viscosity=3e-5 >/dev/null || return 1
+    [ "$before" != "$(cat killed/runs/step=2e-5/summary.json)" ]
+}
+fact another_case_is_done_again changed_case_is_done_again
+broken_run_is_a_result() {
+    # A step of the springs that does not resolve them, and one refused for it.
+    "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
+        --measure mean_height -o broken --quiet >said || return 1
+    column broken/study.csv exit_code | tr '\n' ' ' | grep -qx '0 2 ' &&
+        grep -q 'exit code 2: winnow: ' broken/study.md
+}
+fact a_run_that_breaks_down_is_a_result broken_run_is_a_result
+seeds_have_errors() {
+    "$winnow" study grains.cfg -s exchange.drag=syamlal-obrien,gidaspow --seeds 3 --times 2 \
+        --measure mean_height -o seeds --quiet >/dev/null || return 1
+    [ "$(ls seeds/runs | wc -l)" -eq 12 ] || return 1
+    # The standard error of three heights, from study.csv and in study.md [%].
+    sed -n 's/.*gidaspow.* +- \([0-9.e-]*\) %.*/\1/p' seeds/study.md >found
+    awk -F, 'NR > 1 && $2 == "gidaspow" && $4 == 0 { h[n++] = $(NF - 3) }
+        END { m = (h[0] + h[1] + h[2]) / 3
+              for (i = 0; i < 3; i++) s += (h[i] - m) ^ 2
+              print 100 * sqrt(s / 6) / m }' seeds/study.csv >expected
+    paste expected found | awk '{ exit !($2 > 0 && $1 / $2 > 0.99 && $1 / $2 < 1.01) }'
+}
+fact seeds_give_a_standard_error seeds_have_errors
+dry_run_writes_nothing() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height \
+        -o dry --dry-run >said || return 1
+    grep -q '^2 runs, 0 of them done' said && [ ! -e dry ]
+}
+fact a_dry_run_writes_nothing dry_run_writes_nothing
+
+echo "study files:"
+mkdir -p there
+cat >there/study.cfg <<'END'
+title = "steps";
+case = "../channel.cfg";
+vary = ( { keys = "fluid.step"; values = "0.04, 0.02"; },
+         { keys = "fluid.time"; values = "euler, bdf2"; } );
+measures = ( { of = "u_x"; truth = "truth.csv"; } );
+END
+printf 'time [s],u [m/s]\n0,0.0012\n1,0.0012\n' >there/truth.csv
+file_is_read() {
+    "$winnow" study there/study.cfg -s fluid.time=bdf2 -o file --quiet >said || return 1
+    [ "$(ls file/runs | wc -l)" -eq 2 ] && grep -q '^# steps' file/study.md &&
+        [ "$(column file/study.csv 'truth of u_x' | head -1)" = 0.0012 ]
+}
+fact a_study_file_is_read_and_the_command_line_goes_before file_is_read
+
+echo "wrong input:"
+# refused NAME PART WORDS...: exit code 2, one message, nothing written.
+refused() {
+    part=$1
+    shift
+    "$winnow" study "$@" -o refused >said 2>&1
+    [ $? -eq 2 ] && [ ! -e refused ] && grep -qF -- "$part" said &&
+        [ "$(grep -c '^winnow:' said)" -eq 1 ]
+}
+fact a_value_that_no_case_may_have refused 'option -s fluid.step=-1' \
+    channel.cfg -s fluid.step=0.1,-1 --measure u_x
+fact a_key_that_is_none refused 'did you mean fluid.step' \
+    channel.cfg -s fluid.stp=0.1,0.2 --measure u_x
+fact a_value_twice refused 'a value is there twice' \
+    channel.cfg -s fluid.step=0.1,0.1 --measure u_x
+fact a_measure_that_is_none refused 'did you mean mean_height' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure mean_hight
+fact nothing_to_look_at refused 'what is to be looked at' channel.cfg -s fluid.step=0.1,0.2
+fact nothing_to_compare refused 'nothing to compare' channel.cfg --measure u_x
+fact a_truth_that_is_none refused 'expected a formula' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth finset
+fact seeds_where_nothing_is_random refused 'the case has none' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure u_x --seeds 3
+cat >wrong.cfg <<'END'
+case = "channel.cfg"; vary = (); measure = ();
+END
+fact a_study_file_with_a_wrong_key refused 'did you mean measures' wrong.cfg
+
+if [ $failed -gt 0 ]; then
+    echo "study: $failed of $((facts + failed)) facts do not hold"
+    exit 1
+fi
+echo "study: $facts facts hold"

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a study computes: choices, measures, truths, means with their errors,
+ * orders. The processes are in tests/study.sh. */
+#include "study/choices.h"
+#include "study/measure.h"
+#include "study/results.h"
+#include "study/standing.h"
+#include "study/statistics.h"
+#include "study/truth.h"
+
+#include "facts.h"
+#include "scratch.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+
+/* --- choices -------------------------------------------------------------- */
+
+static struct choices two_choices(void)
+{
+    struct choices c = {0};
+
+    ck_assert_int_eq(choices_add(&c, "a.step=4e-3, 2e-3,1e-3"), 0);
+    ck_assert_int_eq(choices_add(&c, "mesh.cells:b=[8,4,1]:\"x,y\",[16,4,1]:z"),
+                     0);
+    return c;
+}
+
+/* Commas in brackets and quotes separate nothing. */
+START_TEST(values_split_at_top_level_commas_and_keys_cross)
+{
+    struct choices c = two_choices();
+    int n;
+
+    ck_assert_int_eq(choices_variants(&c), 6);
+    char **const set = choices_overrides(&c, 3, &n); /* entries 1 and 1 */
+    ck_assert_int_eq(n, 3);
+    ck_assert_str_eq(set[0], "a.step=2e-3");
+    ck_assert_str_eq(set[1], "mesh.cells=[16,4,1]");
+    ck_assert_str_eq(set[2], "b=z");
+    for (int i = 0; i < n; i++)
+        free(set[i]);
+    free(set);
+    char *const label = choices_label(&c, 2, 0);
+    ck_assert_str_eq(label, "cells=[8,4,1], b=\"x,y\"");
+    free(label);
+    ck_assert_int_eq(choices_with(&c, 3, 0, 2), 5);
+    choices_free(&c);
+}
+END_TEST
+
+/* A step gets smaller; of cells only those that change count, and more of them
+ * are smaller. */
+START_TEST(sizes_fall_from_coarse_to_fine)
+{
+    struct choices c = two_choices();
+
+    ck_assert_double_eq(choices_size(&c.of[0], 0) / choices_size(&c.of[0], 2),
+                        4.0);
+    ck_assert_double_eq(choices_size(&c.of[1], 0) / choices_size(&c.of[1], 1),
+                        2.0);
+    ck_assert_int_eq(choices_axis(&c), 0);
+    choices_free(&c);
+    ck_assert_int_eq(choices_add(&c, "averaging.method=pcm,kernel"), 0);
+    ck_assert_double_nan(choices_size(&c.of[0], 0));
+    ck_assert_int_eq(choices_axis(&c), -1);
+    choices_free(&c);
+}
+END_TEST
+
+/* --- statistics ----------------------------------------------------------- */
+
+/* q = 3 + 0.7 h^1.6 exactly, at sizes that do not halve. */
+START_TEST(richardson_finds_the_order_and_the_limit)
+{
+    const double h[3] = {1.0, 0.5, 0.2};
+    double q[3];
+
+    for (int i = 0; i < 3; i++)
+        q[i] = 3.0 + 0.7 * pow(h[i], 1.6);
+    const double p =
+        statistics_richardson(h, fabs(q[1] - q[0]) / fabs(q[2] - q[1]));
+    /* bisected to 1e-17 of the interval; the powers round */
+    ck_assert_double_eq_tol(p, 1.6, 1e-12);
+    const double q_0 = q[2] + (q[2] - q[1]) / (pow(h[1] / h[2], p) - 1.0);
+    ck_assert_double_eq_tol(q_0, 3.0, 1e-12);
+    ck_assert_double_eq_tol(statistics_order(1.0, 0.7, 0.5, 0.7 / 8.0), 3.0,
+                            1e-14);
+    ck_assert_double_nan(statistics_richardson(h, 0.5)); /* they part */
+}
+END_TEST
+
+/* x_k = phi x_k-1 + noise: neighbours are alike, and the mean of n is as
+ * uncertain as that of n (1 - phi) / (1 + phi) independent samples, 1/19 of
+ * them for phi = 0.9. The error of an error from a few dozen blocks is some
+ * 15 %; taking the samples as independent misses by a factor of 4.4. */
+START_TEST(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean)
+{
+    enum { N = 65536 };
+    const double phi = 0.9;
+    gsl_rng *const rng = gsl_rng_alloc(gsl_rng_mt19937);
+    double *const x = calloc(N, sizeof *x), length;
+
+    for (int i = 1; i < N; i++)
+        x[i] = phi * x[i - 1] + gsl_ran_gaussian(rng, 1.0);
+    const double exact = 1.0 / (1.0 - phi) / sqrt(N);
+    const double found = statistics_block_error(N, x, &length);
+    ck_assert_double_gt(found, 0.7 * exact);
+    ck_assert_double_lt(found, 1.6 * exact);
+    ck_assert_double_lt(statistics_error(N, x), 0.3 * exact);
+    ck_assert_double_gt(length, 10.0);
+    free(x);
+    gsl_rng_free(rng);
+}
+END_TEST
+
+/* --- what runs have written ----------------------------------------------- */
+
+static const char summary[] =
+    "{\n  \"case\": \"a \\\"steps\\\": 7 {\",\n  \"steps\": 12,\n"
+    "  \"exit_code\": null,\n  \"seconds\": {\n    \"cfd\": 0.25,\n"
+    "    \"steps\": 3\n  },\n  \"worst\": {\n    \"overlap\": 1e-3\n  }\n}\n";
+
+START_TEST(numbers_of_a_summary_are_found_by_their_path)
+{
+    char dir[64];
+
+    scratch_make(dir);
+    const char *const path = scratch_path(dir, "summary.json");
+    scratch_write(path, summary);
+    ck_assert_double_eq(results_number(path, "steps"), 12.0);
+    ck_assert_double_eq(results_number(path, "seconds.cfd"), 0.25);
+    ck_assert_double_eq(results_number(path, "seconds.steps"), 3.0);
+    ck_assert_double_eq(results_number(path, "worst.overlap"), 1e-3);
+    ck_assert_double_nan(results_number(path, "exit_code"));
+    ck_assert_double_nan(results_number(path, "cfd"));
+    ck_assert_double_nan(results_number(path, "case"));
+    scratch_clear(dir);
+}
+END_TEST
+
+/* A history of v = 10 t, cut in its last row. */
+static struct curve taken(const char *text)
+{
+    char dir[64];
+    struct measure m = {.column = -1};
+    static const struct {
+        const char *text;
+        struct measure as;
+    } all[] = {{"last", {.how = MEASURE_LAST, .from = NAN, .to = NAN}},
+               {"@0.15", {.how = MEASURE_LAST, .from = 0.15, .to = NAN}},
+               {"mean", {.how = MEASURE_MEAN, .from = NAN, .to = NAN}},
+               {"mean@0.1..0.3", {.how = MEASURE_MEAN, .from = 0.1, .to = 0.3}},
+               {"max", {.how = MEASURE_MAX, .from = NAN, .to = 0.2}},
+               {"curve", {.how = MEASURE_CURVE, .from = 0.3, .to = NAN}}};
+
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
+        if (strcmp(all[i].text, text) == 0) m = all[i].as;
+    m.column = -1;
+    strcpy(m.file, "history.csv");
+    strcpy(m.name, "v");
+    scratch_make(dir);
+    scratch_write(scratch_path(dir, "history.csv"),
+                  "time [s],w [-],v [m/s]\n0,0,0\n0.1,0,1\n0.2,0,2\n0.3,0,3\n"
+                  "0.4,0,4\n0.5,0");
+    const struct curve c = measure_take(&m, dir);
+    scratch_clear(dir);
+    return c;
+}
+
+START_TEST(a_measure_reduces_a_column_as_it_says)
+{
+    static const struct {
+        const char *text;
+        double value;
+        int n;
+    } all[] = {{"last", 4.0, 1}, {"@0.15", 1.5, 1},         {"mean", 3.0, 1},
+               {"max", 2.0, 1},  {"mean@0.1..0.3", 2.0, 1}, {"curve", 3.0, 2}};
+
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        struct curve c = taken(all[i].text);
+        ck_assert_int_eq(c.n, all[i].n);
+        ck_assert_double_eq_tol(c.value[0], all[i].value, 1e-14);
+        curve_free(&c);
+    }
+}
+END_TEST
+
+/* --- truths --------------------------------------------------------------- */
+
+static double truth_of(const char *text, double x)
+{
+    struct truth t;
+
+    ck_assert_int_eq(truth_parse(&t, text), 0);
+    const double value = truth_value(&t, x);
+    truth_free(&t);
+    return value;
+}
+
+START_TEST(a_formula_is_computed_as_one_writes_it)
+{
+    ck_assert_double_eq(truth_of("-2^2+3*4/2", 0.0), 2.0);
+    ck_assert_double_eq(truth_of("2^3^2", 0.0), 512.0);
+    ck_assert_double_eq(truth_of("1 - 2 - 3", 0.0), -4.0);
+    ck_assert_double_eq(truth_of("0.05*(1-exp(-t/4e-4))", 8e-4),
+                        0.05 * (1.0 - exp(-2.0)));
+    ck_assert_double_eq(truth_of("sqrt(x)/cos(pi)", 4.0), -2.0);
+}
+END_TEST
+
+/* The key of `winnow eval`, with the time left to the samples: the end of the
+ * course is the stream, its start the acceleration u_f / tau_p, which
+ * XS11:3.17 gives by another way; the next term is of relative order
+ * t/tau_p = 2e-6. */
+START_TEST(xs11_4_1_is_a_truth_in_time)
+{
+    static const char key[] = "XS11:4.1 rho_s=2000 eps_s=0.4 rho_f=1000 "
+                              "mu=1e-3 d=8.3e-5 u_f=0.05";
+    const double tau = truth_of("XS11:3.17 rho_s=2000 eps_s=0.4 rho_f=1000 "
+                                "mu=1e-3 d=8.3e-5 u_r=0.05",
+                                0.0);
+
+    ck_assert_double_eq_tol(truth_of(key, 1.0), 0.05, 1e-9);
+    ck_assert_double_eq_tol(truth_of(key, 1e-10) * tau / (0.05 * 1e-10), 1.0,
+                            1e-5);
+    ck_assert_double_eq(truth_of(key, 0.0), 0.0);
+}
+END_TEST
+
+/* --- the case as it stands ------------------------------------------------ */
+
+static const char scene[] =
+    "title = \"a\"; mesh = { size = [0.01, 0.01, 0.01]; cells = [1, 4, 1]; };\n"
+    "fluid = { density = 1; viscosity = 1; step = 1e-2;\n"
+    "  bottom_top = \"no-slip\"; sides = \"slip\"; front_back = \"slip\"; };\n"
+    "output = { end = 1; every = 1; };\n";
+
+/* A default counts as well as what is written, and 0.01 is 1e-2. */
+START_TEST(the_case_as_it_stands_is_found_among_its_variants)
+{
+    char dir[64];
+    struct choices c = {0};
+
+    scratch_make(dir);
+    scratch_write(scratch_path(dir, "scene.cfg"), scene);
+    choices_add(&c, "fluid.step=0.02,0.01");
+    choices_add(&c, "fluid.time=bdf2,euler");
+    choices_add(&c, "output.end=0.5");
+    ck_assert_int_eq(standing_variant(scratch_path(dir, "scene.cfg"), &c), 3);
+    choices_free(&c);
+    choices_add(&c, "fluid.step=0.02,0.03");
+    ck_assert_int_eq(standing_variant(scratch_path(dir, "scene.cfg"), &c), -1);
+    choices_free(&c);
+    scratch_clear(dir);
+}
+END_TEST
+
+FACTS("study")
+{
+    FACT(values_split_at_top_level_commas_and_keys_cross);
+    FACT(sizes_fall_from_coarse_to_fine);
+    FACT(richardson_finds_the_order_and_the_limit);
+    FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
+    FACT(numbers_of_a_summary_are_found_by_their_path);
+    FACT(a_measure_reduces_a_column_as_it_says);
+    FACT(a_formula_is_computed_as_one_writes_it);
+    FACT(xs11_4_1_is_a_truth_in_time);
+    FACT(the_case_as_it_stands_is_found_among_its_variants);
+}
