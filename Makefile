@@ -4,6 +4,8 @@ WARN     = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wmissing-prototypes -
 WERROR   = -Werror
 STD      = -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fopenmp -Isrc
 TUNE     = -march=native
+# Beds that a run settles are kept here, not in the user's own cache.
+export XDG_CACHE_HOME := $(abspath $B)/cache
 MATH     = -fno-math-errno -fno-trapping-math
 FAST     = -O3 $(TUNE) $(MATH) $(WIDE)
 WIDE     = $(if $(filter x86_64,$(shell uname -m)),-mprefer-vector-width=512)
@@ -17,14 +19,15 @@ LIGHTLY  = -O1
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
-# What is built: the rooms' own files, and the folders in them that are named
+# What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ALL_FOLDERS := $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved
+ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
 FOLDERS := $(ALL_FOLDERS)
-SRC   := $(wildcard src/*/*.c $(FOLDERS:=/*.c))
+SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
 # is built into the arrays drag_laws[], averaging_methods[], ...
-MODELS := $(wildcard src/*/models.txt $(FOLDERS:=/models.txt))
+MODELS := $(filter-out $(ASIDE:=/%),$(wildcard src/*/models.txt)) $(wildcard $(FOLDERS:=/models.txt))
 LEFT_OUT := $(wildcard $(addsuffix /*.c,$(filter-out $(FOLDERS),$(ALL_FOLDERS))))
 OBJ   := $(SRC:%.c=$B/%.o) $B/src/models.o $B/src/case/report/equation_index_rows.o
 TESTS := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/test_*.c))
@@ -50,10 +53,13 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow pairs-slow sanitized-slow style-slow
+slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
+      cylinder-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
+cylinder-slow: $B/winnow
+	@sh tests/cylinder.sh $B/winnow
 style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
@@ -62,7 +68,7 @@ commands-slow: $B/winnow $B/tests/test_impacts
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.
-checks: solutions results sanitized pairs facts style faults steps-check cli free study \
+checks: solutions results sanitized pairs facts style faults kills steps-check cli free study \
         vtk tools commands text pages
 	@echo "all checks hold"
 facts: $(TESTS:=.facts)
@@ -79,6 +85,10 @@ style: $B/winnow
 	@sh tests/style.sh $B
 cli: $B/winnow
 	@sh tests/cli.sh $B/winnow
+kills: $B/winnow
+	@sh tests/kills.sh $B/winnow
+kills-slow: $B/winnow
+	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
 	@sh tests/free.sh $B
 faults: $B/winnow
@@ -102,6 +112,11 @@ chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
+
+core: $B/winnow ## the rooms' own files alone: build/core/winnow, compared with build/winnow, and its tests
+	@+sh tests/core.sh $B
+core-slow: core
+	@+sh tests/core.sh $B folders
 
 steps: $(STEPS) ## the twelve steps to a fluidized bed: build/steps/01-bounce and on
 $B/steps/%: chapters/steps/%.c
@@ -156,7 +171,11 @@ $B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/nul
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
-$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT)
+# What is built, for those who must know when it changes.
+$B/folders: always
+	@mkdir -p $(@D)
+	@echo "$(FOLDERS)" | cmp -s - $@ || echo "$(FOLDERS)" >$@
+$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT) $B/folders
 	@mkdir -p $(@D)
 	@awk -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
 $B/src/models.o: $B/src/models.c
@@ -179,9 +198,9 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults pairs study \
+.PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow sanitized-slow style-slow solutions results text pages \
+        commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 make -s "$library" B=build/count TUNE=-march=x86-64-v3 WIDE= >/dev/null
 sh figures/run.sh figures/19-cost.c -- times >"$work/times"
 ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp \
-    -Isrc -o "$work/cost" figures/19-cost.c "$library" -lgsl -lgslcblas -lz -lm
+    -Isrc -o "$work/cost" figures/19-cost.c "$library" -lconfig -lgsl -lgslcblas -lz -lm
 # One count a fluid_free: of the steps of this fluid.
 valgrind -q --tool=callgrind --toggle-collect=fluid_step \
     --dump-after=fluid_free --callgrind-out-file="$work/out" \

@@ -189,6 +189,21 @@ fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
+# Without particles the fluid has all of the room: 1.5 m/s in cells of 0.25 m, the
+# mean of the parabola over the two faces at its top being 1.4922.
+cat >channel.cfg <<'END'
+title = "a channel without particles";
+mesh = { size = [4.0, 1.0, 0.1]; cells = [16, 16, 1]; };
+fluid = { density = 1.0; viscosity = 0.1; step = 0.05;
+          left = { inlet = 1.0; profile = "parabola"; }; right = { outlet = 0.0; };
+          bottom = "no-slip"; top = "no-slip"; front_back = "slip"; };
+output = { end = 0.1; every = 0.1; };
+END
+fact check_knows_the_courant_number_of_a_fluid_alone 0 \
+    "CFL                                        0.2984" "$winnow" check channel.cfg
+fact check_knows_the_courant_number_of_a_moving_wall 0 \
+    "CFL                                           1.2 -" "$winnow" check channel.cfg \
+    -s 'fluid.left="slip"' -s 'fluid.right="slip"' -s 'fluid.top={wall=[6.0,0.0,0.0];}'
 fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }

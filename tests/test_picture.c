@@ -32,6 +32,7 @@ static struct mesh *box(void)
 static const double eps[4] = {0.4, 1.0, 0.7, 1.0};
 static const double x[3] = {0.1, 0.2, 0.4}, y[3] = {0.5, 0.25, 0.75};
 static const double z[3] = {0.25, 0.125, 0.0625}, d[3] = {0.1, 0.2, 0.3};
+static const double velocity[12] = {1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0};
 static const double vx[3] = {3.0, 0.0, 0.0}, vy[3] = {4.0, 1.0, 0.0};
 static const double vz[3] = {0.0, 0.0, 0.0};
 
@@ -91,11 +92,16 @@ START_TEST(gnuplot_draws_every_kind_of_case_or_its_absence_is_reported)
     struct folder *const odd = folder_take(name);
     ck_assert_int_eq(folder_begin(odd), 0);
     scratch_listen(dir);
-    for (int kind = 0; kind < 8; kind++) {
+    for (int kind = 0; kind < 9; kind++) {
         struct picture p = sample(m);
         p.n = kind & 1 ? 3 : 0;
         p.eps = kind & 2 ? eps : NULL;
         p.pressure = kind & 4 ? 1 : 0;
+        if (kind == 8) { /* a flow without particles */
+            p.x[0] = NULL;
+            p.u = velocity;
+            p.p = eps;
+        }
         ck_assert_int_eq(picture_write(odd, &p), 0);
         if (p.pressure)
             scratch_write(

@@ -170,12 +170,13 @@ END_TEST
 START_TEST(faces_of_a_patch_come_one_a_cell)
 {
     int owner[] = {1, 0, 0, 1}, number[] = {0, 1};
+    struct poly_part part = {.n = 4};
     const struct poly_raw r = {.n_faces = 4,
                                .n_cells = 2,
                                .n_parts = 1,
                                .owner = owner,
                                .number = number,
-                               .part = {{.n = 4}}};
+                               .part = &part};
     const int expected[] = {1, 0, 2, 3};
     int *const order = poly_boundary_order(&r);
     for (int i = 0; i < 4; i++)

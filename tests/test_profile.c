@@ -181,6 +181,57 @@ START_TEST(samples_count_from_the_given_time_on)
 }
 END_TEST
 
+/* Across a box of four cells 0.1 wide, half the difference of mean and mirror
+ * image is 1.5 - i where f = i, and nothing where f is the same on both sides.
+ * Of a velocity along the line the image has the other sign: the image of i is
+ * -(3 - i), and half of the difference is 1.5 everywhere. Rounding. */
+START_TEST(the_mirror_error_is_half_the_difference_of_the_sides)
+{
+    struct mesh *const m = mesh_create_box(&(struct box_spec){
+        .size = {0.4, 1.0, 1.0}, .cells = {4, 1, 1}, .grading = {1, 1, 1}});
+    const double even[4] = {1.0, 5.0, 5.0, 1.0}, odd[4] = {0.0, 1.0, 2.0, 3.0};
+    const double u[12] = {0.0, 0.0, 0.0, 1.0, 1.0, 0.0,
+                          2.0, 2.0, 0.0, 3.0, 3.0, 0.0};
+    const struct profile_line line = {0, 1, 0.5, 0.0};
+    const struct profile_field fields[4] = {{"even", "-", even, 1, 0, NULL},
+                                            {"odd", "-", odd, 1, 0, NULL},
+                                            {"u_x", "m/s", u, 3, 0, NULL},
+                                            {"u_y", "m/s", u, 3, 1, NULL}};
+    const double expected[4] = {0.0, sqrt(1.25), 1.5, sqrt(1.25)};
+    struct profile *const p = profile_create(m, &line, 4, fields);
+
+    ck_assert(isnan(profile_mirror_error(p, 0)));
+    profile_add(p, 0.0, 1.0);
+    for (int f = 0; f < 4; f++)
+        ck_assert_double_eq_tol(profile_mirror_error(p, f), expected[f], 1e-14);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
+/* Eight samples 0 .. 7 at every point: (12.6) by blocks of one. */
+START_TEST(the_error_of_a_profile_is_that_of_its_blocks)
+{
+    struct mesh *const m = graded_box();
+    double f[6 * 9 * 5] = {0.0};
+    const struct profile_line line = {0, 1, 0.5, 0.0};
+    const struct profile_field field = {"f", "-", f, 1, 0, NULL};
+    struct profile *const p = profile_create(m, &line, 1, &field);
+
+    for (int step = 0; step < 8; step++) {
+        for (int c = 0; c < m->n_cells; c++)
+            f[c] = step;
+        profile_add(p, 0.1 * step, 0.1);
+    }
+    char *const text = text_of(p);
+    ck_assert_double_eq_tol(entry(text, 2, 3), sqrt(0.75), 1e-14);
+    ck_assert_double_eq_tol(profile_block_error(p, 0), sqrt(0.75), 1e-14);
+    free(text);
+    profile_free(p);
+    mesh_free(m);
+}
+END_TEST
+
 START_TEST(columns_are_named_with_units)
 {
     struct mesh *const m = graded_box();
@@ -191,7 +242,8 @@ START_TEST(columns_are_named_with_units)
     struct profile *const p = profile_create(m, &line, 2, fields);
     char *const text = text_of(p);
     static const char head[] =
-        "z [m],eps_f_mean [-],eps_f_std [-],u_y_mean [m/s],u_y_std [m/s]\n";
+        "z [m],eps_f_mean [-],eps_f_std [-],eps_f_error [-],"
+        "u_y_mean [m/s],u_y_std [m/s],u_y_error [m/s]\n";
 
     ck_assert_int_eq(strncmp(text, head, strlen(head)), 0);
     free(text);
@@ -227,6 +279,8 @@ FACTS("profile")
     FACT(a_weighted_mean_counts_what_is_there);
     FACT(without_a_sample_there_is_no_mean);
     FACT(samples_count_from_the_given_time_on);
+    FACT(the_mirror_error_is_half_the_difference_of_the_sides);
+    FACT(the_error_of_a_profile_is_that_of_its_blocks);
     FACT(columns_are_named_with_units);
     FACT(a_height_outside_the_box_is_refused);
 }

@@ -67,22 +67,23 @@ struct sphere_state {
 };
 
 static struct sphere_state state_after(const struct dem_options *o, double vx,
-                                double vy, int steps)
+                                       double vy, int steps)
 {
     struct particles *const ps = thrown(vx, vy);
     struct dem *const dem = dem_create(ps, o);
     struct dem_report r;
 
     ck_assert_int_eq(dem_run(dem, steps, &r), 0);
-    const struct sphere_state s = {{ps->x[0], ps->y[0], ps->z[0], ps->vx[0], ps->vy[0],
-                             ps->vz[0], ps->wx[0], ps->wy[0], ps->wz[0]}};
+    const struct sphere_state s = {{ps->x[0], ps->y[0], ps->z[0], ps->vx[0],
+                                    ps->vy[0], ps->vz[0], ps->wx[0], ps->wy[0],
+                                    ps->wz[0]}};
     dem_free(dem);
     particles_free(ps);
     return s;
 }
 
-static void assert_alike(const struct sphere_state *a, const struct sphere_state *b,
-                         double tol)
+static void assert_alike(const struct sphere_state *a,
+                         const struct sphere_state *b, double tol)
 {
     for (int k = 0; k < 9; k++)
         ck_assert_double_eq_tol(a->x[k], b->x[k], tol);

@@ -27,6 +27,8 @@ struct averaging_method {
     double even_widths;      /* [-] bandwidth over the width of the largest
                                 cell from which on an even bed is even to about
                                 2 %; 0: any */
+    double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) that is as
+                                wide, over the bandwidth; 0: none */
     int lays_grid;           /* 1: lays a grid with cells of a bandwidth */
     void *(*create)(const struct cell_of_particle *h,
                     const struct averaging_options *o);

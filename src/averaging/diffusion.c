@@ -389,6 +389,7 @@ const struct averaging_method diffusion_method = {
     .equations = "SX15 5, 6, 9",
     .function = "diffusion_spread",
     .keys = {averaging_bandwidth_keys, averaging_delta_keys, diffusion_keys},
+    .gaussian = 1.0,
     .needs_bandwidth = 1,
     .create = diffusion_create,
     .free = diffusion_free,

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "coupling/coupling.h"
+#include "coupling/effect_mover.h"
 #include "case/case_overlap.h"
 
 static int fluid_broke(const struct simulation *sim)
@@ -100,6 +101,19 @@ static void describe_seen(const struct simulation *sim, const char *when,
              sim->coupling->report.eps_lowest);
 }
 
+/* What an effect says of itself; NULL if none has trouble. */
+static const char *trouble_of(const struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        const char *const text = e->effect->mover != NULL
+                                     ? e->effect->mover->trouble(e->memory)
+                                     : NULL;
+        if (text != NULL) return text;
+    }
+    return NULL;
+}
+
 void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
 {
     char when[64];
@@ -108,6 +122,8 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
              sim->steps + 1);
     if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
         describe_fluid(sim, when, text);
+    else if (trouble_of(sim) != NULL)
+        snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
     else if (sim->n_surfaces > 0 && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
         describe_through(sim, when, text);

@@ -9,6 +9,7 @@
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
 #include "dem/population.h"
+#include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
@@ -101,22 +102,8 @@ static void create_effects(const struct settings *s, struct simulation *sim)
         const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
         case_file_parameters(s, e->keys, numbers, 16);
-        sim->effects[sim->n_effects].effect = e;
-        sim->effects[sim->n_effects].memory = e->create(sim, numbers);
-        sim->n_effects++;
+        effects_add(sim, e, e->create(sim, numbers));
     }
-}
-
-static void count_and_create_effects(const struct settings *s,
-                                     struct simulation *sim)
-{
-    int n = 0;
-
-    for (int i = 0; effects[i] != NULL; i++)
-        n += settings_has(s, effects[i]->keys[0].path);
-    if (n == 0) return;
-    sim->effects = alloc_zeroed((size_t)n, sizeof *sim->effects);
-    create_effects(s, sim);
 }
 
 static struct simulation *build(const struct settings *s, int with_bed,
@@ -129,14 +116,15 @@ static struct simulation *build(const struct settings *s, int with_bed,
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
-    if (*code == 0 && settings_has(s, "fluid")) build_fluid(s, sim);
+    if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
         if (*code == 0) create_coupling(s, sim);
     }
     if (*code == 0) {
-        count_and_create_effects(s, sim);
-        return sim;
+        create_effects(s, sim);
+        *code = case_part_add_last(s, sim);
+        if (*code == 0) return sim;
     }
     build_free(sim);
     return NULL;
@@ -170,8 +158,9 @@ void build_free(struct simulation *sim)
     free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
-    free(sim->boundaries);
-    free(sim->inlet_series);
+    build_boundaries_free(sim->boundaries,
+                          sim->mesh != NULL ? sim->mesh->n_patches : 0,
+                          sim->inlet_series);
     free(sim->held_force);
     mesh_free(sim->mesh);
     free(sim);

@@ -8,7 +8,8 @@
 /* 1 if the fluid feels the particles. */
 int build_two_way(const struct settings *s);
 
-/* Fills sim->fluid, boundaries and courses; needs mesh and dt. */
-void build_fluid(const struct settings *s, struct simulation *sim);
+/* Fills sim->fluid, boundaries and inlet_series; needs mesh and dt. Non-zero
+ * after a message. */
+int build_fluid(const struct settings *s, struct simulation *sim);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/alloc.h"
 #include "dem/dem_method.h"
@@ -81,39 +82,53 @@ static int leave_room(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-/* The bed from its file, or made anew and kept there. */
+static void tell_settled(const struct settings *s, const struct bed_report *r,
+                         int in_box, const char *cached)
+{
+    const char *const rest =
+        r->settled ? "" : ": NOT AT REST, raise particles.bed.settle";
+
+    if (settings_quiet(s) || (r->steps == 0 && cached == NULL)) return;
+    if (r->steps == 0)
+        fprintf(stderr, "the bed was settled before: %s (--fresh: anew)\n",
+                cached);
+    else if (in_box)
+        fprintf(stderr,
+                "settled in %.3g s: height %.4g m, solid fraction %.3f, "
+                "kinetic energy %.1g m g d%s\n",
+                r->time, r->height, r->packing, r->kinetic, rest);
+    else
+        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
+                r->time, r->kinetic, rest);
+}
+
+/* The bed from its file, or made anew and kept there: a file that the case
+ * names, which must be written, or one that another run may use again. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
     struct bed_options b = build_bed_options(s);
-    const int kept = settings_has(s, "particles.bed.file");
+    const int named = settings_has(s, "particles.bed.file");
     char path[SETTINGS_PATH];
     struct bed_report r;
 
-    if (kept)
+    if (named)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
+    const int cached = !named && case_part_bed_file(s, path, sizeof path);
     b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     sim->dem = dem_create(sim->particles, o);
-    const int found = sim->dem == NULL
-                          ? BED_REFUSED
-                          : bed_create(kept ? path : NULL, sim->particles,
-                                       sim->dem, &b, o, &r);
+    int found = sim->dem == NULL
+                    ? BED_REFUSED
+                    : bed_create(named || cached ? path : NULL, sim->particles,
+                                 sim->dem, &b, o, &r);
     build_bed_release(&b);
+    if (found == BED_UNSAVED && cached) found = BED_CREATED;
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
-    if (r.steps == 0 || settings_quiet(s)) return 0;
-    if (sim->region.has_room != NULL)
-        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
-                r.time, r.kinetic,
-                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
-    else
-        fprintf(stderr,
-                "settled in %.3g s: height %.4g m, solid fraction %.3f, "
-                "kinetic energy %.1g m g d%s\n",
-                r.time, r.height, r.packing, r.kinetic,
-                r.settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+    if (cached && !r.settled) unlink(path);
+    tell_settled(s, &r, sim->region.has_room == NULL, cached ? path : NULL);
     return 0;
 }
 

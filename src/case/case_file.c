@@ -7,6 +7,7 @@
 #include "case/validate.h"
 #include "case/keys.h"
 #include "case/models.h"
+#include "case/recorder_part.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -19,7 +20,10 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES])
     for (int i = 0; mesh_forms[i] != NULL; i++)
         tables[n++] = mesh_forms[i]->keys;
     for (int i = 0; case_parts[i] != NULL; i++)
-        tables[n++] = case_parts[i]->keys;
+        if (case_parts[i]->keys != NULL) tables[n++] = case_parts[i]->keys;
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        if (recorder_parts[i]->keys != NULL)
+            tables[n++] = recorder_parts[i]->keys;
     n += models_tables(&tables[n], CASE_FILE_TABLES - 1 - n);
     assert(n < CASE_FILE_TABLES);
     tables[n] = NULL;

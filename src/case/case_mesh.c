@@ -293,7 +293,8 @@ static int check_patch(const struct settings *s, const struct mesh *m,
         strcmp(settings_text(s, path), "parabola") == 0)
         return settings_wrong(s, path,
                               "only the inlet of a plain box can have a "
-                              "parabola; expected uniform");
+                              "parabola; expected uniform, formula, table or "
+                              "file");
     snprintf(path, sizeof path, "%s.wall", side);
     return settings_has(s, path) ? check_wall(s, m, p, path) : 0;
 }

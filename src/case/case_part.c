@@ -15,6 +15,16 @@ int case_part_check(const struct settings *s)
     return code;
 }
 
+int case_part_check_any(const struct settings *s)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->check_any != NULL)
+            code = case_parts[i]->check_any(s);
+    return code;
+}
+
 int case_part_furnish(const struct settings *s, struct simulation *sim,
                       struct dem_options *o)
 {
@@ -43,6 +53,25 @@ int case_part_add(const struct settings *s, struct simulation *sim)
     for (int i = 0; case_parts[i] != NULL && code == 0; i++)
         if (case_parts[i]->add != NULL) code = case_parts[i]->add(s, sim);
     return code;
+}
+
+int case_part_add_last(const struct settings *s, struct simulation *sim)
+{
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->add_last != NULL)
+            code = case_parts[i]->add_last(s, sim);
+    return code;
+}
+
+int case_part_bed_file(const struct settings *s, char *path, size_t room)
+{
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->bed_file != NULL &&
+            case_parts[i]->bed_file(s, path, room))
+            return 1;
+    return 0;
 }
 
 int case_part_count_later(const struct settings *s)

@@ -19,12 +19,14 @@ struct case_diameters {
 struct case_scales;
 
 struct case_part {
-    const struct key *keys; /* its table */
+    const struct key *keys; /* its table; NULL: it has none */
     int mesh_walls; /* [-] 1: it makes walls for particles of the boundary of
                        any mesh */
 
     /* Whether what the case says is possible. */
     int (*check)(const struct settings *s);
+    /* The same of any case, with particles or without. */
+    int (*check_any)(const struct settings *s);
     /* What it adds to the options: numbers and ends, before anything is made.
      */
     void (*dem_options)(const struct settings *s, struct dem_options *o);
@@ -45,8 +47,13 @@ struct case_part {
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
+    /* Where a bed that the case does not name a file for is kept; 0: nowhere.
+     */
+    int (*bed_file)(const struct settings *s, char *path, size_t room);
     /* After the particles and their dem have been created. */
     int (*add)(const struct settings *s, struct simulation *sim);
+    /* After all else has been created. */
+    int (*add_last)(const struct settings *s, struct simulation *sim);
     /* What to say after a run. */
     void (*after_run)(const struct simulation *sim);
 };
@@ -56,11 +63,14 @@ extern const struct case_part *const case_parts[];
 
 /* The same of all parts together. */
 int case_part_check(const struct settings *s);
+int case_part_check_any(const struct settings *s);
 int case_part_furnish(const struct settings *s, struct simulation *sim,
                       struct dem_options *o);
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);
+int case_part_add_last(const struct settings *s, struct simulation *sim);
+int case_part_bed_file(const struct settings *s, char *path, size_t room);
 int case_part_count_later(const struct settings *s);
 struct case_diameters case_part_later_diameters(const struct settings *s,
                                                 int material);

@@ -72,14 +72,10 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
 struct case_scales case_scales_of(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);
-    struct case_scales k = {.cells = m->n_cells, .dx = INFINITY};
+    struct case_scales k = {.cells = m->n_cells};
     double g[3];
 
     k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
-    for (int i = 0; i < m->box.n[1]; i++)
-        k.dx = fmin(k.dx, m->box.edge[1][i + 1] - m->box.edge[1][i]);
-    for (int f = 0; f < m->n_internal && m->face_centre != NULL; f++)
-        k.dx = fmin(k.dx, vector_length(&m->d[3 * f]));
     k.end = settings_real(s, "output.end");
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);

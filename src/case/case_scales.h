@@ -12,7 +12,6 @@
 struct case_scales {
     int cells, particles;
     double S_c;        /* [m] S_c = V_c^(1/3), of the mean cell [SX15 10] */
-    double dx;         /* [m] smallest cell width along the flow */
     double d, d_most;  /* [m] smallest and largest diameter */
     double volume;     /* [m^3] of the particles of a bed */
     double density;    /* [kg/m^3] of the particles */

@@ -15,12 +15,14 @@ struct command_line {
     int threads;     /* of -j, at most; 0: as many as OpenMP likes */
     int quiet;       /* 1: --quiet was given */
     int resume;      /* 1: --resume was given */
+    int fresh;       /* 1: --fresh was given */
 };
 
 struct command {
     const char *name, *arguments, *what;
     const char *options; /* first letters of those it takes, - for --quiet, r
-                            for --resume; NULL: all that follows is words */
+                            for --resume, f for --fresh; NULL: all that
+                            follows is words */
     int least, most;     /* words after the name; most < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);

@@ -3,7 +3,6 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stddef.h>
 
 #include "coupling/coupling.h"
 #include "case/history_energy.h"
@@ -15,11 +14,14 @@ static double now(const struct simulation *sim)
 
 /* --- physics ------------------------------------------------------------ */
 
+/* Of kind: what enters by its own pressure is an inlet. */
 static const struct patch *patch_of(const struct fluid *fl,
                                     enum boundary_kind kind, const char *name)
 {
+    const struct boundary *const b = fl->options.boundaries;
+
     for (int i = 0; i < fl->mesh->n_patches; i++)
-        if (fl->options.boundaries[i].kind == kind)
+        if ((b[i].enters ? BOUNDARY_INLET : b[i].kind) == kind)
             return &fl->mesh->patches[i];
     return mesh_patch(fl->mesh, name);
 }
@@ -34,8 +36,7 @@ double history_pressure_drop(const struct simulation *sim)
     return fluid_patch_pressure(fl, in) - fluid_patch_pressure(fl, out);
 }
 
-/* Extent along gravity over the volume: one over the section, of a mesh that is
- * no box one over the mean section. */
+/* Extent along gravity over the volume: one over the (mean) section. */
 static double per_section(const struct simulation *sim, double *g)
 {
     const struct mesh *const m = sim->mesh;
@@ -79,12 +80,7 @@ static double buoyant_weight(const struct simulation *sim)
 
 static double inlet_velocity(const struct simulation *sim)
 {
-    const struct fluid *const fl = sim->fluid;
-
-    for (int i = 0; i < fl->mesh->n_patches; i++)
-        if (fl->options.boundaries[i].kind == BOUNDARY_INLET)
-            return boundary_inlet_velocity(&fl->options.boundaries[i], fl->t);
-    return 0.0;
+    return fluid_inlet_velocity(sim->fluid);
 }
 
 static double fluid_energy(const struct simulation *sim)
@@ -116,7 +112,7 @@ static double spin_energy(const struct simulation *sim)
     return 0.5 * sum;
 }
 
-/* A third of the mean square of the velocities about their mean. */
+/* A third of their mean square about the mean. */
 static double granular_temperature(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
@@ -143,7 +139,7 @@ static double mean_height(const struct simulation *sim)
     return sum;
 }
 
-/* Speed of the mean particle along gravity: the fall of a single sphere. */
+/* The mean fall velocity, that of a single sphere. */
 static double mean_fall(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;

@@ -35,6 +35,24 @@ static int is_some_side(const struct settings *s, const struct model *m)
     return 0;
 }
 
+/* 1 if a key of some side chooses the model: of "fluid.<patch>.profile", that
+ * of fluid.left. */
+static int is_chosen_on_side(const struct settings *s, const char *key,
+                             const struct model *m)
+{
+    const char *side;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char path[SCHEMA_TEXT + 64];
+
+        snprintf(path, sizeof path, "%s.%s", side, key);
+        if (settings_has(s, path) &&
+            strcmp(settings_text(s, path), m->name) == 0)
+            return 1;
+    }
+    return 0;
+}
+
 /* 1 if one of the groups of a list chose that model. */
 static int is_in_list(const struct settings *s, const char *list,
                       const char *key, const char *model)
@@ -74,6 +92,7 @@ int model_choice_is_on(const struct settings *s, const struct kind *kind,
 
     if (!is_at_work(s, kind)) return 0;
     if (strstr(key, "<patch>") != NULL) return is_some_side(s, m);
+    if (strstr(group, "<patch>") != NULL) return is_chosen_on_side(s, key, m);
     if (settings_is_list(s, group)) return is_in_list(s, group, key, m->name);
     if (group[0] != '\0')
         return strcmp(settings_text(s, kind->key), m->name) == 0;

@@ -8,6 +8,7 @@
 #include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "fluid/fluid.h"
+#include "fluid/inlet_profile.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -49,6 +50,8 @@ MODELS_KIND(models_continuity, fluid_continuity_forms, "continuity",
             "forms of the mass balance", "fluid.continuity", NULL)
 MODELS_KIND(models_patch, boundary_kinds, "patch",
             "what happens on a side of the box", "fluid.<patch>", NULL)
+MODELS_KIND(models_profile, inlet_profiles, "profile",
+            "velocities over an inlet", "fluid.<patch>.profile", "fluid")
 
 /* The keys of an effect are a table of its own. */
 static int effect_row(int i, struct model *m)
@@ -99,10 +102,20 @@ int models_reads(const struct model *m, const char *path)
     return 0;
 }
 
+/* 1 if the path is that of the kind's key, with any patch for <patch>. */
 static int is_chosen_by(const struct kind *kind, const struct key *key)
 {
-    if (key->type == KEY_PATCH) return strstr(kind->key, "<patch>") != NULL;
-    return strcmp(kind->key, key->path) == 0;
+    static const char placeholder[] = "<patch>";
+    const char *const at = strstr(kind->key, placeholder);
+
+    if (at == NULL) return strcmp(kind->key, key->path) == 0;
+    const size_t before = (size_t)(at - kind->key);
+    const char *const after = at + strlen(placeholder);
+    const size_t length = strlen(key->path);
+    if (after[0] == '\0') return key->type == KEY_PATCH;
+    return strncmp(key->path, kind->key, before) == 0 &&
+           length > before + strlen(after) &&
+           strcmp(key->path + length - strlen(after), after) == 0;
 }
 
 void models_words(const struct key *key, char *text, size_t room)
@@ -126,4 +139,37 @@ int models_value(const struct model *const *choices, const char *name)
     while (strcmp((*choices)->name, name) != 0)
         choices++;
     return (*choices)->value;
+}
+
+/* 1 if the model, or one that a key of it chooses, has that key of a patch. */
+static int patch_reads(const struct model *m, const char *name)
+{
+    char path[128];
+    struct model other;
+
+    snprintf(path, sizeof path, "fluid.<patch>.%s", name);
+    if (models_reads(m, path)) return 1;
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; models_reads(m, (*k)->key) && (*k)->model(i, &other);
+             i++)
+            if (models_reads(&other, path)) return 1;
+    return 0;
+}
+
+int models_make_patch(int n, const char *const *name)
+{
+    struct model m;
+
+    for (int i = 0; models_patch.model(i, &m); i++) {
+        int first = 0, others = 0;
+        if (m.keys[0] == NULL) continue;
+        const char *const own = strrchr(m.keys[0][0].path, '.') + 1;
+        for (int k = 0; k < n; k++)
+            if (strcmp(name[k], own) == 0)
+                first++;
+            else
+                others += patch_reads(&m, name[k]);
+        if (first == 1 && first + others == n) return 1;
+    }
+    return 0;
 }

@@ -54,6 +54,10 @@ int models_reads(const struct model *m, const char *path);
  * those without keys, which a case writes as a word. */
 void models_words(const struct key *key, char *text, size_t room);
 
+/* 1 if a group with these n keys is one patch: one of them is the first of a
+ * kind of patch, and each other belongs to it or to a model that it chooses. */
+int models_make_patch(int n, const char *const *name);
+
 /* The value of the choice of that name, which is in the list. */
 int models_value(const struct model *const *choices, const char *name);
 

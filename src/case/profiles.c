@@ -97,6 +97,20 @@ void profiles_add(struct profiles *l, double dt)
         profile_add(l->line[i].profile, l->snapshot->t, dt);
 }
 
+void profiles_summary(const struct profiles *l, struct summary *to)
+{
+    if (l->n == 0) return;
+    summary_begin(to, "profiles");
+    for (int i = 0; i < l->n; i++) {
+        const struct profile *const p = l->line[i].profile;
+        summary_begin(to, l->line[i].name);
+        summary_number(to, "mirror_error", profile_mirror_error(p, 0));
+        summary_number(to, "block_error", profile_block_error(p, 0));
+        summary_end(to);
+    }
+    summary_end(to);
+}
+
 void profiles_state(struct profiles *l, struct state *s)
 {
     state_begin(s, "profiles");

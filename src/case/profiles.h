@@ -3,6 +3,7 @@
 #define CASE_PROFILES_H
 
 #include "output/folder.h"
+#include "output/summary.h"
 #include "case/settings.h"
 #include "case/snapshot.h"
 
@@ -24,6 +25,10 @@ void profiles_free(struct profiles *l);
 
 /* Takes a sample of the snapshot, which stands for dt [s]. */
 void profiles_add(struct profiles *l, double dt);
+
+/* How far each can be trusted: its mirror error and its error by blocks
+ * (output/profile.h), as a group "profiles". */
+void profiles_summary(const struct profiles *l, struct summary *to);
 
 /* The means so far (state.h). */
 void profiles_state(struct profiles *l, struct state *s);

@@ -2,6 +2,7 @@
 #include "case/recorder_internal.h"
 #include "case/effect_shares.h"
 
+#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -28,6 +29,7 @@ void recorder_free(struct recorder *r)
     animation_free(r->animation);
     profiles_free(r->lines);
     probes_free(r->probes);
+    second_half_free(r->second_half);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -54,24 +56,19 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-static void sample_pressure_drop(struct recorder *r)
-{
-    const double end = settings_real(r->settings, "output.end");
-
-    if (r->sim->fluid == NULL || r->sim->t < 0.5 * end) return;
-    r->drop_sum += history_pressure_drop(r->sim);
-    r->drop_rows++;
-    if (r->sim->particles != NULL) r->weight_sum += history_bed_weight(r->sim);
-}
-
 /* --- the moments --------------------------------------------------------- */
 
 static int add_row(struct recorder *r)
 {
+    const struct effect_state *const effects = r->sim->effects;
     double row[MOST_COLUMNS];
+    int n = r->n_own;
 
-    for (int i = 0; i < r->n_columns; i++)
+    for (int i = 0; i < r->n_own; i++)
         row[i] = r->column[i]->value(r->sim);
+    for (int i = 0; i < r->sim->n_effects; i++)
+        if (effects[i].effect->columns != NULL)
+            n += effects[i].effect->row(effects[i].memory, r->sim, &row[n]);
     return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
@@ -84,6 +81,9 @@ static struct picture picture_of(const struct recorder *r)
                             .time = s->t,
                             .mesh = r->sim->mesh,
                             .eps = s->eps,
+                            .u = s->u,
+                            .p = s->p,
+                            .walls = r->sim->n_surfaces > 0,
                             .n = s->n,
                             .x = {s->x[0], s->x[1], s->x[2]},
                             .v = {s->v[0], s->v[1], s->v[2]},
@@ -110,7 +110,7 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
-        sample_pressure_drop(r);
+        second_half_add(r->second_half);
         if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
@@ -180,16 +180,6 @@ static void write_residuals(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static void write_means(struct summary *f, const struct recorder *r)
-{
-    if (r->drop_rows == 0) return;
-    summary_begin(f, "second_half");
-    summary_number(f, "mean_pressure_drop", r->drop_sum / (double)r->drop_rows);
-    if (r->sim->particles != NULL)
-        summary_number(f, "bed_weight", r->weight_sum / (double)r->drop_rows);
-    summary_end(f);
-}
-
 static void write_life(struct summary *f, const struct recorder *r)
 {
     if (r->sim->population == NULL) return;
@@ -241,7 +231,9 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_counts(f, r);
-    write_means(f, r);
+    second_half_write(r->second_half, f);
+    profiles_summary(r->lines, f);
+    recorder_part_summarize(&r->parts, f);
     effect_shares_write(f, sim);
     return summary_commit(f);
 }
@@ -253,10 +245,17 @@ static struct table *create_history(struct recorder *r)
     const char *names[MOST_COLUMNS];
 
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, r->sim)) {
-            names[r->n_columns] = c->name;
-            r->column[r->n_columns++] = c;
-        }
+        if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
+    r->n_columns += recorder_part_columns(&r->parts, &r->column[r->n_columns],
+                                          MOST_COLUMNS - r->n_columns);
+    for (int i = 0; i < r->n_columns; i++)
+        names[i] = r->column[i]->name;
+    r->n_own = r->n_columns;
+    for (int i = 0; i < r->sim->n_effects; i++)
+        for (const char *const *c = r->sim->effects[i].effect->columns;
+             c != NULL && *c != NULL; c++)
+            names[r->n_columns++] = *c;
+    assert(r->n_columns <= MOST_COLUMNS);
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
@@ -285,6 +284,8 @@ static int create_parts(struct recorder *r)
     const struct simulation *const sim = r->sim;
     struct folder *const folder = r->folder;
 
+    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
+        return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);
@@ -294,8 +295,6 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
-        return 1;
     r->probes = probes_create(r->settings, sim, r->snapshot, folder);
     return r->probes == NULL;
 }
@@ -314,6 +313,7 @@ struct recorder *recorder_create(const struct settings *s,
     r->picture_every = case_steps_between(s, "output.every");
     r->row_every = case_steps_between_rows(s);
     r->snapshot = snapshot_create(sim);
+    r->second_half = second_half_create(sim, settings_real(s, "output.end"));
     r->lines = profiles_create(s, sim, r->snapshot);
     if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
@@ -359,13 +359,14 @@ void recorder_print(const struct recorder *r)
     const struct simulation *const sim = r->sim;
     const char *const dir = folder_name(r->folder);
 
-    if (r->drop_rows > 0 && sim->particles != NULL)
+    if (second_half_has_any(r->second_half) && sim->particles != NULL)
         printf("pressure drop %.1f Pa (mean of the second half), weight of the "
                "bed %.1f Pa%s\n",
-               r->drop_sum / (double)r->drop_rows,
-               r->weight_sum / (double)r->drop_rows,
+               second_half_pressure_drop(r->second_half),
+               second_half_weight(r->second_half),
                sim->mesh->shape != NULL ? " over the mean section" : "");
     effect_shares_print(sim);
+    recorder_part_print(&r->parts);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

@@ -8,10 +8,11 @@
 #include "case/profiles.h"
 #include "case/recorder.h"
 #include "case/recorder_part.h"
+#include "case/second_half.h"
 #include "output/animation.h"
 #include "output/table.h"
 
-enum { MOST_COLUMNS = 64 };
+enum { MOST_COLUMNS = 128 };
 
 struct recorder {
     const struct settings *settings;
@@ -19,7 +20,8 @@ struct recorder {
     struct folder *folder; /* borrowed */
     double began;          /* [s] wall clock */
     double ended;          /* [s] the same; 0 while the run goes on */
-    int n_columns;
+    int n_columns; /* [-] of the table; those of effects follow the others */
+    int n_own;     /* [-] the others */
     const struct history_column *column[MOST_COLUMNS];
     struct table *history;
     struct snapshot *snapshot;
@@ -29,13 +31,11 @@ struct recorder {
     struct profiles *lines;
     struct probes *probes;
     long row_every, picture_every; /* [-] steps of the loop */
-    /* For the summary: the worst of the whole run, and means over its second
-     * half. */
+    struct second_half *second_half;
+    /* For the summary: the worst of the whole run. */
     double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
     double eps_lowest;
     long capped_steps;
-    double drop_sum, weight_sum;
-    long drop_rows;
 };
 
 #endif

@@ -24,6 +24,32 @@ void recorder_part_free(struct recorder_part_list *l)
         l->part[i]->free(l->state[i]);
 }
 
+int recorder_part_columns(const struct recorder_part_list *l,
+                          const struct history_column **column, int room)
+{
+    int n = 0;
+
+    for (int i = 0; i < l->n; i++)
+        for (const struct history_column *c = l->part[i]->columns;
+             c != NULL && c->name != NULL && n < room; c++)
+            column[n++] = c;
+    return n;
+}
+
+void recorder_part_summarize(const struct recorder_part_list *l,
+                             struct summary *f)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->summarize != NULL)
+            l->part[i]->summarize(l->state[i], f);
+}
+
+void recorder_part_print(const struct recorder_part_list *l)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->print != NULL) l->part[i]->print(l->state[i]);
+}
+
 int recorder_part_row(const struct recorder_part_list *l)
 {
     int failed = 0;

@@ -1,26 +1,36 @@
 /* recorder_part.h -- a file of results that a folder adds to those of a run.
  *
- * Its descriptor is named in the models.txt of the folder. row, fields and
- * finish and state may be NULL; they return non-zero after a message.
+ * Its descriptor is named in the models.txt of the folder. All but
+ * create and free may be NULL; row, fields and finish return non-zero after a
+ * message.
  */
 #ifndef CASE_RECORDER_PART_H
 #define CASE_RECORDER_PART_H
 
 #include "base/state.h"
+#include "case/history.h"
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "output/folder.h"
+#include "output/summary.h"
 
 struct recorder_part {
+    const struct key *keys; /* its table; NULL: none */
+    /* 0 if what the case says is possible; else 2 after a message. */
+    int (*check)(const struct settings *s);
     /* What the functions below get, released by free. NULL if this simulation
      * has nothing of the kind, and, with *failed, after a message if the file
      * cannot be written. */
     void *(*create)(const struct settings *s, const struct simulation *sim,
                     struct folder *folder, int *failed);
     void (*free)(void *part);
-    int (*row)(void *part);              /* with each row of history.csv */
-    int (*fields)(void *part, double t); /* with the fields of time t [s] */
-    int (*finish)(void *part);           /* at the end of the run */
+    int (*row)(void *part);               /* with each row of history.csv */
+    int (*fields)(void *part, double t);  /* with the fields of time t [s] */
+    int (*finish)(void *part);            /* at the end of the run */
+    const struct history_column *columns; /* of history.csv; the last has no
+                                             name */
+    void (*summarize)(const void *part, struct summary *f);
+    void (*print)(const void *part); /* on stdout, at the end */
     /* Visits what the rows to come depend on (state.h). */
     void (*state)(void *part, struct state *s);
 };
@@ -40,9 +50,14 @@ struct recorder_part_list {
 int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
                          const struct simulation *sim, struct folder *folder);
 void recorder_part_free(struct recorder_part_list *l);
+int recorder_part_columns(const struct recorder_part_list *l,
+                          const struct history_column **column, int room);
 int recorder_part_row(const struct recorder_part_list *l);
 int recorder_part_fields(const struct recorder_part_list *l, double t);
 int recorder_part_finish(const struct recorder_part_list *l);
+void recorder_part_summarize(const struct recorder_part_list *l,
+                             struct summary *f);
+void recorder_part_print(const struct recorder_part_list *l);
 void recorder_part_state(const struct recorder_part_list *l, struct state *s);
 
 #endif

@@ -17,9 +17,6 @@ static void sums_state(struct recorder *r, struct state *s)
     state_real(s, "worst_cfl", "-", &r->worst_cfl);
     state_real(s, "eps_lowest", "-", &r->eps_lowest);
     state_long(s, "capped_steps", "-", &r->capped_steps);
-    state_real(s, "drop_sum", "Pa", &r->drop_sum);
-    state_real(s, "weight_sum", "Pa", &r->weight_sum);
-    state_long(s, "drop_rows", "-", &r->drop_rows);
 }
 
 /* The folder comes last: only when all files are found to be there, it removes
@@ -28,6 +25,7 @@ void recorder_state(struct recorder *r, struct state *s)
 {
     state_begin(s, "recorder");
     sums_state(r, s);
+    second_half_state(r->second_half, s);
     snapshot_state(r->snapshot, r->sim->mesh, s);
     profiles_state(r->lines, s);
     table_state(r->history, s);

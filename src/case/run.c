@@ -277,6 +277,7 @@ static int act(const struct command_line *l)
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
                                   .quiet = l->quiet,
                                   .resume = l->resume,
+                                  .fresh = l->fresh,
                                   .n_overrides = l->n_overrides,
                                   .overrides = l->overrides};
 
@@ -294,10 +295,11 @@ static int act(const struct command_line *l)
 
 const struct command command_run = {
     "run",
-    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--quiet]",
+    "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
+    "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended",
-    "osj-r",
+    "goes on where the run in DIR ended, --fresh settles its bed anew",
+    "osj-rf",
     1,
     1,
     act};

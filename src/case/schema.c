@@ -201,7 +201,7 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
         [KEY_PATCH] =
-            "{ inlet = ...; } or { outlet = ...; } or { wall = ...; }"};
+            "{ KEY = ...; } with inlet, outlet, wall, rotation or pressure"};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
 
     gather(key, 1, ", ", conditions);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/schema_check.h"
 
+#include "case/models.h"
 #include "base/left_out.h"
 #include "case/override.h"
 #include "case/schema.h"
@@ -11,6 +12,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+enum { MOST_PATCH_KEYS = 8 };
 
 static double number(const config_setting_t *s)
 {
@@ -87,14 +90,17 @@ static int is_series(const struct key *key, const config_setting_t *s)
     return 1;
 }
 
-/* A word, or a group with one key; an inlet may have its profile as well. */
+/* A word, or a group with the first key of one model of a patch, and others
+ * that belong with it. */
 static int is_patch(const struct key *key, const config_setting_t *s)
 {
+    const char *name[MOST_PATCH_KEYS];
     const int n = config_setting_is_group(s) ? config_setting_length(s) : 0;
 
     if (!config_setting_is_group(s)) return is_word(key, s);
-    if (config_setting_get_member(s, "profile") == NULL) return n == 1;
-    return n == 2 && config_setting_get_member(s, "inlet") != NULL;
+    for (int i = 0; i < n && i < MOST_PATCH_KEYS; i++)
+        name[i] = config_setting_name(config_setting_get_elem(s, (unsigned)i));
+    return n <= MOST_PATCH_KEYS && models_make_patch(n, name);
 }
 
 static int fits(const struct key *key, const config_setting_t *s)
@@ -184,12 +190,14 @@ static int check_magnitude(const struct key *key, const char *path,
                         path, r->least, r->most, key->unit, x);
 }
 
-/* A word of a folder that is not built. */
+/* A key, or a word in its place, of a folder that is not built. */
 static int left_out(const config_setting_t *s, const char *path,
                     const char *word)
 {
-    return source_wrong(s, "%s: %s is not in this build, which leaves out %s",
-                        path, strcmp(word, path) == 0 ? "it" : word,
+    const int is_key = word == path;
+
+    return source_wrong(s, "%s: %s%snot in this build, which leaves out %s",
+                        path, is_key ? "" : word, is_key ? "" : " is ",
                         left_out_folder(word));
 }
 
@@ -249,6 +257,19 @@ static int missing(const struct key *const *tables, const char *path,
     return 0;
 }
 
+/* 1 if the case has one of the groups "a|b". */
+static int has_one_of(const config_setting_t *s, char *groups)
+{
+    int found = 0;
+
+    for (char *bar; !found && groups != NULL; groups = bar) {
+        bar = strchr(groups, '|');
+        if (bar != NULL) *bar++ = '\0';
+        found = config_lookup(s->config, groups) != NULL;
+    }
+    return found;
+}
+
 /* The first of the groups a row needs that the case does not have. */
 static int unmet(const struct key *key, const config_setting_t *s)
 {
@@ -257,7 +278,7 @@ static int unmet(const struct key *key, const config_setting_t *s)
     int used;
 
     for (; sscanf(rest, "%255s%n", group, &used) == 1; rest += used)
-        if (config_lookup(s->config, group) == NULL)
+        if (!has_one_of(s, group)) /* which leaves the first of them */
             return source_wrong(s, "%s needs %s, which the case does not have",
                                 key->path, group);
     return 0;

@@ -119,12 +119,13 @@ int settings_quiet(const struct settings *s)
     return s->quiet;
 }
 
-/* A name may be one of the row's words, any text, or the name of a file. */
+/* A name may be a word, any text, or a file. */
 static int type_fits(const struct key *key, enum key_type type)
 {
-    return key != NULL &&
-           (key->type == type || (type == KEY_NAME && (key->type == KEY_TEXT ||
-                                                       key->type == KEY_FILE)));
+    if (key == NULL || key->type == type) return key != NULL;
+    return type == KEY_SERIES ? key->type == KEY_CURVE
+                              : type == KEY_NAME && (key->type == KEY_TEXT ||
+                                                     key->type == KEY_FILE);
 }
 
 /* The setting of a path whose row must have the type. The tables say that it
@@ -135,7 +136,7 @@ static const config_setting_t *find(const struct settings *s, const char *path,
     const struct key *const key = schema_find(s->tables, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(key != NULL && key->type == type && found != NULL);
+    assert(type_fits(key, type) && found != NULL);
     (void)key, (void)type;
     return found;
 }
@@ -360,12 +361,12 @@ const char *settings_any_side(const struct settings *s, int i)
 
 const char *settings_side(const struct settings *s, const char *patch)
 {
-    const char *path;
-
-    for (int i = 0; s->patches != NULL && (path = patch_path(s, i)); i++)
-        if (strcmp(strchr(path, '.') + 1, patch) == 0)
-            return settings_has(s, path) ? path : NULL;
-    if (s->patches != NULL) return NULL;
+    if (s->patches != NULL) {
+        char path[SCHEMA_TEXT];
+        snprintf(path, sizeof path, "fluid.%s", patch);
+        const struct key *const own = schema_find(s->tables, path);
+        return own != NULL && settings_has(s, path) ? own->path : NULL;
+    }
     for (int i = 0; i < 6; i++)
         for (int k = 1; k < 3 && strcmp(sides[i][0], patch) == 0; k++)
             if (settings_has(s, sides[i][k])) return sides[i][k];

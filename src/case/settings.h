@@ -52,8 +52,8 @@ void settings_vector(const struct settings *s, const char *path, double v[3]);
 void settings_counts(const struct settings *s, const char *path, int v[3]);
 void settings_flags(const struct settings *s, const char *path, int v[3]);
 
-/* A value that may vary in time: its number of points (1 for a constant, at
- * time 0) and one of them. */
+/* A value that may vary in time, or a curve: its number of points (1 for a
+ * constant, at time 0) and one of them. */
 int settings_points(const struct settings *s, const char *path);
 void settings_point(const struct settings *s, const char *path, int i,
                     double *time, double *value);

@@ -8,6 +8,7 @@
 #include "dem/dem_method.h"
 #include "dem/integrators.h"
 #include "case/build.h"
+#include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_averaging.h"
@@ -18,6 +19,7 @@
 #include "case/case_mesh.h"
 #include "case/model_choice.h"
 #include "case/profiles.h"
+#include "case/recorder_part.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -140,11 +142,12 @@ static int check_fluid(const struct settings *s)
     for (int k = 0; k < 3 && code == 0 && !files; k++)
         code = check_direction(s, k);
     if (code == 0 && count_sides(s, "inlet") > 0 &&
-        count_sides(s, "outlet") == 0)
+        count_sides(s, "outlet") + count_sides(s, "pressure") == 0)
         return settings_wrong(s, "fluid",
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
     if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
+    if (code == 0) code = build_boundaries_check(s);
     if (code == 0) code = check_drive(s);
     return code != 0 ? code : check_parts(s);
 }
@@ -343,6 +346,10 @@ static int check_output(const struct settings *s)
 {
     double lo[3], hi[3];
 
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        if (recorder_parts[i]->check != NULL &&
+            recorder_parts[i]->check(s) != 0)
+            return 2;
     if (check_fields(s) != 0) return 2;
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
@@ -378,5 +385,6 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
+    if (code == 0) code = case_part_check_any(s);
     return code != 0 ? code : check_output(s);
 }

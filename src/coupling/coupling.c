@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "base/number.h"
 #include "coupling/effects.h"
+#include "coupling/effect_mover.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
@@ -165,6 +166,19 @@ static int move_freely(struct simulation *sim, double *clock)
     return failed;
 }
 
+/* What else moves, bodies that the fluid flows around. */
+static int move_others(struct simulation *sim)
+{
+    int failed = 0;
+
+    for (int i = 0; i < sim->n_effects && !failed; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->mover != NULL)
+            failed = e->effect->mover->move(e->memory, sim);
+    }
+    return failed;
+}
+
 static void finish_step(struct simulation *sim)
 {
     sim->steps++;
@@ -221,6 +235,7 @@ int coupling_step(struct simulation *sim)
         }
         if (!failed) effects_measure_scale(sim);
     }
+    if (!failed) failed = move_others(sim);
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);
     return failed;
@@ -306,4 +321,9 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
     coupling_unpaid_impulse(sim, owed);
     for (int k = 0; k < 3; k++)
         total[k] -= owed[k];
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->mover != NULL)
+            e->effect->mover->momentum(e->memory, total);
+    }
 }

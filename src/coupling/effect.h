@@ -16,26 +16,12 @@
 
 struct simulation;
 struct effect;
+struct effect_mover;
 struct effect_scales;
 struct effect_estimate;
 struct effect_count;
 struct attraction;
 struct attraction_scene;
-
-/* The forces that an effect has exerted. */
-struct effect_tally {
-    double sum;     /* [N] of their sizes, over particles and steps */
-    double largest; /* [N] on one particle */
-    double weight;  /* [-] number of these */
-    double seconds; /* [s] wall-clock time in its hooks */
-};
-
-/* An active effect: its descriptor and its state. */
-struct effect_state {
-    const struct effect *effect;
-    void *memory; /* released by effect->free; may be NULL */
-    struct effect_tally tally;
-};
 
 /* A field of the cells that an effect has written with those of the fluid. */
 struct effect_field {
@@ -44,7 +30,6 @@ struct effect_field {
     const double *values; /* borrowed */
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
-
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -58,10 +43,14 @@ struct effect {
      * for the sub-step of the drag that follows. */
     void (*before_substep)(void *memory, struct simulation *sim);
     void (*after_particles)(void *memory, struct simulation *sim);
+    const struct effect_mover *mover; /* of what else moves */
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
     /* Visits what the next step depends on besides attached arrays. */
     void (*state)(void *memory, struct state *s);
+    const char *const *columns; /* in history.csv, with units; ended by NULL */
+    /* The values of the columns now; how many. */
+    int (*row)(void *memory, const struct simulation *sim, double *values);
     void (*free)(void *memory);
     /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
     void (*drag)(void *memory, struct simulation *sim, double *k, int stride);

@@ -17,6 +17,12 @@ extern const struct effect pressure_gradient_effect;
 extern const struct effect *const effects[];
 const struct effect *effects_named(const char *name);
 
+/* Adds an active effect to the simulation, which frees its memory. */
+void effects_add(struct simulation *sim, const struct effect *e, void *memory);
+
+/* The memory of that effect; NULL if it is not active. */
+void *effects_memory(const struct simulation *sim, const struct effect *e);
+
 /* The moments of a step at which effects are called (effect.h). */
 enum effects_moment {
     EFFECTS_BEFORE_PARTICLES,

@@ -40,7 +40,7 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 static const struct key keys[] = {
     {"effects.gravity", KEY_VECTOR, "m/s^2", "", KEY_OPTIONAL,
      "acceleration by gravity: the weight of the particles", "XS11 2.1",
-     "particles"},
+     "particles|bodies"},
     {0}};
 
 const struct effect gravity_effect = {

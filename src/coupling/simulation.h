@@ -9,6 +9,7 @@
 #define COUPLING_SIMULATION_H
 
 #include "averaging/averaging.h"
+#include "coupling/active_effect.h"
 #include "coupling/effect.h"
 #include "fluid/fluid.h"
 #include "mesh/mesh.h"

@@ -364,7 +364,8 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
             store->save(path, ps, &springs, bed, dem) != 0)
             code = BED_UNSAVED;
     }
-    if (code == BED_CREATED) dem_restore_springs(run, springs.list, springs.n);
+    if (code == BED_CREATED || code == BED_UNSAVED)
+        dem_restore_springs(run, springs.list, springs.n);
     free(springs.list);
     return code;
 }

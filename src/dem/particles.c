@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -105,8 +106,6 @@ void particles_attach(struct particles *ps, const char *name, const char *unit,
     struct attachments *const a = ps->attached;
 
     assert(a->n < MOST_ATTACHED && width <= MOST_WIDTH);
-    for (int k = 0; k < a->n; k++)
-        assert(strcmp(a->name[k], name) != 0);
     a->array[a->n] = array;
     a->name[a->n] = name;
     a->unit[a->n] = unit;
@@ -167,6 +166,16 @@ void particles_remove(struct particles *ps, const int *gone)
     free(order);
 }
 
+/* The name of array k; where several have one, the second is NAME_2. */
+static void full_name(const struct attachments *a, int k, char name[64])
+{
+    int number = 1;
+
+    for (int i = 0; i < k; i++)
+        number += strcmp(a->name[i], a->name[k]) == 0;
+    snprintf(name, 64, number > 1 ? "%s_%d" : "%s", a->name[k], number);
+}
+
 void particles_state(struct particles *ps, struct state *s)
 {
     const struct attachments *const a = ps->attached;
@@ -176,8 +185,11 @@ void particles_state(struct particles *ps, struct state *s)
     state_whole(s, "next_id", "-", &ps->next_id);
     state_wholes(s, "id", "-", ps->id, ps->n, 1);
     state_wholes(s, "material", "-", ps->material, ps->n, 1);
-    for (int k = 0; k < a->n; k++)
-        state_reals(s, a->name[k], a->unit[k], a->array[k], ps->n, a->width[k]);
+    for (int k = 0; k < a->n; k++) {
+        char name[64];
+        full_name(a, k, name);
+        state_reals(s, name, a->unit[k], a->array[k], ps->n, a->width[k]);
+    }
     state_end(s);
 }
 

@@ -49,9 +49,8 @@ void particles_add_implicit_drag(struct particles *ps);
 void particles_add_material(struct particles *ps);
 
 /* `array`, with `width` numbers a particle, follows the particles from now on,
- * and is a part of their state: under a name that no other array has, and with
- * its unit. All are borrowed: they must stay as long as the particles do, or
- * until the array is detached. */
+ * and is a part of their state, by its name and unit. All are borrowed: they
+ * must stay as long as the particles do, or until the array is detached. */
 void particles_attach(struct particles *ps, const char *name, const char *unit,
                       double *array, int width);
 void particles_detach(struct particles *ps, const double *array);

@@ -36,8 +36,8 @@ static double fastest_inlet(const struct fluid *fl, double t)
             const int f = p->first + j, c = m->owner[f];
             const double *const S = &m->S[3 * f];
             const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
-            const double U = boundary_inlet_velocity(b, t) *
-                             (b->profile != NULL ? b->profile[j] : 1.0);
+            const double U =
+                boundary_inlet_velocity(b, t) * boundary_inlet_share(b, j, t);
             fastest = fmax(fastest, fabs(U) * area / (fl->eps[c] * m->V[c]));
         }
     }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/boundary.h"
 
+#include <stdlib.h>
+
 double boundary_inlet_velocity(const struct boundary *b, double t)
 {
     const double *const x = b->time, *const U = b->velocity;
@@ -11,6 +13,25 @@ double boundary_inlet_velocity(const struct boundary *b, double t)
         i++;
     if (i == b->n_points - 1) return U[i];
     return U[i] + (U[i + 1] - U[i]) * (t - x[i]) / (x[i + 1] - x[i]);
+}
+
+double boundary_inlet_share(const struct boundary *b, int j, double t)
+{
+    if (b->varying != NULL) return b->varying(b, j, t);
+    return b->profile != NULL ? b->profile[j] : 1.0;
+}
+
+const double *boundary_wall_velocity(const struct boundary *b, int j)
+{
+    return b->walls != NULL ? &b->walls[3 * j] : b->wall;
+}
+
+void boundary_release(struct boundary *b)
+{
+    if (b->release != NULL)
+        b->release(b);
+    else
+        free(b->memory);
 }
 
 double boundary_parabola(double a, double b)
@@ -24,14 +45,28 @@ static const struct key inlet_keys[] = {
     {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", KEY_OPTIONAL,
      "superficial velocity into the box, constant or ((time, velocity), ...)",
      "SX15 Table 1", ""},
-    {"fluid.<patch>.profile", KEY_NAME, "", "uniform | parabola", "uniform",
-     "of the velocity over an inlet; parabola: zero at the walls beside it", "",
-     ""},
+    {"fluid.<patch>.profile", KEY_NAME, "", "", "uniform",
+     "how the velocity varies over an inlet", "", ""},
     KEY_END};
 
 static const struct key wall_keys[] = {
     {"fluid.<patch>.wall", KEY_VECTOR, "m/s", "", KEY_OPTIONAL,
      "velocity of a no-slip wall that moves along itself", "", ""},
+    KEY_END};
+
+static const struct key rotation_keys[] = {
+    {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
+     "angular velocity of a no-slip wall that rotates within its own surface",
+     "", ""},
+    {"fluid.<patch>.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
+     "a point on the axis of the rotation", "", ""},
+    KEY_END};
+
+static const struct key pressure_keys[] = {
+    {"fluid.<patch>.pressure", KEY_REAL, "Pa", "", KEY_OPTIONAL,
+     "pressure of an inlet, without the weight of the fluid: what enters has "
+     "the velocity of its flux",
+     "", ""},
     KEY_END};
 
 static const struct key outlet_keys[] = {
@@ -79,5 +114,23 @@ const struct model boundary_outlet = {
     .equations = "",
     .function = "pressure_correct",
     .keys = {outlet_keys},
+    .value = BOUNDARY_OUTLET,
+};
+
+const struct model boundary_rotating = {
+    .name = "rotating",
+    .what = "a wall that rotates about an axis and takes the fluid with it",
+    .equations = "",
+    .function = "boundary_wall_velocity",
+    .keys = {rotation_keys},
+    .value = BOUNDARY_NO_SLIP,
+};
+
+const struct model boundary_pressure = {
+    .name = "pressure",
+    .what = "a pressure that the fluid enters with, or leaves against",
+    .equations = "",
+    .function = "boundary_face_velocity",
+    .keys = {pressure_keys},
     .value = BOUNDARY_OUTLET,
 };

@@ -1,10 +1,11 @@
 /* boundary.h -- boundary conditions of the fluid on a patch.
  * Chapter "Averaged flow".
  *
- * no-slip: u is that of the wall, which may move along itself. slip: no flux,
- * no tangential stress. inlet: a superficial velocity normal to the patch,
- * which may vary in time and over the patch. outlet: a given pressure; the
- * velocity has zero normal gradient, and backflow enters with zero velocity.
+ * no-slip: u is that of the wall, which may move along itself or rotate. slip:
+ * no flux, no tangential stress. inlet: a superficial velocity normal to the
+ * patch, which may vary in time and over the patch. outlet: a given pressure;
+ * the velocity has zero normal gradient, and backflow enters with zero velocity
+ * or, where the pressure is that of an inlet, with the velocity of its flux.
  */
 #ifndef FLUID_BOUNDARY_H
 #define FLUID_BOUNDARY_H
@@ -25,6 +26,8 @@ extern const struct model *const boundary_kinds[];
 struct boundary {
     enum boundary_kind kind;
     double pressure;    /* [Pa] of an outlet, without the hydrostatic part */
+    int enters;         /* [-] of an outlet: 1 if what flows in has the velocity
+                           of its flux, normal to the face; 0: none */
     int n_points;       /* [-] of an inlet: points of its time series */
     const double *time; /* [s] ascending, borrowed */
     const double *velocity; /* [m/s] superficial, inward; linear in between,
@@ -32,10 +35,29 @@ struct boundary {
     const double *profile;  /* [-] of an inlet: velocity over its mean, one a
                                face of the patch, borrowed; NULL: uniform */
     double wall[3];         /* [m/s] of a no-slip wall, no part of it normal */
+    const double *walls;    /* [m/s] the same where it differs between the faces
+                               of the patch, 3 a face; NULL: `wall` */
+    double rotation[3];     /* [rad/s] of a rigid wall, in `walls` already */
+    /* [-] the profile of face j of an inlet at time t [s], where it varies in
+     * time; NULL: `profile`. */
+    double (*varying)(const struct boundary *b, int j, double t);
+    /* What the creator allocated for the above, and how it is freed if not as
+     * one piece; NULL: nothing. */
+    void *memory;
+    void (*release)(struct boundary *b);
 };
 
 /* The mean superficial velocity of an inlet at time t [m/s]. */
 double boundary_inlet_velocity(const struct boundary *b, double t);
+
+/* Velocity over its mean of face j of an inlet at time t [-]. */
+double boundary_inlet_share(const struct boundary *b, int j, double t);
+
+/* The velocity of face j of a no-slip wall [m/s], 3. */
+const double *boundary_wall_velocity(const struct boundary *b, int j);
+
+/* Frees b->memory. */
+void boundary_release(struct boundary *b);
 
 /* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
  * interval a .. b, divided by its mean over the channel [-]. */

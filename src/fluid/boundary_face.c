@@ -21,10 +21,10 @@ static void along(const double u[3], double factor, const double *S,
         to[k] = u[k] + factor * S[k];
 }
 
-/* The inlet velocity is the flux over the area times eps; backflow through an
- * outlet enters with zero velocity. */
+/* The velocity of what enters is the flux over the area times eps; backflow
+ * through an outlet enters with zero velocity. */
 void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
-                            int f, double u[3])
+                            int j, int f, double u[3])
 {
     static const double rest[3] = {0.0, 0.0, 0.0};
     const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
@@ -32,14 +32,14 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->levels->convecting_flux[f];
 
-    if (b->kind == BOUNDARY_INLET)
+    if (b->kind == BOUNDARY_INLET || (b->enters && phi < 0.0))
         along(rest, phi / (fl->eps[c] * SS), S, u);
     else if (b->kind == BOUNDARY_OUTLET)
         along(phi >= 0.0 ? inside : rest, 0.0, S, u);
     else if (b->kind == BOUNDARY_SLIP)
         along(inside, -dot3(inside, S) / SS, S, u);
     else
-        along(b->wall, 0.0, S, u);
+        along(boundary_wall_velocity(b, j), 0.0, S, u);
 }
 
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
@@ -53,7 +53,7 @@ void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
         const double U = boundary_inlet_velocity(b, fl->t);
         for (int j = 0; j < p->n; j++) {
             const double *const S = &m->S[3 * (p->first + j)];
-            const double share = b->profile != NULL ? b->profile[j] : 1.0;
+            const double share = boundary_inlet_share(b, j, fl->t);
             phi[p->first + j] = -U * share * sqrt(dot3(S, S));
         }
     }

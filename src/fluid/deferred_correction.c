@@ -34,7 +34,7 @@ static void fill_velocity_gradients(struct fluid *fl, const double *u)
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
             boundary_face_velocity(
-                fl, &fl->options.boundaries[i], f,
+                fl, &fl->options.boundaries[i], f - p->first, f,
                 &fl->momentum->u_boundary[3 * (f - m->n_internal)]);
     }
     s->fill(m, u, fl->momentum->u_boundary, fl->momentum->velocity_gradient);

@@ -27,6 +27,7 @@
 #include "base/state.h"
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
+#include "fluid/immersed.h"
 #include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
 #include "linear/report.h"
@@ -118,6 +119,7 @@ struct fluid {
     struct face_jump *jump;
     struct time_levels *levels;
     struct face_geometry *geometry;
+    struct immersed *immersed; /* bodies that hold the fluid; NULL: none */
 };
 
 /* At rest, p = 0, eps = 1. F, K and eps_us exist only when coupled. */
@@ -167,6 +169,9 @@ double fluid_kinetic_energy(const struct fluid *fl);
 
 /* Mean pressure over a patch [Pa]. */
 double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch);
+
+/* The mean superficial velocity of the first inlet, now [m/s]; 0 without. */
+double fluid_inlet_velocity(const struct fluid *fl);
 
 /* The velocity [m/s] on the boundary faces, u_b[3 * (f - n_internal) + k]: that
  * of a no-slip wall, that of an inlet's flux, the tangential velocity of the

@@ -5,6 +5,7 @@
  * step are made anew from them (systems.c lists all arrays). */
 #include "fluid/fluid.h"
 
+#include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 
 static void cells_state(struct fluid *fl, struct state *s)
@@ -22,6 +23,7 @@ static void cells_state(struct fluid *fl, struct state *s)
     state_reals(s, "K", "kg/(m^3 s)", fl->K, n, 1);
     state_reals(s, "eps_us", "m/s", fl->eps_us, n, 3);
     state_reals(s, "residual", "N", fl->momentum->residual, n, 3);
+    state_reals(s, "smooth_force", "N/m^3", fl->jump->smooth_force, n, 3);
 }
 
 static void faces_state(struct fluid *fl, struct state *s)

@@ -118,15 +118,32 @@ static void add_wall_face(struct fluid *fl, const double wall[3], int f)
         fl->momentum->b[3 * c + k] += D * wall[k];
 }
 
-static void add_boundary_face(struct fluid *fl, const struct boundary *b, int f)
+/* Enters with the velocity of its flux, without a viscous force. */
+static void add_entering_face(struct fluid *fl, int f)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
+    const int c = m->owner[f];
+    const double inflow = -fl->options.rho * phi;
+
+    fl->momentum->diag[c] += inflow;
+    for (int k = 0; k < 3; k++)
+        fl->momentum->b[3 * c + k] +=
+            inflow * phi * S[k] / (fl->eps[c] * fl->geometry->SS[f]);
+}
+
+static void add_boundary_face(struct fluid *fl, const struct boundary *b, int j,
+                              int f)
 {
     const int c = fl->mesh->owner[f];
     const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_NO_SLIP)
-        add_wall_face(fl, b->wall, f);
+        add_wall_face(fl, boundary_wall_velocity(b, j), f);
     else if (b->kind == BOUNDARY_INLET)
         add_inlet_face(fl, f);
+    else if (b->enters && phi < 0.0)
+        add_entering_face(fl, f);
     else if (b->kind == BOUNDARY_OUTLET && phi < 0.0) { /* enters at rest */
         fl->momentum->diag[c] -= fl->options.rho * phi;
         fl->report.backflow_faces++;
@@ -193,7 +210,7 @@ static void add_boundaries(struct fluid *fl)
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
-            add_boundary_face(fl, &fl->options.boundaries[i], f);
+            add_boundary_face(fl, &fl->options.boundaries[i], f - p->first, f);
     }
     PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, fl->momentum);
     if (fl->momentum->slip != NULL) add_slip_faces(fl);
@@ -210,5 +227,6 @@ void momentum_assemble(struct fluid *fl)
         face_jump_update(fl);
     }
     if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

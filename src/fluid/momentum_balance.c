@@ -27,8 +27,8 @@ static void add(struct sum *s, int k, double impulse)
 
 /* Adds the contributions of boundary face f: convected momentum, pressure, and
  * the viscous force of a wall or an inlet. */
-static void add_face(const struct fluid *fl, const struct boundary *b, int f,
-                     struct sum *s)
+static void add_face(const struct fluid *fl, const struct boundary *b, int j,
+                     int f, struct sum *s)
 {
     const double dt = fl->options.dt,
                  flow = fl->options.rho * fl->levels->convecting_flux[f];
@@ -38,7 +38,7 @@ static void add_face(const struct fluid *fl, const struct boundary *b, int f,
                          : fl->options.mu * fl->geometry->face_coefficient[f];
     double edge[3];
 
-    boundary_face_velocity(fl, b, f, edge);
+    boundary_face_velocity(fl, b, j, f, edge);
     for (int k = 0; k < 3; k++) {
         add(s, k, -dt * flow * edge[k]);
         add(s, k, dt * D * (edge[k] - u[k]));
@@ -51,7 +51,7 @@ static void add_boundaries(const struct fluid *fl, struct sum *s)
     for (int i = 0; i < fl->mesh->n_patches; i++) {
         const struct patch *const p = &fl->mesh->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
-            add_face(fl, &fl->options.boundaries[i], f, s);
+            add_face(fl, &fl->options.boundaries[i], f - p->first, f, s);
     }
 }
 
@@ -82,6 +82,13 @@ static void add_mean_gradient(const struct fluid *fl, struct sum *s)
     }
 }
 
+static void add_immersed(const struct immersed *bodies, struct sum *s)
+{
+    for (int k = 0; k < 3; k++)
+        s->impulse[k] += bodies->impulse[k];
+    s->gross += bodies->gross;
+}
+
 /* The sizes of the momenta of all cells [N s]. */
 static double cells_gross(const struct fluid *fl)
 {
@@ -110,6 +117,7 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     add_boundaries(fl, &s);
     add_mean_gradient(fl, &s);
     if (fl->options.coupled) add_particles(fl, &s);
+    if (fl->immersed != NULL) add_immersed(fl->immersed, &s);
     fluid_momentum(fl, after);
     for (int k = 0; k < 3; k++) {
         const double known = s.impulse[k] + fl->relabelled[k] - relabelled[k];

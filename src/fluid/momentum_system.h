@@ -55,10 +55,10 @@ void velocity_correct(struct fluid *fl);
  * returns its largest entry over the largest term of the equation [-]. */
 double velocity_residual(struct fluid *fl);
 
-/* boundary_face.c: the velocity at boundary face f as used in the momentum
- * equation; the present fluxes of the inlets. */
+/* boundary_face.c: the velocity at boundary face f, face j of its patch, as
+ * used in the momentum equation; the present fluxes of the inlets. */
 void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
-                            int f, double u[3]);
+                            int j, int f, double u[3]);
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi);
 
 /* momentum_balance.c: change of the fluid's momentum from `before` the step to

@@ -44,6 +44,8 @@ static void correct(struct fluid *fl)
     keep_worst_report(&fl->report.pressure, pressure_correct(fl));
     gradient_update(fl);
     velocity_correct(fl);
+    if (fl->immersed != NULL && fl->immersed->corrected != NULL)
+        fl->immersed->corrected(fl->immersed, fl);
     fl->report.correctors++;
 }
 
@@ -108,6 +110,7 @@ int fluid_step(struct fluid *fl)
     fluid_momentum(fl, before);
     fl->t += fl->options.dt;
     ddt_begin(fl);
+    if (fl->immersed != NULL) fl->immersed->begin(fl->immersed, fl);
     report->momentum = (struct solve_report){-1, 0.0, 0.0, 1};
     report->pressure = (struct solve_report){0, 0.0, 0.0, 1};
     report->correctors = 0;
@@ -117,6 +120,7 @@ int fluid_step(struct fluid *fl)
         predict_and_correct(fl);
     }
     correct_further(fl);
+    if (fl->immersed != NULL) fl->immersed->end(fl->immersed, fl);
     report->mass_residual = continuity_residual(fl);
     count_relabelled(fl);
     ddt_end(fl);

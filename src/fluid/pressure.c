@@ -153,6 +153,7 @@ static void face_mobilities(struct fluid *fl)
     }
     if (levels->ddt_older != NULL) store_old_time_fluxes(fl);
     if (fl->options.coupled) store_jump_fluxes(fl);
+    if (fl->immersed != NULL) fl->immersed->change_faces(fl->immersed, fl);
 }
 
 /* Without an outlet the pressure is fixed to zero in one cell, with a

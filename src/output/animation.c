@@ -5,9 +5,13 @@
 #include "base/file.h"
 #include "output/gnuplot.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 struct animation {
     struct folder *folder;
@@ -92,6 +96,24 @@ int animation_add(struct animation *a, const struct picture *p)
     return picture_write_particles(a->folder, name, p);
 }
 
+/* Non-zero after a message if a frame is not there. */
+static int frame_missing(const struct animation *a)
+{
+    int missing = 0;
+
+    for (int i = 1; i <= a->n && !missing; i++) {
+        char name[40];
+        snprintf(name, sizeof name, "frames/frame_%05d.txt", i);
+        char *const path = file_join(folder_name(a->folder), name);
+        missing = access(path, R_OK) != 0;
+        if (missing)
+            fprintf(stderr, "winnow: cannot read the frame %s: %s\n", path,
+                    strerror(errno));
+        free(path);
+    }
+    return missing;
+}
+
 void animation_state(struct animation *a, struct state *s)
 {
     int n = a->n;
@@ -103,6 +125,7 @@ void animation_state(struct animation *a, struct state *s)
     state_reals(s, "time", "s", a->time, n, 1);
     state_real(s, "fast", "m/s", &a->fast);
     state_end(s);
+    if (s->loading && !s->failed) s->failed = frame_missing(a);
 }
 
 /* The script with the numbers of this run before it. */

@@ -19,13 +19,21 @@
 static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {".",        "fluid",      "particles",
-                                    "surfaces", "picture",    "profiles",
-                                    "frames",   "statistics", "case"};
+static const char *const below[] = {
+    ".",        "fluid",      "particles", "surfaces", "picture", "profiles",
+    "frames",   "statistics", "walls",     "contacts", "case",    "bodies"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
                                    "./surfaces.csv",
+                                   "./bodies.csv",
+                                   "./bodies.pvd",
+                                   "bodies/bodies_*.vtp",
+                                   "./forces.csv",
+                                   "./walls.pvd",
+                                   "./contacts.pvd",
+                                   "walls/walls_*.vtp",
+                                   "contacts/contacts_*.vtp",
                                    "./bed.png",
                                    "./fluid.pvd",
                                    "./particles.pvd",
@@ -35,6 +43,9 @@ static const char *const ours[] = {"./summary.json",
                                    "surfaces/surfaces_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
+                                   "picture/flow.txt",
+                                   "picture/walls.txt",
+                                   "picture/streamlines.txt",
                                    "picture/bed.gp",
                                    "picture/gnuplot.log",
                                    "./bed.gif",
@@ -187,6 +198,8 @@ static int looked_into(const struct folder *f, const char *folder)
         return 1;
     }
     for (struct dirent *e; !wrong && (e = readdir(list)) != NULL;) {
+        if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0)
+            continue;
         char *const name = file_join(folder, e->d_name);
         wrong = is_foreign(f, name[0] == '.' ? name + 2 : name);
         free(name);
@@ -210,6 +223,18 @@ struct folder *folder_take(const char *dir)
     folder_leave(f);
     folder_free(f);
     return NULL;
+}
+
+long folder_holder(const char *dir)
+{
+    char *const path = file_join(dir, manifest);
+    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    const int found = file >= 0 && fcntl(file, F_GETLK, &l) == 0;
+
+    if (file >= 0) close(file);
+    free(path);
+    return found && l.l_type != F_UNLCK ? (long)l.l_pid : 0;
 }
 
 void folder_free(struct folder *f)

@@ -24,6 +24,9 @@ struct folder;
  * run may write. */
 struct folder *folder_take(const char *dir);
 
+/* The process whose run has locked the folder; 0 if there is none. */
+long folder_holder(const char *dir);
+
 /* Releases the folder. */
 void folder_free(struct folder *f);
 

@@ -186,8 +186,8 @@ static int put_void_fraction(struct folder *folder, const struct picture *p)
     return file_commit(f);
 }
 
-static void put_definition(FILE *out, const char *name, double value,
-                           const char *unit)
+void picture_put_number(FILE *out, const char *name, double value,
+                        const char *unit)
 {
     char text[NUMBER_LENGTH];
 
@@ -219,12 +219,12 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
 
     fprintf(out, "# The numbers of this run.\n");
     put_title(out, p->title);
-    put_definition(out, "time", p->time, "s");
-    put_definition(out, "x0", lo[0], "m");
-    put_definition(out, "x1", hi[0], "m");
-    put_definition(out, "y0", lo[1], "m");
-    put_definition(out, "y1", hi[1], "m");
-    put_definition(out, "fast", fast, "m/s, which 99 of 100 keep below");
+    picture_put_number(out, "time", p->time, "s");
+    picture_put_number(out, "x0", lo[0], "m");
+    picture_put_number(out, "x1", hi[0], "m");
+    picture_put_number(out, "y0", lo[1], "m");
+    picture_put_number(out, "y1", hi[1], "m");
+    picture_put_number(out, "fast", fast, "m/s, which 99 of 100 keep below");
 }
 
 static int put_script(struct folder *folder, const struct picture *p)
@@ -235,8 +235,9 @@ static int put_script(struct folder *folder, const struct picture *p)
 
     FILE *const out = file_stream(f);
     picture_put_box(out, p, speed > 0.0 ? speed : 1.0);
-    fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n\n", p->n,
+    fprintf(out, "particles = %d\nwith_void = %d\nwith_pressure = %d\n", p->n,
             p->eps != NULL, p->pressure);
+    fprintf(out, "with_walls = %d\n\n", p->walls);
     for (const char *const *line = picture_script; *line; line++)
         fprintf(out, "%s\n", *line);
     return file_commit(f);
@@ -244,8 +245,11 @@ static int put_script(struct folder *folder, const struct picture *p)
 
 int picture_write(struct folder *folder, const struct picture *p)
 {
-    return folder_make(folder, "picture") ||
-           picture_write_particles(folder, "picture/particles.txt", p) ||
+    if (folder_make(folder, "picture") != 0) return 1;
+    for (int i = 0; picture_forms[i] != NULL; i++)
+        if (picture_forms[i]->fits(p))
+            return picture_forms[i]->write(folder, p);
+    return picture_write_particles(folder, "picture/particles.txt", p) ||
            put_void_fraction(folder, p) || put_script(folder, p);
 }
 

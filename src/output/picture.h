@@ -26,13 +26,23 @@ struct picture {
     const char *title;
     double time; /* [s] */
     const struct mesh *mesh;
-    const double *eps;  /* [-] void fraction a cell; NULL: no such panel */
-    int n;              /* [-] particles; 0 allowed */
-    const double *x[3]; /* [m] */
-    const double *v[3]; /* [m/s] */
-    const double *d;    /* [m] */
-    int pressure;       /* [-] 1: history.csv has the columns above */
+    const double *eps;   /* [-] void fraction a cell; NULL: no such panel */
+    int n;               /* [-] particles; 0 allowed */
+    const double *x[3];  /* [m] */
+    const double *v[3];  /* [m/s] */
+    const double *d;     /* [m] */
+    int pressure;        /* [-] 1: history.csv has the columns above */
+    const double *u, *p; /* [m/s], [Pa] of the cells; NULL: no fluid */
+    int walls;           /* [-] 1: picture/walls.txt has segments x y [m] */
 };
+
+/* Another picture, where it fits better: its files and script, with the names
+ * of this one's script and picture. The first that fits is taken. */
+struct picture_form {
+    int (*fits)(const struct picture *p);
+    int (*write)(struct folder *folder, const struct picture *p);
+};
+extern const struct picture_form *const picture_forms[]; /* ended by NULL */
 
 /* Parts of a picture that an animation has as well (animation.h).
  *
@@ -50,6 +60,8 @@ double picture_usual_speed(const struct picture *p);
 /* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
  * variables. */
 void picture_put_box(FILE *out, const struct picture *p, double fast);
+void picture_put_number(FILE *out, const char *name, double value,
+                        const char *unit);
 
 /* Writes the three files; non-zero after a message. */
 int picture_write(struct folder *folder, const struct picture *p);

@@ -62,6 +62,7 @@ const char *const picture_script[] = {
 "set bmargin at screen sy(base); set tmargin at screen sy(base + tall)",
 "plot dir.'/picture/particles.txt' using ($1 / unit):($2 / unit):(($3 > least ? $3 : least) / unit):4 \\",
 "    with circles linecolor palette linewidth 0.4 fillstyle solid 1 border linecolor rgb '#80ffffff'",
+"if (with_walls) { plot dir.'/picture/walls.txt' using ($1 / unit):($2 / unit) with lines linewidth 2 linecolor rgb ink }",
 "unset label",
 "",
 "# Void fraction, cell by cell.",

@@ -3,8 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-
-enum { MOST_POINTS = 20000 }; /* of a line, along it and across */
+#include "output/block_means.h"
 #include "output/mean.h"
 #include "output/probe.h"
 #include "output/table.h"
@@ -15,20 +14,27 @@ enum { MOST_POINTS = 20000 }; /* of a line, along it and across */
 #include <stdlib.h>
 #include <string.h>
 
+enum {
+    MOST_POINTS = 20000, /* of a line, along it and across */
+    PER_FIELD = 3        /* columns: mean, spread, error */
+};
+
 /* Numbers are stored field by field, and within a field along the line. */
 struct profile {
     struct profile_line line;
     int n_fields, n; /* n points on the line */
     struct profile_field *fields;
-    double *x;       /* [m] of each point */
+    double *x;       /* [m] of each point, ascending */
+    double ends;     /* [m] sum of the two ends of the line */
     int row[2];      /* [-] rows of cells below and above the line */
     double share[2]; /* [-] weight of each */
     int n_deep;      /* [-] cells in the depth */
     double *dz;      /* [-] width of each over the whole depth */
     int step[3];     /* [-] from a cell to the next along, up and in depth */
-    struct probe *probe; /* n times n_deep, of a polyhedral mesh */
-    double *sample, *weight;
+    struct probe *probe;              /* n times n_deep, of a polyhedral mesh */
+    double *sample, *weight, *amount; /* amount: weight times dt */
     struct mean *mean;
+    struct block_means *blocks;
 };
 
 static double middle(const struct box *b, int k, int i)
@@ -131,7 +137,10 @@ struct profile *profile_create(const struct mesh *m,
     memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);
     p->sample = alloc_doubles(n_fields * p->n);
     p->weight = alloc_doubles(n_fields * p->n);
+    p->amount = alloc_doubles(n_fields * p->n);
     p->mean = mean_create(n_fields * p->n);
+    p->blocks = block_means_create(n_fields * p->n);
+    p->ends = m->lo[line->along] + m->hi[line->along];
     return p;
 }
 
@@ -144,7 +153,9 @@ void profile_free(struct profile *p)
     free(p->probe);
     free(p->sample);
     free(p->weight);
+    free(p->amount);
     mean_free(p->mean);
+    block_means_free(p->blocks);
     free(p);
 }
 
@@ -191,37 +202,79 @@ void profile_add(struct profile *p, double time, double dt)
         for (int i = 0; i < p->n; i++) {
             const int at = f * p->n + i;
             p->sample[at] = sampled(p, &p->fields[f], i, &p->weight[at]);
+            p->amount[at] = dt * p->weight[at];
         }
     mean_add(p->mean, dt, p->sample, p->weight);
+    block_means_add(p->blocks, p->sample, p->amount);
+}
+
+/* The mean of field f at a place, linear between the points of the line. */
+static double mean_at(const struct profile *p, int f, double x)
+{
+    const double *const y = &p->mean->value[f * p->n];
+    int i = 0;
+
+    while (i < p->n - 1 && p->x[i + 1] < x)
+        i++;
+    if (i == p->n - 1 || x <= p->x[i]) return y[i];
+    return y[i] + (x - p->x[i]) / (p->x[i + 1] - p->x[i]) * (y[i + 1] - y[i]);
+}
+
+double profile_mirror_error(const struct profile *p, int f)
+{
+    const struct profile_field *const is = &p->fields[f];
+    const int turns = is->components == 3 && is->component == p->line.along;
+    double sum = 0.0;
+
+    for (int i = 0; i < p->n; i++) {
+        const double image = mean_at(p, f, p->ends - p->x[i]);
+        const double half =
+            0.5 * (p->mean->value[f * p->n + i] - (turns ? -image : image));
+        sum += half * half;
+    }
+    return sqrt(sum / p->n);
+}
+
+double profile_block_error(const struct profile *p, int f)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < p->n; i++) {
+        const double error = block_means_error(p->blocks, f * p->n + i);
+        sum += error * error;
+    }
+    return sqrt(sum / p->n);
 }
 
 void profile_state(struct profile *p, struct state *s)
 {
     mean_state(p->mean, s);
+    block_means_state(p->blocks, s);
 }
 
-/* "x [m]", then "NAME_mean [UNIT]", "NAME_std [UNIT]" of each field. */
+/* "x [m]", then "NAME_mean [UNIT]" and so on of each field. */
 static char **column_names(const struct profile *p)
 {
+    static const char *const kind[PER_FIELD] = {"mean", "std", "error"};
     char **const names =
-        alloc_zeroed(1 + 2 * (size_t)p->n_fields, sizeof names[0]);
+        alloc_zeroed(1 + PER_FIELD * (size_t)p->n_fields, sizeof names[0]);
 
     names[0] = alloc_zeroed(8, 1);
     snprintf(names[0], 8, "%c [m]", "xyz"[p->line.along]);
-    for (int i = 0; i < 2 * p->n_fields; i++) {
-        const struct profile_field *const f = &p->fields[i / 2];
+    for (int i = 0; i < PER_FIELD * p->n_fields; i++) {
+        const struct profile_field *const f = &p->fields[i / PER_FIELD];
         const size_t room = strlen(f->name) + strlen(f->unit) + 16;
 
         names[1 + i] = alloc_zeroed(room, 1);
-        snprintf(names[1 + i], room, "%s_%s [%s]", f->name,
-                 i % 2 ? "std" : "mean", f->unit);
+        snprintf(names[1 + i], room, "%s_%s [%s]", f->name, kind[i % PER_FIELD],
+                 f->unit);
     }
     return names;
 }
 
 int profile_write(const struct profile *p, const char *path)
 {
-    const int n_columns = 1 + 2 * p->n_fields;
+    const int n_columns = 1 + PER_FIELD * p->n_fields;
     char **const names = column_names(p);
     double *const table = alloc_doubles(n_columns * p->n);
 
@@ -229,8 +282,10 @@ int profile_write(const struct profile *p, const char *path)
         double *const row = table + n_columns * i;
         row[0] = p->x[i];
         for (int f = 0; f < p->n_fields; f++) {
-            row[1 + 2 * f] = p->mean->value[f * p->n + i];
-            row[2 + 2 * f] = mean_spread(p->mean, f * p->n + i);
+            const int at = f * p->n + i;
+            row[1 + PER_FIELD * f] = p->mean->value[at];
+            row[2 + PER_FIELD * f] = mean_spread(p->mean, at);
+            row[3 + PER_FIELD * f] = block_means_error(p->blocks, at);
         }
     }
     const int failed =

@@ -12,6 +12,11 @@
  *
  *     sample at x  = sum_z w u dz / sum_z w dz
  *     mean over t  = sum_t W sample dt / sum_t W dt,   W = sum_z w dz / depth
+ *
+ * How far a mean can be trusted is told twice: by the means of blocks of the
+ * series (block_means.h), and by the mirror. Where a case is the same seen in a
+ * mirror, so is its mean over endless time, and half the difference of the two
+ * sides is an error.
  */
 #ifndef OUTPUT_PROFILE_H
 #define OUTPUT_PROFILE_H
@@ -48,11 +53,18 @@ void profile_free(struct profile *p);
  * dt [s]. */
 void profile_add(struct profile *p, double time, double dt);
 
+/* Of field f, as root mean squares over the line, in its unit; nan if there is
+ * nothing to compare: half the difference of the mean and its mirror image (a
+ * velocity along the line changes its sign there), and the error by blocks. */
+double profile_mirror_error(const struct profile *p, int f);
+double profile_block_error(const struct profile *p, int f);
+
 /* The means so far (state.h). */
 void profile_state(struct profile *p, struct state *s);
 
-/* Columns: x [m], then NAME_mean and NAME_std (over time) of each field, nan
- * where the weight was always 0. Non-zero after a message. */
+/* Columns: x [m], then NAME_mean, NAME_std (over time) and NAME_error (of the
+ * mean, by blocks) of each field, nan where the weight was always 0. Non-zero
+ * after a message. */
 int profile_write(const struct profile *p, const char *path);
 
 #endif

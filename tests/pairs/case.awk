@@ -26,6 +26,7 @@ function set_size(x, y, z, nx, ny, nz, along) {
 
 function put_mesh(    i, p) {
     set_size(0.012, 0.016, 0.012, 4, 6, 4, 0)
+    if (on("bodies")) set_size(0.012, 0.016, 0.012, 8, 11, 8, 0)
     if (is("mesh", "thin")) set_size(0.012, 0.016, 0.0042, 4, 6, 1, 0)
     if (is("mesh", "sheared")) set_size(0.012, 0.016, 0.012, 4, 6, 4, 0.2)
     if (is("mesh", "dual")) set_size(0.012, 0.012, 0.012, 0, 0, 0, 0)
@@ -97,6 +98,20 @@ function material(density) {
     return density (is("contact", "hertz") ? " young = 1e5; poisson = 0.3;" : \
         " stiffness = 20.0;") " restitution = 0.8; friction = 0.3;" \
         (on("rolling") ? " rolling_friction = 0.1;" : "")
+}
+
+function put_bodies() {
+    put("bodies = {")
+    put("  method = \"" v["body_method"] "\";")
+    if (is("bodies", "cylinder"))
+        put("  cylinders = ({ position = " at(0.5, 0.4, 0.5) "; diameter = 0.005;" \
+            " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
+    else
+        put("  spheres = ({ position = " at(0.5, 0.5, 0.5) "; diameter = 0.0047;" \
+            (is("bodies", "fixed") ? " motion = \"fixed\";" : \
+             is("bodies", "free") ? " density = 2500;" : \
+             " motion = \"prescribed\"; velocity = [0.1, 0.2, -0.1]; spin = [0.0, 1.0, 0.0];") " });")
+    put("};")
 }
 
 function put_materials() {
@@ -279,6 +294,8 @@ function put_effects() {
         put("  stochastic_drag = { sigma_low = 3.0; sigma_high = 1.0; " \
             "Re_high = 100.0; time = 1e-3; };")
     if (on("time_average")) put("  time_average = { time = 1e-3; };")
+    if (on("bubbles")) put("  bubbles = { height = 0.004; threshold = 0.7; };")
+    if (on("mixing")) put("  mixing = { sample = 0.004; direction = [1.0, 1.0, 0.0]; };")
     put("};")
 }
 
@@ -319,6 +336,7 @@ function use_row(why,    k) {
     put("title = \"" name "\";")
     put_mesh()
     if (letter != "p") put_fluid()
+    if (on("bodies")) put_bodies()
     if (letter != "f") { put_particles(); put_effects() }
     if (letter ~ /[cm]/) { put_averaging(); put_exchange() }
     put_output()

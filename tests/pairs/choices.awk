@@ -22,6 +22,8 @@ BEGIN {
     choice("cfm", "u_tolerance", "0.0 0.1")
     choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
+    choice("f", "bodies", "none fixed free moving cylinder")
+    choice("f", "body_method", "hold fictitious-domain piso-ib")
     choice("cpm", "contact", "hertz linear")
     choice("cpm", "count", "none one few sixty settled crowd")
     choice("cpm", "sizes", "equal uniform normal lognormal discrete table")
@@ -59,6 +61,8 @@ BEGIN {
     choice("cm", "lubrication", "off on")
     choice("c", "time_average", "off on")
     choice("cm", "stochastic_drag", "off on")
+    choice("cm", "bubbles", "off on")
+    choice("cpm", "mixing", "off on")
     choice("cpf", "history", "each second never")
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
@@ -117,6 +121,12 @@ BEGIN {
     apart("width", "delta_05", "averaging",
           "pcm dpvm cube two-grid kernel gaussian",
           "it is a key of images, diffusion")
+    # Bodies are held in equal cells of a plain box, and have three at least.
+    apart("bodies", "fixed free moving cylinder", "mesh",
+          "sheared dual cyclic slanted", "held in the cells of a plain box")
+    apart("bodies", "fixed free moving cylinder", "mesh", "graded",
+          "bodies ask for equal cells")
+    apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
     # One-way there are no solids on the mesh.
     apart("coupling", "one-way", "time_average", "on",
           "one-way there are no averaged fields")

@@ -1,5 +1,5 @@
 /* bandwidth.h -- a bandwidth of the diffusion that varies in space.
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  *     d phi / d tau = div (D grad phi),  D = (b(x) / b)^2 [-]
  *                                           [SX15 section 2.2.3]

@@ -270,6 +270,7 @@ const struct averaging_method images_method = {
     .equations = "EW18 17-21",
     .function = "find_shares",
     .keys = {averaging_bandwidth_keys, averaging_delta_keys},
+    .gaussian = 1.0,
     .needs_bandwidth = 1,
     .create = images_create,
     .free = images_free,

@@ -1,6 +1,6 @@
 /* kernel_gradient.h -- the gradient of a field at a particle, by a kernel.
  *
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  *     phi_i = int phi W dx / int W dx                         [EW18 B.1-B.3]
  *     sum_n X_n int (x_n - x_i,n) dW/dx_m dx =

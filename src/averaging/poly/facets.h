@@ -1,6 +1,6 @@
 /* facets.h -- the cells of any mesh as bodies with flat facets, and the volume
  * of a ball or a box inside them.
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  *     |ball and cell| = (1/3) sum over facets of
  *         h A_in + R^3 (solid angle of the part outside the ball)      (21.2)

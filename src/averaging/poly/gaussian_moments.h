@@ -1,6 +1,6 @@
 /* gaussian_moments.h -- cells, and their images, as normal densities.
  *
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  * The integral of a Gaussian of bandwidth b over a cell is, to fourth order in
  * the width of the cell over b (to third where it is not its own image about

@@ -1,6 +1,6 @@
 /* images_poly.h -- a Gaussian with mirror images on cells of any shape.
  *
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  *     w_ic = sum over c and its images of
  *         V_c N(x_i - x_c; b^2 / 2 + M_c) over the sum of that      (21.6)

@@ -1,6 +1,6 @@
 /* wall_images.h -- the images of cells behind the walls of any mesh.
  *
- * Chapter "Averaging, compared".
+ * Chapter "Further averaging methods".
  *
  * A wall (any boundary face) acts as a mirror: the part of a particle's kernel
  * behind the wall is added to the cell that is mirrored there [EW18 21].

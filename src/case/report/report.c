@@ -8,7 +8,9 @@
 #include "case/build.h"
 #include "case/build_particles.h"
 #include "case/case_cost.h"
+#include "case/report/case_averaging_report.h"
 #include "case/report/case_drag.h"
+#include "case/report/case_flow.h"
 #include "case/report/report_cohesion.h"
 #include "case/report/case_effects.h"
 #include "case/case_limits.h"
@@ -28,8 +30,6 @@
 /* Solid fractions that the time scales are given for: a packed bed, where the
  * fluid is quickest between the grains, and a lone particle. */
 static const double packed = 0.6;
-
-static const double report_threshold = 10e6; /* [byte] */
 
 /* A line with the place of the cell in question. */
 static void line_at(const char *name, double value, const char *unit,
@@ -130,59 +130,6 @@ static void print_contacts(const struct settings *s,
     check_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-/* The fluid between the grains of a packed bed moves at U / eps_f. */
-static void print_flow(const struct case_scales *k)
-{
-    const double u = k->inlet / (1.0 - packed);
-
-    puts("Flow");
-    check_line("step", k->dt, "s", "");
-    if (k->inlet <= 0.0) return;
-    check_line("inlet", k->inlet, "m/s", "superficial, largest");
-    check_line("CFL", u * k->dt / k->dx, "-", "between grains at eps_s = 0.6");
-    check_line("step at CFL = 1", k->dx / u, "s",
-               k->dt <= k->dx / u ? "the step is below: accurate in time"
-                                  : "the step is above: stable, not accurate");
-}
-
-/* Weights at the centres of cells want a bandwidth that reaches from one large
- * cell to the next; else the small ones beside it get what is its due. */
-static void print_bandwidth(const struct mesh *m, double b, double S_c,
-                            double widths)
-{
-    double V, least, mean;
-
-    mesh_volumes(m, &least, &V, &mean);
-    check_line("bandwidth / S_c", b / S_c, "-", "");
-    if (cbrt(V) > 1.01 * S_c)
-        check_line("bandwidth / width of the largest cell", b / cbrt(V), "-",
-                   b < widths * cbrt(V)
-                       ? "LOW: small cells beside it are too full"
-                       : "");
-}
-
-/* Crank-Nicolson needs so many steps not to undershoot. */
-static void print_averaging(const struct settings *s,
-                            const struct case_scales *k)
-{
-    struct mesh *const m = case_mesh_outline(s);
-    const struct averaging_options o = build_averaging_options(s);
-    const struct averaging_method *const method =
-        averaging_method_named(settings_text(s, "averaging.method"));
-    const int steps = averaging_check(method, m, &o);
-    const double bytes = averaging_bytes(method, m, k->d_most, &o);
-
-    puts("Averaging");
-    if (o.bandwidth > 0.0)
-        print_bandwidth(m, o.bandwidth, k->S_c, method->even_widths);
-    if (steps > 0)
-        check_line("averaging.steps", steps, "-",
-                   "needed: with fewer the fields undershoot");
-    if (bytes > report_threshold)
-        check_line("memory for the cells near each", 1e-6 * bytes, "MB",
-                   "about, besides that below");
-    mesh_free(m);
-}
 
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
@@ -223,8 +170,11 @@ int report_case(const struct settings *s)
     if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
     for (int i = 0; case_parts[i] != NULL; i++)
         if (case_parts[i]->print != NULL) case_parts[i]->print(s, &k);
-    if (settings_has(s, "fluid")) print_flow(&k);
-    if (settings_has(s, "averaging")) print_averaging(s, &k);
+    if (settings_has(s, "fluid"))
+        case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
+    if (settings_has(s, "averaging"))
+        case_averaging_print(
+            s, &(struct averaging_scales){k.S_c, k.d_most, k.volume, packed});
     if (settings_has(s, "exchange") && k.particles > 0)
         case_drag_print(s, &(struct drag_scales){k.d, k.inlet, packed, k.dt});
     if (k.particles > 0) {

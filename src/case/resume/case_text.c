@@ -11,6 +11,7 @@
 #include "base/input.h"
 #include "base/number.h"
 #include "case/case_file.h"
+#include "case/case_steps.h"
 #include "case/schema.h"
 #include "case/source.h"
 
@@ -176,6 +177,9 @@ char *case_text_lines(const struct settings *s)
     FILE *const out = open_memstream(&text, &length);
 
     put_lines(out, s, settings_root(s), "");
+    fputs("step_of_the_loop = ", out);
+    put_real(out, case_steps_length(s));
+    fputc('\n', out);
     fclose(out);
     return sorted(text);
 }

@@ -9,7 +9,8 @@
 #include "case/settings.h"
 
 /* One line for each value, "fluid.density = 1.2", defaults too; a file that the
- * case names stands for its contents, by their checksum. A new string. */
+ * case names stands for its contents, by their checksum; and the step of the
+ * loop, which may follow from what is written. A new string. */
 char *case_text_lines(const struct settings *s);
 
 /* Whether two such texts are of the same case, but for what may change when a

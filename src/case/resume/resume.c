@@ -2,10 +2,10 @@
 /* resume.c -- saves the state of a run, and resumes it.  Chapter "Nothing is
  * lost".
  *
- * DIR/checkpoint is written every output.checkpoint seconds of wall time, on
- * SIGUSR1, and at every end; DIR/checkpoint.before is the one before it. In
- * between, a copy of the state in memory is renewed about every second, for a
- * run that breaks down has no good state any more. */
+ * DIR/checkpoint is written before the first step, every output.checkpoint
+ * seconds of wall time, on SIGUSR1, and at every end; DIR/checkpoint.before is
+ * the one before it. In between, a copy of the state in memory is renewed about
+ * every second, for a run that breaks down has no good state any more. */
 #include "case/saver.h"
 
 #include <math.h>
@@ -20,6 +20,8 @@
 #include "base/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
+#include "case/resume/bed_cache.h"
+#include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
 #include "case/resume/resume.h"
 #include "output/checkpoint/state_file.h"
@@ -36,6 +38,7 @@ struct resume {
     struct recorder *recorder;
     char *path, *before;      /* of the two files */
     char *lines;              /* the case (case_text.h) */
+    struct case_copy *copy;   /* of the case, for the folder */
     struct state_file *found; /* to resume from; NULL */
     struct state_image image; /* the last copy of the state */
     long sampled;             /* [-] steps whose results were written */
@@ -142,6 +145,7 @@ static void release(void *memory)
     struct resume *const r = memory;
 
     state_file_free(r->found);
+    case_copy_free(r->copy);
     free(r->image.bytes);
     free(r->path);
     free(r->before);
@@ -161,7 +165,11 @@ static void *create(const struct settings *s, struct folder *folder,
     r->path = file_join(folder_name(folder), RESUME_FILE);
     r->before = file_join(folder_name(folder), RESUME_FILE_BEFORE);
     r->lines = case_text_lines(s);
-    if (!o->resume) return r;
+    if (o->fresh) bed_cache_forget(s);
+    if (!o->resume) {
+        r->copy = case_copy_create(s, o);
+        return r;
+    }
     r->found = find(r);
     if (r->found != NULL && !found_wrong(r)) return r;
     *code = 2;
@@ -173,6 +181,7 @@ static void *create(const struct settings *s, struct folder *folder,
 
 static int load(struct resume *r)
 {
+    r->written = clock_now();
     if (visit_all(r, r->found) != 0 || state_file_all_visited(r->found) != 0)
         return 1;
     state_file_free(r->found);
@@ -200,12 +209,12 @@ static int begin(void *memory, struct simulation *sim,
     r->sim = sim;
     r->recorder = recorder;
     if (r->found != NULL && load(r) != 0) return 1;
+    if (r->copy != NULL && case_copy_write(r->copy, r->folder) != 0) return 1;
     if (!r->options->resume &&
         (list(r, RESUME_FILE) != 0 || list(r, RESUME_FILE_BEFORE) != 0))
         return 1;
-    r->written = clock_now();
     r->sampled = sim->steps;
-    return copy_state(r);
+    return r->options->resume ? copy_state(r) : save(r);
 }
 
 static int after_step(void *memory)

@@ -2,13 +2,17 @@
 /* surface_fields.c -- the surfaces as polygons: DIR/surfaces.pvd. */
 #include "case/recorder_part.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/file.h"
 #include "case/field_output.h"
 #include "dem/surfaces/surface.h"
+#include "output/picture.h"
 #include "output/series.h"
 #include "output/surfaces/outline.h"
+#include "output/surfaces/section.h"
 #include "output/vtk.h"
 
 struct surface_fields {
@@ -55,6 +59,21 @@ static int any_moves(const struct simulation *sim)
     return moves;
 }
 
+/* Where they cut the middle of the depth, for the picture. gnuplot draws no
+ * file without a point, so one that is nowhere ends it. */
+static int put_section(struct surface_fields *p)
+{
+    const struct mesh *const m = p->sim->mesh;
+    if (folder_make(p->folder, "picture") != 0) return 1;
+    struct file *const f = picture_open(p->folder, "picture/walls.txt");
+    if (f == NULL) return 1;
+
+    fprintf(file_stream(f), "# x [m]  y [m], two points a segment\n");
+    section_write(file_stream(f), &p->outline, 0.5 * (m->lo[2] + m->hi[2]));
+    fprintf(file_stream(f), "nan nan\n");
+    return file_commit(f);
+}
+
 /* Writes them once, if none of them moves. */
 static int add(void *part, double t)
 {
@@ -72,7 +91,7 @@ static int add(void *part, double t)
     const char *const path = series_next(p->series);
     return folder_list(p->folder, path) != 0 ||
            vtk_write_polygons(p->writer, path, &shape, t, 1, &of) != 0 ||
-           series_add(p->series, t) != 0;
+           series_add(p->series, t) != 0 || put_section(p) != 0;
 }
 
 static void visit(void *part, struct state *s)

@@ -12,6 +12,7 @@
 
 void poly_raw_release(struct poly_raw *r)
 {
+    free(r->part);
     free(r->point);
     free(r->start);
     free(r->corner);
@@ -171,26 +172,22 @@ static void read_part(struct poly_raw *r, struct poly_file *p,
                         part->name, part->first, part->first + part->n - 1);
 }
 
-static int read_boundary(struct poly_raw *r, const char *dir)
+int poly_raw_read_parts(struct poly_raw *r, const char *dir)
 {
     struct poly_file p;
 
     poly_file_open(&p, dir, "boundary");
-    r->n_parts = poly_file_count(&p, 1);
+    r->n_parts = poly_file_count(&p, 4);
     if (r->n_parts > POLY_RAW_PATCHES)
-        poly_file_wrong(&p, "%d patches, expected at most %d", r->n_parts,
-                        POLY_RAW_PATCHES);
+        poly_file_wrong(&p, "at most %d patches", POLY_RAW_PATCHES);
+    if (p.failed) r->n_parts = 0;
+    r->part = alloc_zeroed((size_t)r->n_parts + 1, sizeof *r->part);
     poly_file_expect(&p, "(");
     for (int i = 0; i < r->n_parts && !p.failed; i++)
         read_part(r, &p, &r->part[i]);
     poly_file_expect(&p, ")");
     poly_file_close(&p);
     return p.failed;
-}
-
-int poly_raw_read_parts(struct poly_raw *r, const char *dir)
-{
-    return read_boundary(r, dir);
 }
 
 int poly_raw_read(struct poly_raw *r, const char *dir)
@@ -201,7 +198,7 @@ int poly_raw_read(struct poly_raw *r, const char *dir)
     r->owner = read_cells(r, dir, "owner", &n_owner, &failed);
     if (failed) return 1;
     r->neighbour = read_cells(r, dir, "neighbour", &r->n_inner, &failed);
-    if (failed || read_boundary(r, dir)) return 1;
+    if (failed || poly_raw_read_parts(r, dir)) return 1;
     if (n_owner == r->n_faces) return 0;
     fprintf(stderr, "winnow: %s/owner: %d entries, but there are %d faces\n",
             dir, n_owner, r->n_faces);

@@ -4,7 +4,7 @@
 
 #include "mesh/mesh.h"
 
-enum { POLY_RAW_PATCHES = 64 };
+enum { POLY_RAW_PATCHES = 10000 };
 
 /* A patch as it stands in the file. */
 struct poly_part {
@@ -24,7 +24,7 @@ struct poly_raw {
     double *middle, *area;  /* [m], [m^2] of each face, 3 each */
     double *V, *centre;     /* [m^3], [m] of each cell */
     int *number;            /* [-] the new number of a cell */
-    struct poly_part part[POLY_RAW_PATCHES];
+    struct poly_part *part; /* n_parts of them */
 };
 
 /* Reads the files in dir; non-zero after one message. */

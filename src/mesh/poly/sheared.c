@@ -110,6 +110,7 @@ struct mesh *mesh_create_sheared(const struct box_spec *spec,
 
     for (int k = 0; k < 3; k++)
         most += straight->n_cells / b->n[k] * (b->n[k] + 1);
+    r.part = alloc_zeroed(6, sizeof *r.part);
     r.start = alloc_ints(most + 1);
     r.corner = alloc_ints(4 * most);
     r.owner = alloc_ints(most);

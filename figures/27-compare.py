@@ -1,0 +1,191 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mueller's bed, computed and measured: what of the distance is offset, what is
+shape, what is chance; and whether what was measured can be true.
+
+    27-compare.py distance TABLE [FROM]    of each run in TABLE (27-mueller.sh collect)
+    27-compare.py flux TABLE               of solids through a height
+    27-compare.py seeds TABLE              between runs that differ by their seed
+
+Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
+difference at the measured places; offset, its mean; shape, what is left of it; mirror, half
+the difference of the two sides; blocks, the error of the mean by blocks of 2 s from 2 s
+on. sediFoam is without its points in the outermost 3.5 mm, where it is interpolated
+to a wall at which there are no spheres; like ours it is constant beyond the last point.
+"""
+import math
+import sys
+
+DATA = "figures/data/mueller-2009.txt"
+WIDTH = 0.044
+LINES = [("eps_f", 16.4), ("eps_f", 31.2), ("us_y", 15.0), ("us_y", 25.0)]
+
+
+def rms(values):
+    return math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
+
+
+def at(line, x):
+    """Of points (x, y), linear between them and constant beyond the last."""
+    if x <= line[0][0]:
+        return line[0][1]
+    for (x1, y1), (x2, y2) in zip(line, line[1:]):
+        if x <= x2:
+            return y1 + (x - x1) / (x2 - x1) * (y2 - y1)
+    return line[-1][1]
+
+
+def references():
+    found = {}
+    for row in open(DATA):
+        if row[0] == "#":
+            continue
+        who, field, height, x, y = row.split()
+        found.setdefault((who, field, float(height)), []).append((float(x), float(y)))
+    for key, line in found.items():
+        line.sort()
+        if key[0] == "sediFoam":
+            found[key] = [p for p in line if 0.0035 <= p[0] <= WIDTH - 0.0035]
+    return found
+
+
+class Run:
+    """Means of one run, and of parts of it: of the sums since two times."""
+
+    def __init__(self, words):
+        i = words.index("end")
+        self.name, self.U, self.seed, self.b, self.cells = words[1:6]
+        self.else_, self.end = " ".join(words[6:i]), float(words[i + 1])
+        self.sums = {}
+
+    def add(self, since, field, height, x, mean):
+        self.sums.setdefault((float(since), field, float(height)), {})[float(x)] = float(mean)
+
+    def since(self):
+        return sorted({key[0] for key in self.sums if key[0] < self.end})
+
+    def mean(self, field, height, begin, end=None):
+        """Points (x, mean from begin to end); a velocity is weighted by solids."""
+        end = self.end if end is None else end
+
+        def total(begin, x, power):  # of eps_s, or of eps_s us_y
+            if begin >= self.end:
+                return 0.0
+            eps = self.sums[begin, "eps_s", height][x]
+            of = 1.0 if power == 0 else self.sums[begin, "us_y", height][x]
+            return (self.end - begin) * eps * of
+
+        line = []
+        for x in sorted(self.sums[begin, "eps_s", height]):
+            amount = total(begin, x, 0) - total(end, x, 0)
+            if field == "eps_f":
+                line.append((x, 1.0 - amount / (end - begin)))
+            else:
+                line.append((x, (total(begin, x, 1) - total(end, x, 1)) / amount))
+        return line
+
+    def blocks(self, field, height):
+        """Of 2 s each, from 2 s on."""
+        times = [t for t in self.since() + [self.end] if t % 2 == 0]
+        return [self.mean(field, height, a, b) for a, b in zip(times, times[1:])]
+
+
+def runs(table):
+    found = {}
+    for row in open(table):
+        words = row.split()
+        if words and words[0] == "run":
+            found[words[1]] = Run(words)
+        elif words and words[0] == "from":
+            found[words[1]].add(*words[2:])
+    return found.values()
+
+
+def parts(line, seen):
+    """rms, offset and shape of the difference from what was seen."""
+    off = [at(line, x) - y for x, y in seen]
+    mean = sum(off) / len(off)
+    return rms(off), mean, rms([d - mean for d in off])
+
+
+def mirror(line):
+    return rms([(y - at(line, WIDTH - x)) / 2 for x, y in line])
+
+
+def block_error(blocks):
+    m = len(blocks)
+    if m < 3:
+        return math.nan
+    errors = []
+    for column in zip(*blocks):
+        values = [y for _, y in column]
+        mean = sum(values) / m
+        errors.append(math.sqrt(sum((v - mean) ** 2 for v in values) / (m * (m - 1))))
+    return rms(errors)
+
+
+def distance(table, begin="1"):
+    seen = references()
+    print("# name, field, height [mm]: rms, offset, shape, mirror, blocks [-] or [m/s]")
+    for field, height in LINES:
+        print(f"# {field} at {height:g} mm")
+        of = seen["measured", field, height]
+        for r in runs(table):
+            if float(r.U) != 0.9:
+                continue
+            line = r.mean(field, height, float(begin))
+            print(f"{r.name:14s} %6.3f %+7.3f %6.3f %6.3f %6.3f  to {r.end:g} s" %
+                  (*parts(line, of), mirror(line), block_error(r.blocks(field, height))))
+        line = seen["sediFoam", field, height]
+        print("%-14s %6.3f %+7.3f %6.3f %6.3f" %
+              ("sediFoam", *parts(line, of), mirror(line)))
+        print("%-14s %22s %6.3f" % ("measured", "", mirror(of)))
+
+
+def integral(line):
+    """Mean over the width of points, constant beyond the last."""
+    n = 440
+    return sum(at(line, (i + 0.5) * WIDTH / n) for i in range(n)) / n
+
+
+def flux(table):
+    """eps_s us_y over the width, in mm/s: 0 over endless time, for a bed stays."""
+    seen = references()
+    print("# mean of eps_s us_y over a height [mm/s], and of its amount")
+    for height, low, high in ((16.4, 15.0, 25.0), (31.2, 25.0, 35.0)):
+        part = (height - low) / (high - low)
+        eps = seen["measured", "eps_f", height]
+        below, above = (seen["measured", "us_y", h] for h in (low, high))
+        product = []
+        for i in range(440):
+            x = (i + 0.5) * WIDTH / 440
+            u = (1 - part) * at(below, x) + part * at(above, x)
+            product.append((x, (1 - at(eps, x)) * u))
+        print("%-14s %5.1f mm %7.1f %7.1f" %
+              ("measured", height, 1000 * integral(product),
+               1000 * integral([(x, abs(y)) for x, y in product])))
+    for r in runs(table):
+        for height in (16.4, 31.2):
+            eps, u = (r.mean(f, height, 1.0) for f in ("eps_f", "us_y"))
+            product = [(x, (1 - e) * v) for (x, e), (_, v) in zip(eps, u)]
+            mean = sum(y for _, y in product) / len(product)
+            size = sum(abs(y) for _, y in product) / len(product)
+            print(f"{r.name:14s} {height:5.1f} mm {1000 * mean:7.1f} {1000 * size:7.1f}")
+
+
+def seeds(table):
+    found = list(runs(table))
+    print("# rms of the difference of two seeds: eps_f 16.4, 31.2, us_y 15, 25")
+    for i, a in enumerate(found):
+        for b in found[i + 1:]:
+            if (a.U, a.b, a.cells, a.else_) != (b.U, b.b, b.cells, b.else_):
+                continue
+            off = []
+            for field, height in LINES:
+                one, two = a.mean(field, height, 1.0), b.mean(field, height, 1.0)
+                off.append(rms([p[1] - q[1] for p, q in zip(one, two)]))
+            print(f"{a.name} {b.name}  " + "  ".join(f"{o:.3f}" for o in off))
+
+
+if __name__ == "__main__":
+    {"distance": distance, "flux": flux, "seeds": seeds}[sys.argv[1]](*sys.argv[2:])

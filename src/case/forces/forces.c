@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* forces.c -- forces and torques of the fluid on patches: DIR/forces.csv.
+ *
+ * A row with each row of history.csv. The coefficients of a body are
+ *
+ *   C = F / (1/2 rho U^2 A),   C_m = M / (1/2 rho U^2 A L)
+ *
+ * with the reference values U, A and L of the case; F and M are the parts of
+ * force and torque along the directions of drag, lift and moment.
+ */
+#include "case/recorder_part.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "case/forces/forces.h"
+#include "fluid/forces/wall_stress.h"
+#include "mesh/face_corners.h"
+#include "output/table.h"
+
+static const char list[] = "output.forces";
+
+enum { NAME = 64, COLUMN = 96, EACH = 15 };
+
+/* A body: some patches that are walls, and its reference values. */
+struct body {
+    char name[NAME];
+    int *on;                          /* [-] 1 for each of its patches */
+    double centre[3];                 /* [m] of the torque */
+    double drag[3], lift[3], axis[3]; /* [-] of length 1 */
+    double per_force, per_torque;     /* [1/N], [1/(N m)]; 0: no coefficients */
+};
+
+struct forces {
+    const struct simulation *sim;
+    int n, n_columns;
+    struct body *body;
+    struct table *table;
+    double *row;
+};
+
+/* --- one body ------------------------------------------------------------- */
+
+struct load {
+    double pressure[3], viscous[3], torque[3]; /* [N], [N m] */
+    double shear;                              /* [Pa] the largest */
+    double y_plus, area;                       /* [-] the largest; [m^2] */
+};
+
+static void add_face(struct load *l, const struct fluid *fl, int patch, int j,
+                     const double centre[3])
+{
+    const struct wall_stress w = wall_stress(fl, patch, j);
+    double x[3], arm[3], force[3], torque[3];
+
+    face_corners_middle(fl->mesh, fl->mesh->patches[patch].first + j, x);
+    vector_between(x, centre, arm);
+    vector_along(w.pressure, 1.0, w.viscous, force);
+    vector_cross(arm, force, torque);
+    for (int k = 0; k < 3; k++) {
+        l->pressure[k] += w.pressure[k];
+        l->viscous[k] += w.viscous[k];
+        l->torque[k] += torque[k];
+    }
+    l->shear = fmax(l->shear, vector_length(w.shear));
+    l->y_plus = fmax(l->y_plus, w.y_plus);
+}
+
+static struct load load_on(const struct body *b, const struct fluid *fl)
+{
+    struct load l = {.shear = 0.0};
+
+    for (int i = 0; i < fl->mesh->n_patches; i++)
+        for (int j = 0; j < fl->mesh->patches[i].n && b->on[i]; j++)
+            add_face(&l, fl, i, j, b->centre);
+    return l;
+}
+
+/* --- what the case says --------------------------------------------------- */
+
+/* 1 if the word is one of those of a text. */
+static int has_word(const char *text, const char *word)
+{
+    const size_t length = strlen(word);
+
+    for (const char *at = text; *(at += strspn(at, " ")) != '\0';
+         at += strcspn(at, " "))
+        if (strcspn(at, " ") == length && strncmp(at, word, length) == 0)
+            return 1;
+    return 0;
+}
+
+/* A direction of the case, its length made 1. */
+static void direction(const struct settings *s, int i, const char *key,
+                      double e[3])
+{
+    settings_item_vector(s, list, i, key, e);
+    const double length = vector_length(e);
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        e[k] /= length;
+}
+
+static double real_or_0(const struct settings *s, int i, const char *key)
+{
+    return settings_item_has(s, list, i, key)
+               ? settings_item_real(s, list, i, key)
+               : 0.0;
+}
+
+static void create_body(const struct settings *s, const struct fluid *fl, int i,
+                        struct body *b)
+{
+    const int all = !settings_item_has(s, list, i, "patches");
+    const char *const patches =
+        all ? "walls" : settings_item_text(s, list, i, "patches");
+
+    snprintf(b->name, NAME, "%s",
+             settings_item_has(s, list, i, "name")
+                 ? settings_item_text(s, list, i, "name")
+                 : patches);
+    b->on = alloc_ints(fl->mesh->n_patches);
+    for (int p = 0; p < fl->mesh->n_patches; p++)
+        b->on[p] = all ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
+                       : has_word(patches, fl->mesh->patches[p].name);
+    settings_item_vector(s, list, i, "centre", b->centre);
+    direction(s, i, "drag", b->drag);
+    direction(s, i, "lift", b->lift);
+    direction(s, i, "axis", b->axis);
+    const double U = real_or_0(s, i, "velocity"), A = real_or_0(s, i, "area");
+    const double L = real_or_0(s, i, "length");
+    const double force = 0.5 * fl->options.rho * U * U * A;
+    b->per_force = force > 0.0 ? 1.0 / force : 0.0;
+    b->per_torque = force * L > 0.0 ? 1.0 / (force * L) : 0.0;
+}
+
+/* A list of names where each one is of the mesh. */
+static int check_patches(const struct settings *s, int i)
+{
+    const char *text = settings_item_text(s, list, i, "patches");
+    char word[NAME];
+    int used;
+
+    if (text[strspn(text, " ")] == '\0')
+        return settings_wrong(s, list,
+                              "patches is empty; name some, or leave "
+                              "it out for all walls");
+    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
+        if (settings_side(s, word) == NULL)
+            return settings_wrong(s, list,
+                                  "there is no patch %s, or fluid says nothing "
+                                  "about it",
+                                  word);
+        else if (forces_is_open(s, word))
+            return settings_wrong(s, list,
+                                  "the fluid flows through the patch %s; "
+                                  "forces are those on walls",
+                                  word);
+    return 0;
+}
+
+static int check(const struct settings *s)
+{
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const int U = settings_item_has(s, list, i, "velocity");
+        const int A = settings_item_has(s, list, i, "area");
+        if (settings_item_has(s, list, i, "patches") &&
+            check_patches(s, i) != 0)
+            return 2;
+        if (U != A || (settings_item_has(s, list, i, "length") && !U))
+            return settings_wrong(s, list,
+                                  "coefficients ask for velocity and area, "
+                                  "and that of the torque for length besides");
+    }
+    return 0;
+}
+
+/* --- the table ------------------------------------------------------------ */
+
+static const char *const columns[EACH] = {
+    "pressure_x [N]",       "pressure_y [N]",        "pressure_z [N]",
+    "viscous_x [N]",        "viscous_y [N]",         "viscous_z [N]",
+    "torque_x [N m]",       "torque_y [N m]",        "torque_z [N m]",
+    "largest_shear [Pa]",   "largest_y_plus [-]",    "drag_coefficient [-]",
+    "lift_coefficient [-]", "moment_coefficient [-]"};
+
+static int columns_of(const struct body *b)
+{
+    return b->per_torque > 0.0 ? 14 : b->per_force > 0.0 ? 13 : 11;
+}
+
+static int add_row(void *memory)
+{
+    struct forces *const f = memory;
+    double *at = f->row;
+
+    *at++ = f->sim->t;
+    for (int i = 0; i < f->n; i++) {
+        const struct body *const b = &f->body[i];
+        const struct load l = load_on(b, f->sim->fluid);
+        double force[3], row[EACH];
+        memcpy(row, l.pressure, sizeof l.pressure);
+        memcpy(row + 3, l.viscous, sizeof l.viscous);
+        memcpy(row + 6, l.torque, sizeof l.torque);
+        vector_along(l.pressure, 1.0, l.viscous, force);
+        row[9] = l.shear;
+        row[10] = l.y_plus;
+        row[11] = b->per_force * vector_dot(force, b->drag);
+        row[12] = b->per_force * vector_dot(force, b->lift);
+        row[13] = b->per_torque * vector_dot(l.torque, b->axis);
+        memcpy(at, row, (size_t)columns_of(b) * sizeof *row);
+        at += columns_of(b);
+    }
+    return table_add(f->table, f->row);
+}
+
+static struct table *create_table(const struct forces *f, struct folder *folder)
+{
+    char(*const text)[COLUMN] =
+        alloc_zeroed((size_t)f->n_columns, sizeof *text);
+    const char **const names =
+        alloc_zeroed((size_t)f->n_columns, sizeof *names);
+    int c = 1;
+
+    names[0] = "time [s]";
+    for (int i = 0; i < f->n; i++)
+        for (int k = 0; k < columns_of(&f->body[i]); k++, c++) {
+            snprintf(text[c], COLUMN, "%s_%s", f->body[i].name, columns[k]);
+            names[c] = text[c];
+        }
+    struct table *const t =
+        folder_table(folder, "forces.csv", f->n_columns, names);
+    free(text);
+    free(names);
+    return t;
+}
+
+static void release(void *memory)
+{
+    struct forces *const f = memory;
+
+    if (f == NULL) return;
+    for (int i = 0; i < f->n; i++)
+        free(f->body[i].on);
+    free(f->body);
+    free(f->row);
+    table_free(f->table);
+    free(f);
+}
+
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    if (settings_length(s, list) == 0) return NULL;
+    struct forces *const f = alloc_zeroed(1, sizeof *f);
+
+    f->sim = sim;
+    f->n = settings_length(s, list);
+    f->n_columns = 1;
+    f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
+    for (int i = 0; i < f->n; i++) {
+        create_body(s, sim->fluid, i, &f->body[i]);
+        f->n_columns += columns_of(&f->body[i]);
+    }
+    f->row = alloc_doubles(f->n_columns);
+    f->table = create_table(f, folder);
+    if (f->table != NULL) return f;
+    *failed = 1;
+    release(f);
+    return NULL;
+}
+
+static const struct key keys[] = {
+    {"output.forces", KEY_LIST, "", "", "",
+     "forces and torques of the fluid on walls, each { patches, ... }: rows of "
+     "forces.csv",
+     "", "fluid"},
+    {"output.forces.name", KEY_TEXT, "", "", "",
+     "what its columns begin with; left out: the patches", "", ""},
+    {"output.forces.patches", KEY_TEXT, "", "", "",
+     "names with blanks between; left out: all no-slip walls", "", ""},
+    {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
+     "the point that the torque is about", "", ""},
+    {"output.forces.velocity", KEY_REAL, "m/s", "> 0", "",
+     "reference velocity U of the coefficients", "ST96", ""},
+    {"output.forces.area", KEY_REAL, "m^2", "> 0", "",
+     "reference area A of the coefficients", "ST96", ""},
+    {"output.forces.length", KEY_REAL, "m", "> 0", "",
+     "reference length L of the coefficient of the torque", "", ""},
+    {"output.forces.drag", KEY_VECTOR, "-", "", "[1.0, 0.0, 0.0]",
+     "direction of the drag", "", ""},
+    {"output.forces.lift", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
+     "direction of the lift", "", ""},
+    {"output.forces.axis", KEY_VECTOR, "-", "", "[0.0, 0.0, 1.0]",
+     "direction of the torque in its coefficient", "", ""},
+    KEY_END};
+
+static void visit(void *part, struct state *s)
+{
+    state_begin(s, "forces");
+    table_state(((struct forces *)part)->table, s);
+    state_end(s);
+}
+
+const struct recorder_part forces_part = {
+    .keys = keys,
+    .check = check,
+    .create = create,
+    .row = add_row,
+    .free = release,
+    .state = visit,
+};

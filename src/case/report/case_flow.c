@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* case_flow.c -- the Courant number of a uniform flow, in the cell where it is
+ * largest: U dt sum |S . e| / (2 V) with e the direction of the flow. An inlet
+ * and a mean flow are taken to fill the mesh, a wall to move the cells that
+ * touch it. */
+#include "case/report/case_flow.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/vector.h"
+#include "case/build_boundaries.h"
+#include "case/case_mesh.h"
+
+/* What flows fastest: velocities [m/s], and the largest Courant number over the
+ * step [1/s]. */
+struct rates {
+    double inlet, wall, mean, courant;
+};
+
+/* The narrowest cell of a box along k, as its inverse [1/m]. */
+static double across_box(const struct mesh *m, int k)
+{
+    const double *const e = m->box.edge[k];
+    double narrow = HUGE_VAL;
+
+    for (int i = 0; i < m->box.n[k]; i++)
+        narrow = fmin(narrow, e[i + 1] - e[i]);
+    return 1.0 / narrow;
+}
+
+/* sum |S . e| / (2 V) of a cell [1/m]. */
+static double across_cell(const struct mesh *m, int c, const double e[3])
+{
+    double sum = 0.0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        sum += fabs(vector_dot(&m->S[3 * m->cell_face[a]], e));
+    return 0.5 * sum / m->V[c];
+}
+
+/* The largest of all cells, for a velocity u: its part of each direction of a
+ * box, or of any mesh [1/s]. */
+static double fill_rate(const struct mesh *m, const double u[3])
+{
+    double rate = 0.0;
+
+    if (m->face_centre == NULL) {
+        for (int k = 0; k < 3; k++)
+            rate += fabs(u[k]) * across_box(m, k);
+        return rate;
+    }
+    for (int c = 0; c < m->n_cells; c++)
+        rate = fmax(rate, across_cell(m, c, u));
+    return rate;
+}
+
+/* Into the mesh, normal to a patch on the whole, with length 1. Of the outline
+ * of a box the patches come in the order left, right, bottom, ... */
+static void inward(const struct mesh *m, const struct patch *p, double e[3])
+{
+    static const char *const names[6] = {"left", "right", "bottom",
+                                         "top",  "back",  "front"};
+    e[0] = e[1] = e[2] = 0.0;
+    for (int i = 0; i < 6 && m->face_centre == NULL; i++)
+        if (mesh_patch(m, names[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
+    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
+        vector_along(e, -1.0, &m->S[3 * f], e);
+    const double length = vector_length(e);
+    for (int k = 0; k < 3 && length > 0.0; k++)
+        e[k] /= length;
+}
+
+/* The largest velocity of a series [m/s]. */
+static double largest_of(const struct settings *s, const char *path)
+{
+    double largest = 0.0, t, u;
+
+    for (int i = 0; i < settings_points(s, path); i++) {
+        settings_point(s, path, i, &t, &u);
+        largest = fmax(largest, u);
+    }
+    return largest;
+}
+
+static void add_inlet(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, const char *path, struct rates *r)
+{
+    const double U = largest_of(s, path);
+    double e[3], mean, peak;
+
+    build_boundaries_shares(s, p->name, &mean, &peak);
+    inward(m, p, e);
+    for (int k = 0; k < 3; k++)
+        e[k] *= U * peak;
+    r->inlet = fmax(r->inlet, U * mean);
+    r->courant = fmax(r->courant, fill_rate(m, e));
+}
+
+/* A wall that moves with u takes the cells beside it with it. */
+static void add_wall(const struct mesh *m, const struct patch *p,
+                     const double u[3], struct rates *r)
+{
+    r->wall = fmax(r->wall, vector_length(u));
+    if (m->face_centre == NULL) r->courant = fmax(r->courant, fill_rate(m, u));
+    for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
+        r->courant = fmax(r->courant, across_cell(m, m->owner[f], u));
+}
+
+/* Faster than any face of it: the corner of the mesh that is farthest from the
+ * axis would be, too. */
+static void add_rotation(const struct settings *s, const struct mesh *m,
+                         const struct patch *p, const char *side,
+                         struct rates *r)
+{
+    double omega[3], centre[3], arm[3], u[3], fastest[3] = {0.0, 0.0, 0.0};
+    char path[160];
+
+    snprintf(path, sizeof path, "%s.rotation", side);
+    settings_vector(s, path, omega);
+    snprintf(path, sizeof path, "%s.centre", side);
+    settings_vector(s, path, centre);
+    for (int i = 0; i < 8; i++) {
+        const double x[3] = {i & 1 ? m->hi[0] : m->lo[0],
+                             i & 2 ? m->hi[1] : m->lo[1],
+                             i & 4 ? m->hi[2] : m->lo[2]};
+        vector_between(x, centre, arm);
+        vector_cross(omega, arm, u);
+        if (vector_length(u) > vector_length(fastest))
+            vector_along(u, 0.0, u, fastest);
+    }
+    if (m->face_centre == NULL) {
+        add_wall(m, p, fastest, r);
+        return;
+    }
+    for (int f = p->first; f < p->first + p->n; f++) {
+        vector_between(&m->face_centre[3 * f], centre, arm);
+        vector_cross(omega, arm, u);
+        r->wall = fmax(r->wall, vector_length(u));
+        r->courant = fmax(r->courant, across_cell(m, m->owner[f], u));
+    }
+}
+
+static void add_patch(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, struct rates *r)
+{
+    const char *const side = settings_side(s, p->name);
+    char path[160];
+    double u[3];
+
+    if (side == NULL) return;
+    snprintf(path, sizeof path, "%s.inlet", side);
+    if (settings_has(s, path)) add_inlet(s, m, p, path, r);
+    snprintf(path, sizeof path, "%s.rotation", side);
+    if (settings_has(s, path)) add_rotation(s, m, p, side, r);
+    snprintf(path, sizeof path, "%s.wall", side);
+    if (!settings_has(s, path)) return;
+    settings_vector(s, path, u);
+    add_wall(m, p, u, r);
+}
+
+static struct rates rates_of(const struct settings *s)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    struct rates r = {.inlet = 0.0};
+    double u[3];
+
+    for (int i = 0; i < m->n_patches; i++)
+        add_patch(s, m, &m->patches[i], &r);
+    if (settings_has(s, "fluid.mean_flow")) {
+        settings_vector(s, "fluid.mean_flow", u);
+        r.mean = vector_length(u);
+        r.courant = fmax(r.courant, fill_rate(m, u));
+    }
+    mesh_free(m);
+    return r;
+}
+
+static void line(const char *name, double value, const char *unit,
+                 const char *remark)
+{
+    printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+void case_flow_print(const struct settings *s, double dt, double eps_s)
+{
+    const struct rates r = rates_of(s);
+    const double rate = r.courant / (1.0 - eps_s);
+    char remark[64] = "of the flow as it enters, or as a wall moves it";
+
+    puts("Flow");
+    line("step", dt, "s", "");
+    if (r.inlet > 0.0) line("inlet", r.inlet, "m/s", "superficial, largest");
+    if (r.wall > 0.0) line("moving walls", r.wall, "m/s", "the fastest");
+    if (r.mean > 0.0) line("mean flow", r.mean, "m/s", "superficial");
+    if (rate <= 0.0) return;
+    if (eps_s > 0.0)
+        snprintf(remark, sizeof remark, "between grains at eps_s = %g", eps_s);
+    line("CFL", rate * dt, "-", remark);
+    line("step at CFL = 1", 1.0 / rate, "s",
+         rate * dt <= 1.0 ? "the step is below: accurate in time"
+                          : "the step is above: stable, not accurate");
+}

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/bodies_record.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/effects.h"
+#include "coupling/simulation.h"
+#include "output/series.h"
+#include "output/vtk.h"
+#include "resolved/bodies_effect.h"
+
+struct record {
+    const struct simulation *sim;
+    const struct solid_bodies *bodies;
+    struct folder *folder; /* borrowed */
+    struct table *table;
+    struct series *pictures;
+    struct vtk_writer *writer;
+};
+
+static const struct solid_bodies *bodies_of(const struct simulation *sim)
+{
+    return effects_memory(sim, &bodies_effect);
+}
+
+/* --- columns of the history ----------------------------------------------- */
+
+static double force(const struct simulation *sim, int k)
+{
+    const struct solid_bodies *const b = bodies_of(sim);
+    double sum = 0.0;
+
+    for (int i = 0; i < b->ps->n; i++)
+        sum += b->force[3 * i + k];
+    return sum;
+}
+
+static double force_x(const struct simulation *sim)
+{
+    return force(sim, 0);
+}
+
+static double force_y(const struct simulation *sim)
+{
+    return force(sim, 1);
+}
+
+static double force_z(const struct simulation *sim)
+{
+    return force(sim, 2);
+}
+
+static double mean_flow_x(const struct simulation *sim)
+{
+    double flow[3];
+    fluid_mean_flow(sim->fluid, flow);
+    return flow[0];
+}
+
+static double mean_flow_y(const struct simulation *sim)
+{
+    double flow[3];
+    fluid_mean_flow(sim->fluid, flow);
+    return flow[1];
+}
+
+static double mean_flow_z(const struct simulation *sim)
+{
+    double flow[3];
+    fluid_mean_flow(sim->fluid, flow);
+    return flow[2];
+}
+
+static double held_cells(const struct simulation *sim)
+{
+    return bodies_of(sim)->n_cells;
+}
+
+static double contacts(const struct simulation *sim)
+{
+    return bodies_of(sim)->dem_report.contacts;
+}
+
+static double overlap(const struct simulation *sim)
+{
+    return bodies_of(sim)->dem_report.max_overlap;
+}
+
+static const struct history_column columns[] = {
+    {"force_on_bodies_x [N]", force_x, 0},
+    {"force_on_bodies_y [N]", force_y, 0},
+    {"force_on_bodies_z [N]", force_z, 0},
+    {"mean_flow_x [m/s]", mean_flow_x, 0},
+    {"mean_flow_y [m/s]", mean_flow_y, 0},
+    {"mean_flow_z [m/s]", mean_flow_z, 0},
+    {"held_cells [-]", held_cells, 0},
+    {"contacts_of_bodies [-]", contacts, 0},
+    {"max_overlap_of_bodies [-]", overlap, 0},
+    {NULL, NULL, 0}};
+
+/* --- files ---------------------------------------------------------------- */
+
+enum { EACH = 15, COLUMNS = 2 + EACH };
+
+static struct table *create_table(struct folder *folder)
+{
+    static const char *const names[COLUMNS] = {
+        "time [s]",      "body [-]",    "x [m]",          "y [m]",
+        "z [m]",         "vx [m/s]",    "vy [m/s]",       "vz [m/s]",
+        "wx [rad/s]",    "wy [rad/s]",  "wz [rad/s]",     "force_x [N]",
+        "force_y [N]",   "force_z [N]", "torque_x [N m]", "torque_y [N m]",
+        "torque_z [N m]"};
+
+    return folder_table(folder, "bodies.csv", COLUMNS, names);
+}
+
+static struct series *create_series(struct folder *folder)
+{
+    char *const path = folder_file(folder, "bodies.pvd");
+    struct series *const made =
+        path == NULL || folder_make(folder, "bodies") != 0
+            ? NULL
+            : series_create(folder_name(folder), "bodies", "vtp");
+
+    free(path);
+    return made;
+}
+
+static void release(void *record)
+{
+    struct record *const r = record;
+
+    table_free(r->table);
+    series_free(r->pictures);
+    vtk_writer_free(r->writer);
+    free(r);
+}
+
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    (void)s;
+    if (bodies_of(sim) == NULL) return NULL;
+    struct record *const r = alloc_zeroed(1, sizeof *r);
+
+    r->sim = sim;
+    r->bodies = bodies_of(sim);
+    r->folder = folder;
+    r->table = create_table(folder);
+    r->pictures = r->table != NULL ? create_series(folder) : NULL;
+    r->writer = vtk_writer_create();
+    if (r->pictures != NULL) return r;
+    release(r);
+    *failed = 1;
+    return NULL;
+}
+
+static int add_row(void *record)
+{
+    const struct record *const r = record;
+    const struct solid_bodies *const b = r->bodies;
+    const struct particles *const ps = b->ps;
+    int failed = 0;
+
+    for (int i = 0; i < ps->n && !failed; i++) {
+        const double *const F = &b->force[3 * i], *const T = &b->torque[3 * i];
+        const double row[COLUMNS] = {
+            r->sim->t, i,         ps->x[i],  ps->y[i],  ps->z[i],  ps->vx[i],
+            ps->vy[i], ps->vz[i], ps->wx[i], ps->wy[i], ps->wz[i], F[0],
+            F[1],      F[2],      T[0],      T[1],      T[2]};
+        failed = table_add(r->table, row);
+    }
+    return failed;
+}
+
+static int add_picture(void *record, double t)
+{
+    struct record *const r = record;
+    const struct solid_bodies *const b = r->bodies;
+    const struct particles *const ps = b->ps;
+    const double *const x[3] = {ps->x, ps->y, ps->z};
+    const struct vtk_array arrays[] = {
+        {.name = "diameter", .components = 1, .values = ps->d, .single = 1},
+        {.name = "velocity",
+         .components = 3,
+         .split = {ps->vx, ps->vy, ps->vz},
+         .single = 1},
+        {.name = "angular_velocity",
+         .components = 3,
+         .split = {ps->wx, ps->wy, ps->wz},
+         .single = 1},
+        {.name = "force", .components = 3, .values = b->force, .single = 1},
+        {.name = "torque", .components = 3, .values = b->torque, .single = 1},
+        {.name = "id", .components = 1, .ints = ps->id}};
+    const char *const path = series_next(r->pictures);
+
+    return folder_list(r->folder, path) != 0 ||
+           vtk_write_particles(r->writer, path, ps->n, x, t, 6, arrays) != 0 ||
+           series_add(r->pictures, t) != 0;
+}
+
+/* Of the first body, and the sum over all. */
+static void summarize(const void *record, struct summary *f)
+{
+    const struct record *const r = record;
+    static const char *const names[3] = {"force_x", "force_y", "force_z"};
+
+    summary_begin(f, "bodies");
+    summary_count(f, "number", r->bodies->ps->n);
+    summary_count(f, "held_cells", r->bodies->n_cells);
+    for (int k = 0; k < 3; k++)
+        summary_number(f, names[k], force(r->sim, k));
+    summary_end(f);
+}
+
+static void print(const void *record)
+{
+    const struct record *const r = record;
+    const double F[3] = {force(r->sim, 0), force(r->sim, 1), force(r->sim, 2)};
+    double flow[3];
+
+    fluid_mean_flow(r->sim->fluid, flow);
+    printf("force of the fluid on the bodies [%.6g, %.6g, %.6g] N, mean flow "
+           "[%.6g, %.6g, %.6g] m/s; each body in %s/bodies.csv\n",
+           F[0], F[1], F[2], flow[0], flow[1], flow[2], folder_name(r->folder));
+}
+
+static void visit(void *record, struct state *s)
+{
+    struct record *const r = record;
+
+    state_begin(s, "bodies_record");
+    table_state(r->table, s);
+    series_state(r->pictures, s);
+    state_end(s);
+}
+
+const struct recorder_part bodies_record = {.create = create,
+                                            .free = release,
+                                            .row = add_row,
+                                            .fields = add_picture,
+                                            .columns = columns,
+                                            .summarize = summarize,
+                                            .print = print,
+                                            .state = visit};

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/case_bodies.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "base/vector.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/check_line.h"
+#include "case/models.h"
+#include "case/resolved/bodies_record.h"
+#include "coupling/effects.h"
+#include "dem/contact_linear.h"
+#include "dem/limits.h"
+#include "dem/reference.h"
+#include "resolved/bodies_effect.h"
+#include "resolved/body_numbers.h"
+
+static const char list[] = "bodies.spheres";
+
+/* Steps of the fluid that an impact lasts where the case gives no stiffness:
+ * the fluid has to follow the rebound. */
+static const double steps_an_impact = 8.0;
+
+static int is(const struct settings *s, int i, const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+static double volume(double d)
+{
+    return M_PI / 6.0 * d * d * d;
+}
+
+/* The lightest free body with what is added to it [kg]; 0: none is free. */
+static double lightest(const struct settings *s)
+{
+    const double C_v = settings_real(s, "bodies.virtual_mass"),
+                 rho = settings_real(s, "fluid.density");
+    double least = HUGE_VAL;
+
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (is(s, i, "free"))
+            least = fmin(
+                least, (settings_item_real(s, list, i, "density") + C_v * rho) *
+                           volume(settings_item_real(s, list, i, "diameter")));
+    return least < HUGE_VAL ? least : 0.0;
+}
+
+/* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
+ */
+static double stiffness(const struct settings *s)
+{
+    if (settings_has(s, "bodies.stiffness"))
+        return settings_real(s, "bodies.stiffness");
+    const double e = settings_real(s, "bodies.restitution"),
+                 zeta = contact_damping_ratio(e), m = lightest(s);
+    const double t = steps_an_impact * settings_real(s, "fluid.step");
+
+    return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
+}
+
+/* Particle steps in a step of the fluid: 25 in an impact. */
+static int dem_steps(const struct settings *s)
+{
+    const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
+
+    if (m == 0.0) return 1;
+    const double t = contact_linear_time(stiffness(s), e, 0.5 * m);
+    return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
+                          1000000);
+}
+
+static struct dem_options contacts(const struct settings *s)
+{
+    struct dem_options o = {
+        .law = &contact_linear,
+        .material = {.stiffness = stiffness(s),
+                     .restitution = settings_real(s, "bodies.restitution"),
+                     .friction = settings_real(s, "bodies.friction")},
+        .method = &reference_link_cells,
+        .step = settings_real(s, "fluid.step") / dem_steps(s)};
+
+    case_mesh_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
+    return o;
+}
+
+static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
+{
+    const struct body_shape shape =
+        body_shape_sphere(settings_item_real(s, list, i, "diameter"));
+    const enum body_motion motion = is(s, i, "free")    ? BODY_FREE
+                                    : is(s, i, "fixed") ? BODY_FIXED
+                                                        : BODY_PRESCRIBED;
+    double x[3], v[3], w[3];
+
+    settings_item_vector(s, list, i, "position", x);
+    settings_item_vector(s, list, i, "velocity", v);
+    settings_item_vector(s, list, i, "spin", w);
+    const int at = solid_bodies_add(
+        b, &shape, x,
+        motion == BODY_FREE ? settings_item_real(s, list, i, "density") : 1.0,
+        motion);
+    if (motion == BODY_FIXED) return;
+    b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+    b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
+}
+
+static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
+
+static void add_block(const struct settings *s, const char *of, int i,
+                      const struct body_shape *shape, struct solid_bodies *b)
+{
+    const int moves =
+        strcmp(settings_item_text(s, of, i, "motion"), "prescribed") == 0;
+    double x[3], v[3];
+
+    settings_item_vector(s, of, i, "position", x);
+    settings_item_vector(s, of, i, "velocity", v);
+    const int at = solid_bodies_add(b, shape, x, 1.0,
+                                    moves ? BODY_PRESCRIBED : BODY_FIXED);
+    if (moves) b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+}
+
+static void add_all(const struct settings *s, struct solid_bodies *b)
+{
+    double v[3];
+
+    for (int i = 0; i < settings_length(s, list); i++)
+        add_sphere(s, i, b);
+    for (int i = 0; i < settings_length(s, boxes); i++) {
+        settings_item_vector(s, boxes, i, "size", v);
+        const struct body_shape shape = body_shape_box(v);
+        add_block(s, boxes, i, &shape, b);
+    }
+    for (int i = 0; i < settings_length(s, cylinders); i++) {
+        settings_item_vector(s, cylinders, i, "axis", v);
+        const struct body_shape shape = body_shape_cylinder(
+            settings_item_real(s, cylinders, i, "diameter"),
+            settings_item_real(s, cylinders, i, "length"), v);
+        add_block(s, cylinders, i, &shape, b);
+    }
+}
+
+static struct squeeze_film gaps(const struct settings *s)
+{
+    double h[3], R = HUGE_VAL;
+
+    case_bodies_cell_widths(s, h);
+    for (int i = 0; i < settings_length(s, list); i++)
+        R = fmin(R, 0.5 * settings_item_real(s, list, i, "diameter"));
+    return (struct squeeze_film){
+        .mu = settings_real(s, "fluid.viscosity"),
+        .z_min = settings_real(s, "bodies.roughness") * R,
+        .reach = settings_bool(s, "bodies.lubrication")
+                     ? 2.0 * fmax(h[0], fmax(h[1], h[2]))
+                     : 0.0};
+}
+
+static int add(const struct settings *s, struct simulation *sim)
+{
+    if (!settings_has(s, "bodies")) return 0;
+    const struct dem_options dem = contacts(s);
+    struct solid_bodies_options o = {
+        .method = (enum body_method)models_value(
+            body_methods, settings_text(s, "bodies.method")),
+        .virtual_mass = settings_real(s, "bodies.virtual_mass"),
+        .dem_steps = dem_steps(s),
+        .dem = &dem,
+        .lubrication = gaps(s)};
+    const int n = settings_length(s, list) + settings_length(s, boxes) +
+                  settings_length(s, cylinders);
+
+    build_gravity(s, o.gravity);
+    struct solid_bodies *const b = solid_bodies_create(n, sim->fluid, &o);
+    effects_add(sim, &bodies_effect, b);
+    add_all(s, b);
+    return solid_bodies_begin(b) != 0 ? 2 : 0;
+}
+
+/* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
+ * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
+static void report_numbers(const struct settings *s)
+{
+    const double rho = settings_real(s, "fluid.density");
+    double g[3];
+    int i = 0;
+
+    while (!is(s, i, "free"))
+        i++;
+    if (!build_gravity(s, g)) return;
+    const double d = settings_item_real(s, list, i, "diameter"),
+                 ratio = body_numbers_density_ratio(
+                     settings_item_real(s, list, i, "density"), rho),
+                 V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
+                 Re = body_numbers_reynolds(
+                     rho, V, d, settings_real(s, "fluid.viscosity"));
+
+    check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
+    check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
+               "an impact rebounds from about 10 on");
+}
+
+/* Smallest of the cells in a diameter and largest speed at the start. */
+static void report(const struct settings *s, const struct case_scales *scales)
+{
+    (void)scales;
+    if (!settings_has(s, "bodies")) return;
+    const double dt = settings_real(s, "fluid.step"),
+                 nu = settings_real(s, "fluid.viscosity") /
+                      settings_real(s, "fluid.density");
+    double h[3], cells = HUGE_VAL, speed = 0.0, least = HUGE_VAL;
+    int free = 0;
+
+    case_bodies_cell_widths(s, h);
+    const double widest = fmax(h[0], fmax(h[1], h[2])),
+                 narrowest = fmin(h[0], fmin(h[1], h[2]));
+    for (int i = 0; i < settings_length(s, list); i++) {
+        double v[3];
+        settings_item_vector(s, list, i, "velocity", v);
+        speed = fmax(speed, vector_length(v));
+        cells =
+            fmin(cells, settings_item_real(s, list, i, "diameter") / widest);
+        if (!is(s, i, "free")) continue;
+        free++;
+        least = fmin(least, settings_item_real(s, list, i, "density") /
+                                settings_real(s, "fluid.density"));
+    }
+    puts("Bodies");
+    check_line("spheres", settings_length(s, list), "-", "");
+    check_line("boxes and cylinders",
+               settings_length(s, boxes) + settings_length(s, cylinders), "-",
+               "");
+    if (cells < HUGE_VAL)
+        check_line("d / h", cells, "-",
+                   cells < 7.0 ? "LOW: good to look at; 12 to measure"
+                   : cells < 11.5
+                       ? "about 5 % of the drag where they are apart"
+                       : "2 to 3 % of the drag where they are apart");
+    check_line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
+               "the drag does not depend on it");
+    check_line("CFL of the bodies", speed * dt / narrowest, "-",
+               speed * dt / narrowest > 0.5
+                   ? "HIGH: more than half a cell in a step"
+                   : "by their speed at time 0");
+    if (free == 0) return;
+    report_numbers(s);
+    check_line("smallest density ratio", least, "-",
+               least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
+    check_line("stiffness", stiffness(s), "N/m", "");
+    check_line("particle steps in one step", dem_steps(s), "-",
+               "of their contacts");
+}
+
+MODELS_KIND(case_bodies_method, body_methods, "body_method",
+            "ways that bodies hold the fluid", "bodies.method", NULL)
+
+const struct case_part case_bodies_part = {.keys = case_bodies_keys,
+                                           .check_any = case_bodies_check,
+                                           .add_last = add,
+                                           .print = report};

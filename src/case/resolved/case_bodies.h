@@ -1,0 +1,19 @@
+/* case_bodies.h -- the group `bodies` of a case.  Chapter "Resolving the
+ * grains". */
+#ifndef CASE_RESOLVED_CASE_BODIES_H
+#define CASE_RESOLVED_CASE_BODIES_H
+
+#include "case/case_part.h"
+#include "case/models.h"
+
+extern const struct model *const body_methods[]; /* ended by NULL */
+extern const struct kind case_bodies_method;
+extern const struct case_part case_bodies_part;
+extern const struct key case_bodies_keys[];
+
+/* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
+ */
+int case_bodies_check(const struct settings *s);
+void case_bodies_cell_widths(const struct settings *s, double h[3]);
+
+#endif

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* case_bodies_check.c -- what a case may not ask of its bodies. */
+#include "case/resolved/case_bodies.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "case/case_mesh.h"
+
+static const char list[] = "bodies.spheres";
+
+static int is(const struct settings *s, int i, const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+/* Width of a cell in each direction [m]. */
+void case_bodies_cell_widths(const struct settings *s, double h[3])
+{
+    double lo[3], hi[3];
+    int n[3];
+
+    case_mesh_ends(s, lo, hi);
+    settings_counts(s, "mesh.cells", n);
+    for (int k = 0; k < 3; k++)
+        h[k] = (hi[k] - lo[k]) / n[k];
+}
+
+static int check_mesh(const struct settings *s)
+{
+    double grading[3];
+
+    if (settings_mesh(s) != NULL)
+        return settings_wrong(s, "bodies",
+                              "bodies are held in the cells of a plain box; "
+                              "leave out mesh.polymesh and mesh.shear");
+    settings_vector(s, "mesh.grading", grading);
+    for (int k = 0; k < 3; k++)
+        if (fabs(grading[k] - 1.0) > 0.01)
+            return settings_wrong(s, "mesh.grading",
+                                  "%g: bodies ask for equal cells", grading[k]);
+    return 0;
+}
+
+/* A sphere of fewer cells than these is a few of them and has no shape. */
+static const double least_cells = 3.0;
+
+static int check_sphere(const struct settings *s, int i)
+{
+    const double d = settings_item_real(s, list, i, "diameter");
+    double lo[3], hi[3], h[3], x[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    case_bodies_cell_widths(s, h);
+    settings_item_vector(s, list, i, "position", x);
+    if (is(s, i, "free") && !settings_item_has(s, list, i, "density"))
+        return settings_wrong(s, list,
+                              "sphere %d is free and asks for its density", i);
+    for (int k = 0; k < 3; k++) {
+        const double margin = periodic[k] || is(s, i, "fixed") ? 0.0 : 0.5 * d;
+        if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
+            return settings_wrong(s, list,
+                                  "sphere %d at [%g, %g, %g] m with diameter "
+                                  "%g m is not inside the box",
+                                  i, x[0], x[1], x[2], d);
+        if (d < least_cells * h[k])
+            return settings_wrong(s, list,
+                                  "sphere %d has a diameter of %.3g cells; "
+                                  "expected at least %g, better 12",
+                                  i, d / h[k], least_cells);
+        if (periodic[k] &&
+            d >= (is(s, i, "fixed") ? 1.0 : 0.5) * (hi[k] - lo[k]))
+            return settings_wrong(s, list,
+                                  "sphere %d with diameter %g m meets itself "
+                                  "across the period, %g m; %s",
+                                  i, d, hi[k] - lo[k],
+                                  is(s, i, "fixed")
+                                      ? "expected less"
+                                      : "expected less than half of it");
+    }
+    return 0;
+}
+
+/* Boxes and cylinders have no contacts yet. */
+static int check_blocks(const struct settings *s)
+{
+    const int boxes = settings_length(s, "bodies.boxes"),
+              cylinders = settings_length(s, "bodies.cylinders");
+
+    if (boxes + cylinders + settings_length(s, list) == 0)
+        return settings_wrong(s, "bodies",
+                              "there is no body; give spheres, boxes or "
+                              "cylinders");
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (is(s, i, "free") && boxes + cylinders > 0)
+            return settings_wrong(
+                s, list,
+                "sphere %d is free, and nothing would keep it "
+                "out of boxes and cylinders",
+                i);
+    for (int i = 0; i < cylinders; i++) {
+        double axis[3];
+        settings_item_vector(s, "bodies.cylinders", i, "axis", axis);
+        if (vector_length(axis) == 0.0)
+            return settings_wrong(s, "bodies.cylinders",
+                                  "the axis of cylinder %d has no direction",
+                                  i);
+    }
+    return 0;
+}
+
+int case_bodies_check(const struct settings *s)
+{
+    if (!settings_has(s, "bodies")) return 0;
+    int code = check_mesh(s);
+
+    if (settings_has(s, "particles") && code == 0)
+        return settings_wrong(s, "bodies",
+                              "there are bodies or particles, not both yet");
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+        code = check_sphere(s, i);
+    return code != 0 ? code : check_blocks(s);
+}

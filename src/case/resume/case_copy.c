@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resume/case_copy.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/input.h"
+#include "base/version.h"
+#include "case/resume/case_text.h"
+#include "mesh/poly/poly.h"
+
+enum { PATH = 1024 };
+
+/* A file that the case names. */
+struct named_file {
+    char *path; /* where it is */
+    char *name; /* "case/NAME", in the folder of the run */
+    char *text;
+    size_t length;
+};
+
+struct case_copy {
+    const struct settings *settings;
+    char *case_text; /* of case.cfg */
+    int n, capacity;
+    struct named_file *file;
+};
+
+/* --- reading -------------------------------------------------------------- */
+
+static int has_name(const struct case_copy *c, const char *name)
+{
+    for (int i = 0; i < c->n; i++)
+        if (strcmp(c->file[i].name, name) == 0) return 1;
+    return 0;
+}
+
+/* Two files of one name from two folders: the second gets a number. */
+static char *free_name(const struct case_copy *c, const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    const char *const last = slash != NULL ? slash + 1 : path;
+    char *const name = alloc_zeroed(strlen(last) + 24, 1);
+
+    sprintf(name, "case/%s", last);
+    for (int k = 2; has_name(c, name); k++)
+        sprintf(name, "case/%d-%s", k, last);
+    return name;
+}
+
+static void read_file(struct named_file *f)
+{
+    const char *why;
+
+    if (f->text == NULL) f->text = input_text(f->path, &f->length, &why);
+}
+
+/* Returns its name in the folder. */
+static const char *add_file(struct case_copy *c, const char *path)
+{
+    for (int i = 0; i < c->n; i++)
+        if (strcmp(c->file[i].path, path) == 0) return c->file[i].name;
+    if (c->n == c->capacity) {
+        struct named_file *const more =
+            alloc_zeroed(2 * (size_t)c->n + 8, sizeof *more);
+        if (c->n > 0) memcpy(more, c->file, (size_t)c->n * sizeof *more);
+        free(c->file);
+        c->file = more;
+        c->capacity = 2 * c->n + 8;
+    }
+    struct named_file *const f = &c->file[c->n];
+    f->path = strcpy(alloc_zeroed(strlen(path) + 1, 1), path);
+    f->name = free_name(c, path);
+    c->n++;
+    read_file(f);
+    return f->name;
+}
+
+/* The files of a mesh, packed or not. */
+static void add_mesh(struct case_copy *c, const char *dir)
+{
+    static const char *const parts[] = {"points", "faces", "owner", "neighbour",
+                                        "boundary"};
+    char folder[POLY_FOLDER], path[PATH];
+
+    poly_folder(dir, folder);
+    for (int i = 0; i < 10; i++) {
+        snprintf(path, sizeof path, "%s/%s%s", folder, parts[i / 2],
+                 i % 2 ? ".gz" : "");
+        if (input_wrong(path) == NULL) add_file(c, path);
+    }
+}
+
+/* What case.cfg calls a file. */
+static char *named(void *of, const char *key, const char *name)
+{
+    struct case_copy *const c = of;
+    char path[SETTINGS_PATH];
+
+    settings_beside(c->settings, name, path, sizeof path);
+    if (strcmp(key, "mesh.polymesh") != 0) return strdup(add_file(c, path));
+    add_mesh(c, path);
+    return strdup("case");
+}
+
+struct case_copy *case_copy_create(const struct settings *s,
+                                   const struct run_options *o)
+{
+    struct case_copy *const c = alloc_zeroed(1, sizeof *c);
+    size_t length;
+    FILE *const out = open_memstream(&c->case_text, &length);
+
+    c->settings = s;
+    fprintf(out,
+            "# The case of this run, by winnow " VERSION_TEXT
+            ", from %s.\n# `winnow run case.cfg` repeats it.",
+            settings_file(s));
+    for (int i = 0; i < o->n_overrides; i++)
+        fprintf(out, "%s -s %s", i == 0 ? " It was run with" : "",
+                o->overrides[i]);
+    fputs("\n\n", out);
+    case_text_write(s, out, named, c);
+    fclose(out);
+    return c;
+}
+
+void case_copy_free(struct case_copy *c)
+{
+    if (c == NULL) return;
+    for (int i = 0; i < c->n; i++) {
+        free(c->file[i].path);
+        free(c->file[i].name);
+        free(c->file[i].text);
+    }
+    free(c->file);
+    free(c->case_text);
+    free(c);
+}
+
+/* --- writing -------------------------------------------------------------- */
+
+static int write_text(struct folder *folder, const char *name, const char *text,
+                      size_t length)
+{
+    char *const path = folder_file(folder, name);
+    struct file *const f = path != NULL ? file_create(path) : NULL;
+
+    free(path);
+    if (f == NULL) return 1;
+    fwrite(text, 1, length, file_stream(f));
+    return file_commit(f);
+}
+
+/* A bed that the run has made was not there before. */
+int case_copy_write(struct case_copy *c, struct folder *folder)
+{
+    if (c->n > 0 && folder_make(folder, "case") != 0) return 1;
+    for (int i = 0; i < c->n; i++) {
+        struct named_file *const f = &c->file[i];
+        read_file(f);
+        if (f->text != NULL &&
+            write_text(folder, f->name, f->text, f->length) != 0)
+            return 1;
+    }
+    return write_text(folder, "case.cfg", c->case_text, strlen(c->case_text));
+}

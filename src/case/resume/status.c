@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* status.c -- `winnow status`: what the folder of a run holds. Chapter "Nothing
+ * is lost". */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+#include "base/alloc.h"
+#include "base/file.h"
+#include "base/input.h"
+#include "case/command.h"
+#include "case/resume/case_text.h"
+#include "case/resume/resume.h"
+#include "output/checkpoint/state_file.h"
+#include "output/folder.h"
+
+/* The text of a key of summary.json as a new string; NULL if it has none. */
+static char *summary_text_of(const char *summary, const char *key)
+{
+    char begin[64];
+
+    snprintf(begin, sizeof begin, "\"%s\": \"", key);
+    const char *at = summary != NULL ? strstr(summary, begin) : NULL;
+    if (at == NULL) return NULL;
+    at += strlen(begin);
+    char *const text = alloc_zeroed(strlen(at) + 1, 1);
+    for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
+        if (*at == '\\' && at[1] != '\0') at++;
+        text[n++] = *at == 'n' && at[-1] == '\\' ? ' ' : *at;
+    }
+    return text;
+}
+
+static void line(const char *name, const char *value)
+{
+    printf("%-11s %s\n", name, value);
+}
+
+/* The time of a state [s], and what its case says. */
+struct found {
+    struct state_file *file;
+    double t;
+};
+
+static int open_state(const char *dir, const char *name, struct found *f)
+{
+    char *const path = file_join(dir, name);
+    const char *why = NULL;
+
+    f->file = state_file_open(path, &why);
+    if (f->file != NULL)
+        state_real(state_file_state(f->file), "t", "s", &f->t);
+    else if (why != NULL)
+        printf("%-11s %s: %s\n", name, "cannot be used", why);
+    free(path);
+    return f->file != NULL;
+}
+
+/* When a state was written, how large it is. */
+static void print_state(const char *dir, const char *name, double t)
+{
+    char *const path = file_join(dir, name);
+    struct stat info;
+    char when[64] = "";
+
+    if (stat(path, &info) == 0) {
+        struct tm local;
+        localtime_r(&info.st_mtime, &local);
+        strftime(when, sizeof when, "%Y-%m-%d %H:%M:%S", &local);
+        printf("%-11s t = %g s, %.3g MB, written %s (%s)\n", "state", t,
+               (double)info.st_size / 1e6, when, name);
+    }
+    free(path);
+}
+
+static void print_case(struct state_file *f)
+{
+    static const char *const texts[][2] = {{"program", "program"},
+                                           {"case", "case_file"}};
+
+    for (int i = 0; i < 2; i++) {
+        char *const text = state_file_text(f, texts[i][1]);
+        line(texts[i][0], text);
+        free(text);
+    }
+    for (int i = 1;; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "override_%d", i);
+        char *const text = state_file_text(f, name);
+        const int none = text[0] == '\0';
+        if (!none) printf("%-11s -s %s\n", "", text);
+        free(text);
+        if (none) return;
+    }
+}
+
+static double end_of(struct state_file *f)
+{
+    char *const lines = state_file_text(f, "settings");
+    char *const end = case_text_value(lines, "output.end");
+    const double t = end != NULL ? strtod(end, NULL) : 0.0;
+
+    free(end);
+    free(lines);
+    return t;
+}
+
+/* How the run ended, or that it goes on. */
+static void print_end(const char *dir, const char *reason)
+{
+    const long process = folder_holder(dir);
+
+    if (process > 0)
+        printf("%-11s process %ld is at it\n", "running", process);
+    else if (reason == NULL)
+        line("ended", "before it began");
+    else if (strcmp(reason, "running") == 0)
+        line("ended", "killed, or the machine stopped");
+    else
+        line("ended", reason);
+}
+
+/* What goes on with it; t of the state that is there, or none. */
+static void print_what_next(const char *dir, const struct found *f, int done)
+{
+    if (f->file != NULL && !done)
+        printf("%-11s winnow run %s/case.cfg --resume -o %s\n", "resume", dir,
+               dir);
+    else if (f->file != NULL)
+        printf("%-11s winnow run %s/case.cfg --resume -o %s -s "
+               "output.end=%g\n",
+               "go further", dir, dir, 2.0 * end_of(f->file));
+    printf("%-11s winnow run %s/case.cfg -o ANOTHER\n", "repeat", dir);
+}
+
+static int print_folder(const char *dir, const char *summary)
+{
+    struct found now = {NULL, 0.0}, before = {NULL, 0.0};
+    char *const reason = summary_text_of(summary, "exit_reason");
+    const int whole = open_state(dir, RESUME_FILE, &now);
+
+    if (!whole) open_state(dir, RESUME_FILE_BEFORE, &before);
+    const struct found *const f = whole ? &now : &before;
+    if (f->file != NULL) print_case(f->file);
+    print_end(dir, reason);
+    if (f->file != NULL) {
+        printf("%-11s t = %g of %g s\n", "reached", f->t, end_of(f->file));
+        print_state(dir, whole ? RESUME_FILE : RESUME_FILE_BEFORE, f->t);
+    } else {
+        line("state", "none: nothing can be resumed");
+    }
+    print_what_next(dir, f, reason != NULL && strcmp(reason, "done") == 0);
+    state_file_free(now.file);
+    state_file_free(before.file);
+    free(reason);
+    return 0;
+}
+
+static int act(const struct command_line *l)
+{
+    const char *const dir = l->words[0], *why;
+    size_t length;
+    char *const manifest = file_join(dir, "manifest.txt");
+    char *const path = file_join(dir, "summary.json");
+    const int is_run = input_wrong(manifest) == NULL;
+    char *const summary = input_text(path, &length, &why);
+    int code = 2;
+
+    if (is_run)
+        code = print_folder(dir, summary);
+    else
+        fprintf(stderr,
+                "winnow: %s is not the folder of a run: there is no "
+                "manifest.txt\n",
+                dir);
+    free(manifest);
+    free(path);
+    free(summary);
+    return code;
+}
+
+const struct command command_status = {
+    "status",
+    "DIR",
+    "what the folder of a run holds: its case, how it ended, what resumes it",
+    "",
+    1,
+    1,
+    act};

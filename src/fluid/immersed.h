@@ -1,0 +1,29 @@
+/* immersed.h -- a force in the momentum equation that holds the fluid.
+ * Chapter "Resolving the grains".
+ *
+ * Bodies in the flow add a friction to some cells, hold (U - u) per volume, and
+ * a share of their velocity to the fluxes between these. What they are stands
+ * in a higher room; the solver calls these functions, each of which may be
+ * NULL, and nothing where fluid->immersed is NULL.
+ */
+#ifndef FLUID_IMMERSED_H
+#define FLUID_IMMERSED_H
+
+struct fluid;
+
+struct immersed {
+    /* The old-time terms are set: adds the explicit part, once a step. */
+    void (*begin)(struct immersed *self, struct fluid *fl);
+    /* The matrix of momentum is filled: adds the friction to its diagonal. */
+    void (*add_friction)(struct immersed *self, struct fluid *fl);
+    /* The mobilities of the faces are set: changes those of held cells. */
+    void (*change_faces)(struct immersed *self, struct fluid *fl);
+    /* The velocity has been corrected with the new pressure. */
+    void (*corrected)(struct immersed *self, struct fluid *fl);
+    /* The velocity of the step is final, unless this changes it. */
+    void (*end)(struct immersed *self, struct fluid *fl);
+    double impulse[3]; /* [N s] on the fluid in the last step */
+    double gross;      /* [N s] the sum of its sizes over the cells */
+};
+
+#endif

@@ -1,0 +1,13 @@
+/* face_mean.h -- means of a function over boundary faces. */
+#ifndef FLUID_INLETS_FACE_MEAN_H
+#define FLUID_INLETS_FACE_MEAN_H
+
+#include "mesh/mesh.h"
+
+/* The mean over boundary face f of the function g(of, x), x [m]: by triangles
+ * about the middle of the corners, exact for polynomials of degree 5. */
+double face_mean(const struct mesh *m, int f,
+                 double (*g)(const void *of, const double x[3]),
+                 const void *of);
+
+#endif

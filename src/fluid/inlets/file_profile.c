@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* file_profile.c -- the profile of an inlet by a file of points.
+ *
+ * Rows of u at points that are told by one, two or three of x, y, z, and
+ * perhaps at times t. Along one coordinate u is linear between the rows; in two
+ * or three it is the mean of the four nearest points, weighted by the inverse
+ * square of their distance [Shepard68]. In time it is linear between the
+ * levels. Before and after, and beyond the rows, it is constant.
+ */
+#include "fluid/inlet_profile.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/csv.h"
+#include "fluid/inlets/face_mean.h"
+
+/* The rows of one level of a file. */
+struct rows {
+    const struct csv *file;
+    int first, n;
+    int u, place[3], places[3], n_places; /* [-] columns, and their axes */
+};
+
+static double number_at(const struct rows *r, int row, int column)
+{
+    return r->file->value[(long)(r->first + row) * r->file->n_columns + column];
+}
+
+static double on_line(const struct rows *r, double s)
+{
+    const int x = r->place[0];
+    int i = 0;
+
+    if (s <= number_at(r, 0, x)) return number_at(r, 0, r->u);
+    while (i < r->n - 1 && s > number_at(r, i + 1, x))
+        i++;
+    if (i == r->n - 1) return number_at(r, i, r->u);
+    const double below = number_at(r, i, x), above = number_at(r, i + 1, x);
+    return number_at(r, i, r->u) +
+           (number_at(r, i + 1, r->u) - number_at(r, i, r->u)) * (s - below) /
+               (above - below);
+}
+
+static double among_points(const struct rows *r, const double x[3])
+{
+    double nearest[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL}, u[4] = {0.0};
+    double sum = 0.0, weights = 0.0;
+
+    for (int i = 0; i < r->n; i++) {
+        double square = 0.0;
+        int at = 3;
+        for (int k = 0; k < r->n_places; k++) {
+            const double d = number_at(r, i, r->place[k]) - x[r->places[k]];
+            square += d * d;
+        }
+        if (square == 0.0) return number_at(r, i, r->u);
+        if (square >= nearest[3]) continue;
+        for (; at > 0 && square < nearest[at - 1]; at--) {
+            nearest[at] = nearest[at - 1];
+            u[at] = u[at - 1];
+        }
+        nearest[at] = square;
+        u[at] = number_at(r, i, r->u);
+    }
+    for (int i = 0; i < 4 && nearest[i] < HUGE_VAL; i++) {
+        sum += u[i] / nearest[i];
+        weights += 1.0 / nearest[i];
+    }
+    return sum / weights;
+}
+
+static double value_at(const void *of, const double x[3])
+{
+    const struct rows *const r = of;
+    return r->n_places == 1 ? on_line(r, x[r->places[0]]) : among_points(r, x);
+}
+
+/* The levels of a file: times, and the means over the faces at each. */
+struct levels {
+    int n, n_faces;
+    double *value; /* [-] n_faces of each level */
+    double time[]; /* [s] */
+};
+
+static double varying(const struct boundary *b, int j, double t)
+{
+    const struct levels *const l = b->memory;
+    int i = 0;
+
+    if (t <= l->time[0]) return l->value[j];
+    while (i < l->n - 1 && t > l->time[i + 1])
+        i++;
+    const double *const u = &l->value[(long)i * l->n_faces + j];
+    if (i == l->n - 1) return u[0];
+    return u[0] + (u[l->n_faces] - u[0]) * (t - l->time[i]) /
+                      (l->time[i + 1] - l->time[i]);
+}
+
+/* The columns of a file; non-zero after saying what is missing. */
+static int find_columns(struct rows *r, char wrong[INLET_PROFILE_TEXT])
+{
+    static const char *const axes[3] = {"x", "y", "z"};
+    char names[100];
+
+    r->u = csv_column(r->file, "u");
+    for (int k = 0; k < 3; k++) {
+        r->place[r->n_places] = csv_column(r->file, axes[k]);
+        r->places[r->n_places] = k;
+        r->n_places += r->place[r->n_places] >= 0;
+    }
+    if (r->u >= 0 && r->n_places > 0) return 0;
+    csv_names(r->file, names, sizeof names);
+    snprintf(wrong, INLET_PROFILE_TEXT,
+             "expected columns u, some of x, y, z, and perhaps t; its columns "
+             "are: %s",
+             names);
+    return 1;
+}
+
+/* Rows of one time follow each other, and on a line ascend. Returns the number
+ * of levels, 0 after saying what is wrong. */
+static int count_levels(const struct rows *r, int t,
+                        char wrong[INLET_PROFILE_TEXT])
+{
+    int n = 1;
+
+    for (int i = 1; i < r->file->n_rows; i++) {
+        const double step =
+            t < 0 ? 0.0 : number_at(r, i, t) - number_at(r, i - 1, t);
+        const int falls = step < 0.0;
+        const int x = r->place[0];
+        if (falls || (step == 0.0 && r->n_places == 1 &&
+                      number_at(r, i, x) <= number_at(r, i - 1, x))) {
+            snprintf(wrong, INLET_PROFILE_TEXT,
+                     "row %d: %s does not rise; sort the rows%s", i + 1,
+                     falls ? "t" : r->file->name[x],
+                     falls || t < 0 ? "" : " of each time");
+            return 0;
+        }
+        n += step > 0.0;
+    }
+    return n;
+}
+
+/* Fills the levels, each from its rows. */
+static void fill(struct levels *l, struct rows *r, int t,
+                 const struct inlet_request *q)
+{
+    const int rows = r->file->n_rows;
+
+    for (int i = 0; i < l->n; i++) {
+        r->n = 1;
+        while (t >= 0 && r->first + r->n < rows &&
+               number_at(r, r->n, t) == number_at(r, 0, t))
+            r->n++;
+        if (t < 0) r->n = rows;
+        l->time[i] = t >= 0 ? number_at(r, 0, t) : 0.0;
+        for (int j = 0; j < l->n_faces; j++)
+            l->value[(long)i * l->n_faces + j] =
+                face_mean(q->mesh, q->patch->first + j, value_at, r);
+        r->first += r->n;
+    }
+}
+
+static int create(const struct inlet_request *q, struct boundary *b,
+                  char wrong[INLET_PROFILE_TEXT])
+{
+    struct csv file;
+    struct rows r = {.file = &file};
+    char why[CSV_WRONG];
+
+    if (csv_read(&file, q->file, why) != 0) {
+        snprintf(wrong, INLET_PROFILE_TEXT, "%.200s", why);
+        return 1;
+    }
+    const int t = csv_column(&file, "t");
+    const int n = find_columns(&r, wrong) == 0 ? count_levels(&r, t, wrong) : 0;
+    if (n > 0) {
+        struct levels *const l =
+            alloc_zeroed(1, sizeof *l + (size_t)n * (1 + (size_t)q->patch->n) *
+                                            sizeof(double));
+        l->n = n;
+        l->n_faces = q->patch->n;
+        l->value = l->time + n;
+        fill(l, &r, t, q);
+        b->memory = l;
+        b->profile = n == 1 ? l->value : NULL;
+        b->varying = n == 1 ? NULL : varying;
+    }
+    csv_release(&file);
+    return n == 0;
+}
+
+static const struct key keys[] = {
+    {"fluid.<patch>.file", KEY_FILE, "", "", KEY_OPTIONAL,
+     "of the profile `file`: a table with columns u, some of x, y, z [m], and "
+     "perhaps t [s]; beside the case unless it begins with /",
+     "", ""},
+    KEY_END};
+
+const struct inlet_profile file_profile = {
+    .name = "file",
+    .what = "velocities at points, and perhaps times, from a file",
+    .equations = "",
+    .function = "value_at",
+    .keys = {keys},
+    .asks = "file",
+    .create = create,
+};

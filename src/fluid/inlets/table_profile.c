@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* table_profile.c -- the profile of an inlet by a table in the case, linear
+ * between its rows and constant beyond them. */
+#include "fluid/inlet_profile.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "fluid/inlets/face_mean.h"
+
+static double value_at(const void *of, const double x[3])
+{
+    const struct inlet_request *const r = of;
+    const double s = vector_dot(r->along, x);
+    int i = 0;
+
+    if (s <= r->s[0]) return r->u[0];
+    while (i < r->n_points - 1 && s > r->s[i + 1])
+        i++;
+    if (i == r->n_points - 1) return r->u[i];
+    return r->u[i] +
+           (r->u[i + 1] - r->u[i]) * (s - r->s[i]) / (r->s[i + 1] - r->s[i]);
+}
+
+static int create(const struct inlet_request *r, struct boundary *b,
+                  char wrong[INLET_PROFILE_TEXT])
+{
+    const double length = vector_length(r->along);
+
+    if (fabs(length - 1.0) > 1e-6) {
+        snprintf(wrong, INLET_PROFILE_TEXT,
+                 "its rows are along a direction of length 1, not %g; give "
+                 "`along`",
+                 length);
+        return 1;
+    }
+    double *const profile = alloc_doubles(r->patch->n);
+    for (int j = 0; j < r->patch->n; j++)
+        profile[j] = face_mean(r->mesh, r->patch->first + j, value_at, r);
+    b->profile = b->memory = profile;
+    return 0;
+}
+
+static const struct key keys[] = {
+    {"fluid.<patch>.table", KEY_CURVE, "m, -", ">= 0", KEY_OPTIONAL,
+     "of the profile `table`: rows of a coordinate and the velocity over that "
+     "of the inlet",
+     "", ""},
+    {"fluid.<patch>.along", KEY_VECTOR, "-", "", "[0.0, 1.0, 0.0]",
+     "direction of that coordinate; its length is 1", "", ""},
+    KEY_END};
+
+const struct inlet_profile table_profile = {
+    .name = "table",
+    .what = "rows of a coordinate and a velocity, on any patch",
+    .equations = "",
+    .function = "value_at",
+    .keys = {keys},
+    .asks = "table",
+    .create = create,
+};

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/bodies_effect.h"
+
+#include "coupling/effect_mover.h"
+#include "coupling/simulation.h"
+#include "resolved/body_motion.h"
+
+static int bodies_effect_move(void *memory, struct simulation *sim)
+{
+    return body_motion_advance(memory, sim->dt);
+}
+
+static const char *bodies_effect_trouble(const void *memory)
+{
+    const struct solid_bodies *const b = memory;
+    return b->dem_report.lost > 0
+               ? "a body left the box, or its velocity is no longer finite; "
+                 "try "
+                 "a smaller fluid.step or a higher bodies.stiffness:"
+               : NULL;
+}
+
+static void bodies_effect_momentum(const void *memory, double total[3])
+{
+    body_motion_add_momentum(memory, total);
+}
+
+static void bodies_effect_state(void *memory, struct state *s)
+{
+    solid_bodies_state(memory, s);
+}
+
+static void bodies_effect_free(void *memory)
+{
+    solid_bodies_free(memory);
+}
+
+static const struct effect_mover mover = {.move = bodies_effect_move,
+                                          .trouble = bodies_effect_trouble,
+                                          .momentum = bodies_effect_momentum};
+
+const struct effect bodies_effect = {
+    .name = "bodies",
+    .what = "bodies with the flow around them resolved",
+    .equations = "EW18 1-4",
+    .function = "hold_fluid",
+    .mover = &mover,
+    .state = bodies_effect_state,
+    .free = bodies_effect_free,
+};

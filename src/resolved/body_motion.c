@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/body_motion.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "dem/box_domain.h"
+#include "resolved/squeeze_film.h"
+
+/* Mass of the fluid that a body displaces [kg]. */
+static double displaced(const struct solid_bodies *b, int i)
+{
+    return b->rho * body_shape_volume(&b->shape[i]);
+}
+
+/* Moment of inertia over mass [m^2] of a sphere, of a solid or of fluid. */
+static double gyration(const struct solid_bodies *b, int i)
+{
+    return 0.1 * b->ps->d[i] * b->ps->d[i];
+}
+
+/* [EW18 2]. The force of the fluid [EW18 15], J/dt and what accelerates the
+ * fluid inside; and all that acts during the step, on the mass with that which
+ * is added. */
+static void set_forces(struct solid_bodies *b, int i, double dt)
+{
+    struct particles *const ps = b->ps;
+    const double m = displaced(b, i), C_v = b->options.virtual_mass;
+    const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    double outside[3];
+
+    for (int k = 0; k < 3; k++) {
+        const double gained = u[k] - b->u_old[3 * i + k];
+        b->force[3 * i + k] = (b->impulse[3 * i + k] + m * gained) / dt;
+        outside[k] = b->force[3 * i + k] + C_v * m * gained / dt +
+                     (ps->m[i] - m) * b->options.gravity[k];
+        b->u_old[3 * i + k] = u[k];
+    }
+    if (b->motion[i] != BODY_FREE) return;
+    ps->ex[i] = outside[0], ps->ey[i] = outside[1], ps->ez[i] = outside[2];
+    ps->added_mass[i] = C_v * m;
+}
+
+/* [EW18 3]: the spin by the torque of the fluid [EW18 16]. The contacts follow,
+ * with the inertia of the solid alone. */
+static void turn(struct solid_bodies *b, int i, double dt)
+{
+    struct particles *const ps = b->ps;
+    const double C_v = b->options.virtual_mass, per_mass = gyration(b, i);
+    const double I_f = per_mass * displaced(b, i);
+    const double I = per_mass * ps->m[i] + C_v * I_f;
+    double *const w[3] = {&ps->wx[i], &ps->wy[i], &ps->wz[i]};
+
+    for (int k = 0; k < 3; k++) {
+        const double now = *w[k], gained = now - b->w_old[3 * i + k];
+        const double J = b->angular[3 * i + k] + I_f * gained;
+        b->torque[3 * i + k] = J / dt;
+        b->w_old[3 * i + k] = now;
+        if (b->motion[i] == BODY_FREE) *w[k] += (J + C_v * I_f * gained) / I;
+    }
+}
+
+static void clear(struct solid_bodies *b)
+{
+    const size_t size = 3 * (size_t)b->ps->n * sizeof(double);
+
+    memset(b->impulse, 0, size);
+    memset(b->angular, 0, size);
+}
+
+/* Without contacts: on as prescribed. Non-zero if a centre leaves the box. */
+static int drift(struct solid_bodies *b, double dt)
+{
+    const struct dem_options *const o = &b->contacts;
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    struct particles *const ps = b->ps;
+
+    for (int i = 0; i < ps->n; i++) {
+        double *const x[3] = {&ps->x[i], &ps->y[i], &ps->z[i]};
+        const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        for (int k = 0; k < 3; k++) {
+            *x[k] = box_domain_inside(&box, k, *x[k] + dt * v[k]);
+            b->dem_report.lost += *x[k] < o->lo[k] || *x[k] > o->hi[k];
+        }
+    }
+    return b->dem_report.lost > 0;
+}
+
+/* Contacts and lubrication act in each particle step. The report is of all. */
+static int move(struct solid_bodies *b)
+{
+    struct dem_report *const all = &b->dem_report;
+    double deepest = 0.0;
+    int failed = 0;
+
+    if (b->lubrication.reach == 0.0)
+        return dem_run(b->dem, b->options.dem_steps, all);
+    for (int k = 0; k < b->options.dem_steps && !failed; k++) {
+        squeeze_film_act(b, b->contacts.step);
+        failed = dem_run(b->dem, 1, all);
+        deepest = fmax(deepest, all->max_overlap);
+    }
+    all->max_overlap = deepest;
+    return failed;
+}
+
+int body_motion_advance(struct solid_bodies *b, double dt)
+{
+    int failed = 0;
+
+    for (int i = 0; i < b->ps->n; i++) {
+        set_forces(b, i, dt);
+        turn(b, i, dt);
+    }
+    clear(b);
+    if (!b->moves) return 0;
+    failed = b->dem != NULL ? move(b) : drift(b, dt);
+    b->dt_marked = 0.0; /* they have moved */
+    return failed;
+}
+
+void body_motion_add_momentum(const struct solid_bodies *b, double total[3])
+{
+    const struct particles *const ps = b->ps;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double m = displaced(b, i), C_v = b->options.virtual_mass;
+        const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        for (int k = 0; k < 3 && b->motion[i] == BODY_FREE; k++)
+            total[k] += ps->m[i] * u[k] - m * b->u_old[3 * i + k] +
+                        C_v * m * (u[k] - b->u_old[3 * i + k]);
+    }
+}

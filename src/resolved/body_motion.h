@@ -1,0 +1,27 @@
+/* body_motion.h -- how the fluid moves the bodies.
+ * Chapter "Resolving the grains".
+ *
+ * The fluid inside a body moves with it, and the force of the fluid outside is
+ * J/dt + rho V dU/dt [EW18 2, 3]. With Delta U = U^(n+1) - U^n and Delta U_old
+ * the change in the step before,
+ *
+ *   (rho_p + C_v rho) V Delta U = J + (1 + C_v) rho V Delta U_old
+ *                                 + (rho_p - rho) V g dt + contacts
+ *
+ * and likewise with the moments of inertia. C_v rho V stands on both sides: it
+ * does nothing to a steady motion, and keeps light bodies stable.
+ */
+#ifndef RESOLVED_BODY_MOTION_H
+#define RESOLVED_BODY_MOTION_H
+
+#include "resolved/solid_bodies.h"
+
+/* One step of dt [s] of all bodies, with the impulses of this step, which are 0
+ * again afterwards. Non-zero if one is lost. */
+int body_motion_advance(struct solid_bodies *b, double dt);
+
+/* Adds rho_p V U - rho V U_old + C_v rho V (U - U_old), with U_old the velocity
+ * that the fluid inside has got already [N s]. */
+void body_motion_add_momentum(const struct solid_bodies *b, double total[3]);
+
+#endif

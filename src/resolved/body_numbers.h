@@ -1,0 +1,22 @@
+/* body_numbers.h -- the numbers that a flow around bodies depends on.
+ * Chapter "Resolving the grains".
+ *
+ * V and L are a velocity and a length that the case is measured by: EW18 take
+ * the velocity of the inlet and the diameter.
+ */
+#ifndef RESOLVED_BODY_NUMBERS_H
+#define RESOLVED_BODY_NUMBERS_H
+
+/* rho V L / mu [-], of kg/m^3, m/s, m and Pa s [EW18 6]. */
+double body_numbers_reynolds(double rho, double V, double L, double mu);
+
+/* g L / V^2 [-], of m/s^2, m and m/s [EW18 7]. */
+double body_numbers_inverse_froude(double g, double L, double V);
+
+/* rho_p / rho [-] [EW18 8]. */
+double body_numbers_density_ratio(double rho_p, double rho);
+
+/* rho_r Re / 18 [-] [EW18 9]. */
+double body_numbers_stokes(double rho_r, double Re);
+
+#endif

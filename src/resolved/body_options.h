@@ -1,0 +1,30 @@
+/* body_options.h -- what a case chooses of its bodies. */
+#ifndef RESOLVED_BODY_OPTIONS_H
+#define RESOLVED_BODY_OPTIONS_H
+
+#include "dem/dem_options.h"
+
+enum body_method {
+    BODY_METHOD_HOLD,
+    BODY_METHOD_FICTITIOUS,
+    BODY_METHOD_PISO_IB
+};
+enum body_motion { BODY_FREE, BODY_FIXED, BODY_PRESCRIBED };
+
+/* Gaps narrower than cells (squeeze_film.h). */
+struct squeeze_film {
+    double mu;    /* [Pa s] */
+    double z_min; /* [m] */
+    double reach; /* [m] two cells; 0: no such force */
+};
+
+struct solid_bodies_options {
+    enum body_method method;
+    double virtual_mass; /* [-] C_v */
+    double gravity[3];   /* [m/s^2] */
+    int dem_steps;       /* [-] particle steps in a step of the fluid */
+    const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
+    struct squeeze_film lubrication;
+};
+
+#endif

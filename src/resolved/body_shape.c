@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/body_shape.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+#include "base/vector.h"
+
+struct body_shape body_shape_sphere(double diameter)
+{
+    return (struct body_shape){.kind = BODY_SPHERE, .half = {0.5 * diameter}};
+}
+
+struct body_shape body_shape_box(const double size[3])
+{
+    return (struct body_shape){
+        .kind = BODY_BOX,
+        .half = {0.5 * size[0], 0.5 * size[1], 0.5 * size[2]}};
+}
+
+struct body_shape body_shape_cylinder(double diameter, double length,
+                                      const double axis[3])
+{
+    const double per = 1.0 / vector_length(axis);
+    return (struct body_shape){
+        .kind = BODY_CYLINDER,
+        .half = {0.5 * diameter, 0.5 * length},
+        .axis = {per * axis[0], per * axis[1], per * axis[2]}};
+}
+
+/* How far a point is beyond each of n pairs of parallel or round sides makes
+ * its distance from all of them: inside the nearest one counts. */
+static double beyond(int n, const double q[])
+{
+    double outside = 0.0, nearest = -HUGE_VAL;
+
+    for (int k = 0; k < n; k++) {
+        outside += fmax(q[k], 0.0) * fmax(q[k], 0.0);
+        nearest = fmax(nearest, q[k]);
+    }
+    return nearest > 0.0 ? sqrt(outside) : nearest;
+}
+
+static double distance_of_box(const double half[3], const double r[3])
+{
+    const double q[3] = {fabs(r[0]) - half[0], fabs(r[1]) - half[1],
+                         fabs(r[2]) - half[2]};
+    return beyond(3, q);
+}
+
+static double distance_of_cylinder(const struct body_shape *c,
+                                   const double r[3])
+{
+    const double along = vector_dot(r, c->axis);
+    double across[3];
+
+    vector_along(r, -along, c->axis, across);
+    const double q[2] = {vector_length(across) - c->half[0],
+                         fabs(along) - c->half[1]};
+    return beyond(2, q);
+}
+
+double body_shape_distance(const struct body_shape *shape, const double r[3])
+{
+    switch (shape->kind) {
+    case BODY_BOX:
+        return distance_of_box(shape->half, r);
+    case BODY_CYLINDER:
+        return distance_of_cylinder(shape, r);
+    default:
+        return vector_length(r) - shape->half[0];
+    }
+}
+
+void body_shape_extent(const struct body_shape *shape, double extent[3])
+{
+    const double *const half = shape->half;
+
+    for (int k = 0; k < 3; k++) {
+        const double a = shape->axis[k];
+        extent[k] =
+            shape->kind == BODY_BOX ? half[k]
+            : shape->kind == BODY_CYLINDER
+                ? half[0] * sqrt(fmax(1.0 - a * a, 0.0)) + half[1] * fabs(a)
+                : half[0];
+    }
+}
+
+double body_shape_volume(const struct body_shape *shape)
+{
+    const double *const half = shape->half;
+
+    if (shape->kind == BODY_BOX) return 8.0 * half[0] * half[1] * half[2];
+    if (shape->kind == BODY_CYLINDER)
+        return 2.0 * M_PI * half[0] * half[0] * half[1];
+    return 4.0 / 3.0 * M_PI * half[0] * half[0] * half[0];
+}

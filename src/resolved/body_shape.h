@@ -1,0 +1,33 @@
+/* body_shape.h -- where the surface of a body is.
+ * Chapter "Resolving the grains".
+ *
+ * All that the flow around a body needs of its shape is the distance s of a
+ * point from the surface, negative inside.
+ */
+#ifndef RESOLVED_BODY_SHAPE_H
+#define RESOLVED_BODY_SHAPE_H
+
+enum body_shape_kind { BODY_SPHERE, BODY_BOX, BODY_CYLINDER };
+
+struct body_shape {
+    enum body_shape_kind kind;
+    double half[3]; /* [m] sphere: radius; box: halves of its edges; cylinder:
+                       radius and half of the length */
+    double axis[3]; /* [-] of a cylinder, of length 1 */
+};
+
+struct body_shape body_shape_sphere(double diameter);
+struct body_shape body_shape_box(const double size[3]);
+/* The axis may have any length but 0. */
+struct body_shape body_shape_cylinder(double diameter, double length,
+                                      const double axis[3]);
+
+/* Signed distance [m] of the point r [m], seen from the centre of the body. */
+double body_shape_distance(const struct body_shape *shape, const double r[3]);
+
+/* Half of the extent along each axis of the mesh [m]. */
+void body_shape_extent(const struct body_shape *shape, double extent[3]);
+
+double body_shape_volume(const struct body_shape *shape); /* [m^3] */
+
+#endif

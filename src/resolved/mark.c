@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/mark.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+const double mark_firmness = 1e3;
+
+/* The cells of a box that one body may hold. */
+struct window {
+    int first[3], last[3]; /* [-] of each direction; beyond the ends of a
+                              periodic one */
+    const struct mesh *mesh;
+};
+
+/* Index of the cell of a direction at x [m]; equal cells. */
+static int index_at(const struct box *b, int k, double x)
+{
+    const double width = (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
+    return (int)floor((x - b->edge[k][0]) / width);
+}
+
+/* The cells of a body at x [m], and one more layer. */
+static struct window window_of(const struct mesh *m, const double x[3],
+                               const struct body_shape *shape)
+{
+    struct window w = {.mesh = m};
+    double extent[3];
+
+    body_shape_extent(shape, extent);
+    for (int k = 0; k < 3; k++) {
+        const double *const edge = m->box.edge[k];
+        const int n = m->box.n[k], here = index_at(&m->box, k, x[k]);
+        w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
+        w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
+        if (m->box.periodic[k] && 2.0 * extent[k] >= edge[n] - edge[0]) {
+            w.first[k] = here - n / 2; /* from end to end: each cell once */
+            w.last[k] = w.first[k] + n - 1;
+        }
+        if (m->box.periodic[k]) continue;
+        if (w.first[k] < 0) w.first[k] = 0;
+        if (w.last[k] >= m->box.n[k]) w.last[k] = m->box.n[k] - 1;
+    }
+    return w;
+}
+
+/* The cell at these indices, and how far its centre is from x [m]. */
+static int cell_of(const struct mesh *m, const int at[3], const double x[3],
+                   double r[3])
+{
+    const struct box *const b = &m->box;
+    int in[3];
+
+    for (int k = 0; k < 3; k++) {
+        const int n = b->n[k], laps = (at[k] < 0 ? at[k] - n + 1 : at[k]) / n;
+        in[k] = at[k] - laps * n;
+        r[k] = 0.5 * (b->edge[k][in[k]] + b->edge[k][in[k] + 1]) +
+               laps * (b->edge[k][n] - b->edge[k][0]) - x[k];
+    }
+    return in[0] + b->n[0] * (in[1] + b->n[1] * in[2]);
+}
+
+/* mu |S| / (|d| V) of face f [kg/(m^3 s)]. */
+static double exchange(const struct fluid *fl, int f, int c)
+{
+    const double *const S = &fl->mesh->S[3 * f], *const d = &fl->mesh->d[3 * f];
+    return fl->options.mu * vector_length(S) /
+           (vector_length(d) * fl->mesh->V[c]);
+}
+
+/* Inside: C max(rho/dt, mu/h^2), the latter as the mean over the faces. */
+static double firm(const struct fluid *fl, int c)
+{
+    const struct mesh *const m = fl->mesh;
+    double most = fl->options.rho / fl->options.dt;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
+        most = fmax(most, exchange(fl, m->cell_face[a], c));
+    return mark_firmness * most;
+}
+
+/* Outside at the distance s: the missing part of the neighbours inside; not
+ * more than inside. */
+static double soft(const struct fluid *fl, const struct body_shape *shape,
+                   int c, const double r[3], double s)
+{
+    const struct mesh *const m = fl->mesh;
+    double sum = 0.0;
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        double beyond[3];
+        if (f >= m->n_internal) continue;
+        vector_along(r, m->out[a], &m->d[3 * f], beyond);
+        const double inside = -body_shape_distance(shape, beyond);
+        if (inside > 0.0) sum += exchange(fl, f, c) * inside;
+    }
+    return sum > 0.0 ? fmin(sum / s, firm(fl, c)) : 0.0;
+}
+
+static void make_room(struct solid_bodies *b)
+{
+    if (b->n_links < b->capacity) return;
+    b->capacity = 2 * b->capacity + 1024;
+    struct hold_link *const more =
+        alloc_zeroed((size_t)b->capacity, sizeof *more);
+    memcpy(more, b->link, (size_t)b->n_links * sizeof *more);
+    free(b->link);
+    b->link = more;
+}
+
+static void add_link(struct solid_bodies *b, int i, int cell, double hold,
+                     const double r[3])
+{
+    const struct particles *const ps = b->ps;
+    const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+    double turn[3];
+
+    make_room(b);
+    vector_cross(w, r, turn);
+    b->link[b->n_links++] = (struct hold_link){
+        .cell = cell,
+        .hold = hold,
+        .u = {ps->vx[i] + turn[0], ps->vy[i] + turn[1], ps->vz[i] + turn[2]},
+        .r = {r[0], r[1], r[2]}};
+}
+
+/* 1 if body i squeezes the fluid out of the cell, which is its own, against a
+ * wall or a body that moves otherwise. */
+static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
+                  int i)
+{
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+        const int f = m->cell_face[a];
+        if (f >= m->n_internal) {
+            if (b->motion[i] != BODY_FIXED) return 1;
+            continue;
+        }
+        const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
+        const int j = b->body_of[next] - 1;
+        if (j >= 0 && j != i &&
+            (b->motion[i] != BODY_FIXED || b->motion[j] != BODY_FIXED))
+            return 1;
+    }
+    return 0;
+}
+
+/* What body i does in a cell at the distance s of its centre. */
+typedef void in_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                     int c, const double r[3], double s);
+
+static void claim(struct solid_bodies *b, const struct fluid *fl, int i, int c,
+                  const double r[3], double s)
+{
+    (void)fl, (void)r;
+    if (s <= 0.0) b->body_of[c] = i + 1;
+}
+
+static void release(struct solid_bodies *b, const struct fluid *fl, int i,
+                    int c, const double r[3], double s)
+{
+    (void)fl, (void)r, (void)i;
+    if (s <= 0.0) b->body_of[c] = 0;
+}
+
+/* Solid fraction of a cell at the distance s, as of a plane surface. */
+static double fraction(const struct fluid *fl, int c, double s)
+{
+    return fmin(fmax(0.5 - s / cbrt(fl->mesh->V[c]), 0.0), 1.0);
+}
+
+static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                      int c, const double r[3], double s)
+{
+    if (b->by_fraction) {
+        const double share = fraction(fl, c, s);
+        if (share > 0.0) add_link(b, i, c, share, r);
+    } else if (s > 0.0) {
+        const double hold = soft(fl, &b->shape[i], c, r, s);
+        if (hold > 0.0) add_link(b, i, c, hold, r);
+    } else if (!is_gap(b, fl->mesh, c, i))
+        add_link(b, i, c, firm(fl, c), r);
+}
+
+static void each_cell(struct solid_bodies *b, const struct fluid *fl, int i,
+                      in_cell *act)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct body_shape *const shape = &b->shape[i];
+    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
+    const struct window w = window_of(m, x, shape);
+    int at[3];
+    double r[3];
+
+    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
+        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
+            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
+                const int c = cell_of(m, at, x, r);
+                act(b, fl, i, c, r, body_shape_distance(shape, r));
+            }
+}
+
+/* The sums over the links of each cell. */
+static void collect(struct solid_bodies *b)
+{
+    for (int j = 0; j < b->n_links; j++) {
+        const struct hold_link *const l = &b->link[j];
+        if (b->hold[l->cell] == 0.0) b->cell[b->n_cells++] = l->cell;
+        b->hold[l->cell] += l->hold;
+        for (int k = 0; k < 3 && !b->by_fraction; k++)
+            b->hold_u[3 * l->cell + k] += l->hold * l->u[k];
+    }
+}
+
+static void forget(struct solid_bodies *b)
+{
+    for (int j = 0; j < b->n_cells; j++) {
+        const int c = b->cell[j];
+        b->hold[c] = 0.0;
+        if (!b->by_fraction)
+            memset(&b->hold_u[3 * c], 0, 3 * sizeof *b->hold_u);
+    }
+    b->n_cells = b->n_links = 0;
+}
+
+void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
+{
+    if (b->dt_marked == fl->options.dt) return;
+    forget(b);
+    for (int i = 0; i < b->ps->n; i++)
+        each_cell(b, fl, i, claim);
+    for (int i = 0; i < b->ps->n; i++) {
+        b->start[i] = b->n_links;
+        each_cell(b, fl, i, hold_cell);
+    }
+    for (int i = 0; i < b->ps->n; i++)
+        each_cell(b, fl, i, release);
+    b->start[b->ps->n] = b->n_links;
+    collect(b);
+    b->dt_marked = fl->options.dt;
+}

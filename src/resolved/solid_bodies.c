@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/solid_bodies.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "resolved/fraction_methods.h"
+#include "resolved/hold.h"
+
+/* Mass of a body that no force moves [kg]. */
+static const double immovable = 1e60;
+
+static void (*const set_method[])(struct solid_bodies *) = {
+    [BODY_METHOD_HOLD] = hold_fluid,
+    [BODY_METHOD_FICTITIOUS] = fraction_methods_set_fictitious,
+    [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
+
+struct solid_bodies *
+solid_bodies_create(int n, struct fluid *fl,
+                    const struct solid_bodies_options *options)
+{
+    struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
+    const int cells = fl->mesh->n_cells;
+    double **const three[6] = {&b->u_old,   &b->w_old, &b->impulse,
+                               &b->angular, &b->force, &b->torque};
+
+    b->options = *options;
+    if (options->dem != NULL) b->contacts = *options->dem;
+    b->lubrication = options->lubrication;
+    b->rho = fl->options.rho;
+    b->ps = particles_create(n);
+    particles_add_implicit_drag(b->ps);
+    b->shape = alloc_zeroed((size_t)n, sizeof *b->shape);
+    b->motion = alloc_zeroed((size_t)n, sizeof *b->motion);
+    for (int a = 0; a < 6; a++)
+        *three[a] = alloc_doubles(3 * n);
+    b->cells = cells;
+    b->start = alloc_ints(n + 1);
+    b->cell = alloc_ints(cells);
+    b->body_of = alloc_ints(cells);
+    b->hold = alloc_doubles(cells);
+    b->hold_u = alloc_doubles(3 * cells);
+    set_method[options->method](b);
+    fl->immersed = &b->hooks;
+    return b;
+}
+
+void solid_bodies_free(struct solid_bodies *b)
+{
+    if (b == NULL) return;
+    dem_free(b->dem);
+    particles_free(b->ps);
+    free(b->shape);
+    free(b->motion);
+    free(b->u_old);
+    free(b->w_old);
+    free(b->impulse);
+    free(b->angular);
+    free(b->force);
+    free(b->torque);
+    free(b->link);
+    free(b->start);
+    free(b->cell);
+    free(b->body_of);
+    free(b->hold);
+    free(b->hold_u);
+    free(b);
+}
+
+int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
+                     const double x[3], double density, enum body_motion motion)
+{
+    const double V = body_shape_volume(shape);
+    const int i = particles_add(b->ps, x, cbrt(6.0 * V / M_PI), density);
+
+    b->shape[i] = *shape;
+    b->motion[i] = motion;
+    if (motion != BODY_FREE) b->ps->m[i] = immovable;
+    return i;
+}
+
+int solid_bodies_begin(struct solid_bodies *b)
+{
+    int free = 0;
+
+    for (int i = 0; i < b->ps->n; i++) {
+        const struct particles *const ps = b->ps;
+        const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+        const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+        free |= b->motion[i] == BODY_FREE;
+        b->moves |= b->motion[i] != BODY_FIXED;
+        memcpy(&b->u_old[3 * i], u, sizeof u);
+        memcpy(&b->w_old[3 * i], w, sizeof w);
+    }
+    if (!free) return 0;
+    b->dem = dem_create(b->ps, &b->contacts);
+    return b->dem == NULL;
+}
+
+void solid_bodies_state(struct solid_bodies *b, struct state *s)
+{
+    const int n = b->ps->n;
+
+    state_begin(s, "bodies");
+    particles_state(b->ps, s);
+    if (b->dem != NULL) dem_state(b->dem, s);
+    state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
+    state_reals(s, "spin_before", "rad/s", b->w_old, n, 3);
+    state_reals(s, "force", "N", b->force, n, 3);
+    state_reals(s, "torque", "N m", b->torque, n, 3);
+    if (b->by_fraction)
+        state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
+    state_end(s);
+    if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
+}

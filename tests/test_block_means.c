@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/block_means.h"
+#include "facts.h"
+
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+
+static const double one = 1.0;
+
+/* The error of `count` samples, each of which comes `times` times, from a
+ * normal distribution of variance 1. */
+static double error_of(int count, int times)
+{
+    gsl_rng *const chance = gsl_rng_alloc(gsl_rng_mt19937);
+    struct block_means *const b = block_means_create(1);
+
+    for (int i = 0; i < count; i++) {
+        const double x = gsl_ran_gaussian(chance, 1.0);
+        for (int k = 0; k < times; k++)
+            block_means_add(b, &x, &one);
+    }
+    const double error = block_means_error(b, 0);
+    block_means_free(b);
+    gsl_rng_free(chance);
+    return error;
+}
+
+/* The spread of 8 block means is itself known to a quarter, and the largest of
+ * three estimates is taken: 0.7 to 1.8 is what chance does here. A variance in
+ * place of its root, or a missing m - 1 of 8, is outside. */
+START_TEST(independent_samples_have_the_error_of_their_number)
+{
+    const double error = error_of(4096, 1) * sqrt(4096.0);
+
+    ck_assert_double_gt(error, 0.7);
+    ck_assert_double_lt(error, 1.8);
+}
+END_TEST
+
+/* As rows they would promise a tenth of it. */
+START_TEST(a_sample_that_is_repeated_tells_nothing_new)
+{
+    const double error = error_of(4096, 100) * sqrt(4096.0);
+
+    ck_assert_double_gt(error, 0.7);
+    ck_assert_double_lt(error, 1.8);
+}
+END_TEST
+
+/* Of 0, 1, ..., m - 1, whose variance is (m^2 - 1) / 12: by blocks of one,
+ * m = 8, exactly sqrt((64 - 1) / 12 / 7). Tolerance: rounding. */
+START_TEST(eight_blocks_have_the_error_of_12_6)
+{
+    struct block_means *const b = block_means_create(1);
+
+    for (int i = 0; i < 7; i++)
+        block_means_add(b, &(double){i}, &one);
+    ck_assert(isnan(block_means_error(b, 0)));
+    block_means_add(b, &(double){7.0}, &one);
+    ck_assert_double_eq_tol(block_means_error(b, 0), sqrt(63.0 / 12.0 / 7.0),
+                            1e-14);
+    block_means_free(b);
+}
+END_TEST
+
+/* 64 steps of a staircase: blocks are joined twice, to 16 of 4 steps, and the
+ * largest error is that of 8 of 8, means 3.5, 11.5, ...: 8 times that above. */
+START_TEST(neighbours_are_joined_when_there_is_no_more_room)
+{
+    struct block_means *const b = block_means_create(2);
+
+    for (int i = 0; i < 64; i++)
+        block_means_add(b, (double[]){0.0, i}, (double[]){1.0, 1.0});
+    ck_assert_double_eq_tol(block_means_error(b, 1),
+                            8.0 * sqrt(63.0 / 12.0 / 7.0), 1e-12);
+    ck_assert_double_eq(block_means_error(b, 0), 0.0);
+    block_means_free(b);
+}
+END_TEST
+
+/* A block of no weight has no mean; the others have the error that they have
+ * without it, but for m of m (m - 1), which counts it: 16 blocks, 8 empty. */
+START_TEST(a_block_without_weight_counts_for_nothing)
+{
+    const double nothing = 0.0, nowhere = NAN;
+    struct block_means *const b = block_means_create(1);
+
+    for (int i = 0; i < 8; i++) {
+        block_means_add(b, &(double){i}, &one);
+        block_means_add(b, &nowhere, &nothing);
+    }
+    const double expected = sqrt(16.0 / 15.0 * 42.0) / 8.0;
+    ck_assert_double_ge(block_means_error(b, 0), expected * (1.0 - 1e-14));
+    ck_assert(!isnan(block_means_error(b, 0)));
+    block_means_free(b);
+}
+END_TEST
+
+FACTS("block_means")
+{
+    FACT(independent_samples_have_the_error_of_their_number);
+    FACT(a_sample_that_is_repeated_tells_nothing_new);
+    FACT(eight_blocks_have_the_error_of_12_6);
+    FACT(neighbours_are_joined_when_there_is_no_more_room);
+    FACT(a_block_without_weight_counts_for_nothing);
+}

@@ -1,0 +1,148 @@
+#!/bin/sh
+# Long runs of the resolved bodies: spheres in a cubic array at three solid
+# fractions and four resolutions, the drag against the step with each method, the
+# falls of [Cate02], and light and heavy spheres. About an hour on one core.
+#
+#   sh tests/validate/resolved.sh build/winnow [PART...]
+#
+# Writes figures/24-*.txt and fails where a band is left.
+set -eu
+PATH=$(cd "$(dirname "$1")" && pwd):$PATH
+shift
+[ $# -gt 0 ] || set -- arrays methods places falls courses densities
+out=out/validate-resolved
+export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
+mkdir -p $out
+
+# NAME CASE OVERRIDES...
+run() {
+    to=$out/$1 scene=$2
+    shift 2
+    winnow run "$scene" -o "$to" --quiet "$@" >"$to.log" 2>&1 || {
+        tail -n 3 "$to.log" >&2
+        exit 1
+    }
+}
+
+made() { # PART
+    echo "# Made by: sh tests/validate/resolved.sh build/winnow $1"
+}
+
+# SOLID CELLS VN END OVERRIDES...: the drag over that of Stokes, after END [s] and
+# 120 steps at least
+drag() {
+    solid=$1 cells=$2 vn=$3
+    end=$(awk "BEGIN { n = 120 * $vn / ($cells * $cells); print (n > $4 ? n : $4) }")
+    shift 4
+    d=$(awk "BEGIN { printf \"%.6f\", exp(log(6 * $solid / 3.14159265358979) / 3) }")
+    step=$(awk "BEGIN { printf \"%.9g\", $vn / ($cells * $cells) }")
+    run array cases/sphere-array.cfg -s "mesh.cells=[$cells,$cells,$cells]" \
+        -s "fluid.step=$step" -s "output.end=$end" -s "output.every=$end" \
+        -s "bodies.spheres.0.diameter=$d" "$@"
+    awk -F, -v d="$d" '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        { F = $at["force_on_bodies_x [N]"]; U = $at["mean_flow_x [m/s]"] }
+        END { printf "%.4f", F / (3 * 3.14159265358979 * d * U) }' \
+        $out/array/history.csv
+}
+
+# [ZH82] Table: solid fraction, drag; then the time to become steady.
+arrays() {
+    echo "# solid  cells  d/h     drag      [ZH82]  error %"
+    while read -r solid exact end list; do
+        for n in $list; do
+            found=$(drag "$solid" "$n" 1 "$end")
+            awk -v s="$solid" -v n="$n" -v K="$found" -v Z="$exact" '
+                BEGIN { printf "%7s %6d %6.2f %9s %9s %8.2f\n", s, n,
+                        n * exp(log(6 * s / 3.14159265358979) / 3), K, Z,
+                        100 * (K / Z - 1) }'
+        done
+        echo
+        echo
+    done <<TABLE
+0.064 2.810 0.8 16 24 32
+0.216 7.442 0.4 11 16 22 32
+0.45 28.1 0.15 8 12 17 24
+TABLE
+}
+
+# A step of nu dt / h^2 = VN, 12 cells in a diameter.
+methods() {
+    echo "# nu dt / h^2, drag over that of [ZH82]: hold, fictitious-domain, piso-ib"
+    for vn in 0.03 0.1 0.3 1 3 10; do
+        printf '%5s' $vn
+        end=$(awk "BEGIN { print ($vn > 3 ? 0.8 : 0.3) }")
+        for method in hold fictitious-domain piso-ib; do
+            found=$(drag 0.216 16 $vn "$end" -s bodies.method=$method -s fluid.time=euler)
+            awk "BEGIN { printf \" %8.4f\", $found / 7.442 }"
+        done
+        echo
+    done
+}
+
+# The sphere moved by a third of a cell in eight directions.
+places() {
+    echo "# shift of the sphere in cells: x, y, z; drag over that of [ZH82]"
+    for x in 0 0.333; do for y in 0 0.333; do for z in 0 0.333; do
+        at=$(awk "BEGIN { printf \"[%.7f,%.7f,%.7f]\", 0.5 + $x / 16, 0.5 + $y / 16, 0.5 + $z / 16 }")
+        found=$(drag 0.216 16 1 0.2 -s "bodies.spheres.0.position=$at")
+        awk "BEGIN { printf \"%6s %6s %6s %8.4f\n\", $x, $y, $z, $found / 7.442 }"
+    done; done; done
+}
+
+# [Cate02] Table: density and viscosity of the oil, largest velocity measured.
+falls() {
+    echo "# case  cells/d  step [s]  largest velocity  measured [m/s]  error %"
+    while read -r name rho mu measured end step; do
+        for cells in "30,48,30 4.5" "50,80,50 7.5"; do
+            mesh=${cells% *} per=${cells#* }
+            run "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
+                -s "fluid.density=$rho" -s "fluid.viscosity=$mu" \
+                -s "fluid.step=$step" -s "output.end=$end" -s output.every=10
+            awk -F, -v name="$name" -v per="$per" -v dt="$step" -v U="$measured" '
+                NR > 1 && -$7 > most { most = -$7 }
+                END { printf "%6s %8s %9s %12.5f %15s %11.2f\n", name, per, dt,
+                      most, U, 100 * (most / U - 1) }' "$out/fall-$name-$per/bodies.csv"
+            awk -F, 'NR > 1 && NR % 4 == 2 { print $1, $4 - 0.0075, $7 }' \
+                "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
+        done
+    done <<TABLE
+E1 970 0.373 0.0360 1.2 0.008
+E2 965 0.212 0.0572 1.2 0.008
+E3 962 0.113 0.0873 1.3 0.006
+E4 960 0.058 0.1222 1.4 0.004
+TABLE
+}
+
+# The courses of the falls at 7.5 cells, which must be there.
+courses() {
+    for name in E1 E2 E3 E4; do
+        printf '# %s: time [s], gap to the floor [m], velocity [m/s]\n' $name
+        cat $out/fall-$name-7.5.course
+        printf '\n\n'
+    done
+}
+
+# Density ratios from 0.01 to 100: the velocity after the same fall or rise.
+densities() {
+    echo "# rho_p/rho  step [s]  velocity at 0.2 s and 0.4 s [m/s]"
+    for ratio in 0.01 0.1 0.5 1.02 1.17 8 100; do
+        for step in 0.008 0.002; do
+            rho=$(awk "BEGIN { print 960 * $ratio }")
+            g=$(awk "BEGIN { r = $ratio - 1; printf \"%.4f\", -1.6 / (r < 0 ? -r : r) }")
+            run density cases/falling-sphere.cfg -s "mesh.cells=[24,38,24]" \
+                -s "fluid.step=$step" -s output.end=0.4 -s output.every=10 \
+                -s "effects.gravity=[0.0,$g,0.0]" -s "bodies.spheres.0.density=$rho" \
+                -s "bodies.spheres.0.position=[0.05,0.08,0.05]"
+            awk -F, -v r="$ratio" -v dt="$step" '
+                NR > 1 && $1 < 0.2001 { half = $7 }
+                END { printf "%8s %9s %10.5f %10.5f\n", r, dt, half, $7 }' \
+                $out/density/bodies.csv
+        done
+    done
+}
+
+for part; do
+    { made "$part"; $part; } >$out/24-"$part".txt
+    cp $out/24-"$part".txt figures/24-"$part".txt
+done
