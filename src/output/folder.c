@@ -20,8 +20,8 @@ static const char manifest[] = "manifest.txt";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".",        "fluid",      "particles", "surfaces", "picture", "profiles",
-    "frames",   "statistics", "walls",     "contacts", "case",    "bodies"};
+    ".",      "fluid",      "particles", "surfaces", "picture", "profiles",
+    "frames", "statistics", "walls",     "contacts", "case",    "bodies"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",

@@ -130,7 +130,6 @@ static void print_contacts(const struct settings *s,
     check_line("particle steps in one step", k->dem_steps, "-", "");
 }
 
-
 static void print_weight(const struct settings *s, const struct case_scales *k)
 {
     const double rho_s = settings_real(s, "particles.grains.density");
