@@ -53,7 +53,8 @@ check: ## install what is missing, build, run every test, also under sanitizers
 check-slow: ## what check has no time for (up to half an hour)
 	sh .ci/install check
 	OMP_NUM_THREADS=1 $(MAKE) $(CORES) -k --output-sync slow
-slow: commands-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow cylinder-slow
+slow: commands-slow core-slow faults-slow kills-slow pairs-slow sanitized-slow style-slow \
+      cylinder-slow
 	@echo "all slow checks hold"
 sanitized-slow:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(LONG))"
@@ -89,7 +90,7 @@ kills: $B/winnow
 kills-slow: $B/winnow
 	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
-	@sh tests/free.sh $B
+	@LIBS="$(LIBS)" sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 study: $B/winnow
@@ -111,6 +112,11 @@ chapters/solutions/%.tried: tests
 	@sh chapters/tools/solutions.sh $B $(@:.tried=)
 results text pages: $B/winnow
 	@sh chapters/tools/check.sh $B/winnow $@
+
+core: $B/winnow ## the rooms' own files alone: build/core/winnow, compared with build/winnow, and its tests
+	@+sh tests/core.sh $B
+core-slow: core
+	@+sh tests/core.sh $B folders
 
 steps: $(STEPS) ## the twelve steps to a fluidized bed: build/steps/01-bounce and on
 $B/steps/%: chapters/steps/%.c
@@ -165,7 +171,11 @@ $B/src/output/checkpoint/%.o: STD += $(shell pkg-config --cflags hdf5 2>/dev/nul
 # What takes longer to optimise than to run.
 $B/tests/%.o $B/src/case/%.o: LIGHT = $(LIGHTLY)
 $B/tests/bench/%.o: LIGHT =
-$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT)
+# What is built, for those who must know when it changes.
+$B/folders: always
+	@mkdir -p $(@D)
+	@echo "$(FOLDERS)" | cmp -s - $@ || echo "$(FOLDERS)" >$@
+$B/src/models.c: $(MODELS) src/models.awk $(LEFT_OUT) $B/folders
 	@mkdir -p $(@D)
 	@awk -f src/models.awk $(MODELS) left=1 $(LEFT_OUT) >$@.new && mv $@.new $@
 $B/src/models.o: $B/src/models.c
@@ -190,7 +200,7 @@ $B/tests/fuzz: $B/tests/winnow_main.o
 
 .PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
-        commands-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
+        commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always
 .SECONDARY:
 -include $(OBJ:.o=.d) $(TESTS:=.d) $(BENCH:=.d) $B/tests/fuzz.d $B/src/main.d

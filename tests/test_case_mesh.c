@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for models by name: needs src/mesh/poly */
 #include "coupling/coupling.h"
 #include "case/build.h"
 #include "case/case_mesh.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for models by name: needs src/averaging/more */
 #include "averaging/diffusion.h"
 
 #include <gsl/gsl_math.h>

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "coupling/coupling.h"
+#include "coupling/effect_mover.h"
 #include "case/case_overlap.h"
 
 static int fluid_broke(const struct simulation *sim)
@@ -105,8 +106,9 @@ static const char *trouble_of(const struct simulation *sim)
 {
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        const char *const text =
-            e->effect->trouble != NULL ? e->effect->trouble(e->memory) : NULL;
+        const char *const text = e->effect->mover != NULL
+                                     ? e->effect->mover->trouble(e->memory)
+                                     : NULL;
         if (text != NULL) return text;
     }
     return NULL;

@@ -190,12 +190,14 @@ static int check_magnitude(const struct key *key, const char *path,
                         path, r->least, r->most, key->unit, x);
 }
 
-/* A word of a folder that is not built. */
+/* A key, or a word in its place, of a folder that is not built. */
 static int left_out(const config_setting_t *s, const char *path,
                     const char *word)
 {
-    return source_wrong(s, "%s: %s is not in this build, which leaves out %s",
-                        path, strcmp(word, path) == 0 ? "it" : word,
+    const int is_key = word == path;
+
+    return source_wrong(s, "%s: %s%snot in this build, which leaves out %s",
+                        path, is_key ? "" : word, is_key ? "" : " is ",
                         left_out_folder(word));
 }
 

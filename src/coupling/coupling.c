@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "base/number.h"
 #include "coupling/effects.h"
+#include "coupling/effect_mover.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
@@ -54,6 +55,8 @@ void coupling_free(struct coupling *cp)
     free(cp->eps);
     free(cp->k);
     free(cp->rate);
+    free(cp->inertia);
+    free(cp->u_then);
     free(cp->u_mean);
     free(cp->unpaid_impulse);
     free(cp->smooth);
@@ -172,7 +175,8 @@ static int move_others(struct simulation *sim)
 
     for (int i = 0; i < sim->n_effects && !failed; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->move != NULL) failed = e->effect->move(e->memory, sim);
+        if (e->effect->mover != NULL)
+            failed = e->effect->mover->move(e->memory, sim);
     }
     return failed;
 }
@@ -273,6 +277,17 @@ void coupling_add_impulse(struct simulation *sim, int i,
         cp->unpaid_impulse[3 * i + k] += impulse[k];
 }
 
+void coupling_add_inertia(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->inertia != NULL) return;
+    cp->inertia = alloc_doubles(sim->particles->capacity);
+    cp->u_then = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
+    particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
+}
+
 void coupling_slip(const struct simulation *sim, int i, double w[3])
 {
     const struct particles *const ps = sim->particles;
@@ -321,6 +336,7 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
         total[k] -= owed[k];
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->momentum != NULL) e->effect->momentum(e->memory, total);
+        if (e->effect->mover != NULL)
+            e->effect->mover->momentum(e->memory, total);
     }
 }

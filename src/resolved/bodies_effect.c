@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/bodies_effect.h"
 
+#include "coupling/effect_mover.h"
 #include "coupling/simulation.h"
 #include "resolved/body_motion.h"
 
@@ -34,14 +35,16 @@ static void bodies_effect_free(void *memory)
     solid_bodies_free(memory);
 }
 
+static const struct effect_mover mover = {.move = bodies_effect_move,
+                                          .trouble = bodies_effect_trouble,
+                                          .momentum = bodies_effect_momentum};
+
 const struct effect bodies_effect = {
     .name = "bodies",
     .what = "bodies with the flow around them resolved",
     .equations = "EW18 1-4",
     .function = "hold_fluid",
-    .move = bodies_effect_move,
-    .trouble = bodies_effect_trouble,
+    .mover = &mover,
     .state = bodies_effect_state,
-    .momentum = bodies_effect_momentum,
     .free = bodies_effect_free,
 };
