@@ -173,7 +173,10 @@ static int is_ours(const char *name)
 
 static int is_foreign(const struct folder *f, const char *name)
 {
+    const char *const end = strrchr(name, '.');
+
     if (!is_ours(name) || manifest_has(&f->old, name)) return 0;
+    if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
     fprintf(stderr,
             "winnow: %s/%s is in the way: no run that %s tells of has written "
             "it; move it away, or choose another folder with -o\n",

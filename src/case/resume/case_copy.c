@@ -142,16 +142,23 @@ void case_copy_free(struct case_copy *c)
 
 /* --- writing -------------------------------------------------------------- */
 
+static int write_at(const char *path, const char *text, size_t length)
+{
+    struct file *const f = file_create(path);
+
+    if (f == NULL) return 1;
+    fwrite(text, 1, length, file_stream(f));
+    return file_commit(f);
+}
+
 static int write_text(struct folder *folder, const char *name, const char *text,
                       size_t length)
 {
     char *const path = folder_file(folder, name);
-    struct file *const f = path != NULL ? file_create(path) : NULL;
+    const int failed = path == NULL || write_at(path, text, length) != 0;
 
     free(path);
-    if (f == NULL) return 1;
-    fwrite(text, 1, length, file_stream(f));
-    return file_commit(f);
+    return failed;
 }
 
 /* A bed that the run has made was not there before. */
@@ -166,4 +173,41 @@ int case_copy_write(struct case_copy *c, struct folder *folder)
             return 1;
     }
     return write_text(folder, "case.cfg", c->case_text, strlen(c->case_text));
+}
+
+/* The case without the remark above it. */
+static const char *body(const char *text)
+{
+    const char *const blank = strstr(text, "\n\n");
+    return blank != NULL ? blank : text;
+}
+
+/* 1 if the file is there, and says the same if there is a text. */
+static int is_there(const char *path, const char *text)
+{
+    const char *why;
+    size_t length;
+    char *const old = input_text(path, &length, &why);
+    const int same =
+        old != NULL && (text == NULL || strcmp(body(old), body(text)) == 0);
+
+    free(old);
+    return same;
+}
+
+int case_copy_restore(struct case_copy *c, const char *dir)
+{
+    char *const of_case = file_join(dir, "case.cfg");
+    int failed = 0;
+
+    for (int i = 0; i < c->n && !failed; i++) {
+        char *const path = file_join(dir, c->file[i].name);
+        if (c->file[i].text != NULL && !is_there(path, NULL))
+            failed = write_at(path, c->file[i].text, c->file[i].length);
+        free(path);
+    }
+    if (!failed && !is_there(of_case, c->case_text))
+        failed = write_at(of_case, c->case_text, strlen(c->case_text));
+    free(of_case);
+    return failed;
 }

@@ -21,4 +21,8 @@ void case_copy_free(struct case_copy *c);
 /* Writes it all; non-zero after a message. */
 int case_copy_write(struct case_copy *c, struct folder *folder);
 
+/* In the folder of a run that goes on: writes again what is not there, and the
+ * case if it has changed, as by a later end. Non-zero after a message. */
+int case_copy_restore(struct case_copy *c, const char *dir);
+
 #endif

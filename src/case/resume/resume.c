@@ -166,10 +166,8 @@ static void *create(const struct settings *s, struct folder *folder,
     r->before = file_join(folder_name(folder), RESUME_FILE_BEFORE);
     r->lines = case_text_lines(s);
     if (o->fresh) bed_cache_forget(s);
-    if (!o->resume) {
-        r->copy = case_copy_create(s, o);
-        return r;
-    }
+    r->copy = case_copy_create(s, o);
+    if (!o->resume) return r;
     r->found = find(r);
     if (r->found != NULL && !found_wrong(r)) return r;
     *code = 2;
@@ -209,12 +207,13 @@ static int begin(void *memory, struct simulation *sim,
     r->sim = sim;
     r->recorder = recorder;
     if (r->found != NULL && load(r) != 0) return 1;
-    if (r->copy != NULL && case_copy_write(r->copy, r->folder) != 0) return 1;
-    if (!r->options->resume &&
-        (list(r, RESUME_FILE) != 0 || list(r, RESUME_FILE_BEFORE) != 0))
-        return 1;
     r->sampled = sim->steps;
-    return r->options->resume ? copy_state(r) : save(r);
+    if (r->options->resume)
+        return case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
+               copy_state(r) != 0;
+    return case_copy_write(r->copy, r->folder) != 0 ||
+           list(r, RESUME_FILE) != 0 || list(r, RESUME_FILE_BEFORE) != 0 ||
+           save(r) != 0;
 }
 
 static int after_step(void *memory)
