@@ -90,7 +90,7 @@ kills: $B/winnow
 kills-slow: $B/winnow
 	@sh tests/kills.sh $B/winnow 40
 free: $B/winnow
-	@sh tests/free.sh $B
+	@LIBS="$(LIBS)" sh tests/free.sh $B
 faults: $B/winnow
 	@sh tests/faults.sh $B/winnow
 study: $B/winnow

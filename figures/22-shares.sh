@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every effect in every coupled case: what `winnow check` estimates, and what a
-# short run with all of them on measures. In a row "-" stands for a case that
-# cannot have the effect.
+# short run with all of them on measures. The ratio of the two is told where one
+# of them is over 1 %.
 #
 #   sh figures/22-shares.sh build/winnow >figures/22-shares.txt
 set -u
@@ -12,15 +12,17 @@ export OMP_NUM_THREADS=1
 
 forces="pressure_gradient viscous_stress virtual_mass basset saffman magnus"
 
-shares() { # case, end [s]
+shares() { # case, end [s], overrides
+    name=$1
     overrides="output.end=$2 output.every=$2"
+    shift 2
+    overrides="$overrides $*"
     for effect in $forces fluid_torque; do
-        grep -q "$effect = {" "cases/$1.cfg" ||
+        grep -q "$effect = {" "cases/$name.cfg" ||
             overrides="$overrides effects.$effect={}"
     done
-    set -- "$1" $(for o in $overrides; do echo "-s $o"; done)
-    name=$1
-    shift
+    # shellcheck disable=SC2046 # one word an override
+    set -- $(for o in $overrides; do echo "-s $o"; done)
     "$winnow" check "cases/$name.cfg" "$@" >"$work/check" || return
     "$winnow" run "cases/$name.cfg" "$@" -o "$work/$name" --quiet \
         >/dev/null 2>&1 || echo "$name broke down"
@@ -29,8 +31,12 @@ shares() { # case, end [s]
             FILENAME ~ /check$/ && $1 == effect { estimate = $2 }
             $1 == "\"" effect "\":" && $2 == "{" { within = 1 }
             within && /mean_share/ { measured = 100 * $2; within = 0 }
-            END { printf "%-22s %-18s %9.3g %9.3g %6.2f\n", name, effect,
-                  estimate, measured, (measured > 0) ? estimate / measured : 0 }
+            END {
+                ratio = estimate < 1 && measured < 1 ? "small" \
+                    : measured > 0 ? sprintf("%.2f", estimate / measured) : "-"
+                printf "%-22s %-18s %9.3g %9.3g %6s\n", name, effect, estimate,
+                    measured, ratio
+            }
         ' "$work/check" "$work/$name/summary.json"
     done
 }
@@ -43,7 +49,11 @@ shares closed-box 0.05
 shares packed-column 0.5
 shares small-bed 0.3
 shares fed-bed 0.3
-shares mueller-bed 0.15
-shares fluidization-ramp 0.05
-shares fluidization-two-sizes 0.1
-shares seepage 0.02
+shares mueller-bed 0.1
+shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
+shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
+shares seepage 0.02 particles.bed.settle=0.02
+shares history-sphere 2e-3
+shares shear-grain 6.5
+shares saltating-grain 0.17
+shares wet-rebound 0.012

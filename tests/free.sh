@@ -15,6 +15,8 @@ trap 'rm -rf "$work"' EXIT
 failed=0 facts=0
 export OMP_NUM_THREADS=1
 
+libs=${LIBS:-"-lconfig -lgsl -lgslcblas $(pkg-config --libs hdf5 2>/dev/null ||
+    echo -lhdf5) -lz -lm"}
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -O1"
 wrap="-Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints"
 counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
@@ -38,7 +40,7 @@ link() { # program, lists
     awk -f src/models.awk "$@" >"$work/models.c" &&
         $cc $flags -c -o "$work/models.o" "$work/models.c" &&
         $cc -fopenmp $wrap -o "$out" "$work/count.o" "$work/models.o" $objects \
-            "$build/libwinnow.a" -lconfig -lgsl -lgslcblas -lz -lm
+            "$build/libwinnow.a" $libs
 }
 
 fact() { # name, 1 if it holds
@@ -86,6 +88,7 @@ energy_budget energy_budget_effect {}
 electrostatic cohesion_electrostatic {range=1e-3;} particles.grains.charge=1e-13
 van_der_waals cohesion_van_der_waals {hamaker=1e-19;range=1e-5;}
 capillary cohesion_capillary {tension=0.01;range=5e-5;}
+stochastic_drag stochastic_drag_effect {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
 EOF
 [ $failed = 0 ] && echo "free: $facts facts hold"

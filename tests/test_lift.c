@@ -9,6 +9,13 @@
 
 /* --- Saffman ------------------------------------------------------------- */
 
+/* Re_G of a shear of 3 1/s in water, d = 0.1 mm. */
+START_TEST(ls_5_5_reynolds_number_of_a_shear)
+{
+    ck_assert_double_eq_tol(saffman_reynolds(1e-4, 1e-6, 3.0), 0.03, 1e-16);
+}
+END_TEST
+
 /* The vector form is the printed one, but for 1.615 and 1.61: a slip along x
  * and u_x that grows with y. */
 START_TEST(ls_5_6_vector_form_is_the_printed_one)
@@ -289,6 +296,7 @@ END_TEST
 
 FACTS("lift")
 {
+    FACT(ls_5_5_reynolds_number_of_a_shear);
     FACT(ls_5_6_vector_form_is_the_printed_one);
     FACT(ls_5_6_meis_factor_starts_at_one_and_is_nearly_continuous);
     FACT_FOR_EACH(ls_5_6_who_lags_goes_to_the_faster_side, 4);

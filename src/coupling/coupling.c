@@ -55,6 +55,8 @@ void coupling_free(struct coupling *cp)
     free(cp->eps);
     free(cp->k);
     free(cp->rate);
+    free(cp->inertia);
+    free(cp->u_then);
     free(cp->u_mean);
     free(cp->unpaid_impulse);
     free(cp->smooth);
@@ -273,6 +275,17 @@ void coupling_add_impulse(struct simulation *sim, int i,
 
     for (int k = 0; k < 3 && cp->options.two_way; k++)
         cp->unpaid_impulse[3 * i + k] += impulse[k];
+}
+
+void coupling_add_inertia(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->inertia != NULL) return;
+    cp->inertia = alloc_doubles(sim->particles->capacity);
+    cp->u_then = alloc_doubles(3 * sim->particles->capacity);
+    particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
+    particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
 }
 
 void coupling_slip(const struct simulation *sim, int i, double w[3])

@@ -74,6 +74,9 @@ struct coupling {
     double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
     double *unpaid_impulse; /* [N s] impulse on the particle whose reaction has
                                not acted on the fluid yet, 3 */
+    /* Of coupling_add_inertia; NULL if no effect has called it. */
+    double *inertia; /* [kg] */
+    double *u_then;  /* [m/s] 3 */
     /* Work space. */
     double *u_b;    /* [m/s] fluid velocity on the boundary faces, 3 a face;
                        NULL unless the interpolation is linear */
@@ -112,6 +115,13 @@ void coupling_slip(const struct simulation *sim, int i, double w[3]);
 /* Adds a force f [N] of the fluid on particle i for the sub-step that follows,
  * and its impulse. For effects, before a sub-step. */
 void coupling_add_force(struct simulation *sim, int i, const double f[3]);
+
+/* For an effect whose force on a particle contains m du/dt: the arrays
+ * `inertia` and `u_then`, 0 at first, by which the next step of the fluid is
+ * charged with m (u^new - u_then)/dt in advance. Charged a step later instead,
+ * it would throw the fluid back and forth where m exceeds the mass of the
+ * fluid. */
+void coupling_add_inertia(struct simulation *sim);
 
 /* Sum of unpaid_impulse over the particles [N s]. */
 void coupling_unpaid_impulse(const struct simulation *sim, double owed[3]);

@@ -35,6 +35,7 @@ void *effects_memory(const struct simulation *sim, const struct effect *e)
     return NULL;
 }
 
+/* Each adds its part to the sum of the forces [LS 5.8, EW18 12]. */
 void effects_call(struct simulation *sim, enum effects_moment when)
 {
     for (int i = 0; i < sim->n_effects; i++) {

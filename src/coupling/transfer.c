@@ -155,6 +155,17 @@ static void estimate_drag_impulse(struct simulation *sim)
     cp->report.shortest_time = shortest;
 }
 
+/* The inertia of effects beside the drag (coupling_add_inertia). */
+static void add_inertia(struct coupling *cp, int n, double dt)
+{
+    for (int i = 0; i < n; i++) {
+        const double k = cp->inertia[i] / dt;
+        cp->amount[4 * i] += k;
+        for (int a = 0; a < 3; a++)
+            cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
+    }
+}
+
 /* [XS11 3.15]: K = eps rho Omega, F = eps rho A, including the unpaid impulse.
  */
 static void take_drag_terms(struct simulation *sim)
@@ -179,6 +190,7 @@ void transfer_drag_terms(struct simulation *sim)
 
     estimate_drag_impulse(sim);
     if (!cp->options.two_way) return;
+    if (cp->inertia != NULL) add_inertia(cp, sim->particles->n, sim->dt);
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
     replacement_add_force(cp->replacement, sim->mesh->n_cells, sim->dt,
                           cp->field);
@@ -215,6 +227,19 @@ static void add_removed(const struct replacement *r, double charged[3],
     }
 }
 
+/* What it received of the inertia of effects. */
+static void subtract_inertia(struct coupling *cp, int n, double charged[3],
+                             double *scale)
+{
+    for (int j = 0; j < 3 * n; j++) {
+        const double estimate =
+            cp->inertia[j / 3] * (cp->smooth[j] - cp->u_then[j]);
+        charged[j % 3] += estimate;
+        *scale += fabs(estimate);
+        cp->unpaid_impulse[j] -= estimate;
+    }
+}
+
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
  * particle, with u^new interpolated by the adjoint of the averaging. */
 static void subtract_payment(struct simulation *sim)
@@ -231,6 +256,8 @@ static void subtract_payment(struct simulation *sim)
             scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
             cp->unpaid_impulse[j] = -estimate;
         }
+    if (cp->inertia != NULL)
+        subtract_inertia(cp, sim->particles->n, charged, &scale);
     add_removed(cp->replacement, charged, &scale);
     check_payment(sim, charged, scale);
     replacement_reset(cp->replacement, sim->mesh->n_cells);

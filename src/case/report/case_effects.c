@@ -98,7 +98,7 @@ void case_effects_print(const struct settings *s, const struct case_scales *in)
     struct effect_scales k = case_effects_scales(s, in);
 
     if (!(k.force > 0.0)) return;
-    puts("Effects, over the larger one of weight and drag");
+    puts("Effects, over the larger one of gravity and drag");
     print_effects(s, &k);
     if (settings_has(s, "exchange")) print_coupling(s, &k);
 }

@@ -130,8 +130,10 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
 
     case_mesh_ends(s, lo, size);
     k->eps_s = in->particles * volume(k) / case_mesh_volume(s);
-    k->slip =
-        k->gravity > 0.0 ? terminal(s, k, k->eps_s) : fmax(in->inlet, p->speed);
+    k->slip = fmax(in->inlet, p->speed);
+    if (k->gravity > 0.0)
+        k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
+                                      0.5 * k->gravity * in->end));
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
@@ -139,6 +141,18 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     k->time = settings_real(s, "output.end");
     k->acceleration = k->slip / k->time;
     if (k->gravity == 0.0) k->time = 0.0; /* the slip dies out within tau */
+}
+
+/* A slip that dies out does so within tau. Of its history force the two parts,
+ * of the first slip and of its decay, have opposite signs, and leave a quarter
+ * of the size: that of a 16th of the time. */
+static void settle_time(struct effect_scales *k)
+{
+    if (k->time == 0.0) {
+        k->acceleration = k->slip / k->tau;
+        k->time = k->tau / 16.0;
+    }
+    k->acceleration = fmin(k->acceleration, k->slip / k->time);
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,
@@ -162,8 +176,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
             dilute_scales(s, &k, in, &p);
         k.drag = drag_at(s, &k, k.eps_s, k.slip);
         k.tau = k.slip > 0.0 ? k.rho_s * volume(&k) * k.slip / k.drag : 0.0;
-        if (k.time == 0.0) k.time = k.tau;
-        k.acceleration = fmin(k.acceleration, k.slip / k.time);
+        settle_time(&k);
     }
     k.force = fmax(k.weight, k.drag);
     return k;

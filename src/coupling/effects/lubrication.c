@@ -53,7 +53,9 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double St = k->rho_s * k->slip * k->d / (9.0 * k->mu);
 
     return (struct effect_estimate){
-        St > 0.0 && k->carried && k->eps_s > 1e-3 ? fmin(1.0, 10.0 / St) : 0.0,
+        St > 0.0 && k->carried && (k->eps_s > 1e-3 || k->pair != NULL)
+            ? fmin(1.0, 10.0 / St)
+            : 0.0,
         "of the speed of an impact is lost, 10/St", 0};
 }
 

@@ -89,6 +89,29 @@ static double force(const struct pair_share *self, const struct simulation *sim,
     return fabs(F);
 }
 
+/* Raises the strongest force of i by those of the walls of the box. */
+static void add_walls(struct pair_share *self, const struct simulation *sim,
+                      int i)
+{
+    const struct attraction *const a = self->attraction;
+    const struct particles *const ps = sim->particles;
+    const double R = 0.5 * ps->d[i], v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
+    double x[3];
+
+    position(ps, i, x);
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&self->cells->box, w, x) - R;
+        const double closing = w % 2 ? v[w / 2] : -v[w / 2];
+        double F = 0.0;
+        if (self->cells->box.periodic[w / 2] || gap > a->range) continue;
+        if (a->law->wall != NULL) F += a->law->wall(a, R, gap);
+        if (a->law->damping != NULL)
+            F += attraction_damp(a, R, gap, closing, 1.0 / ps->m[i],
+                                 sim->dem->options.step);
+        self->strongest[i] = fmax(self->strongest[i], fabs(F));
+    }
+}
+
 /* Raises the strongest forces of i and of its partners with a larger index. */
 static void add_partners(struct pair_share *self, const struct simulation *sim,
                          int i)
@@ -120,8 +143,10 @@ void pair_share_after_step(void *memory, struct simulation *sim)
     if (self == NULL || sim->steps % MEASURED != 1) return;
     memset(self->strongest, 0, (size_t)n * sizeof *self->strongest);
     sort(self, sim->particles);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
+        add_walls(self, sim, i);
         add_partners(self, sim, i);
+    }
     for (int i = 0; i < n; i++) {
         const double f[3] = {self->strongest[i], 0.0, 0.0};
         effects_report(sim, f, 1.0);

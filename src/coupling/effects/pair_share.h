@@ -3,7 +3,8 @@
  *
  * The loops of the particles add all forces of pairs up and do not tell them
  * apart. For the report of what an effect has done, the force of one law is
- * computed again after every eighth step: of each particle the strongest one.
+ * computed again after every eighth step: of each particle the
+ * strongest one, of partners and walls.
  */
 #ifndef COUPLING_EFFECTS_PAIR_SHARE_H
 #define COUPLING_EFFECTS_PAIR_SHARE_H

@@ -1,0 +1,139 @@
+#!/bin/sh
+# The cases of chapter 22 with and without what they show.
+#
+#   22-forces.sh history|shear|spin|rebound|cost
+#
+# history: velocity of the bead over the terminal one against time over T = (2
+# a^2/9 nu) (ratio + 1/2): without the force, with it, exact. shear: where the
+# grain is, with and without lift. spin: the flights of the grain. rebound: speed
+# after over before the impact, by Stokes number: without lubrication, with it,
+# with history too. cost: time that each effect takes in a bed of 300 grains.
+set -eu
+mkdir -p out
+run() { # CASE NAME OVERRIDES...
+    file=cases/$1.cfg to=out/22-$2
+    shift 2
+    winnow run "$file" -o "$to" --quiet "$@" >/dev/null
+}
+# Columns of a history, by the beginning of their titles.
+columns() { # NAME TITLE...
+    from=out/22-$1/history.csv
+    shift
+    awk -F, -v wanted="$*" '
+        NR == 1 {
+            n = split(wanted, want, " ")
+            for (k = 1; k <= n; k++)
+                for (i = 1; i <= NF; i++)
+                    if (index($i, want[k] " ") == 1) at[k] = i
+            next
+        }
+        {
+            for (k = 1; k <= n; k++) printf "%s%s", $at[k], k < n ? " " : "\n"
+        }' "$from"
+}
+
+# v/v_t of Boussinesq, Basset and Oseen for a tenth of the density: E(z) =
+# exp(z^2 t) erfc(-z sqrt(t)) = (2/sqrt(pi)) int exp(-s^2 + 2 z sqrt(t) s) ds.
+exact='
+function E(z, t,    i, s, sum) {
+    sum = 1
+    for (i = 1; i <= 1000; i++) {
+        s = 0.008 * i
+        sum += (i == 1000 ? 1 : i % 2 ? 4 : 2) * exp(-s * s + 2 * z * sqrt(t) * s)
+    }
+    return 2 / sqrt(3.141592653589793) * sum * 0.008 / 3
+}
+function exact(t,    B, p, q) {
+    B = 3 / sqrt(1.2); p = (-B + sqrt(B * B - 4)) / 2; q = (-B - sqrt(B * B - 4)) / 2
+    return 1 + (q * E(p, t) - p * E(q, t)) / (p - q)
+}
+BEGIN { v_t = 873 * 9.81 * 4e-6 / 18; T = 4e-6 / 18 * 970 * 0.6 }'
+
+history() {
+    run history-sphere history-with
+    run history-sphere history-without \
+        -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};}"
+    columns history-with time mean_fall_velocity >out/history-with.txt
+    columns history-without mean_fall_velocity >out/history-without.txt
+    echo "# t/T; v/v_t without, with, exact [-]"
+    paste -d' ' out/history-with.txt out/history-without.txt | awk "$exact"'
+        NR % 5 == 1 { printf "%6.3f %8.5f %8.5f %8.5f\n",
+            $1 / T, -$3 / v_t, -$2 / v_t, exact($1 / T) }'
+}
+
+# The momentum along x is that of the grain alone, from its release on.
+shear() {
+    echo "# t [s]; x [mm] with lift, without"
+    for name in with without; do
+        run shear-grain shear-$name -s output.history=0.002 $(
+            [ $name = with ] ||
+                echo "-s effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};}"
+        )
+        columns shear-$name time momentum_x | awk '
+            BEGIN { m = 2650 * 3.141592653589793 / 6 * 8e-12; x = 1 }
+            { if (t >= 6) x += 1e3 * $2 / m * ($1 - t)
+              t = $1
+              if (t >= 6 && NR % 10 == 1) printf "%.2f %.4f\n", t - 6, x }' \
+            >out/shear-$name.txt
+    done
+    paste -d' ' out/shear-with.txt out/shear-without.txt | cut -d' ' -f1,2,4
+}
+
+spin() {
+    echo "# x, y [mm] with Magnus and the torque; without the torque; with neither"
+    for name in both magnus none; do
+        case $name in
+            both) more="magnus={};fluid_torque={};" ;;
+            magnus) more="magnus={};" ;;
+            none) more="" ;;
+        esac
+        run saltating-grain spin-$name -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};$more}"
+        columns spin-$name time momentum_x mean_height | awk '
+            BEGIN { m = 2650 * 3.141592653589793 / 6 * 1.25e-10; x = 20 }
+            { x += 1e3 * $2 / m * ($1 - t); t = $1
+              printf "%.2f %.3f\n", x, 1e3 * $3 }' >out/spin-$name.txt
+    done
+    paste -d' ' out/spin-both.txt out/spin-magnus.txt out/spin-none.txt |
+        awk 'NR % 4 == 1'
+}
+
+# The speeds with which the ball enters the gap of the effect, and leaves it, in
+# several liquids; 0 where it does not leave it.
+rebound() {
+    echo "# St; rebound over impact: without, lubrication, and history [-]"
+    for mu in 0.1 0.05 0.03 0.02 0.01 0.005 0.002 0.001; do
+        for more in "" "lubrication={roughness=1e-6;range=7.5e-4;};" \
+            "lubrication={roughness=1e-6;range=7.5e-4;};basset={};"; do
+            run wet-rebound rebound -s fluid.viscosity=$mu -s fluid.step=2e-5 \
+                -s output.history=2e-5 -s output.every=0.025 -s output.end=0.025 \
+                -s "effects={gravity=[0.0,-9.81,0.0];pressure_gradient={};virtual_mass={};$more}"
+            columns rebound mean_height mean_fall_velocity |
+                awk '$1 > 2.25e-3 && $2 > 0 && !up { down = $2 }
+                     $1 > 2.25e-3 && $2 < 0 && !up { up = -$2 }
+                     END { printf "%.4f %.3f\n", down, up / down }'
+        done | awk -v mu=$mu '{ e[NR] = $2; u = $1 }
+            NR == 1 { first = u }
+            END { printf "%7.1f %6.3f %6.3f %6.3f\n",
+                  7800 * first * 3e-3 / (9 * mu), e[1], e[2], e[3] }'
+    done
+}
+# Nanoseconds a particle and step, and over all that a step takes.
+cost() {
+    echo "# effect, ns a particle and step, % of the run"
+    liquid="-s fluid.density=1000 -s fluid.viscosity=1e-3 -s particles.grains.density=2500"
+    for more in pressure_gradient viscous_stress virtual_mass basset saffman \
+        fluid_torque magnus; do
+        # shellcheck disable=SC2086
+        run small-bed cost -s output.end=0.1 -s output.every=0.1 $liquid \
+            -s fluid.bottom.inlet=0.03 -s "effects.$more={}" -j 1
+        awk -v name=$more '
+            /"steps":/ { steps = $2 + 0 }
+            /"total":/ { total = $2 + 0 }
+            /"effect_seconds"/ { own = 1 }
+            own && index($1, "\"" name "\"") == 1 { seconds = $2 + 0 }
+            END { printf "%-18s %6.0f %5.1f\n", name,
+                  1e9 * seconds / steps / 300, 100 * seconds / total }
+        ' out/22-cost/summary.json
+    done
+}
+$1
