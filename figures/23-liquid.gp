@@ -7,7 +7,7 @@ set output "figures/23-liquid.svg"
 file = "figures/23-liquid-series.txt"
 stats file using 1 nooutput
 each = STATS_blocks / 3
-set multiplot layout 1,2 margins 0.09,0.98,0.17,0.9 spacing 0.11
+set multiplot layout 1,2 margins 0.09,0.98,0.17,0.88 spacing 0.11
 set xrange [30:150]
 set xlabel "time [{/:Italic d / u}_{in}]"
 set yrange [0:0.8]

@@ -5,7 +5,7 @@ set output "figures/23-signal.svg"
 set multiplot layout 1,2 margins 0.08,0.98,0.17,0.95 spacing 0.1
 set xlabel "time over {/:Italic T}"
 set ylabel "{/:Italic C'} over {/:Italic σ}" offset 1,0
-set key bottom left
+unset key
 plot "figures/23-signal.txt" index 0 using 1:2 with lines linetype 1 \
          linewidth 1.2 title "step 0.02 T", \
      "" index 1 using 1:2 with linespoints linetype 2 pointtype 7 \

@@ -6,7 +6,7 @@ set xrange [125:0]
 set yrange [0:0.135]
 set xlabel "gap to the floor [mm]"
 set ylabel "velocity downward [m/s]"
-set key left top
+set key right bottom
 plot "figures/24-courses.txt" index 3 using (1000 * $2):(-$3) with lines linetype 4 title "E4, Re 32", \
      "" index 2 using (1000 * $2):(-$3) with lines linetype 3 title "E3, Re 12", \
      "" index 1 using (1000 * $2):(-$3) with lines linetype 2 title "E2, Re 4.1", \

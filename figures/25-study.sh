@@ -22,7 +22,7 @@ awk -F ' *[|] *' '
         next
     }
     /^- / { advice[++lines] = substr($0, 3) }
-    /, against / && !/^Case/ { advice[++lines] = $0 }
+    /, against .*:$/ && !/^Case|^#/ { advice[++lines] = $0 }
     END {
         for (r = 1; r <= rows; r++) {
             line = ""

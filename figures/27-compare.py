@@ -6,17 +6,20 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py distance TABLE [FROM]    of each run in TABLE (27-mueller.sh collect)
     27-compare.py flux TABLE               of solids through a height
     27-compare.py seeds TABLE              between runs that differ by their seed
+    27-compare.py profile TABLE            the even part of the profiles, to compare with
+    27-compare.py sides TABLE              which way round the bed goes, every 2 s
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
-difference at the measured places; offset, its mean; shape, what is left of it; mirror, half
-the difference of the two sides; blocks, the error of the mean by blocks of 2 s from 2 s
-on. sediFoam is without its points in the outermost 3.5 mm, where it is interpolated
+difference at the measured places; offset, its mean; shape, what is left of it; even, the
+root mean square for the mean of the profile and its mirror image; mirror, half the
+difference of the two sides; blocks, the error of the mean by blocks of 2 s from 2 s on. sediFoam is without its points in the outermost 3.5 mm, where it is interpolated
 to a wall at which there are no spheres; like ours it is constant beyond the last point.
 """
 import math
 import sys
 
 DATA = "figures/data/mueller-2009.txt"
+WIDE = "figures/26-mueller.txt"
 WIDTH = 0.044
 LINES = [("eps_f", 16.4), ("eps_f", 31.2), ("us_y", 15.0), ("us_y", 25.0)]
 
@@ -108,6 +111,11 @@ def parts(line, seen):
     return rms(off), mean, rms([d - mean for d in off])
 
 
+def even(line):
+    """The mean with the mirror image."""
+    return [(x, (y + at(line, WIDTH - x)) / 2) for x, y in line]
+
+
 def mirror(line):
     return rms([(y - at(line, WIDTH - x)) / 2 for x, y in line])
 
@@ -124,9 +132,16 @@ def block_error(blocks):
     return rms(errors)
 
 
+def wide(field, height):
+    """By diffusion with b of 4 d on mesh C, 1 to 18 s."""
+    rows = (row.split() for row in open(WIDE))
+    return [(float(w[5]), float(w[6])) for w in rows
+            if w[:4] == ["at", "C", "diffusion", field] and float(w[4]) == height]
+
+
 def distance(table, begin="1"):
     seen = references()
-    print("# name, field, height [mm]: rms, offset, shape, mirror, blocks [-] or [m/s]")
+    print("# name, field, height [mm]: rms, offset, shape, even, mirror, blocks [-] or [m/s]")
     for field, height in LINES:
         print(f"# {field} at {height:g} mm")
         of = seen["measured", field, height]
@@ -134,12 +149,16 @@ def distance(table, begin="1"):
             if float(r.U) != 0.9:
                 continue
             line = r.mean(field, height, float(begin))
-            print(f"{r.name:14s} %6.3f %+7.3f %6.3f %6.3f %6.3f  to {r.end:g} s" %
-                  (*parts(line, of), mirror(line), block_error(r.blocks(field, height))))
+            print(f"{r.name:14s} %6.3f %+7.3f %6.3f %6.3f %6.3f %6.3f  to {r.end:g} s" %
+                  (*parts(line, of), parts(even(line), of)[0], mirror(line),
+                   block_error(r.blocks(field, height))))
+        line = wide(field, height)
+        print("%-14s %6.3f %+7.3f %6.3f %6.3f %6.3f         to 18 s" %
+              ("b = 4 d", *parts(line, of), parts(even(line), of)[0], mirror(line)))
         line = seen["sediFoam", field, height]
-        print("%-14s %6.3f %+7.3f %6.3f %6.3f" %
-              ("sediFoam", *parts(line, of), mirror(line)))
-        print("%-14s %22s %6.3f" % ("measured", "", mirror(of)))
+        print("%-14s %6.3f %+7.3f %6.3f %6.3f %6.3f" %
+              ("sediFoam", *parts(line, of), parts(even(line), of)[0], mirror(line)))
+        print("%-14s %29s %6.3f" % ("measured", "", mirror(of)))
 
 
 def integral(line):
@@ -187,5 +206,28 @@ def seeds(table):
             print(f"{a.name} {b.name}  " + "  ".join(f"{o:.3f}" for o in off))
 
 
+def profile(table):
+    for r in runs(table):
+        lines = [r.mean(field, height, 1.0) for field, height in LINES]
+        print(f"# {r.name}, 1 to {r.end:g} s: x [mm], eps_f at 16.4 and 31.2 mm, us_y at 15 and "
+              "25 mm [m/s]")
+        folded = [even(line) for line in lines]
+        for row in list(zip(*folded))[:len(lines[0]) // 2]:
+            print(f"{1000 * row[0][0]:5.2f}  " + "  ".join(f"{y:+.3f}" for _, y in row))
+        print("mirror " + "  ".join(f"{mirror(line):6.3f}" for line in lines))
+
+
+def sides(table):
+    """The mean velocity of the left half less that of the right half, halved."""
+    print("# us_y at 15 mm, left less right over 2 [m/s], from 2 s on every 2 s")
+    for r in runs(table):
+        turns = []
+        for line in r.blocks("us_y", 15.0):
+            half = len(line) // 2
+            left = sum(y for _, y in line[:half])
+            turns.append((left - sum(y for _, y in line[-half:])) / half / 2)
+        print(f"{r.name:14s} " + " ".join(f"{t:+.3f}" for t in turns))
+
+
 if __name__ == "__main__":
-    {"distance": distance, "flux": flux, "seeds": seeds}[sys.argv[1]](*sys.argv[2:])
+    {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides, "profile": profile}[sys.argv[1]](*sys.argv[2:])

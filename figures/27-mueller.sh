@@ -28,7 +28,7 @@ run() { # NAME U SEED B CELLS END ...
         -s output.every=0.05 -s output.history=0.001 \
         -s output.profiles="(${lines%,})" "$@" && code=0 || code=$?
     echo "$name $U $seed $b $cells" "$@" >"$out/$name/asked"
-    return $code
+    return "$code"
 }
 
 # run: name, U [m/s], seed, b [m], cells, what else; end [s]
@@ -36,7 +36,7 @@ run() { # NAME U SEED B CELLS END ...
 collect() { # FOLDER
     for dir in "$1"/*/; do
         name=$(basename "$dir")
-        [ -s "$dir/asked" ] && [ -d "$dir/profiles" ] || continue
+        if [ ! -s "$dir/asked" ] || [ ! -d "$dir/profiles" ]; then continue; fi
         end=$(sed -n 's/.*"simulated_seconds": \([0-9.]*\).*/\1/p' "$dir/summary.json")
         echo "run $(cat "$dir/asked") end $end"
         for file in "$dir"/profiles/*.csv; do
@@ -45,7 +45,7 @@ collect() { # FOLDER
             case $line in *_from*) since=${line##*_from} since=${since%s} line=${line%_from*} ;; esac
             height=${line##*_y}
             awk -F, -v of="from $name $since ${line%_y*} ${height%mm}" \
-                'NR > 1 && $2 + 0 == $2 { printf "%s %.5f %.5f\n", of, $1, $2 }' "$file"
+                'NR > 1 && $2 != "nan" { printf "%s %.5f %.5f\n", of, $1, $2 }' "$file"
         done
     done
 }

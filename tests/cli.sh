@@ -465,6 +465,38 @@ sed 's/    place/    prescribed = ( { id = 7; velocity = [1.0, 0.0, 0.0]; } );\n
 fact driven_particle_must_be_there 2 "there is no particle 7: they are 0 to 1" \
     "$winnow" run shape.cfg -o driven
 
+# Bodies.
+cat >bodies.cfg <<'END'
+title = "Two spheres in a box of oil"; cites = "EW18 1-4";
+mesh = { size = [0.1, 0.1, 0.1]; cells = [12, 12, 12]; };
+fluid = { density = 960.0; viscosity = 0.1; step = 0.01; time = "bdf2";
+          sides = "no-slip"; bottom_top = "no-slip"; front_back = "no-slip"; };
+bodies = { spheres = (
+    { position = [0.05, 0.03, 0.05]; diameter = 0.03; motion = "fixed"; },
+    { position = [0.06, 0.07, 0.05]; diameter = 0.03; density = 1200.0; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.2; every = 0.1; checkpoint = 0.01; picture = false; };
+END
+body() { "$winnow" check bodies.cfg "$@"; }
+fact bodies_say_how_many_cells_they_have 0 "LOW: good to look at; 12 to measure" body
+fact free_body_asks_for_its_density 2 "sphere 0 is free and asks for its density" \
+    body -s 'bodies.spheres.0.motion="free"'
+fact body_asks_for_three_cells 2 "has a diameter of 1.2 cells; expected at least 3" \
+    body -s bodies.spheres.1.diameter=0.01
+fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
+    body -s bodies.spheres.1.position=[0.09,0.05,0.05]
+fact body_does_not_meet_itself 2 "meets itself across the period" \
+    body -s mesh.periodic=[false,false,true] -s bodies.spheres.1.diameter=0.06 \
+    -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; bottom_top="slip";}'
+fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grading=[2.0,1.0,1.0]
+gone_on() {
+    "$winnow" run bodies.cfg -o whole --quiet >/dev/null &&
+        "$winnow" run bodies.cfg -o parts --quiet -s output.end=0.12 >/dev/null &&
+        "$winnow" run bodies.cfg -o parts --quiet --resume >/dev/null &&
+        cmp whole/bodies.csv parts/bodies.csv && cmp whole/history.csv parts/history.csv
+}
+fact bodies_go_on_to_the_same_bits 0 "" gone_on
+
 if [ $failed -gt 0 ]; then
     echo "$failed facts of the command line do not hold"
     exit 1

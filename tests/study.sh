@@ -61,7 +61,7 @@ END
 echo "orders that are known:"
 # Implicit Euler is of order 1, BDF2 of order 2; the next term of the error is
 # still a twentieth of it at these steps.
-"$winnow" study channel.cfg -s fluid.time=euler,bdf2 -s fluid.step=0.02,0.01,0.005 \
+"$winnow" study channel.cfg -s fluid.time=euler,bdf2 -s fluid.step=0.02,0.01,0.005 --times 3 \
     --measure u_x --truth extrapolated -o time --quiet >advice || cat advice
 order() { # of the line in the study, from, to
     sed -n "s/^- .*$2: extrapolated with the order //p" "$1/study.md" |
@@ -73,8 +73,8 @@ fact bdf2_is_reported_with_order_2 order time bdf2 1.9 2.15
 # A parabola between walls, u = G y (h - y) / (2 mu), has the kinetic energy
 # (rho/2) (G / 2 mu)^2 h^5/30 for each area of a wall, here of 1e-4 m^2. The cells
 # meet it to second order.
-"$winnow" study channel.cfg -s mesh.cells='[1,4,1],[1,8,1],[1,16,1]' -s output.end=8 \
-    -s fluid.step=1.0 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' -o cells \
+"$winnow" study channel.cfg -s output.end=8 \
+    -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' -o cells \
     --quiet >advice || cat advice
 cells_are_second_order() {
     awk -F' [|] ' '/^\| cells/ { n++; if (n > 1 && ($5 + 0 < 1.9 || $5 + 0 > 2.15)) wrong = 1 }
@@ -102,7 +102,7 @@ sums_agree() {
             n=$((n + 1))
         done
     done
-    [ $n -eq 30 ]
+    [ $n -eq 90 ]
 }
 fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
 # The cheapest row within the limit, found again from study.csv.
@@ -119,6 +119,42 @@ picture_is_there() {
     grep -q '</svg>' time/study.svg && [ -s time/study.png ]
 }
 fact the_picture_is_drawn picture_is_there
+
+echo "what winnow check says beforehand:"
+# estimate CASE CHOICE: "time-ratio error-ratio", of the line of that choice.
+estimate() {
+    "$winnow" check "$1" | awk -v choice="  $2 " '
+        index($0, choice) == 1 {
+            time = substr($0, length(choice) + 1) + 0
+            error = $(NF - 1) == "over" ? 1 / $NF : $NF
+            print time, error
+        }'
+}
+# within ESTIMATED FOUND: by a factor of two.
+within() { awk "BEGIN { exit !($1 > 0 && $2 / $1 < 2 && $2 / $1 > 0.5) }"; }
+# rows FOLDER COLUMN PATTERN: the numbers of that column of study.md, in turn.
+rows() {
+    awk -F ' *[|] *' -v c="$2" -v p="$3" '/^[|]/ && $2 ~ p { print $c + 0 }' "$1/study.md" |
+        tr '\n' ' '
+}
+# The errors and the times of a row over those of the one before it.
+holds() { # case choice folder pattern error-column
+    # shellcheck disable=SC2046 # two numbers
+    set -- "$@" $(estimate "$1" "$2")
+    time=$(rows "$3" 3 "$4" | awk '{ print $NF / $(NF - 1) }')
+    error=$(rows "$3" "$5" "$4" | awk '{ print $NF / $(NF - 1) }')
+    echo "time $6 found $time, error $7 found $error"
+    within "$6" "$time" && within "$7" "$error"
+}
+fact the_step_of_a_flow_costs_and_gains_what_check_says \
+    holds channel.cfg 'fluid.step halved' time 'time=euler' 5
+fact its_cells_cost_and_gain_what_check_says \
+    holds channel.cfg 'mesh.cells doubled, fluid.step halved' cells 'cells=' 5
+sphere=$top/cases/settling-sphere.cfg
+"$winnow" study "$sphere" -s fluid.step=4e-3,2e-3,1e-3 -s output.end=0.032 \
+    --measure mean_fall_velocity --truth extrapolated -o sphere --quiet --times 2 >advice || cat advice
+fact the_step_of_a_sphere_costs_and_gains_what_check_says \
+    holds "$sphere" 'fluid.step halved' sphere 'step=' 5
 
 echo "processes:"
 # Killed in the middle without a word, the study goes on: what has ended is not
@@ -138,6 +174,23 @@ killed_goes_on() {
         [ "$(column killed/study.csv exit_code | sort | uniq -c | tr -d ' ')" = 40 ]
 }
 fact a_killed_study_goes_on_and_does_no_run_twice killed_goes_on
+# Told to stop, its runs leave their state, and go on from it to the same end.
+stopped_goes_on() {
+    long="-s particles.step=1e-5,5e-6 -s output.end=0.2 --measure mean_height -j 2 --quiet"
+    # shellcheck disable=SC2086 # words
+    "$winnow" study grains.cfg $long -o whole >/dev/null
+    # shellcheck disable=SC2086
+    "$winnow" study grains.cfg $long -o stopped >/dev/null 2>&1 &
+    pid=$!
+    until [ -s stopped/runs/step=5e-6/history.csv ]; do sleep 0.02; done
+    kill $pid
+    wait $pid
+    [ $? -eq 130 ] && [ -e stopped/runs/step=5e-6/checkpoint ] || return 1
+    # shellcheck disable=SC2086
+    "$winnow" study grains.cfg $long -o stopped >/dev/null || return 1
+    [ "$(column whole/study.csv mean_height)" = "$(column stopped/study.csv mean_height)" ]
+}
+fact a_study_that_is_stopped_goes_on_in_the_middle_of_its_runs stopped_goes_on
 # The same folder with another case: nothing of the old one is taken for it.
 changed_case_is_done_again() {
     before=$(cat killed/runs/step=2e-5/summary.json)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for models by name: needs src/coupling/measures */
 #include "case/build.h"
 #include "case/case_file.h"
+#include "coupling/effect_columns.h"
 #include "coupling/effects.h"
 #include "facts.h"
 
@@ -62,7 +64,7 @@ static const double *row(struct simulation *sim)
     static double values[8];
     const struct effect_state *const e = &sim->effects[0];
 
-    e->effect->row(e->memory, sim, values);
+    e->effect->columns->row(e->memory, sim, values);
     return values;
 }
 

@@ -72,5 +72,24 @@ END
         exit 1
     }
 done
+# Spheres that touch, one of them across a periodic end, and one that falls on
+# the floor. Walls with the stress of the fluid on them.
+cat >"$work/pressed.cfg" <<'END'
+mesh = { size = [0.006, 0.006, 0.006]; cells = [3, 3, 3]; periodic = [true, false, false]; };
+fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
+          bottom = "no-slip"; top = { wall = [0.1, 0.0, 0.0]; }; front_back = "slip"; };
+particles = { contact = "linear"; step = 1e-5; overlaps = "allow";
+    grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };
+    place = ( { position = [0.0002, 0.002, 0.003]; diameter = 1e-3; },
+              { position = [0.0002, 0.00298, 0.003]; diameter = 1e-3; },
+              { position = [0.00522, 0.002, 0.003]; diameter = 1e-3; },
+              { position = [0.003, 0.0005, 0.003]; diameter = 1e-3; } ); };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 1e-3; every = 1e-3; contacts = true; walls = true; forces = ( { name = "all"; } ); };
+END
+"$build/winnow" run "$work/pressed.cfg" -o "$work/pressed" --quiet >"$work/said" 2>&1 || {
+    cat "$work/said"
+    exit 1
+}
 $python tests/vtk_check.py "$work/samples" "$work/run" "$work/sheared" \
-    "$work/dual"
+    "$work/dual" "$work/pressed"

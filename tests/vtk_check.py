@@ -91,7 +91,8 @@ def load(path):
 
 def on_cells(path):
     """A box and the walls have their numbers on cells, particles on points."""
-    return path.suffix in (".vtr", ".vtu") or path.stem.startswith("surfaces")
+    return path.suffix in (".vtr", ".vtu") or path.stem.startswith(
+        ("surfaces", "walls", "contacts"))
 
 
 def arrays_of(path, data):
@@ -158,6 +159,22 @@ def check_polygons(path, data):
         ring = at[a:b] - at[a]
         area = np.cross(ring[1:-1], ring[2:]).sum(axis=0)
         check(np.linalg.norm(area) > 0, path, "a polygon has no area")
+
+
+def check_contacts(path, data, arrays):
+    """Lines of linear springs of 100 N/m between spheres of 1 mm."""
+    check(data.GetNumberOfCells() == data.GetNumberOfLines(), path,
+          "has other cells than lines")
+    if not data.GetNumberOfLines():
+        return
+    force, overlap = arrays["force"], arrays["overlap"]
+    check(np.allclose(force, 100 * overlap, rtol=1e-6), path,
+          "a force is not that of its overlap")
+    ends = vtk_to_numpy(data.GetPoints().GetData()).reshape(-1, 2, 3)
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    reach = np.where(arrays["ids"][:, 1] < 0, 0.5e-3, 1e-3)
+    check(np.allclose(length + overlap, reach, rtol=1e-6), path,
+          "a line is not as long as its spheres are apart")
 
 
 def check_volumes(path, data):
@@ -262,6 +279,9 @@ def check_sense(path, data, arrays, box):
         check_volumes(path, data)
     if path.suffix != ".vtp":
         return
+    if path.stem.startswith("contacts"):
+        check_contacts(path, data, arrays)
+        return
     if on_cells(path):
         check_polygons(path, data)
         return
@@ -292,6 +312,10 @@ def check_run(folder):
     check((folder / "history.csv").is_file(), folder, "no history.csv")
     for path in sorted(folder.rglob("*.csv")):
         check_table(path, path.name in ("history.csv", "surfaces.csv"))
+    if (folder / "contacts.pvd").is_file():
+        lines = [load(p).GetNumberOfLines()
+                 for p in sorted((folder / "contacts").glob("*.vtp"))]
+        check(lines == [2, 1], folder, f"{lines} contacts, not 2, and then 1")
     summary = folder / "summary.json"
     if check(summary.is_file(), folder, "no summary.json"):
         strict = {"parse_constant": lambda word: check(False, summary, word)}

@@ -100,7 +100,17 @@ static int read_lines(struct csv *t, char *text, char wrong[CSV_WRONG])
     return 1;
 }
 
-/* No more numbers than half the bytes of the file. */
+/* No more numbers than half the bytes of the text. */
+int csv_parse(struct csv *t, char *text, char wrong[CSV_WRONG])
+{
+    *t = (struct csv){.n_columns = 0};
+    t->value =
+        alloc_zeroed(strlen(text) / 2 + CSV_COLUMNS + 1, sizeof *t->value);
+    const int failed = read_lines(t, text, wrong);
+    if (failed) csv_release(t);
+    return failed;
+}
+
 int csv_read(struct csv *t, const char *path, char wrong[CSV_WRONG])
 {
     const char *why = "";
@@ -112,10 +122,8 @@ int csv_read(struct csv *t, const char *path, char wrong[CSV_WRONG])
         snprintf(wrong, CSV_WRONG, "%s", why);
         return 1;
     }
-    t->value = alloc_zeroed(length / 2 + CSV_COLUMNS + 1, sizeof *t->value);
-    const int failed = read_lines(t, text, wrong);
+    const int failed = csv_parse(t, text, wrong);
     free(text);
-    if (failed) csv_release(t);
     return failed;
 }
 

@@ -18,6 +18,8 @@ struct csv {
 
 /* Non-zero if it cannot be read; `wrong` says why, with the line. */
 int csv_read(struct csv *t, const char *path, char wrong[CSV_WRONG]);
+/* The same of a text, which it changes. */
+int csv_parse(struct csv *t, char *text, char wrong[CSV_WRONG]);
 void csv_release(struct csv *t);
 
 /* The number of a column, or -1. */

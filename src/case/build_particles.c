@@ -103,7 +103,8 @@ static void tell_settled(const struct settings *s, const struct bed_report *r,
 }
 
 /* The bed from its file, or made anew and kept there: a file that the case
- * names, which must be written, or one that another run may use again. */
+ * names, which must be written, or one that another run may use again. The
+ * file knows no contacts with surfaces. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o)
 {
@@ -115,7 +116,8 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (named)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
-    const int cached = !named && case_part_bed_file(s, path, sizeof path);
+    const int cached = !named && o->n_surfaces == 0 &&
+                       case_part_bed_file(s, path, sizeof path);
     b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     sim->dem = dem_create(sim->particles, o);

@@ -7,9 +7,9 @@
 static const char insert[] = "particles.insert";
 
 /* [byte] What runs were seen to take at their highest. A particle took 1010 on
- * a lattice, touching nobody, and 1190 to 1280 in a heap. A cell of a box took
- * 290 without a fluid, 1500 to 2060 with one; of a mesh that has corners of its
- * own 1220, while it is made, and 2050 to 2120. */
+ * a lattice, touching no other, and 1190 to 1280 in a heap. A cell of a box
+ * took 290 without a fluid, 1500 to 2060 with one; of a mesh that has corners
+ * of its own 1220, while it is made, and 2050 to 2120. */
 static const double per_particle = 1250.0;
 static const double per_cell[2][2] = {{300.0, 1800.0}, {1250.0, 2300.0}};
 
@@ -23,8 +23,9 @@ static double bed(const struct settings *s)
                : 0.0;
 }
 
-/* Those in files are counted when the files are read. */
-static double comers(const struct settings *s)
+/* The particles of sources; those of files are counted when the files are
+ * read. */
+static double inserted(const struct settings *s)
 {
     double sum = 0.0;
 
@@ -38,7 +39,7 @@ static double of_particles(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0.0;
     return per_particle *
-           (bed(s) + comers(s) + settings_length(s, "particles.place"));
+           (bed(s) + inserted(s) + settings_length(s, "particles.place"));
 }
 
 static double of_cells(const struct settings *s)
@@ -54,14 +55,14 @@ double case_memory_bytes(const struct settings *s)
     return of_cells(s) + of_particles(s);
 }
 
-/* The key that asks for the most. */
-static const char *greediest(const struct settings *s, double more)
+/* The key that needs the most memory. */
+static const char *largest_key(const struct settings *s, double more)
 {
     if (more > of_cells(s) && more > of_particles(s))
         return "averaging.bandwidth";
     if (of_cells(s) > of_particles(s))
         return settings_has(s, "mesh.cells") ? "mesh.cells" : "mesh.polymesh";
-    return bed(s) > comers(s) ? "particles.bed.count" : insert;
+    return bed(s) > inserted(s) ? "particles.bed.count" : insert;
 }
 
 int case_memory_check(const struct settings *s, double more)
@@ -71,12 +72,12 @@ int case_memory_check(const struct settings *s, double more)
 
     if (n > most_particles)
         return settings_wrong(
-            s, bed(s) > comers(s) ? "particles.bed.count" : insert,
+            s, bed(s) > inserted(s) ? "particles.bed.count" : insert,
             "%.4g particles; no more than %.0f can be "
             "numbered",
             n, most_particles);
     if (need <= have) return 0;
-    return settings_wrong(s, greediest(s, more),
+    return settings_wrong(s, largest_key(s, more),
                           "%.4g cells and %.4g particles need about %.3g GB, "
                           "and this machine has %.3g GB for them",
                           case_mesh_cells(s), n, 1e-9 * need, 1e-9 * have);

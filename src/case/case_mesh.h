@@ -14,7 +14,7 @@
  * 2 after a message. */
 int case_mesh_read(struct settings *s);
 
-/* The mesh, for one who calls mesh_free. */
+/* The mesh, which the caller releases by mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);
 
 /* The same, but of a box only the outline, which costs nothing. */

@@ -3,6 +3,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+
+#include "case/case_part.h"
 
 static const char expected[] = "particles.expected_overlap";
 
@@ -50,4 +53,18 @@ void case_overlap_tell(const struct simulation *sim, int *told)
             "try a stiffer material with a smaller particles.step, or give the "
             "key the overlap that is meant\n",
             sim->t, text, dem_deepest(sim->dem).expected, expected);
+}
+
+/* The key exists where a part of the case has it. */
+double case_overlap_in_wall(const struct settings *s)
+{
+    static const char key[] = "particles.overlaps";
+
+    for (int i = 0; case_parts[i] != NULL; i++)
+        for (const struct key *k = case_parts[i]->keys;
+             k != NULL && k->path != NULL; k++)
+            if (strcmp(k->path, key) == 0 &&
+                strcmp(settings_text(s, key), "allow") == 0)
+                return 0.5;
+    return 0.01;
 }

@@ -1,4 +1,4 @@
-/* case_overlap.h -- how deep particles may be in each other.
+/* case_overlap.h -- how deep particles may overlap.
  * Chapter "Particles and contact". */
 #ifndef CASE_CASE_OVERLAP_H
 #define CASE_CASE_OVERLAP_H
@@ -9,7 +9,8 @@
 /* The limits of the case for its particles. */
 void case_overlap_limit(const struct settings *s, struct simulation *sim);
 
-/* Who is in whom, how deep and where, as one clause of a sentence. */
+/* Describes the deepest overlap, its two partners and its place, as one clause
+ * of a sentence. */
 enum { CASE_OVERLAP_TEXT = 256 };
 void case_overlap_describe(const struct simulation *sim,
                            char text[CASE_OVERLAP_TEXT]);
@@ -17,5 +18,9 @@ void case_overlap_describe(const struct simulation *sim,
 /* Warns of an overlap deeper than expected, where *told is 0, which becomes 1.
  */
 void case_overlap_tell(const struct simulation *sim, int *told);
+
+/* How deep a placed sphere may be in a wall of the box, over its diameter [-]:
+ * 0.01, and up to its centre where particles.overlaps is "allow". */
+double case_overlap_in_wall(const struct settings *s);
 
 #endif

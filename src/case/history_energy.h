@@ -1,5 +1,5 @@
 /* history_energy.h -- columns of the particles: their energy budget, and how
- * many come and go. */
+ * many are inserted and removed. */
 #ifndef CASE_HISTORY_ENERGY_H
 #define CASE_HISTORY_ENERGY_H
 
@@ -20,15 +20,16 @@ double history_energy_walls(const struct simulation *sim);
 double history_energy_brought(const struct simulation *sim);
 double history_energy_residual(const struct simulation *sim);
 
-/* There must be a life (dem/population/population.h). Masses in kg. */
+/* For a simulation with a population (dem/population.h). Masses in kg. */
 double history_particles(const struct simulation *sim);
 double history_inserted(const struct simulation *sim);
 double history_removed(const struct simulation *sim);
 double history_waiting(const struct simulation *sim);
 double history_mass_in(const struct simulation *sim);
 double history_mass_out(const struct simulation *sim);
-/* Momentum that particles, and the fluid they replaced, brought less what they
- * took away [N s]; and the mass of that fluid [kg], which needs a coupling. */
+/* Momentum of the inserted particles and of the fluid that they replaced, less
+ * that of the removed ones [N s]; and the mass of that fluid [kg], which needs
+ * a coupling. */
 double history_brought_x(const struct simulation *sim);
 double history_brought_y(const struct simulation *sim);
 double history_brought_z(const struct simulation *sim);

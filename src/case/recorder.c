@@ -14,6 +14,7 @@
 #include "base/file.h"
 #include "base/version.h"
 #include "coupling/coupling.h"
+#include "coupling/effect_columns.h"
 #include "coupling/effect_count.h"
 #include "output/picture.h"
 #include "output/summary.h"
@@ -68,7 +69,8 @@ static int add_row(struct recorder *r)
         row[i] = r->column[i]->value(r->sim);
     for (int i = 0; i < r->sim->n_effects; i++)
         if (effects[i].effect->columns != NULL)
-            n += effects[i].effect->row(effects[i].memory, r->sim, &row[n]);
+            n += effects[i].effect->columns->row(effects[i].memory, r->sim,
+                                                 &row[n]);
     return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
 }
 
@@ -251,10 +253,12 @@ static struct table *create_history(struct recorder *r)
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
     r->n_own = r->n_columns;
-    for (int i = 0; i < r->sim->n_effects; i++)
-        for (const char *const *c = r->sim->effects[i].effect->columns;
-             c != NULL && *c != NULL; c++)
-            names[r->n_columns++] = *c;
+    for (int i = 0; i < r->sim->n_effects; i++) {
+        const struct effect_columns *const more =
+            r->sim->effects[i].effect->columns;
+        for (int k = 0; more != NULL && more->names[k] != NULL; k++)
+            names[r->n_columns++] = more->names[k];
+    }
     assert(r->n_columns <= MOST_COLUMNS);
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }

@@ -17,6 +17,7 @@
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
+#include "case/case_overlap.h"
 #include "case/model_choice.h"
 #include "case/profiles.h"
 #include "case/recorder_part.h"
@@ -212,12 +213,15 @@ static int check_place(const struct settings *s)
             settings_item_real(s, "particles.place", i, "diameter");
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
-            const double margin = periodic[k] ? 0.0 : 0.5 * d;
+            const double margin =
+                periodic[k] ? 0.0 : (0.5 - case_overlap_in_wall(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
-                return settings_wrong(s, "particles.place",
-                                      "sphere %d at [%g, %g, %g] m with "
-                                      "diameter %g m is not inside the box",
-                                      i, x[0], x[1], x[2], d);
+                return settings_wrong(
+                    s, "particles.place",
+                    "sphere %d at [%g, %g, %g] m with diameter %g m is not "
+                    "inside the box; particles.overlaps = \"allow\" takes it "
+                    "as it is if its centre is",
+                    i, x[0], x[1], x[2], d);
         }
         if (!case_mesh_holds(s, x))
             return settings_wrong(s, "particles.place",

@@ -5,8 +5,7 @@
  * name allocates nothing, and the time loop, which goes through the list of
  * created effects, does not call it. Parameters arrive as plain numbers in the
  * order of the descriptor's keys (a vector gives three, a group none), already
- * checked. What an effect does is measured while it does it: its hooks report
- * the force on each particle, and the loop takes the time.
+ * checked. Its hooks report the force on each particle; the loop times them.
  */
 #ifndef COUPLING_EFFECT_H
 #define COUPLING_EFFECT_H
@@ -15,7 +14,7 @@
 #include "base/state.h"
 
 struct simulation;
-struct effect;
+struct effect_columns;
 struct effect_mover;
 struct effect_scales;
 struct effect_estimate;
@@ -46,12 +45,9 @@ struct effect {
     const struct effect_mover *mover; /* of what else moves */
     void (*after_step)(void *memory, struct simulation *sim);
     int (*fields)(const void *memory, struct effect_field *f); /* how many */
-    /* Visits what the next step depends on, but for arrays that are attached to
-     * the particles. */
+    /* Visits its memory, but for arrays that are attached to the particles. */
     void (*state)(void *memory, struct state *s);
-    const char *const *columns; /* in history.csv, with units; ended by NULL */
-    /* The values of the columns now; how many. */
-    int (*row)(void *memory, const struct simulation *sim, double *values);
+    const struct effect_columns *columns; /* of history.csv */
     void (*free)(void *memory);
     /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
     void (*drag)(void *memory, struct simulation *sim, double *k, int stride);

@@ -6,8 +6,8 @@
 
 static void seconds_state(struct seconds *spent, struct state *s)
 {
-    double *const all[] = {&spent->cfd, &spent->dem, &spent->averaging,
-                           &spent->exchange, &spent->output};
+    double *const all[] = {&spent->cfd,      &spent->dem,    &spent->averaging,
+                           &spent->exchange, &spent->output, &spent->processor};
 
     state_several(s, "seconds", "s", all, sizeof all / sizeof *all);
 }

@@ -100,6 +100,11 @@ void dem_free(struct dem *dem)
     free(dem);
 }
 
+const struct dem_options *dem_created_with(const struct dem *dem)
+{
+    return &dem->options;
+}
+
 int dem_run(struct dem *dem, int steps, struct dem_report *r)
 {
     dem->method->run(dem, steps, r);

@@ -48,6 +48,9 @@ int dem_period_wrong(const struct dem_options *o, double widest, double mean);
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
 void dem_free(struct dem *dem);
 
+/* The options that it was created with, the integrator chosen. */
+const struct dem_options *dem_created_with(const struct dem *dem);
+
 /* Moves the particles by this number of steps. Non-zero if one is lost (the run
  * ends when this is found) or if an overlap was deeper than dem_limit_overlap
  * allows. The order of the particles may have changed. */

@@ -59,4 +59,9 @@ int vtk_write_polygons(struct vtk_writer *w, const char *path,
                        const struct vtk_polygons *p, double time, int n_arrays,
                        const struct vtk_array *arrays);
 
+/* The same, each polygon an open line. */
+int vtk_write_lines(struct vtk_writer *w, const char *path,
+                    const struct vtk_polygons *p, double time, int n_arrays,
+                    const struct vtk_array *arrays);
+
 #endif

@@ -72,6 +72,15 @@ static void put_limits(const struct outcomes *o, int m, FILE *out)
     }
 }
 
+/* 1 if chance explains the difference of two errors, up to two standard errors
+ * of it. */
+static int is_chance(const struct finding *a, const struct finding *b)
+{
+    const double doubt = sqrt(a->doubt * a->doubt + b->doubt * b->doubt);
+
+    return doubt > 0.0 && fabs(a->error - b->error) <= 2.0 * doubt;
+}
+
 /* What half and twice the cost of the variant that the case itself is buy. */
 static void put_standing(const struct outcomes *o, int m, FILE *out)
 {
@@ -91,6 +100,8 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
         told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);
+        if (is_chance(&o->variant[v].of[m], &o->variant[other].of[m]))
+            fputs(", no difference that can be told", out);
         fputc('\n', out);
     }
 }

@@ -22,6 +22,7 @@ enum { REFUSED = 2, NOT_WRITTEN = 4 };
 struct worker {
     struct run *run; /* NULL: free */
     pid_t process;   /* a child of ours; 0: of a former study, waited for */
+    int resumed;     /* [-] 1: it goes on from a checkpoint */
 };
 
 struct crew {
@@ -90,20 +91,44 @@ static void forget(const struct run *r)
     free(summary);
 }
 
+/* 1 if the folder has a checkpoint of this very run. */
+static int can_go_on(const struct run *r)
+{
+    char *const path = file_join(r->folder, "checkpoint");
+    const int found = access(path, F_OK) == 0 && runs_is_begun(r);
+
+    free(path);
+    return found;
+}
+
+/* Removes the checkpoints of a run that cannot go on from them. */
+static void begin_anew(const struct run *r)
+{
+    static const char *const names[] = {"checkpoint", "checkpoint.before"};
+
+    for (int i = 0; i < 2; i++) {
+        char *const path = file_join(r->folder, names[i]);
+        remove(path);
+        free(path);
+    }
+}
+
 /* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ... */
-static const char **command(const struct plan *p, const struct run *r)
+static const char **command(const struct plan *p, const struct run *r,
+                            int resumed)
 {
     const char *const fixed[] = {"winnow",  "run", p->case_file, "-o",
                                  r->folder, "-j",  "1",          "--quiet"};
     const size_t n = sizeof fixed / sizeof fixed[0];
     const char **const words =
-        alloc_zeroed(n + 2 * (size_t)r->n_overrides + 1, sizeof *words);
+        alloc_zeroed(n + 2 * (size_t)r->n_overrides + 2, sizeof *words);
 
     memcpy(words, fixed, sizeof fixed);
     for (int i = 0; i < r->n_overrides; i++) {
         words[n + 2 * (size_t)i] = "-s";
         words[n + 2 * (size_t)i + 1] = r->overrides[i];
     }
+    if (resumed) words[n + 2 * (size_t)r->n_overrides] = "--resume";
     return words;
 }
 
@@ -115,16 +140,17 @@ static int start(struct crew *c, struct worker *w, struct run *r)
     const pid_t owner = workers_owner(manifest);
 
     free(manifest);
-    *w = (struct worker){r, 0};
+    *w = (struct worker){r, 0, 0};
     if (owner != 0) {
         if (!c->plan->quiet)
             fprintf(stderr, "%s is being run by process %ld; waiting for it\n",
                     r->name, (long)owner);
         return 0;
     }
-    forget(r);
+    w->resumed = can_go_on(r);
+    if (!w->resumed) forget(r);
     if (write_identity(r, 0) != 0) return NOT_WRITTEN;
-    const char **const words = command(c->plan, r);
+    const char **const words = command(c->plan, r, w->resumed);
     char *const log = file_join(r->folder, "log.txt");
     w->process = workers_start(words, log);
     if (w->process == 0)
@@ -179,15 +205,19 @@ static void look_at(struct crew *c, struct worker *w)
     if (w->process > 0) {
         const int code = workers_code(w->process);
         if (code < 0) return;
-        *w = (struct worker){NULL, 0};
-        take_note(c, r, code);
+        const int anew = w->resumed && (code == REFUSED || code == NOT_WRITTEN);
+        *w = (struct worker){NULL, 0, 0};
+        if (anew)
+            begin_anew(r); /* it is still to be done */
+        else
+            take_note(c, r, code);
         return;
     }
     char *const manifest = file_join(r->folder, "manifest.txt");
     const pid_t owner = workers_owner(manifest);
     free(manifest);
     if (owner != 0) return;
-    *w = (struct worker){NULL, 0};
+    *w = (struct worker){NULL, 0, 0};
     runs_look(1, r);
     if (r->code != RUN_TO_DO) take_note(c, r, r->code);
 }

@@ -185,6 +185,13 @@ static void look(struct run *r)
         r->code = (int)code;
 }
 
+int runs_is_begun(const struct run *r)
+{
+    int code;
+
+    return is_same(r, &code);
+}
+
 int runs_look(int n, struct run *runs)
 {
     int ended = 0;

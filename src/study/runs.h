@@ -32,6 +32,9 @@ void runs_free(int n, struct run *runs);
 /* Finds out which have ended before; returns how many. */
 int runs_look(int n, struct run *runs);
 
+/* 1 if the folder says that it is of this very run, ended or not. */
+int runs_is_begun(const struct run *r);
+
 /* Does those that have not ended, p->jobs at a time, with progress on stderr.
  * 0; or after a message 4 if something could not be written, 130 if a signal
  * came: the runs have then been told to stop. */

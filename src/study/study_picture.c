@@ -125,7 +125,7 @@ static int write_data(const struct outcomes *o)
 
 static const char opening[] =
     "# gnuplot -c study.gp svg FILE    or png FILE, in this folder\n"
-    "size_x = width > 1 ? 560.0 : 720.0; size_y = 460.0\n"
+    "size_x = width > 1 ? 560.0 : 720.0; size_y = 360.0 + 26.0 * (lines + 1)\n"
     "if (ARG1 eq 'png') {\n"
     "    set terminal pngcairo size 2*width*size_x, 2*rows*size_y font "
     "'Sans,13' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'\n"
@@ -184,10 +184,13 @@ static void put_labels(const struct plan *p, int m, FILE *out)
         put_quoted(out, p->cost.text);
         fputs(" noenhanced\n", out);
     }
-    snprintf(text, sizeof text, "error of %s [%%]", p->measure[m].text);
-    fputs("set ylabel font ',12' ", out);
+    fputs("set ylabel 'error [%]'\nset title ", out);
+    snprintf(text, sizeof text, "%s against %s", p->measure[m].text,
+             p->truth[m].text);
+    if (strlen(text) > 60)
+        snprintf(text, sizeof text, "%s", p->measure[m].text);
     put_quoted(out, text);
-    fputs(" noenhanced\n", out);
+    fputs(" font ',12' noenhanced offset 0,-0.5\n", out);
 }
 
 /* The range of an axis and its marks: decades, or 1, 2, 5 of each where there
@@ -227,26 +230,29 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 2.5 * high[1], out);
 }
 
-/* One line of the plot command: its points with error bars, and the values of
- * the axis beside them. */
+/* One line of the plot command: its points, with error bars where there are
+ * any. */
 static void put_line(const struct outcomes *o, int first, int m, int index,
                      int number, FILE *out)
 {
     char *const label = choices_label(&o->plan->choices, first, o->axis);
     const int alone = shown_in_line(o, first, m) == 1;
+    int doubtful = 0;
 
-    fprintf(out, ", \\\n  '%s' index %d using 1:2 with %s linetype %d title ",
-            data, index, alone ? "points" : "linespoints", number);
+    for (int v = 0; v < o->n; v++)
+        doubtful |= line_of(o, v) == first && o->variant[v].of[m].doubt > 0.0;
+    fprintf(out, ", \\\n  '%s' index %d using %s with %s linetype %d title ",
+            data, index, doubtful ? "1:2:3:4" : "1:2",
+            doubtful ? alone ? "yerrorbars" : "yerrorlines"
+            : alone  ? "points"
+                     : "linespoints",
+            number);
     put_quoted(out, label[0] != '\0' ? label : "error");
-    if (o->variant[first].of[m].doubt > 0.0)
-        fprintf(out,
-                ", \\\n  '' index %d using 1:2:3:4 with yerrorbars linetype %d "
-                "dashtype 1 pointtype 0 notitle",
-                index, number);
-    if (o->axis >= 0 && shown_in_panel(o, m) <= 24)
+    /* The values of the axis beside the points: once, where lines are many. */
+    if (o->axis >= 0 && (number == 1 || shown_in_panel(o, m) <= 12))
         fprintf(out,
                 ", \\\n  '' index %d using 1:2:5 with labels left offset "
-                "0.8,0.5 font ',10' textcolor rgb '#444444' noenhanced notitle",
+                "0.8,0.6 font ',10' textcolor rgb '#444444' noenhanced notitle",
                 index);
     free(label);
 }
@@ -267,6 +273,19 @@ static void put_panel(const struct outcomes *o, int m, int *index, FILE *out)
     fputc('\n', out);
 }
 
+static int most_lines(const struct outcomes *o)
+{
+    int most = 0;
+
+    for (int m = 0; m < o->plan->n_measures; m++) {
+        int n = 0;
+        for (int v = 0; v < o->n; v++)
+            n += line_of(o, v) == v && shown_in_line(o, v, m) > 0;
+        if (n > most) most = n;
+    }
+    return most;
+}
+
 static int write_script(const struct outcomes *o, int panels)
 {
     char *const path = file_join(o->plan->dir, script);
@@ -276,8 +295,8 @@ static int write_script(const struct outcomes *o, int panels)
     free(path);
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fprintf(out, "width = %d; rows = %d\n%s", panels > 1 ? 2 : 1,
-            (panels + 1) / 2, opening);
+    fprintf(out, "width = %d; rows = %d; lines = %d\n%s", panels > 1 ? 2 : 1,
+            (panels + 1) / 2, most_lines(o), opening);
     fprintf(out, "set multiplot layout %d,%d title ", (panels + 1) / 2,
             panels > 1 ? 2 : 1);
     put_quoted(out, o->plan->title);

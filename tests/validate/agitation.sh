@@ -31,7 +31,7 @@ run() {
 }
 
 made() { # PART
-    echo "# Made by: ${END:+END=$END }sh tests/validate/agitation.sh build/winnow $1"
+    echo "# Made by: ${END:+END=$END }${RE:+RE='$RE' }sh tests/validate/agitation.sh build/winnow $1"
 }
 
 # NAME QUANTITY KEY: a number of its statistics.
@@ -99,11 +99,11 @@ block() {
 
 # Figs. 14 to 17 and Table 1, reading A: Re_in, 1 / Re_in, Fr.
 liquid() {
-    ways="cube gauss random"
+    ways="cube gauss random" stiff="-s particles.grains.stiffness=5e4"
     for re in ${RE:-4 6 8 11}; do
         case $re in
-        4) scale="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0]" ;;
-        6) scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]" ;;
+        4) scale="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0] $stiff" ;;
+        6) scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0] $stiff" ;;
         8) scale="-s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0]" ;;
         *) scale= ;;
         esac
@@ -122,12 +122,12 @@ liquid() {
         done
     } >$figures/23-liquid.txt
     numbers 2 1 <$figures/23-liquid.txt >$figures/23-numbers.txt
-    for file in series profile correlation density; do
+    for file in series profile correlation; do
         {
             made liquid
             for way in $ways; do
                 for re in ${RE:-4 6 8 11}; do
-                    block "$way-$re" $file "$([ $file = series ] && echo 5 || echo 1)"
+                    block "$way-$re" $file "$([ $file = series ] && echo 10 || echo 1)"
                 done
             done
         } >$figures/23-liquid-$file.txt
@@ -137,6 +137,7 @@ liquid() {
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
 kernels() {
     scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]"
+    scale="$scale -s particles.grains.stiffness=5e4"
     # shellcheck disable=SC2086
     {
         run gauss-6 cases/ew18-liquid.cfg $scale

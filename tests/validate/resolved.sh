@@ -1,7 +1,7 @@
 #!/bin/sh
 # Long runs of the resolved bodies: spheres in a cubic array at three solid
 # fractions and four resolutions, the drag against the step with each method, the
-# falls of [Cate02], and light and heavy spheres. About an hour on one core.
+# falls of [Cate02], and light and heavy spheres. About an hour on one core, of which the falls are most.
 #
 #   sh tests/validate/resolved.sh build/winnow [PART...]
 #
@@ -103,7 +103,7 @@ falls() {
                 NR > 1 && -$7 > most { most = -$7 }
                 END { printf "%6s %8s %9s %12.5f %15s %11.2f\n", name, per, dt,
                       most, U, 100 * (most / U - 1) }' "$out/fall-$name-$per/bodies.csv"
-            awk -F, 'NR > 1 && NR % 4 == 2 { print $1, $4 - 0.0075, $7 }' \
+            awk -F, 'NR > 1 && NR % 4 == 2 { printf "%.3f %.6f %.5f\n", $1, $4 - 0.0075, $7 }' \
                 "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
         done
     done <<TABLE
@@ -146,3 +146,19 @@ for part; do
     { made "$part"; $part; } >$out/24-"$part".txt
     cp $out/24-"$part".txt figures/24-"$part".txt
 done
+
+# The bands: 3 % at 12 cells in a diameter (9 % in the densest array), a spread of
+# 1 % over the places in a cell, 0.3 % of the drag from step to step up to
+# nu dt / h^2 = 3, 4 % of the largest velocity at 7.5 cells but for E1.
+awk '
+    function off(x) { return x < 0 ? -x : x }
+    function want(ok, what) { if (!ok) { print "out of its band: " what; bad = 1 } }
+    /^#/ || NF == 0 { next }
+    FILENAME ~ /arrays/ && $3 > 11 { want(off($6) <= ($1 > 0.4 ? 9 : 3), FILENAME ": " $0) }
+    FILENAME ~ /methods/ && $1 >= 0.1 && $1 <= 3 {
+        if (!held) held = $2
+        want(off($2 / held - 1) <= 0.003, FILENAME ": " $0)
+    }
+    FILENAME ~ /places/ { if (!first) first = $4; want(off($4 / first - 1) <= 0.01, FILENAME ": " $0) }
+    FILENAME ~ /falls/ && $2 > 7 && $1 != "E1" { want(off($6) <= 4, FILENAME ": " $0) }
+    END { exit bad }' figures/24-arrays.txt figures/24-methods.txt figures/24-places.txt figures/24-falls.txt

@@ -14,6 +14,7 @@
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
+#include "case/case_overlap.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
 
@@ -89,6 +90,7 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
                     sizeof path);
     in->own_list = insertion_read(path, &in->options.count);
     in->options.list = in->own_list;
+    if (in->options.rate == 0.0) in->options.overlap = case_overlap_in_wall(s);
     return in->own_list == NULL;
 }
 
@@ -150,23 +152,22 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
     return c;
 }
 
-/* Spheres of a list that come at once must not overlap: the second would wait
- * until the first has gone, for ever if it is at rest. */
+/* Spheres of a list that come at once must not overlap: the second would wait.
+ */
 static int check_apart(const struct settings *s, int i,
                        const struct insertion_options *o,
                        const struct box_domain *box)
 {
     int who[2];
 
-    if (o->rate > 0.0 || !insertion_clash(o, box, OVERLAPS_MAX, who)) return 0;
+    if (o->rate > 0.0 || !insertion_clash(o, box, o->overlap, who)) return 0;
     return settings_wrong(
         s, sources,
-        "source %d: spheres %d and %d of its file are in each other, but all "
-        "come at once; move them apart, or give the source a rate",
+        "source %d: spheres %d and %d of its file are in each other; move them "
+        "apart, or set particles.overlaps to \"allow\"",
         i, who[0], who[1]);
 }
 
-/* A sphere of a list is inside of the box and overlaps no other. */
 static int check_list(const struct settings *s, int i,
                       const struct insertion_options *o)
 {
@@ -177,12 +178,14 @@ static int check_list(const struct settings *s, int i,
     case_mesh_periodic(s, periodic);
     for (long q = 0; q < o->count; q++)
         for (int k = 0; k < 3; k++) {
-            const double margin = periodic[k] ? 0.0 : 0.5 * o->list[q].d;
+            const double margin =
+                periodic[k] ? 0.0 : (0.5 - o->overlap) * o->list[q].d;
             if (o->list[q].x[k] < lo[k] + margin ||
                 o->list[q].x[k] > hi[k] - margin)
-                return settings_wrong(
-                    s, sources, "source %d: sphere %ld is not inside the box",
-                    i, q);
+                return settings_wrong(s, sources,
+                                      "source %d: sphere %ld is not inside the "
+                                      "box; see particles.overlaps",
+                                      i, q);
         }
     const struct box_domain box = box_domain_of(lo, hi, periodic);
     return check_apart(s, i, o, &box);
@@ -314,7 +317,6 @@ static void bed_sizes(const struct settings *s, struct bed_options *b)
     b->diameter = sizes_moment(b->sizes, 1);
 }
 
-/* Placed spheres that overlap are moved apart, or refused. */
 static int place(const struct settings *s, struct particles *ps,
                  const struct dem_options *o)
 {

@@ -41,8 +41,10 @@ const struct key case_population_keys[] = {
     {"particles.insert.seed", KEY_INT, "-", ">= 0", "1",
      "seed of sizes and places", "", ""},
     {"particles.insert.file", KEY_FILE, "", "", "",
-     "instead of chance: a file with x y z d [m] in each line; beside the case "
-     "unless it begins with /",
+     "instead of chance: a file with x y z d [m] in each line, a table with "
+     "names of columns, or a dump of LAMMPS or LIGGGHTS; beside the case "
+     "unless "
+     "it begins with /",
      "", ""},
     {"particles.sinks", KEY_LIST, "", "", "",
      "where particles leave: a side of the box, or a region", "", ""},

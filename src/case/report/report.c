@@ -10,6 +10,7 @@
 #include "case/case_cost.h"
 #include "case/report/case_averaging_report.h"
 #include "case/report/case_drag.h"
+#include "case/report/report_accuracy.h"
 #include "case/report/case_flow.h"
 #include "case/report/report_cohesion.h"
 #include "case/report/case_effects.h"
@@ -181,6 +182,7 @@ int report_case(const struct settings *s)
         case_effects_print(s, &k);
     }
     print_cost(s, &k);
+    report_accuracy(s, &k);
     return 0;
 }
 

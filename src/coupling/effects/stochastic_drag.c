@@ -27,7 +27,9 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_count.h"
 #include "coupling/drag_laws/coefficient.h"
+#include "coupling/effect_scales.h"
 #include "coupling/effects.h"
+#include "coupling/transfer.h"
 
 double stochastic_drag_memory(double dt, double T)
 {
@@ -142,11 +144,24 @@ static void stochastic_drag_drag(void *memory, struct simulation *sim,
     self->uses += n;
 }
 
+/* The sizes of the forces, after the cut. */
+static void report(const struct stochastic_drag *self, struct simulation *sim)
+{
+    for (int i = 0; i < sim->particles->n; i++) {
+        const double part = fabs(random_coefficient(self, sim, i));
+        const double f[3] = {
+            fmin(part * slip_of(sim, i), transfer_drag(sim, i)), 0.0, 0.0};
+        effects_report(sim, f, 1.0);
+    }
+}
+
 /* One step of the process, for the step that comes. */
 static void stochastic_drag_after_particles(void *memory,
                                             struct simulation *sim)
 {
     struct stochastic_drag *const self = memory;
+
+    report(self, sim);
     const double a = stochastic_drag_memory(sim->dt, self->T);
     const int n = sim->particles->n;
 
@@ -171,6 +186,28 @@ static const char *wrong(const double *parameters,
 {
     (void)scene;
     return parameters[3] < parameters[2] ? "Re_high is below Re_low" : NULL;
+}
+
+/* sqrt(2 / pi) of sigma over C_d, on average. Where the case gives no sigma,
+ * that of EW18's liquid bed, whose Re_p went from 3 to 10.5. */
+static struct effect_estimate estimate(const struct effect_scales *k)
+{
+    static const struct stochastic_drag_sigma liquid = {93.5, 13.43, 3.0, 10.5,
+                                                        0};
+    const double *const n = k->numbers, eps = 1.0 - k->eps_s;
+    const struct stochastic_drag_sigma own = {
+        n != NULL ? n[0] : 0.0, n != NULL ? n[1] : 0.0, n != NULL ? n[2] : 0.0,
+        n != NULL ? n[3] : 0.0, n != NULL && n[4] != 0.0};
+    const double Re = coefficient_reynolds(eps, k->rho_f, k->mu, k->d, k->slip);
+    const double sigma = stochastic_drag_sigma(n != NULL ? &own : &liquid, Re);
+    const double F =
+        M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) * sigma;
+
+    return (struct effect_estimate){
+        sqrt(2.0 / M_PI) * fmin(F, k->drag) / k->force,
+        n == NULL && (Re < 3.0 || Re > 10.5) ? "EW18 knows Re_p of 3 to 10.5"
+                                             : "",
+        0};
 }
 
 static int stochastic_drag_counts(const void *memory, struct effect_count *c)
@@ -216,4 +253,5 @@ const struct effect stochastic_drag_effect = {
     .counts = stochastic_drag_counts,
     .state = stochastic_drag_state,
     .wrong = wrong,
+    .estimate = estimate,
 };

@@ -21,6 +21,7 @@
 #include "base/alloc.h"
 #include "base/state.h"
 #include "coupling/effect.h"
+#include "coupling/effect_columns.h"
 #include "coupling/simulation.h"
 
 struct bubbles {
@@ -157,9 +158,11 @@ static void bubbles_state(void *memory, struct state *s)
     state_long(s, "passed", "-", &b->passed);
 }
 
-static const char *const columns[] = {"bubbles [-]", "bubble_volume [m3]",
-                                      "largest_bubble [m]",
-                                      "bubbles_passed [-]", NULL};
+static const char *const names[] = {"bubbles [-]", "bubble_volume [m3]",
+                                    "largest_bubble [m]", "bubbles_passed [-]",
+                                    NULL};
+
+static const struct effect_columns columns = {names, bubbles_row};
 
 static const struct key keys[] = {
     {"effects.bubbles", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -181,8 +184,7 @@ const struct effect bubbles_effect = {
     .function = "bubbles_row",
     .keys = keys,
     .create = bubbles_create,
-    .columns = columns,
-    .row = bubbles_row,
+    .columns = &columns,
     .state = bubbles_state,
     .free = bubbles_free,
 };

@@ -28,6 +28,7 @@
 #include "base/alloc.h"
 #include "base/state.h"
 #include "coupling/effect.h"
+#include "coupling/effect_columns.h"
 #include "coupling/simulation.h"
 
 struct mixing {
@@ -156,7 +157,9 @@ static void mixing_state(void *memory, struct state *s)
     state_wholes(s, "marked", "-", self->marked, self->labels, 1);
 }
 
-static const char *const columns[] = {"mixing [-]", NULL};
+static const char *const names[] = {"mixing [-]", NULL};
+
+static const struct effect_columns columns = {names, mixing_row};
 
 static const struct key keys[] = {
     {"effects.mixing", KEY_GROUP, "", "", KEY_OPTIONAL,
@@ -177,8 +180,7 @@ const struct effect mixing_effect = {
     .function = "mixing_row",
     .keys = keys,
     .create = mixing_create,
-    .columns = columns,
-    .row = mixing_row,
+    .columns = &columns,
     .state = mixing_state,
     .free = mixing_free,
 };

@@ -40,7 +40,7 @@ static void size_fact(char line[LINE], const struct bed_options *bed)
                                sizes_moment(s, 2), sizes_moment(s, 3)});
 }
 
-/* The beds that we keep are of material 0; what the wall is to it. */
+/* Beds in files are of material 0; this is its pair with the wall. */
 static void wall_fact(char line[LINE], const struct dem_options *o)
 {
     const struct material_pair p =

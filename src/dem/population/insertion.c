@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/population/insertion.h"
+#include "dem/population/grain_table.h"
 
 #include <errno.h>
 #include <math.h>
@@ -217,7 +218,7 @@ static int place_next(struct insertion *in, struct near_particles *c,
 
     for (int a = 0; a < (o->list != NULL ? 1 : ATTEMPTS); a++) {
         insertion_place(o, in->n_inserted, in->n_attempts++, d, x);
-        if (clash(c, x, d, 0.0) >= 0) continue;
+        if (clash(c, x, d, o->overlap) >= 0) continue;
         if (o->region.has_room != NULL &&
             !o->region.has_room(o->region.state, x, 0.5 * d))
             continue;
@@ -300,6 +301,7 @@ static int parse(const char *line, struct insertion_sphere *one, int *is_one)
 
 struct insertion_sphere *insertion_read(const char *path, long *n)
 {
+    if (grain_table_is(path)) return grain_table_read(path, n);
     const char *const why = input_wrong(path);
     FILE *const f = why == NULL ? fopen(path, "r") : NULL;
     struct insertion_sphere *list = NULL;

@@ -40,6 +40,8 @@ struct insertion_options {
         region; /* positions outside of it count as attempts */
     const struct insertion_sphere *list; /* borrowed; count of them, instead of
                                          chance; or NULL */
+    double overlap; /* [-] over the mean diameter, that spheres of a list may
+                       have with others */
 };
 
 struct insertion {

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/population/grain_table.h"
+#include "base/csv.h"
+
+#include "facts.h"
+#include "scratch.h"
+
+#include <stdlib.h>
+
+static char dir[64];
+
+static const char *file_of(const char *text)
+{
+    const char *const path = scratch_path(dir, "grains.txt");
+    FILE *const f = fopen(path, "w");
+
+    fputs(text, f);
+    fclose(f);
+    return path;
+}
+
+static void set_up(void)
+{
+    scratch_make(dir);
+}
+
+static void tear_down(void)
+{
+    scratch_clear(dir);
+}
+
+/* Two snapshots of LIGGGHTS, the columns in its order; the second one counts,
+ * and its radius is half a diameter. */
+START_TEST(the_last_snapshot_of_a_dump_is_read)
+{
+    long n;
+    const char *const path = file_of(
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS\n0 1\n"
+        "ITEM: ATOMS id type x y z vx radius \n1 1 9 9 9 0 9 \n"
+        "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS\n0 1\n"
+        "ITEM: ATOMS id type radius x z y vx \n7 1 0.25 1 3 2 0 \n"
+        "3 1 0.5 4 6 5 0 \n");
+    ck_assert_int_eq(grain_table_is(path), 1);
+    struct insertion_sphere *const list = insertion_read(path, &n);
+
+    ck_assert_int_eq(n, 2);
+    ck_assert_double_eq(list[0].x[0], 1.0);
+    ck_assert_double_eq(list[0].x[1], 2.0);
+    ck_assert_double_eq(list[0].x[2], 3.0);
+    ck_assert_double_eq(list[0].d, 0.5);
+    ck_assert_double_eq(list[1].x[1], 5.0);
+    ck_assert_double_eq(list[1].d, 1.0);
+    free(list);
+}
+END_TEST
+
+START_TEST(a_table_is_read_by_the_names_of_its_columns)
+{
+    long n;
+    const char *const path = file_of(
+        "# of a spreadsheet\n\"z [m]\";\"diameter [m]\";\"x [m]\";\"y [m]\"\n"
+        "3;0.5;1;2\n\n6;0.25;4;5\n");
+    struct insertion_sphere *const list = insertion_read(path, &n);
+
+    ck_assert_int_eq(n, 2);
+    ck_assert_double_eq(list[0].x[0], 1.0);
+    ck_assert_double_eq(list[0].x[1], 2.0);
+    ck_assert_double_eq(list[0].x[2], 3.0);
+    ck_assert_double_eq(list[1].d, 0.25);
+    free(list);
+}
+END_TEST
+
+/* Numbers alone are x y z d, as ever. */
+START_TEST(a_file_without_names_is_no_table)
+{
+    long n;
+    const char *const path = file_of("# x y z d\n1 2 3 0.5\n");
+
+    ck_assert_int_eq(grain_table_is(path), 0);
+    struct insertion_sphere *const list = insertion_read(path, &n);
+    ck_assert_int_eq(n, 1);
+    ck_assert_double_eq(list[0].d, 0.5);
+    free(list);
+}
+END_TEST
+
+START_TEST(a_table_without_sizes_or_with_half_a_row_is_refused)
+{
+    static const char *const texts[] = {"x y z\n1 2 3\n",
+                                        "x y z d\n1 2 3\n",
+                                        "x y z d\n1 2 3 4 5\n",
+                                        "x y z d\n1 2 3 -4\n",
+                                        "x y z d\n1 2 nan 4\n",
+                                        "x y z d\n",
+                                        "ITEM: ATOMS id x y radius\n1 2 3 4\n"};
+    long n;
+
+    scratch_listen(dir);
+    for (int i = 0; i < 7; i++)
+        ck_assert_ptr_null(insertion_read(file_of(texts[i]), &n));
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "expected columns x, y, z and d"));
+    ck_assert_ptr_nonnull(strstr(said, "line 2: expected 4 numbers"));
+    free(said);
+}
+END_TEST
+
+FACTS("grain table")
+{
+    tcase_add_checked_fixture(facts, set_up, tear_down);
+    FACT(the_last_snapshot_of_a_dump_is_read);
+    FACT(a_table_is_read_by_the_names_of_its_columns);
+    FACT(a_file_without_names_is_no_table);
+    FACT(a_table_without_sizes_or_with_half_a_row_is_refused);
+}
