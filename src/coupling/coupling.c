@@ -40,6 +40,7 @@ struct coupling *coupling_create(struct simulation *sim,
     particles_attach(ps, "u_f", "m/s", cp->u_f, 3);
     particles_attach(ps, "eps", "-", cp->eps, 1);
     particles_attach(ps, "k", "kg/s", cp->k, 1);
+    particles_attach(ps, "rate", "kg/s", cp->rate, 1);
     particles_attach(ps, "u_mean", "m/s", cp->u_mean, 3);
     particles_attach(ps, "unpaid_impulse", "N s", cp->unpaid_impulse, 3);
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
