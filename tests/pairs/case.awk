@@ -51,8 +51,8 @@ function side(name, what) { put("  " name " = " what ";") }
 # 1 if the flow is driven at side number k.
 function acts(k) {
     return (is("drive", "wall") && k == 6) || (k == 3 && \
-        is("drive", "through parabola ramp")) || \
-        (k == 4 && is("drive", "through parabola ramp outlet"))
+        is("drive", "through parabola formula ramp")) || \
+        (k == 4 && is("drive", "through parabola formula ramp outlet"))
 }
 
 function put_sides(    i, k, name, what, ends) {
@@ -63,12 +63,13 @@ function put_sides(    i, k, name, what, ends) {
         what = is("sides", "slip") || (is("sides", "mixed") && k % 2) ? \
             "\"slip\"" : "\"no-slip\""
         if (is("drive", "wall") && k == 6) what = "{ wall = [0.1, 0.0, 0.0]; }"
-        if (is("drive", "through parabola") && k == 3)
+        if (is("drive", "through parabola formula") && k == 3)
             what = "{ inlet = 0.2;" (is("drive", "parabola") ? \
-                " profile = \"parabola\";" : "") " }"
+                " profile = \"parabola\";" : is("drive", "formula") ? \
+                " profile = \"formula\"; formula = \"1+0.5*sin(300*x+900*t)\";" : "") " }"
         if (is("drive", "ramp") && k == 3)
             what = "{ inlet = ((0.0, 0.0), (1e-3, 0.3), (2e-3, 0.1)); }"
-        if (is("drive", "through parabola ramp outlet") && k == 4)
+        if (is("drive", "through parabola formula ramp outlet") && k == 4)
             what = "{ outlet = 0.0; }"
         side(name[k], what)
     }
@@ -316,6 +317,8 @@ function put_output(    h, p, i, n, f) {
             put("    { field = \"" f[i] "\"; position = " at(0.5, 0.15 * i, 0.5) "; }" (i < n ? "," : ""))
         put("  );")
     }
+    if (on("forces")) put("  forces = ( { name = \"walls\"; } ); walls = true;")
+    if (on("contacts")) put("  contacts = true;")
     if (on("statistics"))
         put("  statistics = { from = " 3 * step "; blocks = 2;" \
             (letter == "c" ? " lags = " 4 * step ";" : "") " };")

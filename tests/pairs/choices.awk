@@ -9,7 +9,7 @@
 BEGIN {
     choice("cpf", "mesh", "box graded sheared thin dual cyclic slanted")
     choice("cpf", "periodic", "none x y z xz xyz")
-    choice("cf", "drive", "closed wall through parabola ramp outlet gradient flow")
+    choice("cf", "drive", "closed wall through parabola formula ramp outlet gradient flow")
     choice("cf", "sides", "no-slip slip mixed")
     choice("cfm", "medium", "air liquid")
     choice("cfm", "time", "euler bdf2")
@@ -67,6 +67,8 @@ BEGIN {
     choice("cpf", "every", "each end")
     choice("cf", "profiles", "off on")
     choice("cf", "probes", "off on")
+    choice("cf", "forces", "off on")
+    choice("cp", "contacts", "off on")
     choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
@@ -85,7 +87,7 @@ BEGIN {
     apart("drive", "gradient flow", "periodic", "none",
           "x is not periodic, so nothing can be driven round it")
     apart("drive", "gradient flow", "mesh", "dual slanted", "")
-    apart("drive", "through parabola ramp outlet", "periodic", "y xyz",
+    apart("drive", "through parabola formula ramp outlet", "periodic", "y xyz",
           "y is periodic, so the fluid has no")
     apart("drive", "wall", "periodic", "z xz xyz",
           "z is periodic, so the fluid has no")
