@@ -21,7 +21,7 @@ LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 
 # What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ASIDE   := src/resolved
+ASIDE   := src/resolved src/study
 ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
 FOLDERS := $(ALL_FOLDERS)
 SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
