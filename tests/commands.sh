@@ -22,7 +22,8 @@ facts=0
 
 compile() {
     for program in figures/*.c; do
-        if ${CC:-gcc} -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -fsyntax-only -Werror=implicit-function-declaration \
+        # shellcheck disable=SC2046 # one word a flag
+        if ${CC:-gcc} -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -fsyntax-only -Werror=implicit-function-declaration $(pkg-config --cflags hdf5 2>/dev/null) \
             -Wall -Wextra -Isrc -Itests -Ifigures "$program"; then
             facts=$((facts + 1))
         else
