@@ -108,7 +108,8 @@ static void make_room(struct solid_bodies *b)
     b->capacity = 2 * b->capacity + 1024;
     struct hold_link *const more =
         alloc_zeroed((size_t)b->capacity, sizeof *more);
-    memcpy(more, b->link, (size_t)b->n_links * sizeof *more);
+    if (b->n_links > 0)
+        memcpy(more, b->link, (size_t)b->n_links * sizeof *more);
     free(b->link);
     b->link = more;
 }
