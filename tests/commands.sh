@@ -37,7 +37,7 @@ compile() {
 shortened() {
     bed=
     grep -q 'bed = {' "$3" && bed='-s particles.bed.settle=0'
-    end=$(build/winnow check "$3" 2>/dev/null | awk '
+    end=$(cd "$work" && build/winnow check "$3" 2>/dev/null | awk '
         $1 == "step" && $3 == "s" && 2 * $2 > 2e-3 { end = 2 * $2 }
         END { print end ? end : "2e-3" }')
     samples=
