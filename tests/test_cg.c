@@ -78,6 +78,30 @@ START_TEST(without_a_right_hand_side_the_solution_is_zero)
 }
 END_TEST
 
+/* Without a tolerance the iteration goes on until the squares of the residual
+ * are no normal numbers any more, below sqrt(DBL_MIN). */
+START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+{
+    for (int jacobi = 0; jacobi < 2; jacobi++) {
+        struct setting s = poisson(8, 8, 4);
+
+        double bb = 0.0;
+
+        for (int i = 0; i < s.b.n; i++) {
+            s.rhs[i] *= 1e-140;
+            bb += s.rhs[i] * s.rhs[i];
+        }
+        const struct solve_report r = cg_reduce(s.A, jacobi ? NULL : s.mg,
+                                                s.rhs, s.x, 0.0, 0.0, 500, s.w);
+
+        ck_assert(r.converged);
+        ck_assert_int_lt(r.iterations, 500);
+        ck_assert_double_le(r.after * sqrt(bb), 1.5e-154);
+        release(&s);
+    }
+}
+END_TEST
+
 START_TEST(a_good_guess_costs_nothing)
 {
     struct setting s = poisson(8, 8, 4);
@@ -167,6 +191,7 @@ FACTS("cg")
     tcase_set_timeout(facts, 60); /* [s] for sanitizers on a busy machine */
     FACT(the_true_residual_is_the_one_reported);
     FACT(without_a_right_hand_side_the_solution_is_zero);
+    FACT(a_residual_whose_square_underflows_counts_as_solved);
     FACT(a_good_guess_costs_nothing);
     FACT(the_absolute_tolerance_stops_too);
     FACT(the_limit_of_iterations_is_reported);

@@ -25,10 +25,10 @@ static void add(struct sum *s, int k, double impulse)
     s->gross += fabs(impulse);
 }
 
-/* Adds the contributions of boundary face f: convected momentum, pressure, and
- * the viscous force of a wall or an inlet. */
-static void add_face(const struct fluid *fl, const struct boundary *b, int j,
-                     int f, struct sum *s)
+/* Adds the contributions of boundary face f: convected momentum, the viscous
+ * force of a wall or an inlet, and the pressure unless p_face is NULL. */
+static void add_face(const struct fluid *fl, const double *p_face,
+                     const struct boundary *b, int j, int f, struct sum *s)
 {
     const double dt = fl->options.dt,
                  flow = fl->options.rho * fl->levels->convecting_flux[f];
@@ -42,17 +42,28 @@ static void add_face(const struct fluid *fl, const struct boundary *b, int j,
     for (int k = 0; k < 3; k++) {
         add(s, k, -dt * flow * edge[k]);
         add(s, k, dt * D * (edge[k] - u[k]));
-        add(s, k, -dt * fl->p_face[f] * fl->mesh->S[3 * f + k]);
+        if (p_face != NULL) add(s, k, -dt * p_face[f] * fl->mesh->S[3 * f + k]);
     }
 }
 
-static void add_boundaries(const struct fluid *fl, struct sum *s)
+static void add_boundaries(const struct fluid *fl, const double *p_face,
+                           struct sum *s)
 {
     for (int i = 0; i < fl->mesh->n_patches; i++) {
         const struct patch *const p = &fl->mesh->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
-            add_face(fl, &fl->options.boundaries[i], f - p->first, f, s);
+            add_face(fl, p_face, &fl->options.boundaries[i], f - p->first, f,
+                     s);
     }
+}
+
+void momentum_balance_of_boundaries(const struct fluid *fl, double impulse[3])
+{
+    struct sum s = {{0.0, 0.0, 0.0}, 0.0};
+
+    add_boundaries(fl, NULL, &s);
+    for (int k = 0; k < 3; k++)
+        impulse[k] = s.impulse[k];
 }
 
 /* Adds the drag, and the part of the pressure force that acts on the particles.
@@ -114,7 +125,7 @@ double momentum_balance_residual(const struct fluid *fl, const double before[3],
     struct sum s = {{0.0, 0.0, 0.0}, 0.0};
     double after[3], worst = 0.0;
 
-    add_boundaries(fl, &s);
+    add_boundaries(fl, fl->p_face, &s);
     add_mean_gradient(fl, &s);
     if (fl->options.coupled) add_particles(fl, &s);
     if (fl->immersed != NULL) add_immersed(fl->immersed, &s);

@@ -61,7 +61,10 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3]);
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi);
 
-/* momentum_balance.c: change of the fluid's momentum from `before` the step to
+/* momentum_balance.c: what convection and viscosity bring through all boundary
+ * faces in a step with the present velocity [N s], without the pressure. */
+void momentum_balance_of_boundaries(const struct fluid *fl, double impulse[3]);
+/* Change of the fluid's momentum from `before` the step to
  * now minus the impulse of the forces, over the sum of their magnitudes [-].
  * relabelled: fl->relabelled before the step. */
 double momentum_balance_residual(const struct fluid *fl, const double before[3],

@@ -290,13 +290,14 @@ static double scale_rows(int first, int last, const struct fluid *fl)
 
 /* The right-hand side of the pressure equation. In the first corrector of a
  * step also the 2-norm of the sums of |phi| of the cells, the scale of its
- * residual. */
+ * residual; where nothing flows in that one yet, because a force is added after
+ * it, in the first in which something flows. */
 static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
     struct pressure_system *const pressure = fl->pressure;
 
-    if (fl->report.correctors == 0) {
+    if (fl->report.correctors == 0 || pressure->scale == 0.0) {
         double squares;
 
         PARALLEL_SUM(squares, m->n_cells, 8, scale_rows, fl);

@@ -5,6 +5,7 @@
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,7 +132,9 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
 }
 
 /* Until |b - A x| is below a target and below `enough` of what it is at first,
- * whichever is larger. */
+ * whichever is larger. The square of a residual below sqrt(DBL_MIN), 1.5e-154,
+ * has lost its digits: the iteration can mend nothing there, and it counts as
+ * zero. */
 static struct solve_report solve(const struct csr *A, struct multigrid *mg,
                                  const double *b, double *x, double scale,
                                  double target, double enough,
@@ -139,7 +142,7 @@ static struct solve_report solve(const struct csr *A, struct multigrid *mg,
 {
     struct solve_report report = {0, 0.0, 0.0, 1};
     const double rr = residual(A, mg, b, x, w);
-    const double goal = fmax(target, enough * sqrt(rr));
+    const double goal = fmax(fmax(target, enough * sqrt(rr)), sqrt(DBL_MIN));
     const double after =
         iterate(A, mg, x, rr, goal, max_iterations, w, &report.iterations);
 

@@ -18,7 +18,8 @@ void cg_work_free(struct cg_work *w);
  * same A; A itself may then be NULL) or, if mg is NULL, by the diagonal. Stops
  * when |b - A x|_2 <= max(tolerance |b|_2, absolute), after max_iterations, or
  * when a number is no longer finite or A proves not to be positive. b = 0 gives
- * x = 0. */
+ * x = 0, and a residual below 1.5e-154, whose square is no normal number,
+ * counts as 0. */
 struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
                              const double *b, double *x,
                              double tolerance /* [-] */,

@@ -130,7 +130,8 @@ static void subtract_gradient(struct fluid *fl, const double *q)
 }
 
 /* u = u~ - grad q dt/rho [LS 5.19], with lap q dt/rho = div u~ [LS 5.20]; phi
- * of LS is q dt/rho. */
+ * of LS is q dt/rho. Where a body begins to move in a fluid at rest, the step
+ * has no scale of its fluxes before: then the divergence is the scale. */
 static void project(struct solid_bodies *b, struct fluid *fl)
 {
     struct pressure_system *const pressure = fl->pressure;
@@ -140,21 +141,30 @@ static void project(struct solid_bodies *b, struct fluid *fl)
                                pressure->boundary_conductance);
     for (int c = 0; c < fl->mesh->n_cells; c++)
         b->hold_u[c] = 0.0; /* work space */
+    const double tolerance = fl->options.tolerance;
     const struct solve_report r =
-        cg_reduce(NULL, pressure->mg, pressure->divergence, b->hold_u, 0.0,
-                  fl->options.tolerance * pressure->scale, 500, pressure->cg);
+        cg_reduce(NULL, pressure->mg, pressure->divergence, b->hold_u,
+                  pressure->scale > 0.0 ? 0.0 : tolerance,
+                  tolerance * pressure->scale, 500, pressure->cg);
     if (!r.converged) fl->report.pressure = r;
     subtract_gradient(fl, b->hold_u);
 }
 
-/* The interim velocity, of the fluid everywhere, is there [LS 5.17]. */
+/* The interim velocity, of the fluid everywhere, is there [LS 5.17]. The
+ * boundaries have acted upon that velocity, and the balance of momentum counts
+ * them with the final one: their difference is an impulse, too. */
 static void fictitious_end(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = (struct solid_bodies *)self;
+    double interim[3], final[3];
 
+    momentum_balance_of_boundaries(fl, interim);
     clear_impulse(self);
     set_velocity(b, fl);
     project(b, fl);
+    momentum_balance_of_boundaries(fl, final);
+    for (int k = 0; k < 3; k++)
+        self->impulse[k] += interim[k] - final[k];
 }
 
 void fraction_methods_set_fictitious(struct solid_bodies *b)
