@@ -89,6 +89,7 @@ static inline struct mesh *blocks_create(const struct blocks *b)
         x[2] = p / nx / ny;
         if (b->move != NULL) b->move(x);
     }
+    r.part = alloc_zeroed(1, sizeof *r.part);
     r.start = alloc_ints(6 * r.n_cells + 1);
     r.corner = alloc_ints(24 * r.n_cells);
     r.owner = alloc_ints(6 * r.n_cells);

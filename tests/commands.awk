@@ -9,7 +9,7 @@ FNR == 1 { fenced = code = 0; command = "" }
 fenced { next }
 /^<!-- exit [0-9]+ -->$/ { code = $3 }
 command != "" && /^    / { take(substr($0, 5)); next }
-/^    (build\/winnow|make|sh|gnuplot|xvfb-run) / {
+/^    (build\/winnow|make|sh|gnuplot|xvfb-run|mkdir|awk) / {
     where = FILENAME ":" FNR
     take(substr($0, 5))
 }

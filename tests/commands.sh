@@ -33,11 +33,16 @@ compile() {
     done
 }
 
-# The short form of `winnow run CASE ...`.
+# The short form of `winnow run CASE ...`: 2 ms, or two steps if these are longer.
 shortened() {
     bed=
     grep -q 'bed = {' "$3" && bed='-s particles.bed.settle=0'
-    echo "$* $bed -s output.end=2e-3"
+    end=$(cd "$work" && build/winnow check "$3" 2>/dev/null | awk '
+        $1 == "step" && $3 == "s" && 2 * $2 > 2e-3 { end = 2 * $2 }
+        END { print end ? end : "2e-3" }')
+    samples=
+    grep -qs 'statistics = {' "$3" "${3%%-[a-z]*.cfg}"*.inc && samples='-s output.statistics.from=0.0'
+    echo "$* $bed $samples -s output.end=$end"
 }
 
 # The whole form of `winnow run CASE ...`.
@@ -53,7 +58,8 @@ form_of() { # code command...
     shift
     case $* in
     'make build/'*) [ -z "$whole" ] || echo "$*" ;;
-    make\ *) echo "make -n $2" ;;
+    make\ *) echo "grep -q ^$2: Makefile" ;;
+    mkdir\ * | 'awk -f cases/'*) echo "$*" ;; # a mesh for the run that follows
     *validate/* | 'sh chapters/tools/check.sh') ;;
     xvfb-run*) [ -z "$whole" ] || ! command -v xvfb-run >/dev/null || echo "$*" ;;
     'build/winnow run'*)

@@ -36,6 +36,7 @@ static struct mesh *tetrahedron(const double p[4][3])
         r.start[f + 1] = 3 * f + 3;
     r.owner = alloc_ints(4);
     r.n_parts = 1;
+    r.part = alloc_zeroed(1, sizeof *r.part);
     r.part[0] = (struct poly_part){.name = "all", .type = "patch", .n = 4};
     struct mesh *const m = poly_build(&r, "a tetrahedron");
     poly_raw_release(&r);
