@@ -76,8 +76,9 @@ facts: $(TESTS:=.facts)
 # Without a process for each fact, which doubles what a small one takes.
 SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 # Under sanitizers these take longest, and check-slow runs them.
-LONG := $(patsubst %,$B/tests/test_%,attraction boundary contact_loop face_jump grid \
-        hard_beds hard_cases images_poly manufactured verified)
+LONG := $(patsubst %,$B/tests/test_%,attraction averaging body_methods boundary \
+        contact_loop contiguous_faces face_jump grid hard_beds hard_cases \
+        images_poly inlets manufactured reference_loop resolved verified)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
