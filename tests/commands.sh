@@ -33,22 +33,32 @@ compile() {
     done
 }
 
-# The short form of `winnow run CASE ...`: 2 ms, or two steps if these are longer.
+# What a bounded run goes to: 2 ms, or two steps if these are longer.
+end_of() { # case
+    (cd "$work" && build/winnow check "$1" 2>/dev/null) | awk '
+        $1 == "step" && $3 == "s" && 2 * $2 > 2e-3 { end = 2 * $2 }
+        END { print end ? end : "2e-3" }'
+}
+
+# A bounded run samples statistics from its start.
+ended() { # build/winnow run CASE ...
+    samples=
+    grep -qs 'statistics = {' "$3" "${3%%-[a-z]*.cfg}"*.inc && samples='-s output.statistics.from=0.0'
+    echo "$* $samples -s output.end=$(end_of "$3")"
+}
+
+# The short form of `winnow run CASE ...`.
 shortened() {
     bed=
     grep -q 'bed = {' "$3" && bed='-s particles.bed.settle=0'
-    end=$(cd "$work" && build/winnow check "$3" 2>/dev/null | awk '
-        $1 == "step" && $3 == "s" && 2 * $2 > 2e-3 { end = 2 * $2 }
-        END { print end ? end : "2e-3" }')
-    samples=
-    grep -qs 'statistics = {' "$3" "${3%%-[a-z]*.cfg}"*.inc && samples='-s output.statistics.from=0.0'
-    echo "$* $bed $samples -s output.end=$end"
+    # shellcheck disable=SC2086 # words
+    ended "$@" $bed
 }
 
 # The whole form of `winnow run CASE ...`.
 bounded() {
-    seconds=$(build/winnow check "$3" | awk '$1 == "time" { print int($2) }')
-    if [ "$seconds" -le 60 ]; then echo "$*"; else echo "$* -s output.end=2e-3"; fi
+    seconds=$(cd "$work" && build/winnow check "$3" | awk '$1 == "time" { print int($2) }')
+    if [ "${seconds:-61}" -le 60 ]; then echo "$*"; else ended "$@"; fi
 }
 
 # What is to be run of a command that should end with the code; nothing if it is
