@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* 23-signal.c -- a signal with a memory [EW18 33], with two steps.
  *
- * sigma = 1, T = 1, steps of 0.02 and of 0.2. First block: time and the first of
- * the signals, then of the second. Second block: lag, R of 400 signals of each,
- * and exp(-tau / T).
+ * sigma = 1, T = 1, steps of 0.02 and of 0.2. First block: time and the first
+ * of the signals, then of the second. Second block: lag, R of 400 signals of
+ * each, and exp(-tau / T).
  */
 #include <math.h>
 #include <stdio.h>

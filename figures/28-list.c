@@ -4,7 +4,11 @@
  *   sh figures/program.sh 28-list out/seen/checkpoint
  *
  * With nothing but the library of HDF5: no file of Winnow's is included. */
+#if __has_include(<hdf5.h>)
 #include <hdf5.h>
+#else /* Debian has it in a folder of its own, which pkg-config knows */
+#include <hdf5/serial/hdf5.h>
+#endif
 #include <stdio.h>
 
 static herr_t list(hid_t file, const char *name, const H5O_info_t *info,
