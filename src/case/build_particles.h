@@ -3,7 +3,6 @@
 #define CASE_BUILD_PARTICLES_H
 
 #include "coupling/simulation.h"
-#include "dem/bed.h"
 #include "case/settings.h"
 
 /* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
@@ -15,10 +14,5 @@ int build_particles(const struct settings *s, struct simulation *sim,
 /* 0 if they can be where the case puts them, a bed on its lattice; nothing
  * moves, and nothing is kept. */
 int build_particles_check(const struct settings *s);
-
-/* The same in numbers, for `check`. */
-struct dem_options build_dem_options(const struct settings *s, double step);
-struct bed_options build_bed_options(const struct settings *s);
-void build_bed_release(struct bed_options *b);
 
 #endif
