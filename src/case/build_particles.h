@@ -3,6 +3,7 @@
 #define CASE_BUILD_PARTICLES_H
 
 #include "coupling/simulation.h"
+#include "dem/bed.h"
 #include "case/settings.h"
 
 /* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
