@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 
-
 #include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
