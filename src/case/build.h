@@ -3,6 +3,7 @@
 #define CASE_BUILD_H
 
 #include "coupling/simulation.h"
+#include "case/build_free.h"
 #include "case/settings.h"
 
 struct bed_keeper;
@@ -16,13 +17,11 @@ struct simulation *build_kept(const struct settings *s,
                               const struct bed_keeper *keeper, int *code);
 /* The same without its bed, whose state will be loaded. */
 struct simulation *build_to_resume(const struct settings *s, int *code);
-void build_free(struct simulation *sim);
 
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
 /* What the case says about parts, for `check` too. */
 struct mesh *build_mesh(const struct settings *s);
 struct averaging_options build_averaging_options(const struct settings *s);
-int build_gravity(const struct settings *s, double g[3]);
 
 #endif

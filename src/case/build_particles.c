@@ -6,61 +6,14 @@
 #include <unistd.h>
 
 #include "base/alloc.h"
-#include "dem/dem_method.h"
-#include "case/build.h"
+#include "case/build_free.h"
 #include "case/case_steps.h"
 #include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/case_overlap.h"
 #include "case/case_mesh.h"
-#include "case/models.h"
-
-static double real_or_zero(const struct settings *s, const char *path)
-{
-    return settings_has(s, path) ? settings_real(s, path) : 0.0;
-}
-
-struct dem_options build_dem_options(const struct settings *s, double step)
-{
-    struct dem_options o = {
-        .law = contact_law_named(settings_text(s, "particles.contact")),
-        .material = case_materials_one(s, 0),
-        .integrator =
-            integrators_named(settings_text(s, "particles.integrator")),
-        .method = dem_method_named(settings_text(s, "particles.list")),
-        .step = step,
-        .skin = real_or_zero(s, "particles.skin")};
-
-    case_mesh_ends(s, o.lo, o.hi);
-    case_mesh_periodic(s, o.periodic);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->dem_options != NULL)
-            case_parts[i]->dem_options(s, &o);
-    return o;
-}
-
-struct bed_options build_bed_options(const struct settings *s)
-{
-    struct bed_options b = {
-        .count = settings_int(s, "particles.bed.count"),
-        .diameter = real_or_zero(s, "particles.bed.diameter"),
-        .density = settings_real(s, "particles.grains.density"),
-        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
-        .jitter = settings_real(s, "particles.bed.jitter"),
-        .settle = settings_real(s, "particles.bed.settle")};
-
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->bed_sizes != NULL) case_parts[i]->bed_sizes(s, &b);
-    build_gravity(s, b.gravity);
-    return b;
-}
-
-void build_bed_release(struct bed_options *b)
-{
-    if (b->sizes != NULL) b->free_sizes(b->sizes);
-    b->sizes = NULL;
-}
+#include "case/particle_options.h"
 
 static int bed_lost(const struct bed_report *r)
 {
@@ -109,7 +62,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
                     const struct bed_keeper *keeper, const char *path,
                     struct bed_report *r)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
 
     b.region = sim->region;
     b.keeper = keeper;
@@ -118,7 +71,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     const int found =
         sim->dem == NULL ? BED_REFUSED
                          : bed_create(path, sim->particles, sim->dem, &b, o, r);
-    build_bed_release(&b);
+    particle_options_release(&b);
     return found;
 }
 
@@ -216,12 +169,12 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 static int lay_bed(const struct settings *s, struct simulation *sim,
                    const struct dem_options *o)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
 
     b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     const int wrong = bed_fill(sim->particles, &b, o) != 0;
-    build_bed_release(&b);
+    particle_options_release(&b);
     if (wrong) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
@@ -231,7 +184,7 @@ static int lay_bed(const struct settings *s, struct simulation *sim,
 static int furnish(const struct settings *s, struct simulation *sim,
                    struct dem_options *o)
 {
-    *o = build_dem_options(s, sim->dt / sim->dem_steps);
+    *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);

@@ -16,9 +16,4 @@ int build_particles(const struct settings *s, struct simulation *sim,
  * moves, and nothing is kept. */
 int build_particles_check(const struct settings *s);
 
-/* The same in numbers, for `check`. */
-struct dem_options build_dem_options(const struct settings *s, double step);
-struct bed_options build_bed_options(const struct settings *s);
-void build_bed_release(struct bed_options *b);
-
 #endif

@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "case/history.h"
+#include "case/history_sums.h"
 #include "output/block_means.h"
 
 /* What a row of the history adds: two numbers with errors by blocks, and the
