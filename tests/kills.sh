@@ -276,6 +276,9 @@ check "damage is said, and the state before taken" says \
     "$winnow" run flow.cfg -o was --resume -s output.end=0.009
 check "the same from there" short flow.cfg -o whole -s output.end=0.009
 check "has the same bits" cmp was/history.csv whole/history.csv
+check "and the same means of the second half" same whole was
+check "an end that is past is refused" says 'goes on to a later end only' \
+    "$winnow" run flow.cfg -o was --resume -s output.end=0.003
 
 # Stops a run as soon as it has saved the bed that settles.
 stop_settling() { # signal, folder
