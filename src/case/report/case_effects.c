@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "case/case_cohesion.h"
+#include "case/case_cost.h"
 #include "case/case_file.h"
 #include "case/case_limits.h"
 #include "coupling/effects.h"
@@ -55,7 +56,29 @@ static int applies(const struct settings *s, const struct effect *e)
            settings_has(s, "exchange");
 }
 
-static void print_effects(const struct settings *s, struct effect_scales *k)
+/* The time of the effect over that of the whole run without it [-]. */
+static double cost_of(const struct effect *e, const struct case_scales *in,
+                      int flow)
+{
+    const double each =
+        e->cost.particle + e->cost.particle_step * in->dem_steps;
+    const double ns = in->particles * each + in->cells * e->cost.cell;
+
+    return 1e-9 * ns * in->end / in->dt / case_cost_of(in, flow);
+}
+
+static void effect_line(const struct effect *e, double cost, int named,
+                        const struct effect_estimate *estimate)
+{
+    char told[160];
+
+    snprintf(told, sizeof told, "%7.3g %%   %s", 100.0 * cost,
+             verdict(named, estimate));
+    line(e->name, 100.0 * estimate->share, "%", told, estimate->remark);
+}
+
+static void print_effects(const struct settings *s, struct effect_scales *k,
+                          const struct case_scales *in)
 {
     int n;
     struct attraction *const all = case_cohesion_create(s, &n);
@@ -70,8 +93,7 @@ static void print_effects(const struct settings *s, struct effect_scales *k)
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);
-        line(e->name, 100.0 * estimate.share, "%", verdict(named, &estimate),
-             estimate.remark);
+        effect_line(e, cost_of(e, in, k->rho_f > 0.0), named, &estimate);
     }
     free(all);
 }
@@ -132,7 +154,8 @@ void case_effects_print(const struct settings *s, const struct case_scales *in)
     struct effect_scales k = case_effects_scales(s, in);
 
     if (!(k.force > 0.0)) return;
-    puts("Effects, over the larger one of gravity and drag");
-    print_effects(s, &k);
+    puts("Effects, over the larger one of gravity and drag; their time, over "
+         "the run's");
+    print_effects(s, &k, in);
     if (settings_has(s, "exchange")) print_coupling(s, &k, in->particles);
 }

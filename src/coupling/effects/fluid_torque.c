@@ -80,4 +80,5 @@ const struct effect fluid_torque_effect = {
     .before_substep = fluid_torque_before_substep,
     .free = fluid_torque_free,
     .estimate = estimate,
+    .cost = {200.0, 250.0, 0.0},
 };

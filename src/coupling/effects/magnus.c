@@ -69,4 +69,5 @@ const struct effect magnus_effect = {
     .before_substep = magnus_before_substep,
     .free = magnus_free,
     .estimate = estimate,
+    .cost = {300.0, 350.0, 0.0},
 };

@@ -106,4 +106,5 @@ const struct effect saffman_effect = {
     .before_substep = saffman_before_substep,
     .free = saffman_free,
     .estimate = estimate,
+    .cost = {200.0, 350.0, 0.0},
 };
