@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "case/build.h"
+#include "case/case_limits.h"
 #include "case/case_mesh.h"
 #include "coupling/drag.h"
 
@@ -22,11 +23,16 @@ struct placed {
     double d, speed, spin;
 };
 
-static struct placed placed_of(const struct settings *s)
+static struct placed placed_of(const struct settings *s,
+                               const struct case_scales *in)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
     struct placed p = {0.0, 0.0, 0.0};
+
+    if (n == 0) /* all of them are inserted */
+        return (struct placed){.d = 0.5 * (in->d + in->d_most),
+                               .speed = case_limits_thrown(s)};
 
     for (int i = 0; i < n; i++) {
         double v[3];
@@ -163,7 +169,7 @@ static void settle_time(struct effect_scales *k)
 struct effect_scales case_effects_scales(const struct settings *s,
                                          const struct case_scales *in)
 {
-    const struct placed p = placed_of(s);
+    const struct placed p = placed_of(s, in);
     double g[3];
     struct effect_scales k = {
         .rho_s = settings_real(s, "particles.grains.density"),
