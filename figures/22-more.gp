@@ -8,8 +8,8 @@ b = part("bead")
 set title "a bead of foam in water"
 set xlabel "t [ms]"
 set ylabel "v upwards [m/s]"
-set yrange [-0.06:0.36]
-set key at 30, 0.22 right top
+set yrange [-0.06:0.62]
+set key top right
 plot b using 1:2 with lines linetype 1 title "with both", \
      b using 1:3 with lines linetype 2 title "no virtual mass", \
      b using 1:4 with lines linetype 4 title "no buoyancy", \
@@ -18,7 +18,7 @@ t = part("turn")
 set title "a spinning grain in water"
 set ylabel "omega / omega_0"
 set yrange [0:1.05]
-set key at 4, 0.9 right top
+set key at 4, 0.85 right top
 plot t using 1:2 with points pointtype 7 pointsize 0.6 linecolor "#0b5a8a" title "with torque", \
      t using 1:3 with lines linetype 2 title "without", \
      t using 1:4 with lines linecolor "#000000" linewidth 1 title "exact"

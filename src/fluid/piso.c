@@ -120,9 +120,9 @@ int fluid_step(struct fluid *fl)
         predict_and_correct(fl);
     }
     correct_further(fl);
+    count_relabelled(fl); /* with the velocity that solves the equation */
     if (fl->immersed != NULL) fl->immersed->end(fl->immersed, fl);
     report->mass_residual = continuity_residual(fl);
-    count_relabelled(fl);
     ddt_end(fl);
     report->momentum_residual =
         momentum_balance_residual(fl, before, relabelled);
