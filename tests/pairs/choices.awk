@@ -69,6 +69,7 @@ BEGIN {
     choice("cf", "probes", "off on")
     choice("cf", "forces", "off on")
     choice("cp", "contacts", "off on")
+    choice("cp", "shown", "few all")
     choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
