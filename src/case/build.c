@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 
-
 #include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
@@ -13,11 +12,6 @@
 #include "case/case_steps.h"
 #include "case/models.h"
 #include "case/table_numbers.h"
-
-struct mesh *build_mesh(const struct settings *s)
-{
-    return case_mesh_create(s);
-}
 
 /* --- coupling ----------------------------------------------------------- */
 
@@ -100,7 +94,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
     *code = 0;
-    sim->mesh = build_mesh(s);
+    sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
