@@ -18,7 +18,7 @@ static const double closest = 1.02;   /* [-] lattice spacing over d */
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
 static const double settling_speed = 1.0; /* [m/s] that the step is made for */
 static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
-enum { STEPS_A_LOOK = 50 };
+enum { CHECK_EVERY = 50 };                /* [-] steps: is it at rest? */
 
 struct lattice {
     int up;          /* direction that gravity points along */
@@ -253,7 +253,7 @@ static int run_to_rest(struct dem *run, double dt, double least, double kept,
                        struct bed_report *r)
 {
     const double end = r->time + least;
-    struct thread_tuner crew;
+    struct thread_tuner tuner;
     double mass = 0.0;
     int lost;
 
@@ -261,11 +261,11 @@ static int run_to_rest(struct dem *run, double dt, double least, double kept,
         mass += ps->m[i];
     const double weight = mass * length(bed->gravity);
 
-    thread_tuner_use_all(&crew);
+    thread_tuner_use_all(&tuner);
     do {
-        thread_tuner_begin(&crew);
-        lost = dem_run(run, STEPS_A_LOOK, &r->dem);
-        thread_tuner_end(&crew);
+        thread_tuner_begin(&tuner);
+        lost = dem_run(run, CHECK_EVERY, &r->dem);
+        thread_tuner_end(&tuner);
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * dt;
         r->kinetic =
@@ -273,7 +273,7 @@ static int run_to_rest(struct dem *run, double dt, double least, double kept,
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= end;
         if (kept < 1.0) slow_down(ps, kept);
     } while (!lost && !r->settled && r->time < bed->settle);
-    thread_tuner_restore(&crew);
+    thread_tuner_restore(&tuner);
     return lost;
 }
 
@@ -291,8 +291,8 @@ static int settle(struct particles *ps, const struct bed_options *bed,
     settling.material.restitution = fmin(settling_e, o->material.restitution);
     settling.step = limits_step(o->law, &o->material, bed->diameter,
                                 bed->density, settling_speed);
-    const double look = STEPS_A_LOOK * settling.step;
-    const double kept = exp(-look / (settling_drag * fall));
+    const double interval = CHECK_EVERY * settling.step;
+    const double kept = exp(-interval / (settling_drag * fall));
     struct dem *const run = dem_create(ps, &settling);
     if (run == NULL) return -1;
     double *const own = set_added_mass(ps, bed);
