@@ -14,7 +14,7 @@ draw 02-kinematics kinematics
 draw 08-one-sphere one-sphere
 draw 10-step step
 draw 14-facet facet
-draw 20-beds beds cases/fluidization-ramp.cfg \
+draw 30-beds beds cases/fluidization-ramp.cfg \
     diameter=1.775e-3 cases/fluidization-two-sizes.cfg diameter=1.42e-3 cases/seepage.cfg
 draw 23-beds beds grains=512 diameter=1 cases/ew18-liquid.cfg \
     grains=2000 diameter=1 cases/ew18-gas.cfg

@@ -89,7 +89,7 @@ static void create_effects(const struct settings *s, struct simulation *sim)
 }
 
 static struct simulation *build(const struct settings *s, int with_bed,
-                                int *code)
+                                const struct bed_keeper *keeper, int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
@@ -97,7 +97,8 @@ static struct simulation *build(const struct settings *s, int with_bed,
     sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
+    if (settings_has(s, "particles"))
+        *code = build_particles(s, sim, with_bed, keeper);
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
@@ -114,10 +115,16 @@ static struct simulation *build(const struct settings *s, int with_bed,
 
 struct simulation *build_simulation(const struct settings *s, int *code)
 {
-    return build(s, 1, code);
+    return build(s, 1, NULL, code);
+}
+
+struct simulation *build_kept(const struct settings *s,
+                              const struct bed_keeper *keeper, int *code)
+{
+    return build(s, 1, keeper, code);
 }
 
 struct simulation *build_to_resume(const struct settings *s, int *code)
 {
-    return build(s, 0, code);
+    return build(s, 0, NULL, code);
 }

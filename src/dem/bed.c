@@ -11,14 +11,18 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/thread_tuner.h"
-#include "dem/limits.h"
+#include "base/vector.h"
+#include "dem/bed_settling.h"
 
+<<<<<<< HEAD
 static const double closest = 1.02;   /* [-] lattice spacing over d */
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
 static const double settling_speed = 1.0; /* [m/s] that the step is made for */
 static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
 enum { CHECK_EVERY = 50 };                /* [-] steps: is it at rest? */
+=======
+static const double closest = 1.02; /* [-] lattice spacing over d */
+>>>>>>> main
 
 struct lattice {
     int up;          /* direction that gravity points along */
@@ -26,11 +30,6 @@ struct lattice {
     int n[3];        /* sites a direction; as many layers as needed */
     double space[3]; /* [m] between sites */
 };
-
-static double length(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
 
 /* The direction that g mostly points along; without gravity the longest. */
 static int upward(const struct bed_options *bed, const struct dem_options *dem)
@@ -202,6 +201,7 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
     return bed->region.start_wrong(bed->region.state, ps);
 }
 
+<<<<<<< HEAD
 /* While a bed of several sizes settles, small spheres have the inertia of the
  * mean one, because otherwise the step would have to resolve their short
  * impacts; the state of rest depends on the weights alone. Returns their own
@@ -310,6 +310,8 @@ static int settle(struct particles *ps, const struct bed_options *bed,
     return lost;
 }
 
+=======
+>>>>>>> main
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,
                struct bed_springs *springs)
@@ -318,8 +320,8 @@ int bed_settle(struct particles *ps, const struct bed_options *bed,
 
     *springs = (struct bed_springs){0, NULL};
     *r = (struct bed_report){.settled = 1};
-    if (ps->n > 0 && bed->settle > 0.0 && length(bed->gravity) > 0.0)
-        lost = settle(ps, bed, dem, r, springs);
+    if (ps->n > 0 && bed->settle > 0.0 && vector_length(bed->gravity) > 0.0)
+        lost = bed_settling_run(ps, bed, dem, r, springs);
     bed_measure(ps, bed, dem, r);
     return lost;
 }
@@ -359,7 +361,10 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
     if (code == BED_ABSENT) {
         if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
         const int wrong = bed_settle(ps, bed, dem, r, &springs);
-        code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_CREATED;
+        code = r->stopped  ? BED_STOPPED
+               : wrong < 0 ? BED_REFUSED
+               : wrong > 0 ? BED_LOST
+                           : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&
             store->save(path, ps, &springs, bed, dem) != 0)
             code = BED_UNSAVED;
