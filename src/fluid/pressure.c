@@ -47,15 +47,14 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
     const double *restrict diag = fl->momentum->diag;
-    const double *restrict storage = fl->levels->ddt, *restrict eps_phi =
-                                                          fl->eps_n;
+    const double *restrict ddt = fl->levels->ddt, *restrict eps_phi = fl->eps_n;
     double *restrict per_flux = pressure->per_flux, *restrict per_force =
                                                         pressure->per_force;
     double *restrict resistance = pressure->resistance;
 
     for (int c = first; c < last; c++) {
         per_force[c] = 1.0 / (piso_gamma(fl, c) * V[c]);
-        per_flux[c] = storage[c] * per_force[c] / eps_phi[c];
+        per_flux[c] = ddt[c] * per_force[c] / eps_phi[c];
         resistance[c] = diag[c] * per_force[c] / eps[c];
     }
 }
