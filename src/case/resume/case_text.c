@@ -14,6 +14,7 @@
 #include "case/case_steps.h"
 #include "case/schema.h"
 #include "case/source.h"
+#include "mesh/poly/poly.h"
 
 enum { PATH = 512 };
 
@@ -107,6 +108,24 @@ static unsigned long checksum_of(const char *path)
     return sum;
 }
 
+/* Of the files of a mesh, packed or not. */
+static unsigned long checksum_of_mesh(const char *dir)
+{
+    static const char *const parts[] = {"points", "faces", "owner", "neighbour",
+                                        "boundary"};
+    char folder[POLY_FOLDER], path[POLY_FOLDER + 32];
+    unsigned long sum = 0;
+
+    poly_folder(dir, folder);
+    for (int i = 0; i < 10; i++) {
+        snprintf(path, sizeof path, "%s/%s%s", folder, parts[i / 2],
+                 i % 2 ? ".gz" : "");
+        if (input_wrong(path) == NULL)
+            sum = (31 * sum + checksum_of(path)) & 0xffffffff;
+    }
+    return sum;
+}
+
 /* A bed is made by the run itself where it is not there yet. */
 static void put_contents(FILE *out, const struct settings *s, const char *path,
                          const char *name)
@@ -115,7 +134,9 @@ static void put_contents(FILE *out, const struct settings *s, const char *path,
 
     if (strcmp(path, "particles.bed.file") == 0) return;
     settings_beside(s, name, file, sizeof file);
-    fprintf(out, "%s = crc32 %08lx\n", path, checksum_of(file));
+    fprintf(out, "%s = crc32 %08lx\n", path,
+            strcmp(path, "mesh.polymesh") == 0 ? checksum_of_mesh(file)
+                                               : checksum_of(file));
 }
 
 /* --- lines ---------------------------------------------------------------- */
