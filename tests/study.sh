@@ -156,6 +156,17 @@ sphere=$top/cases/settling-sphere.cfg
 fact the_step_of_a_sphere_costs_and_gains_what_check_says \
     holds "$sphere" 'fluid.step halved' sphere 'step=' 5
 
+# The drag of a grain, 4 and 8 sub-steps: the study above.
+sed 's/substeps = 1;/substeps = 4;/' "$top/cases/one-grain.cfg" >four.cfg
+fact sub_steps_cost_and_gain_what_check_says \
+    holds four.cfg 'exchange.substeps doubled' grain 'substeps=[48]' 5
+# A wave of grains fades with the square of the bandwidth.
+wave=$top/cases/studies/wave.cfg
+"$winnow" study "$wave" -s averaging.bandwidth=8e-3,4e-3 --measure profile.0 --times 2 \
+    --truth '600*pi/6/(48*64)*(1 + 0.5*cos(2*pi*x/0.048))' -o wave --quiet >advice || cat advice
+fact a_bandwidth_costs_and_gains_what_check_says \
+    holds "$wave" 'averaging.bandwidth halved' wave 'bandwidth=' 5
+
 echo "processes:"
 # Killed in the middle without a word, the study goes on: what has ended is not
 # done again, and what a killed study has left behind is waited for.
