@@ -79,8 +79,8 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
          order_of_cells(s), 0);
 }
 
-/* Smearing takes a share of a wave that goes with the square of the bandwidth
- * [SX15 6]. The diffusion costs the same for any. */
+/* Smearing takes a share of a wave that goes with the square of the bandwidth.
+ * The diffusion costs the same for any. */
 static void print_bandwidth(const struct settings *s)
 {
     if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
