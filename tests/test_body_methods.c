@@ -20,7 +20,7 @@ static double drag_by(enum body_method method, double vn, int steps,
 
     pool_one_sphere_by(p, d, 12, 1.0, vn / 144.0, -1e-6, middle, BODY_FIXED,
                        1.0, method);
-    ck_assert_int_eq(solid_bodies_begin(p->bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
     pool_run(p, steps);
     fluid_mean_flow(p->fluid, flow);
     return p->bodies->force[0] / (3.0 * M_PI * d * flow[0]) / 7.442;
@@ -136,7 +136,7 @@ static void sphere_in_a_closed_box(struct pool *p, enum body_method method,
     p->fluid->options.outer_correctors = 2;
     solid_bodies_add(p->bodies, &sphere, middle, 1.0, BODY_PRESCRIBED);
     p->bodies->ps->vx[0] = 0.5;
-    ck_assert_int_eq(solid_bodies_begin(p->bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
 }
 
 /* The second projection changes the velocity beside the walls, after their
@@ -175,7 +175,7 @@ START_TEST(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
     pool_create(&p, &o);
     solid_bodies_add(p.bodies, &sphere, (double[3]){0.5, 0.22, 0.5}, 1.0,
                      BODY_FIXED);
-    ck_assert_int_eq(solid_bodies_begin(p.bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     for (int i = 0; i < 3; i++) {
         pool_run(&p, 1);
         ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
@@ -314,7 +314,7 @@ START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
     pool_create(&p, &o);
     solid_bodies_add(p.bodies, &sphere, x, 2.0, BODY_FREE);
     p.bodies->ps->vy[0] = -0.5;
-    ck_assert_int_eq(solid_bodies_begin(p.bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     for (int i = 0; i < 60; i++) { /* to the floor and back */
         pool_run(&p, 1);
         fastest = fmax(fastest, p.bodies->ps->vy[0]);

@@ -33,6 +33,9 @@ int case_part_furnish(const struct settings *s, struct simulation *sim,
     for (int i = 0; case_parts[i] != NULL && code == 0; i++)
         if (case_parts[i]->furnish != NULL)
             code = case_parts[i]->furnish(s, sim, o);
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish_last != NULL)
+            code = case_parts[i]->furnish_last(s, sim, o);
     return code;
 }
 

@@ -87,15 +87,15 @@ static int drift(struct solid_bodies *b, double dt)
 }
 
 /* Contacts and lubrication act in each particle step. The report is of all. */
-static int move(struct solid_bodies *b)
+int body_motion_run(struct solid_bodies *b, int n, double step)
 {
     struct dem_report *const all = &b->dem_report;
     double deepest = 0.0;
     int failed = 0;
 
-    if (b->lubrication.reach == 0.0)
-        return dem_run(b->dem, b->options.dem_steps, all);
-    for (int k = 0; k < b->options.dem_steps && !failed; k++) {
+    if (b->dem == NULL) return drift(b, n * step);
+    if (b->lubrication.reach == 0.0) return dem_run(b->dem, n, all);
+    for (int k = 0; k < n && !failed; k++) {
         squeeze_film_act(b, b->contacts.step);
         failed = dem_run(b->dem, 1, all);
         deepest = fmax(deepest, all->max_overlap);
@@ -104,19 +104,36 @@ static int move(struct solid_bodies *b)
     return failed;
 }
 
-int body_motion_advance(struct solid_bodies *b, double dt)
+void body_motion_add_spin(struct solid_bodies *b, int i,
+                          const double impulse[3])
 {
-    int failed = 0;
+    const double per_mass = gyration(b, i);
+    const double I =
+        per_mass * (b->ps->m[i] + b->options.virtual_mass * displaced(b, i));
 
+    if (b->motion[i] != BODY_FREE) return;
+    b->ps->wx[i] += impulse[0] / I;
+    b->ps->wy[i] += impulse[1] / I;
+    b->ps->wz[i] += impulse[2] / I;
+}
+
+void body_motion_set_forces(struct solid_bodies *b, double dt)
+{
     for (int i = 0; i < b->ps->n; i++) {
         set_forces(b, i, dt);
         turn(b, i, dt);
     }
     clear(b);
+}
+
+int body_motion_advance(struct solid_bodies *b, double dt)
+{
+    const int n = b->options.dem_steps;
+
+    body_motion_set_forces(b, dt);
     if (!b->moves) return 0;
-    failed = b->dem != NULL ? move(b) : drift(b, dt);
-    b->dt_marked = 0.0; /* they have moved */
-    return failed;
+    b->dt_marked = 0.0; /* they will have moved */
+    return body_motion_run(b, n, dt / n);
 }
 
 void body_motion_add_momentum(const struct solid_bodies *b, double total[3])

@@ -20,6 +20,14 @@
  * again afterwards. Non-zero if one is lost. */
 int body_motion_advance(struct solid_bodies *b, double dt);
 
+/* The same in parts, among particles: the forces of a step of dt [s], a part of
+ * it in n steps of `step` [s], and the spin that an angular impulse of contacts
+ * [N m s] gives. */
+void body_motion_set_forces(struct solid_bodies *b, double dt);
+int body_motion_run(struct solid_bodies *b, int n, double step);
+void body_motion_add_spin(struct solid_bodies *b, int i,
+                          const double impulse[3]);
+
 /* Adds rho_p V U - rho V U_old + C_v rho V (U - U_old), with U_old the velocity
  * that the fluid inside has got already [N s]. */
 void body_motion_add_momentum(const struct solid_bodies *b, double total[3]);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "resolved/among_grains.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
@@ -19,18 +20,17 @@ static void (*const set_method[])(struct solid_bodies *) = {
     [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
 
 struct solid_bodies *
-solid_bodies_create(int n, struct fluid *fl,
+solid_bodies_create(int n, int cells, double rho,
                     const struct solid_bodies_options *options)
 {
     struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
-    const int cells = fl->mesh->n_cells;
     double **const three[6] = {&b->u_old,   &b->w_old, &b->impulse,
                                &b->angular, &b->force, &b->torque};
 
     b->options = *options;
     if (options->dem != NULL) b->contacts = *options->dem;
     b->lubrication = options->lubrication;
-    b->rho = fl->options.rho;
+    b->rho = rho;
     b->ps = particles_create(n);
     particles_add_implicit_drag(b->ps);
     b->shape = alloc_zeroed((size_t)n, sizeof *b->shape);
@@ -44,13 +44,13 @@ solid_bodies_create(int n, struct fluid *fl,
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
     set_method[options->method](b);
-    fl->immersed = &b->hooks;
     return b;
 }
 
 void solid_bodies_free(struct solid_bodies *b)
 {
     if (b == NULL) return;
+    among_grains_free(b->among, b->ps->n);
     dem_free(b->dem);
     particles_free(b->ps);
     free(b->shape);
@@ -82,10 +82,11 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
     return i;
 }
 
-int solid_bodies_begin(struct solid_bodies *b)
+int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
 {
     int free = 0;
 
+    fl->immersed = &b->hooks;
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
@@ -113,6 +114,7 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     state_reals(s, "torque", "N m", b->torque, n, 3);
     if (b->by_fraction)
         state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
+    if (b->among != NULL) among_grains_state(b, s);
     state_end(s);
     if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
 }

@@ -112,14 +112,56 @@ static int check_blocks(const struct settings *s)
     return 0;
 }
 
+static int any_moves(const struct settings *s)
+{
+    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
+                                        "bodies.cylinders"};
+
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < settings_length(s, lists[l]); i++)
+            if (strcmp(settings_item_text(s, lists[l], i, "motion"), "fixed") !=
+                0)
+                return 1;
+    return 0;
+}
+
+/* Bodies among particles: a body in the way of a method that sets velocities by
+ * solid fractions, a cell that a body enters, and what knows no surfaces. */
+static int check_particles(const struct settings *s)
+{
+    static const char *const pulls[] = {"effects.van_der_waals",
+                                        "effects.capillary"};
+
+    if (strcmp(settings_text(s, "bodies.method"), "hold") != 0)
+        return settings_wrong(s, "bodies.method",
+                              "among particles bodies hold the fluid by "
+                              "\"hold\" only");
+    if (settings_has(s, "exchange") && any_moves(s) &&
+        strcmp(settings_text(s, "fluid.continuity"), "mixture") != 0)
+        return settings_wrong(s, "fluid.continuity",
+                              "among particles a body that moves asks for "
+                              "\"mixture\": where it comes, the fluid fraction "
+                              "jumps");
+    for (int k = 0; k < 2; k++)
+        if (settings_has(s, pulls[k]))
+            return settings_wrong(s, "bodies",
+                                  "%s acts between particles and the box, not "
+                                  "on bodies: leave one of them out",
+                                  pulls[k]);
+    if (settings_has(s, "particles.bed") &&
+        settings_has(s, "particles.bed.file"))
+        return settings_wrong(s, "bodies",
+                              "a bed that settles around bodies is not kept in "
+                              "a file: leave particles.bed.file out");
+    return 0;
+}
+
 int case_bodies_check(const struct settings *s)
 {
     if (!settings_has(s, "bodies")) return 0;
     int code = check_mesh(s);
 
-    if (settings_has(s, "particles") && code == 0)
-        return settings_wrong(s, "bodies",
-                              "there are bodies or particles, not both yet");
+    if (settings_has(s, "particles") && code == 0) code = check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
     return code != 0 ? code : check_blocks(s);

@@ -63,4 +63,8 @@ const struct key case_bodies_keys[] = {
      "height of the asperities over the smallest radius, where two surfaces "
      "touch",
      "Cox67", ""},
+    {"bodies.filter", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
+     "width of the cubes around the bodies over whose fluid bodies.csv has "
+     "means, with C_d and Re_p by them; left out: none",
+     "EW18 25-27", ""},
     KEY_END};
