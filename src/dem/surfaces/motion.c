@@ -15,8 +15,7 @@ int motion_is_any(const struct motion *m)
 
 int motion_is_on(const struct motion *m, double t)
 {
-    return motion_is_any(m) && t >= m->from &&
-           (m->until == 0.0 || t < m->until);
+    return t >= m->from && (m->until == 0.0 || t < m->until);
 }
 
 /* How long it has moved. */

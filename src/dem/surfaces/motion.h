@@ -39,7 +39,8 @@ struct motion {
 
 struct pose motion_pose(const struct motion *m, double t);
 
-/* 1 if it ever moves; 1 if it moves at time t. */
+/* 1 if it ever moves; 1 if t is within its times, also where all velocities are
+ * 0: a prescribed particle is then held. */
 int motion_is_any(const struct motion *m);
 int motion_is_on(const struct motion *m, double t);
 
