@@ -340,6 +340,28 @@ START_TEST(ew18_6_to_9_numbers_of_glass_in_water)
 }
 END_TEST
 
+/* A heavy sphere on a spring in a thick fluid comes to rest where the spring
+ * carries its weight less that of the fluid; along z it cannot move. Half of
+ * the way, or twice, would be a lost displaced mass. */
+START_TEST(ls_5_5_a_spring_carries_the_weight_in_the_fluid)
+{
+    const double d = 0.4, V = M_PI / 6.0 * d * d * d, k[3] = {40.0, 40.0, 0.0};
+    const double x[3] = {0.5, 0.5, 0.5};
+    struct pool p;
+
+    pool_one_sphere(&p, d, 8, 0.2, 0.05, 0.0, x, BODY_FREE, 3.0);
+    p.bodies->options.gravity[1] = -9.81;
+    p.bodies->options.gravity[2] = -9.81;
+    solid_bodies_set_spring(p.bodies, 0, k);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 200);
+    ck_assert_double_eq_tol(0.5 - p.bodies->ps->y[0],
+                            (3.0 - 1.0) * V * 9.81 / k[1], 1e-4);
+    ck_assert_double_eq(p.bodies->ps->z[0], 0.5);
+    pool_free(&p);
+}
+END_TEST
+
 FACTS("resolved")
 {
     FACT(ew18_1_a_cubic_array_has_the_drag_of_zick_and_homsy);
@@ -355,5 +377,6 @@ FACTS("resolved")
     FACT(ew18_2_momentum_of_fluid_and_bodies_is_constant);
     FACT(ew18_16_the_torque_on_a_sphere_that_spins);
     FACT(ew18_3_a_free_sphere_loses_its_spin_by_the_torque);
+    FACT(ls_5_5_a_spring_carries_the_weight_in_the_fluid);
     FACT(ew18_6_to_9_numbers_of_glass_in_water);
 }

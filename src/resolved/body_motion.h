@@ -8,8 +8,9 @@
  *   (rho_p + C_v rho) V Delta U = J + (1 + C_v) rho V Delta U_old
  *                                 + (rho_p - rho) V g dt + contacts
  *
- * and likewise with the moments of inertia. C_v rho V stands on both sides: it
- * does nothing to a steady motion, and keeps light bodies stable.
+ * a spring adds -k (X - X_0) to the contacts. Likewise with the moments of
+ * inertia. C_v rho V stands on both sides: it does nothing to a steady motion,
+ * and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H

@@ -34,11 +34,17 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
+    int springs;          /* [-] of them on springs */
     int moves;            /* [-] 1: one of them is not fixed */
     struct dem *dem;      /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report; /* of the last step */
     struct body_shape *shape;
     enum body_motion *motion;
+    double *volume; /* [m^3] of the part of it within the box */
+    double *mass;   /* [kg] as its density says; ps->m of others than free ones
+                       is infinite to contacts */
+    double *spring; /* [N/m] along each axis, 3 a body; 0: held there */
+    double *anchor; /* [m] where the springs are at rest, 3 */
     double *u_old, *w_old;     /* [m/s], [rad/s] a step before, 3 a body */
     double *impulse, *angular; /* [N s], [N m s] of the friction on the body in
                                   this step, 3 each */
@@ -69,6 +75,11 @@ void solid_bodies_free(struct solid_bodies *b);
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
+
+/* Body i is held by springs [N/m] where it is now; 0: it cannot move along that
+ * axis. */
+void solid_bodies_set_spring(struct solid_bodies *b, int i,
+                             const double spring[3]);
 
 /* All bodies are there, and hold the fluid from now on, which is borrowed.
  * Non-zero after a message if they cannot touch. */

@@ -95,60 +95,61 @@ static struct dem_options contacts(const struct settings *s)
     return o;
 }
 
-static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
-{
-    const struct body_shape shape =
-        body_shape_sphere(settings_item_real(s, list, i, "diameter"));
-    const enum body_motion motion = is(s, i, "free")    ? BODY_FREE
-                                    : is(s, i, "fixed") ? BODY_FIXED
-                                                        : BODY_PRESCRIBED;
-    double x[3], v[3], w[3];
-
-    settings_item_vector(s, list, i, "position", x);
-    settings_item_vector(s, list, i, "velocity", v);
-    settings_item_vector(s, list, i, "spin", w);
-    const int at = solid_bodies_add(
-        b, &shape, x,
-        motion == BODY_FREE ? settings_item_real(s, list, i, "density") : 1.0,
-        motion);
-    if (motion == BODY_FIXED) return;
-    b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
-    b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
-}
-
 static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
 
-static void add_block(const struct settings *s, const char *of, int i,
-                      const struct body_shape *shape, struct solid_bodies *b)
+static enum body_motion motion_of(const struct settings *s, const char *of,
+                                  int i)
 {
-    const int moves =
-        strcmp(settings_item_text(s, of, i, "motion"), "prescribed") == 0;
-    double x[3], v[3];
+    const char *const name = settings_item_text(s, of, i, "motion");
+
+    return strcmp(name, "free") == 0         ? BODY_FREE
+           : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
+           : strcmp(name, "spring") == 0     ? BODY_SPRING
+                                             : BODY_FIXED;
+}
+
+static void add_one(const struct settings *s, const char *of, int i,
+                    const struct body_shape *shape, struct solid_bodies *b)
+{
+    const enum body_motion motion = motion_of(s, of, i);
+    const int has_mass = motion == BODY_FREE || motion == BODY_SPRING;
+    double x[3], v[3], w[3] = {0.0, 0.0, 0.0};
 
     settings_item_vector(s, of, i, "position", x);
     settings_item_vector(s, of, i, "velocity", v);
-    const int at = solid_bodies_add(b, shape, x, 1.0,
-                                    moves ? BODY_PRESCRIBED : BODY_FIXED);
-    if (moves) b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+    if (of == list) settings_item_vector(s, of, i, "spin", w);
+    const int at = solid_bodies_add(
+        b, shape, x, has_mass ? settings_item_real(s, of, i, "density") : 1.0,
+        motion);
+    if (motion == BODY_FREE || motion == BODY_PRESCRIBED) {
+        b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+        b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
+    }
+    if (motion != BODY_SPRING) return;
+    settings_item_vector(s, of, i, "spring", v);
+    solid_bodies_set_spring(b, at, v);
 }
 
 static void add_all(const struct settings *s, struct solid_bodies *b)
 {
     double v[3];
 
-    for (int i = 0; i < settings_length(s, list); i++)
-        add_sphere(s, i, b);
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const struct body_shape shape =
+            body_shape_sphere(settings_item_real(s, list, i, "diameter"));
+        add_one(s, list, i, &shape, b);
+    }
     for (int i = 0; i < settings_length(s, boxes); i++) {
         settings_item_vector(s, boxes, i, "size", v);
         const struct body_shape shape = body_shape_box(v);
-        add_block(s, boxes, i, &shape, b);
+        add_one(s, boxes, i, &shape, b);
     }
     for (int i = 0; i < settings_length(s, cylinders); i++) {
         settings_item_vector(s, cylinders, i, "axis", v);
         const struct body_shape shape = body_shape_cylinder(
             settings_item_real(s, cylinders, i, "diameter"),
             settings_item_real(s, cylinders, i, "length"), v);
-        add_block(s, cylinders, i, &shape, b);
+        add_one(s, cylinders, i, &shape, b);
     }
 }
 

@@ -84,6 +84,35 @@ static int check_sphere(const struct settings *s, int i)
     return 0;
 }
 
+/* What moves by its mass against a spring. */
+static int check_spring(const struct settings *s, const char *of, int i)
+{
+    double k[3];
+
+    if (strcmp(settings_item_text(s, of, i, "motion"), "spring") != 0) return 0;
+    settings_item_vector(s, of, i, "spring", k);
+    if (!(vector_length(k) > 0.0))
+        return settings_wrong(s, of,
+                              "number %d is on a spring and asks for its "
+                              "stiffness, spring = [kx, ky, kz] in N/m",
+                              i);
+    if (settings_item_has(s, of, i, "density")) return 0;
+    return settings_wrong(
+        s, of, "number %d is on a spring and asks for its density", i);
+}
+
+static int check_springs(const struct settings *s)
+{
+    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
+                                        "bodies.cylinders"};
+    int code = 0;
+
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
+            code = check_spring(s, lists[l], i);
+    return code;
+}
+
 /* Boxes and cylinders have no contacts yet. */
 static int check_blocks(const struct settings *s)
 {
@@ -164,5 +193,6 @@ int case_bodies_check(const struct settings *s)
     if (settings_has(s, "particles") && code == 0) code = check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
+    if (code == 0) code = check_springs(s);
     return code != 0 ? code : check_blocks(s);
 }
