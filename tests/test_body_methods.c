@@ -325,8 +325,44 @@ START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
 }
 END_TEST
 
+/* A sphere falls on a box and comes to rest on its top, where the spring
+ * carries the weight less that of the fluid. */
+START_TEST(ls_4_4_a_sphere_comes_to_rest_on_a_box)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {12, 12, 12},
+                                   .walls = {0, 1, 0},
+                                   .rho = 1.0,
+                                   .mu = 0.1,
+                                   .dt = 0.01,
+                                   .virtual_mass = 2.0,
+                                   .n = 2,
+                                   .dem_steps = 10,
+                                   .tolerance = 1e-8};
+    const double size[3] = {0.8, 0.4, 0.8}, at[3] = {0.5, 0.2, 0.5};
+    const double x[3] = {0.52, 0.60, 0.5}, d = 0.3, k = 20.0;
+    const struct body_shape box = body_shape_box(size),
+                            sphere = body_shape_sphere(d);
+    const double weight = (3.0 - 1.0) * M_PI / 6.0 * d * d * d;
+    struct pool p;
+
+    pool_create(&p, &o);
+    p.bodies->options.gravity[1] = -1.0;
+    p.bodies->contacts.material.stiffness = k;
+    solid_bodies_add(p.bodies, &box, at, 1.0, BODY_FIXED);
+    solid_bodies_add(p.bodies, &sphere, x, 3.0, BODY_FREE);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 400);
+    ck_assert_double_eq_tol(p.bodies->ps->y[1], 0.4 + 0.5 * d - weight / k,
+                            0.2 * weight / k); /* it trembles a little */
+    ck_assert_double_eq(p.bodies->ps->y[0], 0.2);
+    pool_free(&p);
+}
+END_TEST
+
 FACTS("body_methods")
 {
+    FACT(ls_4_4_a_sphere_comes_to_rest_on_a_box);
     FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag);
     FACT(ls_5_17_the_fluid_inside_moves_with_the_body);
     FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);

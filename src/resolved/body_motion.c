@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dem/box_domain.h"
+#include "resolved/block_contacts.h"
 #include "resolved/squeeze_film.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
@@ -129,12 +130,17 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     int failed = 0;
 
     if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
-    if (b->dem != NULL && b->springs == 0 && b->lubrication.reach == 0.0)
+    if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&
+        b->lubrication.reach == 0.0)
         return dem_run(b->dem, n, &b->dem_report);
     b->dem_report.max_overlap = 0.0;
     for (int k = 0; k < n && !failed; k++) {
         if (b->dem != NULL && b->lubrication.reach > 0.0)
             squeeze_film_act(b, step);
+        if (b->dem != NULL && b->blocks > 0) {
+            const double depth = block_contacts_act(b, step);
+            b->dem_report.max_overlap = fmax(b->dem_report.max_overlap, depth);
+        }
         failed = move_once(b, step);
     }
     return failed;

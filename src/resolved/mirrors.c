@@ -138,23 +138,6 @@ static double weigh(const struct mirrors *all, const double x[3],
     return sum;
 }
 
-/* Outward normal [-] of the body at r from its centre. */
-static void normal_of(const struct body_shape *shape, const double r[3],
-                      double n[3])
-{
-    const double step = 1e-4 * shape->half[0];
-
-    for (int k = 0; k < 3; k++) {
-        double a[3] = {r[0], r[1], r[2]}, c[3] = {r[0], r[1], r[2]};
-        a[k] -= step;
-        c[k] += step;
-        n[k] = body_shape_distance(shape, c) - body_shape_distance(shape, a);
-    }
-    const double length = vector_length(n);
-    for (int k = 0; k < 3; k++)
-        n[k] = length > 0.0 ? n[k] / length : k == 1;
-}
-
 /* Where no cell around the image is open, the next one farther out. */
 static void add_mirror(struct mirrors *all, int c,
                        const struct body_shape *shape, const double centre[3],
@@ -164,7 +147,7 @@ static void add_mirror(struct mirrors *all, int c,
     struct mirror *const one = &all->list[all->n++];
     double n[3], x[3], sum = 0.0;
 
-    normal_of(shape, r, n);
+    body_shape_normal(shape, r, n);
     for (double way = -2.0 * s; sum <= 1e-3 && way < far; way += 0.5 * h) {
         for (int k = 0; k < 3; k++)
             x[k] = centre[k] + r[k] + way * n[k];

@@ -124,11 +124,16 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         free |= b->motion[i] == BODY_FREE;
         b->springs += b->motion[i] == BODY_SPRING;
+        b->blocks += b->shape[i].kind != BODY_SPHERE;
         b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
     if (!free) return 0;
+    /* To the dem of the spheres the others are points at their centres, which
+     * no sphere comes to: block_contacts.h. */
+    for (int i = 0; i < b->ps->n; i++)
+        if (b->shape[i].kind != BODY_SPHERE) b->ps->d[i] *= 1e-3;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }

@@ -34,7 +34,7 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
-    int springs;          /* [-] of them on springs */
+    int springs, blocks;  /* [-] of them on springs, and not spheres */
     int moves;            /* [-] 1: one of them is not fixed */
     struct dem *dem;      /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report; /* of the last step */

@@ -113,7 +113,6 @@ static int check_springs(const struct settings *s)
     return code;
 }
 
-/* Boxes and cylinders have no contacts yet. */
 static int check_blocks(const struct settings *s)
 {
     const int boxes = settings_length(s, "bodies.boxes"),
@@ -123,13 +122,6 @@ static int check_blocks(const struct settings *s)
         return settings_wrong(s, "bodies",
                               "there is no body; give spheres, boxes or "
                               "cylinders");
-    for (int i = 0; i < settings_length(s, list); i++)
-        if (is(s, i, "free") && boxes + cylinders > 0)
-            return settings_wrong(
-                s, list,
-                "sphere %d is free, and nothing would keep it "
-                "out of boxes and cylinders",
-                i);
     for (int i = 0; i < cylinders; i++) {
         double axis[3];
         settings_item_vector(s, "bodies.cylinders", i, "axis", axis);
