@@ -319,6 +319,9 @@ function put_output(    h, p, i, n, f) {
     }
     if (on("forces")) put("  forces = ( { name = \"walls\"; } ); walls = true;")
     if (on("contacts")) put("  contacts = true;")
+    if (v["shown"] == "all")
+        put("  sorted = true; particles = \"mass material contact_force contact_number" \
+            (letter == "c" ? " fluid_force" : "") "\";")
     if (on("statistics"))
         put("  statistics = { from = " 3 * step "; blocks = 2;" \
             (letter == "c" ? " lags = " 4 * step ";" : "") " };")

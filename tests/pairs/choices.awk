@@ -38,7 +38,7 @@ BEGIN {
     choice("cp", "surface", "none plane cylinder stl moving turning")
     choice("cm", "integrator", "velocity-verlet symplectic-euler")
     choice("p", "integrator", "velocity-verlet symplectic-euler heun")
-    choice("cpm", "list", "verlet link-cells all-pairs")
+    choice("cpm", "list", "verlet link-cells all-pairs none")
     choice("cp", "gravity", "down none oblique")
     choice("cpm", "budget", "off on")
     choice("cm", "averaging", "pcm dpvm cube two-grid kernel gaussian images diffusion")
@@ -70,6 +70,7 @@ BEGIN {
     choice("cf", "probes", "off on")
     choice("cf", "forces", "off on")
     choice("cp", "contacts", "off on")
+    choice("cp", "shown", "few all")
     choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
@@ -108,16 +109,23 @@ BEGIN {
     apart("surface", "plane", "periodic", "y xyz",
           "not parallel to y, which is periodic")
     # The reference loop knows the sides of a box.
-    apart("list", "link-cells all-pairs", "integrator", "heun",
+    apart("list", "link-cells all-pairs none", "integrator", "heun",
           "knows no integrator that")
-    apart("list", "link-cells all-pairs", "driven", "line swing circle",
+    apart("list", "link-cells all-pairs none", "driven", "line swing circle",
           "knows no prescribed particles")
-    apart("list", "link-cells all-pairs", "surface",
+    apart("list", "link-cells all-pairs none", "surface",
           "plane cylinder stl moving turning", "knows no surfaces")
-    apart("list", "link-cells all-pairs", "mesh",
+    apart("list", "link-cells all-pairs none", "mesh",
           "slanted", "knows no surfaces")
     # A sheared box has walls of its own only where it is not periodic.
-    apart("list", "link-cells all-pairs", "mesh", "sheared")
+    apart("list", "link-cells all-pairs none", "mesh", "sheared")
+    # Without contacts nothing comes to rest, and no pair is close.
+    apart("list", "none", "count", "settled",
+          "no bed comes to rest without contacts|knows no")
+    apart("list", "none", "lubrication", "on",
+          "knows no force between particles")
+    apart("list", "none", "cohesion", "electrostatic van_der_waals capillary all",
+          "knows no force between particles")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.

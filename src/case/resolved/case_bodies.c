@@ -10,12 +10,12 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/check_line.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
+#include "case/particle_options.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
 #include "dem/limits.h"
@@ -183,7 +183,7 @@ static struct solid_bodies *create(const struct settings *s)
     int cells[3];
 
     settings_counts(s, "mesh.cells", cells);
-    build_gravity(s, o.gravity);
+    particle_options_gravity(s, o.gravity);
     struct solid_bodies *const b =
         solid_bodies_create(n, cells[0] * cells[1] * cells[2],
                             settings_real(s, "fluid.density"), &o);
@@ -255,7 +255,7 @@ static void report_numbers(const struct settings *s)
 
     while (!is(s, i, "free"))
         i++;
-    if (!build_gravity(s, g)) return;
+    if (!particle_options_gravity(s, g)) return;
     const double d = settings_item_real(s, list, i, "diameter"),
                  ratio = body_numbers_density_ratio(
                      settings_item_real(s, list, i, "density"), rho),
