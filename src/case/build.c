@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "dem/population.h"
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
@@ -76,7 +77,7 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
     return sim->averaging == NULL ? 2 : 0;
 }
 
-static void create_coupling(const struct settings *s, struct simulation *sim)
+void build_coupling(const struct settings *s, struct simulation *sim)
 {
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
@@ -94,7 +95,7 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
 
 /* --- effects ------------------------------------------------------------ */
 
-static void create_effects(const struct settings *s, struct simulation *sim)
+void build_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
@@ -119,10 +120,10 @@ static struct simulation *build(const struct settings *s, int with_bed,
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
-        if (*code == 0) create_coupling(s, sim);
+        if (*code == 0) build_coupling(s, sim);
     }
     if (*code == 0) {
-        create_effects(s, sim);
+        build_effects(s, sim);
         *code = case_part_add_last(s, sim);
         if (*code == 0) return sim;
     }
@@ -143,6 +144,7 @@ struct simulation *build_to_resume(const struct settings *s, int *code)
 void build_free(struct simulation *sim)
 {
     if (sim == NULL) return;
+    if (sim->processes != NULL) sim->processes->free(sim->processes);
     for (int i = 0; i < sim->n_effects; i++)
         if (sim->effects[i].effect->free != NULL)
             sim->effects[i].effect->free(sim->effects[i].memory);

@@ -19,4 +19,8 @@ struct mesh *build_mesh(const struct settings *s);
 struct averaging_options build_averaging_options(const struct settings *s);
 int build_gravity(const struct settings *s, double g[3]);
 
+/* What is built on the mesh, the particles and their averaging. */
+void build_coupling(const struct settings *s, struct simulation *sim);
+void build_effects(const struct settings *s, struct simulation *sim);
+
 #endif
