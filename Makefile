@@ -166,7 +166,7 @@ distributed: ## install what is missing and build build/winnow-mpi, for several 
 	$(MAKE) $(CORES) $B/winnow $B/winnow-mpi WERROR=
 check-distributed: ## the tests of build/winnow-mpi, where its packages can be had (three minutes)
 	@sh .ci/install distributed || exit 0; $(MAKE) $(CORES) ranks-check
-ranks-check: $B/winnow $B/winnow-mpi
+ranks-check: $B/winnow $B/winnow-mpi $B/tests/ranks/compare
 	@sh tests/distributed.sh $B
 # Flags of the headers of others, in which ours find much to warn of.
 MPI_CFLAGS = $(patsubst -I%,-isystem %,$(filter -I% -D%,$(shell pkg-config --cflags petsc liblammps 2>/dev/null))) -D_DEFAULT_SOURCE

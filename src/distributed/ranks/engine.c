@@ -10,6 +10,7 @@
 
 #include "base/alloc.h"
 #include "case/case_file.h"
+#include "case/recorder_part.h"
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
 #include "distributed/refusal.h"
@@ -31,6 +32,7 @@ struct engine {
     struct simulation *record; /* on the first rank; elsewhere NULL */
     struct part *part;
     struct settings *own; /* settings that were read here, or NULL */
+    long moved; /* [-] spheres on another rank than at first, when last seen */
 };
 
 static struct engine *of(struct processes *hooks)
@@ -122,6 +124,7 @@ static void collect_part(struct engine *e, int extent)
     transfer_solids_velocity(e->part->sim);
     part_collect(e->part, e->record,
                  extent == PROCESSES_ALL ? NULL : of_output);
+    e->moved = spheres_moved(e->part->spheres);
 }
 
 static void take_reports(struct engine *e)
@@ -281,6 +284,45 @@ static struct processes *create(const struct settings *s,
     free(e);
     return NULL;
 }
+
+static void *create_summary(const struct settings *s,
+                            const struct simulation *sim, struct folder *folder,
+                            int *failed)
+{
+    (void)s, (void)folder, (void)failed;
+    return sim->processes;
+}
+
+static void free_summary(void *part)
+{
+    (void)part; /* which build_free releases */
+}
+
+/* What differs from one machine stands in the summary. */
+static void summarize(const void *part, struct summary *f)
+{
+    const struct engine *const e = part;
+    const struct partition *const p = e->part != NULL ? &e->part->p : NULL;
+
+    summary_begin(f, "engine");
+    summary_text(f, "particles", "LAMMPS");
+    summary_text(f, "linear_systems", "PETSc");
+    summary_text(f, "same_results",
+                 "to rounding for any number of ranks and after a resume, not "
+                 "to the bit");
+    if (p != NULL) {
+        summary_count(f, "ranks", p->size);
+        summary_count(f, "ranks_x", p->P[0]);
+        summary_count(f, "ranks_y", p->P[1]);
+        summary_count(f, "ranks_z", p->P[2]);
+        summary_count(f, "layers", p->layers);
+        summary_count(f, "particles_on_another_rank", e->moved);
+    }
+    summary_end(f);
+}
+
+const struct recorder_part engine_summary = {
+    .create = create_summary, .free = free_summary, .summarize = summarize};
 
 const struct processes_engine engine_of_ranks = {
     .name = "ranks", .check = check, .create = create};

@@ -9,9 +9,11 @@
 #ifndef DISTRIBUTED_RANKS_ENGINE_H
 #define DISTRIBUTED_RANKS_ENGINE_H
 
+#include "case/recorder_part.h"
 #include "coupling/processes.h"
 
 extern const struct processes_engine engine_of_ranks;
+extern const struct recorder_part engine_summary;
 
 /* Serves until the first rank stops; returns its exit code. The words are those
  * of the command line. */

@@ -11,9 +11,9 @@
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
 
-#if defined(PETSC_USE_COMPLEX) || !defined(PETSC_USE_REAL_DOUBLE)
-#error "PETSc of real numbers in double precision is needed: libpetsc-real-dev"
-#endif
+_Static_assert(sizeof(PetscScalar) == sizeof(double),
+               "PETSc of real numbers in double precision is needed: "
+               "libpetsc-real-dev");
 
 struct solve {
     struct shared_solution shared;
