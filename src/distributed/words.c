@@ -19,6 +19,7 @@ struct words words_of(const struct settings *s, double d)
     struct materials *const all = case_materials_create(s);
     struct words w = {.step = step,
                       .skin = o.skin > 0.0 ? o.skin : d / 6.0,
+                      .starts = 1,
                       .hertz = o.law == &contact_hertz,
                       .materials = materials_count(all),
                       .wall = all != NULL ? all->wall : 0};
@@ -41,14 +42,13 @@ static double tsuji(double e)
                                    e * (27.467 + e * (-18.022 + e * 4.8218)))));
 }
 
-/* Our dashpots are sqrt(5) zeta sqrt(m* k) with Hertz's k = (4/3) E* a, and 2
- * zeta sqrt(m* k) with a linear spring. */
-double words_restitution(int hertz, double zeta)
+/* The number for which alpha(e) has this value. Our dashpots are sqrt(5) zeta
+ * sqrt(m* k) with Hertz's k = (4/3) E* a, and 2 zeta sqrt(m* k) with a linear
+ * spring. */
+static double root(double alpha)
 {
-    const double alpha = (hertz ? sqrt(5.0) : 2.0) * zeta;
     double lo = 0.0, hi = 1.0;
 
-    if (alpha > tsuji(0.0)) return -1.0;
     for (int i = 0; i < 200; i++) {
         const double e = 0.5 * (lo + hi);
         if (tsuji(e) > alpha)
@@ -57,6 +57,13 @@ double words_restitution(int hertz, double zeta)
             hi = e;
     }
     return 0.5 * (lo + hi);
+}
+
+double words_restitution(int hertz, double zeta)
+{
+    const double alpha = (hertz ? sqrt(5.0) : 2.0) * zeta;
+
+    return alpha > tsuji(0.0) ? -1.0 : root(alpha);
 }
 
 static void say(words_tell *tell, void *to, const char *format, ...)
@@ -89,11 +96,17 @@ void words_box(const struct words *w, words_tell *tell, void *to)
     say(tell, to, "create_box %d box", w->materials);
 }
 
-/* The contact of materials a and b: normal, tangential, damping. */
-static void contact(const struct words *w, int a, int b, char text[WORDS_LINE])
+/* The contact of materials a and b: normal, tangential, damping. LAMMPS of 2021
+ * replaces e' of a wall by alpha(e') each time it starts, `starts` times before
+ * the first step. */
+static void contact(const struct words *w, int a, int b, int starts,
+                    char text[WORDS_LINE])
 {
     const struct contact_constants *const k = &w->pair[a * w->materials + b];
-    const double e = words_restitution(w->hertz, k->damping_n);
+    double e = words_restitution(w->hertz, k->damping_n);
+
+    for (int i = 1; i < starts; i++)
+        e = root(e);
 
     snprintf(text, WORDS_LINE,
              "%s %.17g %.17g tangential %s %.17g %.17g %.17g damping tsuji",
@@ -108,7 +121,7 @@ static void walls(const struct words *w, int a, words_tell *tell, void *to)
 {
     char text[WORDS_LINE];
 
-    contact(w, a, w->wall, text);
+    contact(w, a, w->wall, w->starts, text);
     for (int k = 0; k < 3; k++)
         if (!w->periodic[k])
             say(tell, to,
@@ -126,7 +139,7 @@ void words_contacts(const struct words *w, words_tell *tell, void *to)
     say(tell, to, "pair_style granular");
     for (int a = 0; a < w->materials; a++)
         for (int b = a; b < w->materials; b++) {
-            contact(w, a, b, text);
+            contact(w, a, b, 1, text);
             say(tell, to, "pair_coeff %d %d %s", a + 1, b + 1, text);
         }
     for (int a = 0; a < w->materials; a++)

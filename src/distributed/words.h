@@ -20,6 +20,7 @@ struct words {
     int periodic[3];     /* [-] 1: no walls */
     double step, skin;   /* [s], [m] */
     int hertz;           /* [-] 1: Hertz's law, 0: linear springs */
+    int starts;          /* [-] of LAMMPS before the first step */
     int materials;       /* [-] number of them; one type each */
     int wall;            /* [-] material of the walls */
     struct contact_constants pair[WORDS_MATERIALS * WORDS_MATERIALS];

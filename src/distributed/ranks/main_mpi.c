@@ -5,10 +5,8 @@
  *
  * The first rank has the command line of build/winnow; the others serve. */
 #include <petscsys.h>
-#include <signal.h>
-#include <stdio.h>
-#include <string.h>
 
+#include "base/interrupt.h"
 #include "distributed/ranks/engine.h"
 
 int winnow_main(int argc, char **argv); /* main.c */
@@ -17,6 +15,7 @@ int main(int argc, char **argv)
 {
     int rank, code;
 
+    interrupt_hold(); /* in the threads of MPI, too: the first rank looks */
     if (PetscInitializeNoArguments() != 0) return 4;
     PetscPopSignalHandler();
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -24,10 +23,6 @@ int main(int argc, char **argv)
         code = winnow_main(argc, argv);
         engine_stop(code);
     } else {
-        /* The first rank saves the state and ends all. */
-        signal(SIGTERM, SIG_IGN);
-        signal(SIGINT, SIG_IGN);
-        signal(SIGUSR1, SIG_IGN);
         code = engine_serve(argc, argv);
     }
     PetscFinalize();

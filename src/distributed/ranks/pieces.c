@@ -106,6 +106,7 @@ static void move_cells(const struct mover *v, int m, double *part,
     counts_free(&c);
     for (int i = 0, k = 0; i < p->sim->mesh->n_cells && !to_record; i++)
         if (own[i]) memcpy(part + (long)m * i, v->piece + (long)m * k++, size);
+    if (!to_record) halo_refresh(p->halo, m, part);
 }
 
 /* The faces around each cell, as six numbers of it: 1: to the numbers. */

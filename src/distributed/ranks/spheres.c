@@ -253,16 +253,20 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
 
 /* --- starting ------------------------------------------------------------- */
 
-/* Contacts, walls and motion; the first run, which computes the forces. */
-static void start(struct spheres *q)
+/* Contacts, walls and motion. */
+static void equip(struct spheres *q)
 {
-    double own[2];
-
-    cut(q);
     words_contacts(&q->w, tell_line, q->lammps);
     tell(q, "fix push all external pf/array 1");
     tell(q, "fix move all nve/sphere");
     tell(q, "thermo 0");
+}
+
+/* The first run, which computes the forces. */
+static void start(struct spheres *q)
+{
+    double own[2];
+
     tell(q, "run 0 post no");
     pull(q);
     own[0] = q->dem->ps->n;
@@ -280,6 +284,8 @@ void spheres_place(struct spheres *q, const struct particles *all)
     words_box(&q->w, tell_line, q->lammps);
     keep(q);
     send_all(q, all);
+    cut(q);
+    equip(q);
     start(q);
 }
 
@@ -307,6 +313,9 @@ void spheres_load(struct spheres *q, const char *file)
     open_lammps(q);
     tell(q, "read_restart %s", file);
     keep(q);
+    q->w.starts = q->p->size > 1 ? 2 : 1;
+    equip(q); /* before the cut, whose start drops what nobody has claimed */
+    cut(q);
     start(q);
     exchange_forces(q, 0);
 }
