@@ -2,13 +2,16 @@
 /* compare.c -- how far two checkpoints are apart.
  *
  *   compare CELLS A B
+ *   compare velocities A
  *
- * prints the largest and the rms difference of a position [m] of the particles,
- * which are known by their ids, and the largest differences of u and p of the
- * fluid, over the largest u and p of A. */
+ * The first prints the largest and the rms difference of a position [m] of the
+ * particles, which are known by their ids, and the largest differences of u and
+ * p of the fluid, over the largest u and p of A. The second prints the id and
+ * the velocity of each particle. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "output/checkpoint/state_file.h"
@@ -66,10 +69,33 @@ static double largest(const double *a, const double *b, int n)
     return most > 0.0 ? off / most : off;
 }
 
+static int print_velocities(const char *path)
+{
+    static const char *const name[3] = {"vx", "vy", "vz"};
+    const char *why;
+    struct state_file *const f = state_file_open(path, &why);
+    double *v[3];
+    int n = 0;
+
+    if (f == NULL) return 4;
+    struct state *const s = state_file_state(f);
+    state_begin(s, "particles");
+    state_count(s, "count", &n, MOST);
+    int *const id = alloc_ints(n);
+    state_wholes(s, "id", "-", id, n, 1);
+    for (int k = 0; k < 3; k++)
+        state_reals(s, name[k], "m/s", v[k] = alloc_doubles(n), n, 1);
+    for (int i = 0; i < n; i++)
+        printf("%d %.17g %.17g %.17g\n", id[i], v[0][i], v[1][i], v[2][i]);
+    return s->failed ? 4 : 0;
+}
+
 int main(int argc, char **argv)
 {
     double most = 0.0, squares = 0.0;
 
+    if (argc == 3 && strcmp(argv[1], "velocities") == 0)
+        return print_velocities(argv[2]);
     if (argc != 4) return 2;
     const int cells = atoi(argv[1]);
     const struct content a = load(argv[2], cells), b = load(argv[3], cells);

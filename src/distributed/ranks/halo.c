@@ -57,7 +57,8 @@ struct halo *halo_create(const struct partition *p, MPI_Comm comm)
     h->around = alloc_doubles(6 * h->n);
     for (int c = 0; c < h->n; c++)
         h->own[c] = (unsigned char)partition_is_own(&p->here, c);
-    for (int m = 1; m <= MOST_FIELDS; m++) {
+    h->unit[1] = MPI_DOUBLE; /* PETSc adds no others of one number */
+    for (int m = 2; m <= MOST_FIELDS; m++) {
         MPI_Type_contiguous(m, MPI_DOUBLE, &h->unit[m]);
         MPI_Type_commit(&h->unit[m]);
     }
@@ -69,7 +70,7 @@ void halo_free(struct halo *h)
 {
     if (h == NULL) return;
     must(PetscSFDestroy(&h->sf));
-    for (int m = 1; m <= MOST_FIELDS; m++)
+    for (int m = 2; m <= MOST_FIELDS; m++)
         MPI_Type_free(&h->unit[m]);
     free(h->own);
     free(h->around);
