@@ -12,7 +12,7 @@
 
 #include "coupling/coupling.h"
 #include "case/build.h"
-#include "case/history.h"
+#include "case/history_sums.h"
 #include "case/case_file.h"
 
 enum { SEEDS = 6, MOST = 2 };

@@ -1,8 +1,8 @@
 # What EW18's Figs. 1 to 5 draw: (a) the share of each cell of a grain by its
 # bounding cube; (b) a Gaussian at a wall and its image; (c) the Gaussian and its
-# slope; (d), (e) the two beds at the start; (f) the parts of a force.
+# slope; (d) the parts of a force. The beds of Fig. 4 are in figures/sketches/beds.awk.
 load "figures/style.gp"
-set terminal svg size 820,620 dynamic font "sans,13" background "#ffffff"
+set terminal svg size 960,300 dynamic font "sans,13" background "#ffffff"
 set output "figures/23-sketch.svg"
 set multiplot
 unset key
@@ -15,8 +15,8 @@ gray = "#777777"
 set border 0
 unset tics
 unset grid
-set size 0.31,0.47
-set origin 0.01,0.52
+set size 0.22,0.96
+set origin 0.0,0.02
 set size ratio -1
 set title "(a) bounding cube" offset 0,-0.5
 a = 5.0 / 3.0
@@ -44,8 +44,8 @@ s = 1.0 / (2 * sqrt(2 * log(2)))
 g(r) = exp(-r * r / (2 * s * s)) / (s * sqrt(2 * pi))
 c = 0.4
 set size noratio
-set size 0.33,0.47
-set origin 0.33,0.52
+set size 0.26,0.96
+set origin 0.23,0.02
 set border 1
 set xtics 1
 set title "(b) Gaussian at a wall" offset 0,-0.5
@@ -64,8 +64,8 @@ unset object
 unset label
 
 # (c) over its maximum, with its slope
-set size 0.33,0.47
-set origin 0.66,0.52
+set size 0.27,0.96
+set origin 0.5,0.02
 set title "(c) Gaussian and its slope" offset 0,-0.5
 set xrange [-1.5:1.5]
 set yrange [-1:1.1]
@@ -73,7 +73,7 @@ set ytics 0.5
 set border 3
 set xlabel "{/:Italic r} / {/Symbol d}_{0.5} [-]"
 set arrow 1 from -0.5,0.5 to 0.5,0.5 heads linecolor rgb gray
-set label 1 "{/Symbol d}_{0.5}" at 0,0.4 center textcolor rgb gray
+set label 1 "{/Symbol d}_{0.5}" at 0,0.3 center textcolor rgb gray
 set label 2 "{/:Italic W}" at 0.3,0.95 textcolor rgb blue
 set label 3 "d{/:Italic W}/d{/:Italic r}" at 0.45,-0.85 textcolor rgb orange
 w(r) = exp(-r * r / (2 * s * s))
@@ -82,55 +82,14 @@ plot w(x) with lines linewidth 2 linecolor rgb blue, \
 unset arrow
 unset label
 
-# (d), (e): boxes [d], layers of the lattice
+# (d) of the force on a grain the part along the slip is its drag
 set border 0
 unset tics
 unset xlabel
 set size ratio -1
-set size 0.3,0.47
-set origin 0.01,0.02
-set title "(d) liquid: 512 grains" offset 0,-0.5
-set xrange [-2:11]
-set yrange [-2:17]
-set object 1 rectangle from 0,0 to 8,15 fillstyle empty border linecolor rgb "#000000"
-do for [i=0:7] {
-    do for [j=0:7] {
-        set object 2 + 8*i + j circle at i+0.5,j+0.5 size 0.5 fillcolor rgb "#b8d0e0" fillstyle solid border linecolor rgb blue
-    }
-}
-set arrow 1 from 4,-1.8 to 4,-0.2 linewidth 2 linecolor rgb orange
-set label 1 "{/:Italic u}_{in}" at 4.6,-1.2 textcolor rgb orange
-set label 2 "8 {/:Italic d}, periodic" at 4,11 center
-set label 3 "outlet, {/:Italic p} = 0, at 15 {/:Italic d}" at 4,16 center
-plot NaN
-unset object
-unset arrow
-unset label
-
-set size 0.3,0.47
-set origin 0.32,0.02
-set title "(e) gas: 2000 grains" offset 0,-0.5
-set xrange [-12:24]
-set yrange [-5:56]
-set object 1 rectangle from 0,0 to 10,50 fillstyle empty border linecolor rgb "#000000"
-do for [i=0:9] {
-    do for [j=0:19] {
-        set object 2 + 20*i + j circle at i+0.5,j+0.5 size 0.5 fillcolor rgb "#b8d0e0" fillstyle solid border linecolor rgb blue
-    }
-}
-set arrow 1 from 5,-5 to 5,-0.5 linewidth 2 linecolor rgb orange
-set label 1 "{/:Italic u}_{in}" at 6.5,-3.5 textcolor rgb orange
-set label 2 "10 {/:Italic d}, periodic" at 11,30 left
-set label 3 "outlet at 50 {/:Italic d}" at 5,53 center
-plot NaN
-unset object
-unset arrow
-unset label
-
-# (f) of the force on a grain the part along the slip is its drag
-set size 0.33,0.47
-set origin 0.65,0.02
-set title "(f) parts of a force" offset 0,-0.5
+set size 0.24,0.96
+set origin 0.77,0.02
+set title "(d) parts of a force" offset 0,-0.5
 set xrange [-1.2:2.4]
 set yrange [-1.2:2.4]
 set object 1 circle at 0,0 size 0.5 fillcolor rgb "#dddddd" fillstyle solid border linecolor rgb "#000000"
@@ -142,7 +101,7 @@ set arrow 5 from 0,1.8 to 0.9,1.8 nohead dashtype 2 linecolor rgb gray
 set arrow 6 from -0.9,-1 to -0.9,-0.1 linewidth 2 linecolor rgb gray
 set label 1 "drag, along the slip" at 0,2.1 center textcolor rgb blue
 set label 2 "force" at 1.0,1.4
-set label 3 "across the slip" at 1.0,0.1 textcolor rgb orange
+set label 3 "across it" at 1.0,0.1 textcolor rgb orange
 set label 4 "slip {/:Bold w}" at -0.75,-0.75 textcolor rgb gray
 plot NaN
 unset multiplot

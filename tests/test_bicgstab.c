@@ -192,6 +192,23 @@ START_TEST(without_a_right_hand_side_the_solution_is_zero)
 }
 END_TEST
 
+/* The squares of this residual are no normal numbers any more: an iteration
+ * would divide what has lost its digits. */
+START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+{
+    struct setting s = convection(8, 8, 4, 0.5);
+
+    for (int i = 0; i < 3 * s.b.n; i++)
+        s.rhs[i] *= 1e-157;
+    const struct solve_report r = solve(&s, 0.0, 0.0, 500);
+
+    ck_assert_double_gt(r.before, 0.0);
+    ck_assert(r.converged);
+    ck_assert_int_eq(r.iterations, 0);
+    release(&s);
+}
+END_TEST
+
 /* A = (1 -3; 1 1) turns b = (1 1) into something square to it: no step can be
  * made from zero. From elsewhere the same system is solved: x = 1, y = 0. */
 START_TEST(a_breakdown_is_reported)
@@ -271,6 +288,7 @@ FACTS("bicgstab")
     FACT(a_good_guess_costs_nothing);
     FACT(a_converged_component_is_not_changed_while_the_others_iterate);
     FACT(without_a_right_hand_side_the_solution_is_zero);
+    FACT(a_residual_whose_square_underflows_counts_as_solved);
     FACT(a_breakdown_is_reported);
     FACT(limits_and_numbers_that_are_none_are_reported);
     FACT(threads_do_not_change_a_bit);

@@ -137,6 +137,32 @@ START_TEST(a_field_without_right_hand_side_becomes_zero)
 }
 END_TEST
 
+/* Without a tolerance the iteration goes on until the squares of the residual
+ * are no normal numbers any more, below sqrt(DBL_MIN). */
+START_TEST(a_residual_whose_square_underflows_counts_as_solved)
+{
+    struct setting s = diffusion_step(8, 8, 4, 3);
+    double most = 0.0;
+
+    for (int i = 0; i < 3 * s.b.n; i++) {
+        s.rhs[i] *= 1e-140;
+        s.x[i] = 0.0;
+    }
+    for (int k = 0; k < 3; k++) {
+        double bb = 0.0;
+        for (int i = k; i < 3 * s.b.n; i += 3)
+            bb += s.rhs[i] * s.rhs[i];
+        most = fmax(most, sqrt(bb));
+    }
+    const struct solve_report r = solve(&s, NULL, 0.0, 500);
+
+    ck_assert(r.converged);
+    ck_assert_int_lt(r.iterations, 500);
+    ck_assert_double_le(r.after * most, 3.0 * 1.5e-154);
+    release(&s);
+}
+END_TEST
+
 START_TEST(the_report_is_that_of_the_worst_field)
 {
     struct setting s = diffusion_step(20, 20, 1, 2);
@@ -198,6 +224,7 @@ FACTS("cg_many")
     FACT(each_field_is_solved_as_by_cg_alone);
     FACT(preconditioned_by_volume_mass_is_kept_to_rounding);
     FACT(a_field_without_right_hand_side_becomes_zero);
+    FACT(a_residual_whose_square_underflows_counts_as_solved);
     FACT(the_report_is_that_of_the_worst_field);
     FACT(a_number_that_is_none_is_reported);
     FACT(threads_do_not_change_a_bit);

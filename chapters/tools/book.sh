@@ -46,8 +46,7 @@ render() { # page, page before, page after
             --lua-filter "$tools/cite.lua" \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \
             ${toc:+-V page_toc=1} \
-            -V page="$(name "$1")" -M chapter="$(name "$1" | sed 's/-.*//; s/^0//')" \
-            -M pagetitle="$(title "$1")" \
+            -V page="$(name "$1")" -M pagetitle="$(title "$1")" \
             ${2:+-V before="$(name "$2")" -V before_title="$(title "$2")"} \
             ${3:+-V after="$(name "$3")" -V after_title="$(title "$3")"} |
         awk -f "$tools/tidy.awk" >"$out/$(name "$1").html"

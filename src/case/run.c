@@ -63,6 +63,7 @@ struct run {
     struct recorder *recorder;
     const struct saver *saver; /* NULL: the run cannot be saved */
     void *memory;              /* of the saver */
+    int resumes;               /* [-] 1: it had begun, and goes on */
     char why[BREAKDOWN_TEXT];  /* it broke down */
 };
 
@@ -75,9 +76,8 @@ static int broke_down(struct run *run)
 /* The state before the first step: as the case has it, or as it was saved. */
 static int start(struct run *run)
 {
-    if (!run->options->resume && coupling_start(run->sim) != 0)
-        return broke_down(run);
-    if (!run->options->resume && sample(run->recorder, run->sim) != 0)
+    if (!run->resumes && coupling_start(run->sim) != 0) return broke_down(run);
+    if (!run->resumes && sample(run->recorder, run->sim) != 0)
         return NOT_WRITTEN;
     if (run->saver == NULL) return 0;
     return run->saver->begin(run->memory, run->sim, run->recorder) != 0
@@ -162,7 +162,7 @@ static int finish(struct run *run, int code)
     struct recorder *const r = run->recorder;
 
     if (code != NOT_WRITTEN && run->saver != NULL &&
-        run->saver->end(run->memory) != 0)
+        run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
@@ -176,25 +176,28 @@ static int finish(struct run *run, int code)
  * the folder as it was. */
 static int run_simulation(struct run *run)
 {
-    const int resume = run->options->resume;
-
+    if (run->saver != NULL && run->saver->before(run->memory) != 0)
+        return NOT_WRITTEN;
     run->recorder =
-        recorder_create(run->settings, run->sim, run->folder, resume);
+        recorder_create(run->settings, run->sim, run->folder, run->resumes);
     if (run->recorder == NULL) {
-        if (!resume) folder_leave(run->folder); /* if it was not begun */
+        if (!run->resumes) folder_leave(run->folder); /* if it was not begun */
         return NOT_WRITTEN;
     }
     int code = start(run);
     if (code == 0) code = go(run);
-    if (code == 0 || !resume || run->sim->steps > 0) code = finish(run, code);
+    if (code == 0 || !run->resumes || run->sim->steps > 0)
+        code = finish(run, code);
     recorder_free(run->recorder);
     return code;
 }
 
 /* What is to be cleared away if the run does not begin. */
 struct beginning {
+    const struct run *run;
     struct folder *folder;
     const char *bed; /* the file that a bed is kept in; or NULL */
+    struct interrupt_watch watch;
 };
 
 static void leave(void *of)
@@ -205,21 +208,34 @@ static void leave(void *of)
     if (b->bed != NULL) file_remove_part(b->bed);
 }
 
-/* The simulation; a signal meanwhile ends the program. */
+/* While a bed settles a signal waits until that is saved. */
+static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
+{
+    struct beginning *const b = of;
+
+    if (when == BED_BEGINS) interrupt_watch_end(&b->watch);
+    const int code = b->run->saver->settle(b->run->memory, bed, when);
+    if (when == BED_RESTS) interrupt_watch_begin(&b->watch, leave, b);
+    return code;
+}
+
+/* The simulation; otherwise a signal meanwhile ends the program. */
 static struct simulation *build(const struct run *run, int *code)
 {
     const struct settings *const s = run->settings;
 
     static const char bed[] = "particles.bed.file";
-    struct beginning b = {run->folder,
-                          settings_has(s, bed) ? settings_text(s, bed) : NULL};
-    struct interrupt_watch watch;
+    struct beginning b = {.run = run,
+                          .folder = run->folder,
+                          .bed = settings_has(s, bed) ? settings_text(s, bed)
+                                                      : NULL};
+    const struct bed_keeper keeper = {&b, settle};
 
-    interrupt_watch_begin(&watch, leave, &b);
-    struct simulation *const sim = run->options->resume
-                                       ? build_to_resume(s, code)
-                                       : build_simulation(s, code);
-    interrupt_watch_end(&watch);
+    interrupt_watch_begin(&b.watch, leave, &b);
+    struct simulation *const sim =
+        run->resumes ? build_to_resume(s, code)
+                     : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
+    interrupt_watch_end(&b.watch);
     if (sim == NULL || processes_engines[0] == NULL) return sim;
     sim->processes = processes_engines[0]->create(s, sim, code);
     if (sim->processes != NULL) return sim;
@@ -253,6 +269,7 @@ static int create_saver(struct run *run)
     if (run->saver == NULL) return run->options->resume ? WRONG : 0;
     run->memory =
         run->saver->create(run->settings, run->folder, run->options, &code);
+    run->resumes = code == 0 && run->saver->is_of_run(run->memory);
     return code;
 }
 
@@ -267,9 +284,10 @@ int run_case(const struct settings *s, const struct run_options *o)
     if (o->quiet) folder_be_quiet(run.folder);
     code = create_saver(&run);
     if (code == 0) run.sim = build(&run, &code);
-    if (run.sim == NULL) folder_leave(run.folder);
-    if (run.sim != NULL) code = run_simulation(&run);
+    const int built = run.sim != NULL;
+    if (built) code = run_simulation(&run);
     if (run.memory != NULL) run.saver->free(run.memory);
+    if (!built) folder_leave(run.folder);
     build_free(run.sim);
     folder_free(run.folder);
     return code;

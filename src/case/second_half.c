@@ -6,7 +6,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "case/history.h"
+#include "case/history_sums.h"
 #include "output/block_means.h"
 
 enum { DROP, LEAN, N_BLOCKED };

@@ -7,10 +7,8 @@
 
 #include "dem/dem_method.h"
 #include "dem/integrators.h"
-#include "case/build.h"
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
-#include "case/build_particles.h"
 #include "case/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
@@ -21,6 +19,7 @@
 #include "case/model_choice.h"
 #include "case/profiles.h"
 #include "case/recorder_part.h"
+#include "case/particle_options.h"
 
 /* The two sides of each direction, and the key that names both at once. */
 static const char *const sides[3][3] = {{"left", "right", "sides"},
@@ -170,13 +169,13 @@ static int check_bed_sizes(const struct settings *s)
  * beyond 0.6 none is free to settle. */
 static int check_bed_fits(const struct settings *s)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
     const struct bed_range range = bed_range(&b);
     const char *const key =
         b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
     double lo[3], size[3];
 
-    build_bed_release(&b);
+    particle_options_release(&b);
     case_mesh_ends(s, lo, size);
     for (int k = 0; k < 3; k++)
         size[k] -= lo[k];
@@ -248,7 +247,7 @@ static int check_integrator(const struct settings *s)
 /* A method that finds the pairs may not know all that a case asks for. */
 static int check_list(const struct settings *s)
 {
-    const struct dem_options o = build_dem_options(s, 1.0);
+    const struct dem_options o = particle_options_dem(s, 1.0);
     const char *const unknown = o.method->unknown(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(s, "particles.list", "%s knows no %s; %s does",

@@ -14,6 +14,7 @@
 
 #include "base/file.h"
 #include "case/build.h"
+#include "case/particle_options.h"
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "coupling/simulation.h"
@@ -115,7 +116,7 @@ static int export_case(const struct settings *s, const char *dir)
 
     if (sim == NULL) return code;
     const struct words w = words_of(s, mean_diameter(sim->particles));
-    build_gravity(s, sim->gravity);
+    particle_options_gravity(s, sim->gravity);
     if (file_make_dirs(dir) != 0 ||
         write_file(dir, "data.lammps", s, &w, sim, 1) != 0 ||
         write_file(dir, "in.lammps", s, &w, sim, 0) != 0)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "case/build_particles.h"
+#include "case/particle_options.h"
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "dem/contact_hertz.h"
@@ -15,7 +16,7 @@
 struct words words_of(const struct settings *s, double d)
 {
     const double step = case_steps_length(s) / case_steps_within(s);
-    const struct dem_options o = build_dem_options(s, step);
+    const struct dem_options o = particle_options_dem(s, step);
     struct materials *const all = case_materials_create(s);
     struct words w = {.step = step,
                       .skin = o.skin > 0.0 ? o.skin : d / 6.0,

@@ -5,6 +5,7 @@
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -349,7 +350,8 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
 {
     struct solve_report report = {0, 0.0, 0.0, 1};
     const double scale = sqrt(reduce_dot(3 * w->n, b3, b3));
-    const double target = fmax(tolerance * scale, absolute);
+    const double target = /* what is smaller counts as zero (cg.c) */
+        fmax(fmax(tolerance * scale, absolute), sqrt(DBL_MIN));
     struct state s;
 
     if (scale == 0.0) {

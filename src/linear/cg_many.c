@@ -7,6 +7,7 @@
 #include "base/parallel_ranges.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -222,11 +223,12 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
     struct solve_report report = {0, 0.0, 0.0, 0};
     struct fields target, beta = {{0.0}};
     double bb[CG_MANY_FIELDS];
+    const double least = sqrt(DBL_MIN); /* smaller ones count as zero (cg.c) */
 
     reduce_dot_many(w->n, w->m, b, b, bb);
     clear_empty(w->n, w->m, bb, x);
     for (int k = 0; k < w->m; k++)
-        target.at[k] = fmax(tolerance * sqrt(bb[k]), absolute);
+        target.at[k] = fmax(fmax(tolerance * sqrt(bb[k]), absolute), least);
 
     struct sums sum = begin(A, weight, b, x, w);
 

@@ -151,14 +151,15 @@ step $gauss -s fluid.step=3e-3 -s particles.step=3e-4
 random-11 $with
 seed-2 $with -s $random.seed=2
 seed-3 $with -s $random.seed=3
-memory $with -s $random.time=0.5
+memory-0.5 $with -s $random.time=0.5
+memory-0.1 $with -s $random.time=0.1
 thinner $with -s $random.sigma_low=46.8 -s $random.sigma_high=6.71
 END
     {
         made choices
         echo "# what $columns"
         for name in gauss-11 restitution friction stiffness longer step \
-            random-11 seed-2 seed-3 memory thinner; do
+            random-11 seed-2 seed-3 memory-0.5 memory-0.1 thinner; do
             row $name $name
         done
     } >$figures/23-choices.txt

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "case/case_cohesion.h"
-#include "case/case_file.h"
+#include "case/table_numbers.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"
 #include "dem/attraction.h"
@@ -65,7 +65,7 @@ static void print_effects(const struct settings *s, struct effect_scales *k)
         double numbers[16] = {0.0};
 
         if (e->estimate == NULL || !applies(s, e)) continue;
-        if (named) case_file_parameters(s, e->keys, numbers, 16);
+        if (named) table_numbers(s, e->keys, numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);

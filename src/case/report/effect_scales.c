@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 #include "base/vector.h"
-#include "case/build.h"
 #include "case/case_mesh.h"
+#include "case/particle_options.h"
 #include "coupling/drag.h"
 
 static const double packed = 0.6; /* [-] solids fraction of a bed at rest */
@@ -164,7 +164,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
         .rho_s = settings_real(s, "particles.grains.density"),
         .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
                               : p.d,
-        .gravity = build_gravity(s, g) ? vector_length(g) : 0.0};
+        .gravity = particle_options_gravity(s, g) ? vector_length(g) : 0.0};
 
     k.weight = k.rho_s * volume(&k) * k.gravity;
     if (settings_has(s, "exchange")) {

@@ -5,7 +5,6 @@
 #include "base/vector.h"
 #include "mesh/poly/quality.h"
 #include "dem/contact.h"
-#include "case/build.h"
 #include "case/build_particles.h"
 #include "case/case_cost.h"
 #include "case/report/case_averaging_report.h"
@@ -23,6 +22,7 @@
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"
+#include "case/particle_options.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -138,7 +138,8 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
 
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
-    if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
+    if (!particle_options_gravity(s, g) || !settings_has(s, "particles.bed"))
+        return;
     check_line("weight of the bed over its area",
                k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
                "what the pressure drop comes to when it is carried");

@@ -9,12 +9,12 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
-#include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/check_line.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
+#include "case/particle_options.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
 #include "dem/limits.h"
@@ -178,7 +178,7 @@ static int add(const struct settings *s, struct simulation *sim)
     const int n = settings_length(s, list) + settings_length(s, boxes) +
                   settings_length(s, cylinders);
 
-    build_gravity(s, o.gravity);
+    particle_options_gravity(s, o.gravity);
     struct solid_bodies *const b = solid_bodies_create(n, sim->fluid, &o);
     effects_add(sim, &bodies_effect, b);
     add_all(s, b);
@@ -195,7 +195,7 @@ static void report_numbers(const struct settings *s)
 
     while (!is(s, i, "free"))
         i++;
-    if (!build_gravity(s, g)) return;
+    if (!particle_options_gravity(s, g)) return;
     const double d = settings_item_real(s, list, i, "diameter"),
                  ratio = body_numbers_density_ratio(
                      settings_item_real(s, list, i, "density"), rho),

@@ -6,7 +6,7 @@
 
 #include "base/alloc.h"
 #include "case/case_steps.h"
-#include "case/history.h"
+#include "case/history_sums.h"
 #include "case/statistics/grain_series.h"
 #include "case/statistics/layers.h"
 #include "case/statistics/statistics_files.h"

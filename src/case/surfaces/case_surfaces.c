@@ -267,11 +267,6 @@ static int check_others(const struct settings *s)
                                   "%s acts between particles and the box, not "
                                   "on surfaces: leave one of them out",
                                   pulls[k]);
-    if (settings_has(s, "particles.bed") &&
-        settings_has(s, "particles.bed.file"))
-        return settings_wrong(s, list,
-                              "a bed that settles on surfaces is not kept in "
-                              "a file: leave particles.bed.file out");
     return 0;
 }
 

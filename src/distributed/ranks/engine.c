@@ -32,6 +32,7 @@ struct engine {
     struct simulation *record; /* on the first rank; elsewhere NULL */
     struct part *part;
     struct settings *own; /* settings that were read here, or NULL */
+    int broken; /* [-] 1: the last step has failed, and is not recorded */
     long moved; /* [-] spheres on another rank than at first, when last seen */
 };
 
@@ -114,6 +115,7 @@ static int step_part(struct engine *e)
 {
     const int failed = agree(coupling_step(e->part->sim));
 
+    e->broken = failed;
     report(e);
     if (failed && e->record != NULL) find_lost(e->record);
     return failed;
@@ -188,7 +190,7 @@ static int step(struct processes *self)
 
 static void collect(struct processes *self, enum processes_extent extent)
 {
-    if (of(self)->part == NULL) return;
+    if (of(self)->part == NULL || of(self)->broken) return;
     give(COLLECT, (int)extent);
     collect_part(of(self), (int)extent);
 }

@@ -10,6 +10,7 @@
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
+#include "case/particle_options.h"
 #include "case/case_materials.h"
 #include "case/case_overlap.h"
 #include "case/case_steps.h"
@@ -25,7 +26,7 @@ static int direction_down(const struct settings *s)
     double g[3];
     int down = 1;
 
-    build_gravity(s, g);
+    particle_options_gravity(s, g);
     for (int k = 0; k < 3; k++)
         if (fabs(g[k]) > fabs(g[down])) down = k;
     return down;
@@ -137,7 +138,7 @@ static int add_particles(struct part *part, const struct settings *s,
     sim->particles = particles_create(capacity(numbers[0], part->p.size));
     sim->particles->next_id = numbers[1];
     if (numbers[2]) particles_add_material(sim->particles);
-    struct dem_options o = build_dem_options(s, sim->dt / sim->dem_steps);
+    struct dem_options o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o.materials = sim->materials = case_materials_create(s);
     o.method = &spheres_method;
     sim->dem = dem_create(sim->particles, &o);

@@ -39,8 +39,8 @@ void state_file_put_text(struct state_file *f, const char *name,
 struct state_image state_file_image(struct state_file *f);
 
 /* Writes the file to PATH.partial, flushes and renames it; an older PATH is
- * then called `before`. At any moment there is a whole one. Non-zero after a
- * message. */
+ * then called `before`, if that is not NULL. At any moment there is a whole
+ * one. Non-zero after a message. */
 int state_file_write(const struct state_image *image, const char *path,
                      const char *before);
 

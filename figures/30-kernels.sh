@@ -3,7 +3,7 @@
 # several ways: the drop between the sensors [Pa] after 0.01 s, when the bed lies
 # as it was poured, and the mean from 0.1 to 0.2 s. Springs of 500 N/m.
 set -eu
-out=out/20-kernels
+out=out/30-kernels
 mkdir -p $out
 echo "# averaging, bandwidth [mm], interpolation, drop at 0.01 s, later [Pa]"
 for way in kernel,10,same kernel,10,linear kernel,6,linear kernel,4,linear \

@@ -2,7 +2,7 @@
 # XS11 Case 2, Fig. 7: how fast the grains are at the lower sensor, 2 mm above the
 # floor, and higher, whatever one changes.
 #
-#   20-sensor.sh DIR NAME...    runs DIR/sensor-NAME, left by tests/validate/coupling.sh
+#   30-sensor.sh DIR NAME...    runs DIR/sensor-NAME, left by tests/validate/coupling.sh
 #
 # Means and standard deviations from 0.4 s on.
 set -eu

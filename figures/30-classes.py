@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The size classes of cases/seepage.cfg, from the pictures of its runs.
 
-    20-classes.py heights DIR           mean height of each class at each time
-    20-classes.py scene DIR SHIFT       a case that begins with the first picture of
+    30-classes.py heights DIR           mean height of each class at each time
+    30-classes.py scene DIR SHIFT       a case that begins with the first picture of
                                         DIR, its grains SHIFT [m] beside
-    20-classes.py compare A B C         the classes in three runs from one bed
+    30-classes.py compare A B C         the classes in three runs from one bed
 
 Small, medium and large as in XS11 Fig. 11: d below 0.83, 1.67, 2.5 mm.
 """

@@ -1,9 +1,9 @@
 #!/bin/sh
 # XS11 Case 1: drop between the sensors over the velocity of the inlet.
 #
-#   20-ramp.sh series DIR RUN    means over 0.1 s of a run that
+#   30-ramp.sh series DIR RUN    means over 0.1 s of a run that
 #                                tests/validate/coupling.sh left in DIR
-#   20-ramp.sh numbers FILE...   of such series: the plateau, the mean drop from
+#   30-ramp.sh numbers FILE...   of such series: the plateau, the mean drop from
 #                                1.0 m/s up to 1.5 m/s (or the end), and U_mf,
 #                                where the rising drop first meets it
 set -eu

@@ -1,7 +1,7 @@
 #!/bin/sh
 # XS11 Case 2: what four runs of cases/fluidization-two-sizes.cfg say about the mesh.
 #
-#   20-two-sizes.sh series|numbers|steps DIR
+#   30-two-sizes.sh series|numbers|steps DIR
 #
 # DIR holds kernel-12x60, kernel-8x40, pcm-12x60, pcm-8x40, made by
 # tests/validate/coupling.sh; what ends early has no numbers. series: drop between the sensors [Pa] and us_y [m/s]

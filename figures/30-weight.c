@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 20-weight.c -- who carries the bed of cases/fluidization-ramp.cfg?
+/* 30-weight.c -- who carries the bed of cases/fluidization-ramp.cfg?
  *
- *   20-weight SECONDS INLET [OVERRIDE...]
+ *   30-weight SECONDS INLET [OVERRIDE...]
  *
  * The bed is blown through with INLET m/s. From its second half: the pressure
  * drop, the force of the fluid on the grains, that of the walls (what is left
@@ -14,7 +14,7 @@
 
 #include "coupling/coupling.h"
 #include "case/build.h"
-#include "case/history.h"
+#include "case/history_sums.h"
 #include "case/case_file.h"
 
 enum { MOST = 12 };
