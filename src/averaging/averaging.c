@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "averaging/averaging_wall.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/stencil.h"
@@ -17,8 +18,9 @@
 struct averaging {
     const struct averaging_method *method;
     struct cell_of_particle *cells;
-    void *state; /* of the method */
-    int fields;  /* [-] largest number in one call */
+    void *state;                 /* of the method */
+    int fields;                  /* [-] largest number in one call */
+    struct averaging_wall *wall; /* NULL: there is none */
     struct averaging_report report;
 };
 
@@ -141,6 +143,7 @@ void averaging_spread(struct averaging *a, int m, const double *q,
     assert(m >= 1 && m <= a->fields);
     assert(a->report.lost == 0 && a->cells->n == a->cells->ps->n);
     a->method->spread(a->state, m, q, field, &a->report);
+    if (a->wall != NULL) a->wall->move_out(a->wall, m, field);
     check_first_field(&a->report, a->cells->mesh, m, field);
 }
 
@@ -149,7 +152,19 @@ void averaging_gather(struct averaging *a, int m, const double *field,
 {
     assert(m >= 1 && m <= a->fields);
     assert(a->report.lost == 0 && a->cells->n == a->cells->ps->n);
-    a->method->gather(a->state, m, field, q, &a->report);
+    a->method->gather(a->state, m, averaging_extended(a, m, field), q,
+                      &a->report);
+}
+
+void averaging_set_wall(struct averaging *a, struct averaging_wall *wall)
+{
+    a->wall = wall;
+}
+
+const double *averaging_extended(struct averaging *a, int m,
+                                 const double *field)
+{
+    return a->wall != NULL ? a->wall->extend(a->wall, m, field) : field;
 }
 
 double averaging_capped_fraction(const struct averaging *a, int i)

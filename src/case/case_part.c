@@ -28,7 +28,15 @@ int case_part_check_any(const struct settings *s)
 int case_part_furnish(const struct settings *s, struct simulation *sim,
                       struct dem_options *o)
 {
-    EACH_PART(furnish, s, sim, o);
+    int code = 0;
+
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish != NULL)
+            code = case_parts[i]->furnish(s, sim, o);
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish_last != NULL)
+            code = case_parts[i]->furnish_last(s, sim, o);
+    return code;
 }
 
 int case_part_place(const struct settings *s, struct particles *ps,

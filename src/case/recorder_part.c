@@ -24,6 +24,13 @@ void recorder_part_free(struct recorder_part_list *l)
         l->part[i]->free(l->state[i]);
 }
 
+void recorder_part_prepare(const struct recorder_part_list *l,
+                           struct snapshot *s)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->prepare != NULL) l->part[i]->prepare(l->state[i], s);
+}
+
 int recorder_part_columns(const struct recorder_part_list *l,
                           const struct history_column **column, int room)
 {
