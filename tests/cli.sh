@@ -277,6 +277,8 @@ echo "runs:"
 fact tiny_case_runs 0 "" "$winnow" run tiny.cfg -o one -j 1
 fact run_leaves_its_files 0 "" test -s one/summary.json -a -s one/history.csv \
     -a -s one/fluid.pvd -a -s one/particles.pvd
+fact quiet_prints_nothing 0 "" \
+    sh -c 'test -z "$("$0" run tiny.cfg -o hushed --quiet 2>&1)"' "$winnow"
 fact two_threads_run_it_too 0 "" "$winnow" run tiny.cfg -o two -j 2 --quiet
 same() {
     cmp one/history.csv two/history.csv && diff -r one/fluid two/fluid &&

@@ -310,6 +310,10 @@ static int act(const struct command_line *l)
 {
     int code;
     struct interrupt_watch watch;
+
+    /* Then there are only files, and on stderr what is wrong. */
+    if (l->quiet && freopen("/dev/null", "w", stdout) == NULL)
+        return NOT_WRITTEN;
     char *const dir = default_dir(l->words[0]);
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
                                   .quiet = l->quiet,
@@ -335,7 +339,8 @@ const struct command command_run = {
     "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
     "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended, --fresh settles its bed anew",
+    "goes on where the run in DIR ended, --fresh settles its bed anew, --quiet "
+    "prints nothing but what is wrong",
     "osj-rf",
     1,
     1,

@@ -26,6 +26,12 @@ const struct key *schema_find(const struct key *const *tables,
  */
 int schema_knows(const struct key *const *tables, const char *path);
 
+/* Walks over the rows of all tables. */
+#define SCHEMA_EACH(found, tables)                                             \
+    for (const struct key *const *table_ = (tables); *table_ != NULL;          \
+         table_++)                                                             \
+        for (const struct key *found = *table_; found->path != NULL; found++)
+
 /* The i-th row over all tables, or NULL after the last. */
 const struct key *schema_at(const struct key *const *tables, int i);
 
