@@ -267,6 +267,10 @@ check "a changed key is refused with both values" says \
     "$winnow" run flow.cfg -o was --resume -s fluid.density=2.5
 check "another case is refused" says 'is .* in this case, and not set in that' \
     "$winnow" run linked.cfg -o was --resume
+check "a run on a mesh" short cells.cfg -o mesh -s output.end=0.0025
+echo >>dual/points
+check "another mesh is refused" says 'mesh.polymesh is crc32' \
+    "$winnow" run cells.cfg -o mesh --resume
 check "nothing to resume is said" says 'nothing to resume in empty' \
     "$winnow" run flow.cfg -o empty --resume
 check "a second state" short flow.cfg -o was --resume -s output.end=0.006
