@@ -33,7 +33,8 @@ air='fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
 grains='grains = { density = 1000; stiffness = 100; restitution = 0.9;
     friction = 0.3; rolling_friction = 0.05; };'
 
-# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory.
+# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory,
+# statistics of each grain.
 cat >coupled.cfg <<END
 title = "a bed in air";
 $box
@@ -47,7 +48,8 @@ effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {};
     energy_budget = {}; };
 output = { end = 0.015; every = 0.0015; animation = true;
     profiles = ( { field = "eps_f"; height = 0.003; from = 0.005; } );
-    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } ); };
+    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } );
+    statistics = { from = 0.005; blocks = 2; lags = 0.002; }; contacts = true; };
 END
 
 # Who comes and goes, moving walls, a prescribed particle, random places.
