@@ -234,6 +234,14 @@ for name in ${4:-$names}; do
         kill_once
     done
 done
+# Prints the sum and ends.
+finish() {
+    [ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
+    echo "$kill kills: $resumed runs have the same bits, $refused say why not"
+    exit 0
+}
+[ $# -lt 4 ] || finish
+
 # --- what a folder says, and a bed that was settled before ---------------------
 
 # check WHAT COMMAND...: the command succeeds.
@@ -326,5 +334,4 @@ check "or with another key" says 'settled in' \
 check "but for other output" says 'was settled before' \
     "$winnow" run wide.cfg -o bed3 -s output.end=0.002
 
-[ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
-echo "$kill kills: $resumed runs have the same bits, $refused say why not"
+finish
