@@ -220,6 +220,7 @@ kill_once() {
 }
 
 kill=0
+[ $# -lt 4 ] || kill=$((seed - 1)) # other ways to stop, too
 names="coupled fed cells linked flow"
 [ "$kills" -eq 1 ] || names="$names settling"
 for name in ${4:-$names}; do
@@ -237,7 +238,7 @@ done
 # Prints the sum and ends.
 finish() {
     [ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
-    echo "$kill kills: $resumed runs have the same bits, $refused say why not"
+    echo "$((resumed + refused)) kills: $resumed runs have the same bits, $refused say why not"
     exit 0
 }
 [ $# -lt 4 ] || finish
