@@ -18,6 +18,8 @@ LIGHTLY  = -O1
 # Debian has HDF5 in a folder of its own, which pkg-config knows.
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
+# Test programs are many, and gold links them in a third of the time.
+LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 
 # Built into build/winnow-mpi only: see `distributed` below.
 RANKS := src/distributed/ranks
@@ -78,9 +80,10 @@ facts: $(TESTS:=.facts)
 # Without a process for each fact, which doubles what a small one takes.
 SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 # Under sanitizers these take longest, and check-slow runs them.
-LONG := $(patsubst %,$B/tests/test_%,attraction averaging body_methods boundary \
+LONG := $(patsubst %,$B/tests/test_%,$B/tests/test_%,attraction attraction averaging body_methods boundary \
         contact_loop contiguous_faces face_jump grid hard_beds hard_cases \
-        images_poly inlets manufactured reference_loop resolved verified)
+        images_poly inlets manufactured motion neighbours reference_loop \
+        resolved rolling surfaces verified wall_images)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
@@ -215,7 +218,7 @@ $B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	@$(CC) $(OPT) -fopenmp -o $@ $(filter %.o,$^) $(filter %.a,$^) $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) $(LINK) -fopenmp -o $@ $(filter %.o,$^) $(filter %.a,$^) $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 # Run anew each time: cases and data may have changed, too.
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<

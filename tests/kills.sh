@@ -6,8 +6,10 @@
 # says in one line why it cannot go on.
 #
 #   sh tests/kills.sh build/winnow          (one kill of each case)
-#   sh tests/kills.sh build/winnow 40       (40 of each: 200 in all)
+#   sh tests/kills.sh build/winnow 40       (40 of each, and of a bed that
+#                                            settles: 240 in all)
 #   sh tests/kills.sh build/winnow 40 7     (at other moments)
+#   sh tests/kills.sh build/winnow 40 7 fed (of one case)
 set -u
 winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
 kills=${2:-1}
@@ -107,6 +109,29 @@ output = { end = 0.03; every = 0.003;
     profiles = ( { field = "u_y"; height = 0.012; from = 0.01; } ); };
 END
 
+# A bed of several sizes that settles on a sheet for longer than it runs.
+cat >sheet.stl <<END
+solid sheet
+facet normal 0 1 0
+outer loop
+vertex -0.8 0.000003 -0.8
+vertex 0.8 0.000005 -0.8
+vertex 0 0.000005 0.8
+endloop
+endfacet
+endsolid sheet
+END
+cat >settling.cfg <<END
+title = "a bed that settles";
+mesh = { size = [0.03, 0.03, 0.03]; cells = [3, 3, 3]; };
+particles = { contact = "linear"; step = 1e-5; $grains
+    sizes = ( { name = "s"; distribution = "uniform"; min = 1.1e-3; max = 1.6e-3; } );
+    surfaces = ( { name = "sheet"; shape = "stl"; file = "sheet.stl"; } );
+    bed = { count = 2000; sizes = "s"; seed = 1; jitter = 0.0; settle = 0.1; }; };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.001; every = 0.001; };
+END
+
 # A bed that is worth keeping.
 cat >wide.cfg <<END
 title = "a wide bed";
@@ -127,6 +152,7 @@ chance() { # number
 run() { # seconds, signal, case, folder, options...
     for_long=$1 signal=$2 name=$3 folder=$4
     shift 4
+    rm -rf cache
     timeout -s "$signal" "$for_long" env PATH=/none "$winnow" run "$name.cfg" -o "$folder" -s output.checkpoint=0.02 \
         --quiet "$@" >out 2>said
 }
@@ -173,7 +199,8 @@ kill_once() {
             'BEGIN { printf "%.3f", 0.02 + r * T * 0.7 }')
         threads=$((1 + (kill + turn) % 2))
         stop "$how" "$moment" 2>/dev/null
-        [ ! -e part/checkpoint ] || resume=--resume
+        [ ! -e part/checkpoint ] && [ ! -e part/checkpoint.ahead ] ||
+            resume=--resume
     done
     run 600 KILL "$name" part -j 1 $resume
     code=$?
@@ -191,7 +218,9 @@ kill_once() {
 }
 
 kill=0
-for name in coupled fed cells linked flow; do
+names="coupled fed cells linked flow"
+[ "$kills" -eq 1 ] || names="$names settling"
+for name in ${4:-$names}; do
     rm -rf full
     began=$(date +%s%N)
     run 600 KILL $name full -j 1 || { echo "FAILED $name" && cat said && exit 1; }
@@ -247,10 +276,44 @@ check "damage is said, and the state before taken" says \
     "$winnow" run flow.cfg -o was --resume -s output.end=0.009
 check "the same from there" short flow.cfg -o whole -s output.end=0.009
 check "has the same bits" cmp was/history.csv whole/history.csv
+check "and the same means of the second half" same whole was
+check "an end that is past is refused" says 'goes on to a later end only' \
+    "$winnow" run flow.cfg -o was --resume -s output.end=0.003
+
+# Stops a run as soon as it has saved the bed that settles.
+stop_settling() { # signal, folder
+    "$winnow" run resting.cfg -o "$2" -s output.checkpoint=0.01 >told 2>&1 &
+    while [ ! -e "$2/checkpoint.ahead" ] && kill -0 $! 2>/dev/null; do
+        sleep 0.01
+    done
+    kill -s "$1" $! 2>/dev/null
+    wait $! 2>/dev/null
+}
+sed 's/sizes = ( .*//; s/sizes = "s"/diameter = 1.2e-3/; s/settle = 0.1/settle = 0.02/' \
+    settling.cfg >resting.cfg
+"$winnow" run resting.cfg -o rest --quiet >out 2>&1
+rm -rf cache
+stop_settling TERM settles
+check "a signal while a bed settles is told" grep -q 'while the bed settled' told
+check "status of a bed that settles" says 'its bed settles' "$winnow" status settles
+check "it settles on" says 'the bed settles on from' \
+    "$winnow" run resting.cfg -o settles --resume
+check "to the same bits" diff -r rest/particles settles/particles
+check "and leaves no state of settling" [ ! -e settles/checkpoint.ahead ]
+# The files of an earlier run stay until the next has a state.
+short flow.cfg -o kept -s output.end=0.003 >out 2>&1
+rm -rf cache
+stop_settling KILL kept
+check "the run before can go on" short flow.cfg -o kept --resume
+check "with the bits of one piece" cmp kept/history.csv full/history.csv
 
 check "a bed is settled" says 'settled in' "$winnow" run wide.cfg -o bed1
 check "and found again" says 'was settled before' "$winnow" run wide.cfg -o bed2
 check "with the same bits" diff -r bed1/particles bed2/particles
+for bed in cache/winnow/bed-*; do damage "$bed"; done
+check "a damaged one is settled anew" says 'the bed is settled anew' \
+    "$winnow" run wide.cfg -o bed4
+check "with the same bits again" diff -r bed1/particles bed4/particles
 check "or settled anew" says 'settled in' "$winnow" run wide.cfg -o bed3 --fresh
 check "or with another key" says 'settled in' \
     "$winnow" run wide.cfg -o bed3 -s particles.bed.seed=2

@@ -83,10 +83,11 @@ rooms() {
 seams_left=0
 seams() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
+    BEGIN { aside["resolved"]; aside["study"] } # Makefile: folders themselves
     { # src/room/[folder/]file:line:#include "other/[folder/]file"
         split($1, colon, ":"); n = split(colon[1], path, "/")
         split($0, quoted, "\""); m = split(quoted[2], included, "/")
-        from = n == 4 ? path[2] "/" path[3] : ""
+        from = n == 4 ? path[2] "/" path[3] : path[2] in aside ? path[2] : ""
         to = m == 3 ? included[1] "/" included[2] : ""
         if (to == "" || to == from) next
         while (from != "" &&

@@ -34,7 +34,7 @@ solutions() {
 
 pages() {
     if command -v pandoc >/dev/null; then
-        step sh "$tools/book.sh" "$build/book"
+        step sh "$tools/book.sh" "$build/book.plain" plain
     else
         echo "book: without pandoc no pages are made"
     fi

@@ -13,11 +13,6 @@
 #include "case/models.h"
 #include "case/table_numbers.h"
 
-struct mesh *build_mesh(const struct settings *s)
-{
-    return case_mesh_create(s);
-}
-
 /* --- coupling ----------------------------------------------------------- */
 
 static double bandwidth_of(const struct settings *s)
@@ -99,7 +94,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
     *code = 0;
-    sim->mesh = build_mesh(s);
+    sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles"))

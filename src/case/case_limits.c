@@ -4,10 +4,16 @@
 #include <math.h>
 
 #include "base/vector.h"
+#include "dem/dem_method.h"
 #include "dem/limits.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/particle_options.h"
+
+int case_limits_apart(const struct settings *s)
+{
+    return dem_method_named(settings_text(s, "particles.list"))->apart;
+}
 
 int case_limits_count(const struct settings *s)
 {

@@ -109,11 +109,25 @@ int case_scales_check_memory(const struct settings *s,
     return case_memory_check(s, bytes);
 }
 
+/* Particles that do not meet resolve no impacts, and do not settle. */
+static int check_apart(const struct settings *s)
+{
+    if (!settings_has(s, "particles.bed") ||
+        settings_int(s, "particles.bed.count") == 0 ||
+        settings_real(s, "particles.bed.settle") == 0.0)
+        return 0;
+    return settings_wrong(s, "particles.list",
+                          "\"none\": no bed comes to rest without contacts; "
+                          "give particles.bed.settle = 0.0, or place the "
+                          "spheres");
+}
+
 int case_scales_check(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
+    if (case_limits_apart(s)) return check_apart(s);
     if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;

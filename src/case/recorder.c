@@ -294,6 +294,7 @@ static int create_parts(struct recorder *r)
 
     if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
         return 1;
+    recorder_part_prepare(&r->parts, r->snapshot);
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);

@@ -43,13 +43,13 @@ static int sample(struct recorder *r, struct simulation *sim)
 }
 
 /* One step, by as many threads as pay. */
-static int step(struct simulation *sim, struct thread_tuner *crew)
+static int step(struct simulation *sim, struct thread_tuner *tuner)
 {
     const double began = clock_processor();
 
-    thread_tuner_begin(crew);
+    thread_tuner_begin(tuner);
     const int failed = coupling_step(sim);
-    thread_tuner_end(crew);
+    thread_tuner_end(tuner);
     sim->seconds.processor += clock_processor() - began;
     return failed;
 }
@@ -95,14 +95,14 @@ static int is_cut_short(const struct simulation *sim)
 
 /* The loop. Returns the exit code. A step that was cut short is not sampled. */
 static int advance(struct run *run, struct progress *bar,
-                   struct thread_tuner *crew)
+                   struct thread_tuner *tuner)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
     int told = sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
 
     while (sim->steps < steps) {
-        const int failed = step(sim, crew);
+        const int failed = step(sim, tuner);
 
         if (is_cut_short(sim)) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
@@ -119,13 +119,13 @@ static int advance(struct run *run, struct progress *bar,
 static int go(struct run *run)
 {
     struct progress bar;
-    struct thread_tuner crew;
+    struct thread_tuner tuner;
 
     progress_init(&bar, run->sim->t, settings_real(run->settings, "output.end"),
                   run->options->quiet);
-    thread_tuner_use_all(&crew);
-    int code = advance(run, &bar, &crew);
-    thread_tuner_restore(&crew);
+    thread_tuner_use_all(&tuner);
+    int code = advance(run, &bar, &tuner);
+    thread_tuner_restore(&tuner);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
     case_part_after_run(run->sim);

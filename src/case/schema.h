@@ -14,8 +14,8 @@
 
 enum { SCHEMA_TEXT = 512 }; /* room for a path or a phrase */
 
-/* What <patch> stands for in a path: the sides of the box and the pairs of
- * opposite sides. Ended by NULL. */
+/* What <patch> stands for in a path: the sides of the box, as in
+ * mesh_sides, and the three pairs of opposite sides. Ended by NULL. */
 extern const char *const schema_patches[];
 
 /* The row of a path, or NULL. */

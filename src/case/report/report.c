@@ -117,6 +117,11 @@ static void print_contacts(const struct settings *s,
     const double safe = case_limits_tightest(s, k->impact).longest;
 
     puts("Contacts");
+    if (case_limits_apart(s)) {
+        check_line("particle step", k->dem_dt, "s",
+                   "safe: particles.list = \"none\", they do not meet");
+        return;
+    }
     check_line("impact speed", k->impact, "m/s", "assumed for what follows");
     for (int m = 0; m < case_limits_count(s); m++) {
         const struct case_limits one = case_limits_of(s, m, k->impact);
