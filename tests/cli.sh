@@ -334,6 +334,8 @@ fact step_far_too_long_is_code_3_and_says_what_to_try 3 \
     -s particles.step=2e-4 -s output.end=0.2 -s fluid.bottom=no-slip \
     -s particles.unsafe_step=true
 fact last_good_state_is_kept 0 "exit_code\": 3" cat lost/summary.json
+fact the_state_of_a_breakdown_is_not_saved_but_one_before 0 "state       t = 0 s" \
+    "$winnow" status lost
 
 cat >soft.cfg <<'END'
 title = "two spheres that meet in springs too soft for them";

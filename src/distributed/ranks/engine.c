@@ -363,30 +363,14 @@ static struct settings *read_case(int argc, char **argv)
 
 static void obey(struct engine *e, enum order order, int detail)
 {
-    switch (order) {
-    case START:
-        start_part(e);
-        break;
-    case STEP:
-        step_part(e);
-        break;
-    case COLLECT:
-        collect_part(e, detail);
-        break;
-    case SAVE:
-        spheres_save(e->part->spheres, "none");
-        break;
-    case LOAD:
-        load_part(e, "none");
-        break;
-    case RELEASE:
-        part_free(e->part);
-        e->part = NULL;
-        break;
-    case CREATE:
-    case STOP:
-        break;
-    }
+    if (order == START) start_part(e);
+    if (order == STEP) step_part(e);
+    if (order == COLLECT) collect_part(e, detail);
+    if (order == SAVE) spheres_save(e->part->spheres, "none");
+    if (order == LOAD) load_part(e, "none");
+    if (order != RELEASE) return;
+    part_free(e->part);
+    e->part = NULL;
 }
 
 int engine_serve(int argc, char **argv)

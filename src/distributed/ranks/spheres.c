@@ -33,7 +33,7 @@ static const char told[] = "count next_id id material x y z vx vy vz wx wy wz d"
  * first had the sphere. */
 enum { EXTRA = 10, AT_ONCE = 20000, OWN = 12 };
 
-static void tell_line(void *lammps, const char *line)
+static void tell_lammps(void *lammps, const char *line)
 {
     lammps_command(lammps, line);
 }
@@ -48,7 +48,7 @@ static void tell(struct spheres *q, const char *format, ...)
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
-    tell_line(q->lammps, line);
+    lammps_command(q->lammps, line);
 }
 
 double **spheres_rows(const struct spheres *q, const char *name)
@@ -70,7 +70,7 @@ static void open_lammps(struct spheres *q)
 
     q->lammps = lammps_open(6, words, q->comm, NULL);
     omp_set_num_threads(threads);
-    words_begin(&q->w, tell_line, q->lammps);
+    words_begin(&q->w, tell_lammps, q->lammps);
     tell(q, "atom_modify map hash");
     tell(q, "processors %d %d %d map xyz", q->p->P[0], q->p->P[1], q->p->P[2]);
 }
@@ -256,7 +256,7 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
 /* Contacts, walls and motion. */
 static void equip(struct spheres *q)
 {
-    words_contacts(&q->w, tell_line, q->lammps);
+    words_contacts(&q->w, tell_lammps, q->lammps);
     tell(q, "fix push all external pf/array 1");
     tell(q, "fix move all nve/sphere");
     tell(q, "thermo 0");
@@ -281,7 +281,7 @@ static void start(struct spheres *q)
 void spheres_place(struct spheres *q, const struct particles *all)
 {
     open_lammps(q);
-    words_box(&q->w, tell_line, q->lammps);
+    words_box(&q->w, tell_lammps, q->lammps);
     keep(q);
     send_all(q, all);
     cut(q);
@@ -327,17 +327,6 @@ void spheres_save(struct spheres *q, const char *file)
     tell(q, "write_restart %s noinit", file);
 }
 
-long spheres_moved(const struct spheres *q)
-{
-    double **const kept = spheres_rows(q, "d2_kept");
-    long moved = 0;
-
-    for (int i = 0; i < spheres_count(q); i++)
-        moved += kept[i][q->width - 1] != q->p->rank;
-    MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_LONG, MPI_SUM, q->comm);
-    return moved;
-}
-
 struct spheres *spheres_create(struct dem *dem, const struct partition *p,
                                const struct words *w, MPI_Comm comm)
 {
@@ -370,10 +359,10 @@ static void release(struct dem *dem)
     free(q);
 }
 
+/* distributed/refusal.h has looked at the case. */
 static const char *unknown(const struct dem_options *o)
 {
-    (void)o; /* distributed/refusal.h has looked at the case */
-    return NULL;
+    return o == NULL ? "options" : NULL;
 }
 
 static double skin(const struct dem_options *o, double mean)
@@ -381,10 +370,10 @@ static double skin(const struct dem_options *o, double mean)
     return o->skin > 0.0 ? o->skin : mean / 6.0;
 }
 
+/* spheres_create does it. */
 static int create_later(struct dem *dem)
 {
-    (void)dem; /* spheres_create */
-    return 0;
+    return dem == NULL;
 }
 
 static void changed(struct dem *dem)

@@ -112,3 +112,14 @@ void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
     for (int k = 0; k < 3; k++)
         r->lost_at[k] = isfinite(most[2 + k]) ? most[2 + k] : (double)NAN;
 }
+
+long spheres_moved(const struct spheres *q)
+{
+    double **const kept = spheres_rows(q, "d2_kept");
+    long moved = 0;
+
+    for (int i = 0; i < spheres_count(q); i++)
+        moved += kept[i][q->width - 1] != q->p->rank;
+    MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_LONG, MPI_SUM, q->comm);
+    return moved;
+}
