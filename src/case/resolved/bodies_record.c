@@ -11,9 +11,10 @@
 #include "coupling/simulation.h"
 #include "output/series.h"
 #include "output/vtk.h"
-#include "resolved/among_grains.h"
+#include "resolved/among/among_effect.h"
+#include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/surroundings.h"
+#include "resolved/among/surroundings.h"
 
 struct record {
     const struct simulation *sim;
@@ -28,7 +29,7 @@ struct record {
 static const struct solid_bodies *bodies_of(const struct simulation *sim)
 {
     const struct solid_bodies *const b = effects_memory(sim, &bodies_effect);
-    return b != NULL ? b : effects_memory(sim, &bodies_effect_among_grains);
+    return b != NULL ? b : effects_memory(sim, &among_effect);
 }
 
 /* --- columns of the history ----------------------------------------------- */
