@@ -49,9 +49,8 @@ struct solid_bodies {
     int cells;          /* [-] of the mesh */
     double dt_marked;   /* [s] step that the links were made for; 0: none */
     int *cell, n_cells; /* [-] the cells with a link, each once */
-    int *body_of; /* [-] while links are made: 1 + that around a centre; else 0
-                   */
-    double *hold; /* [kg/(m^3 s)] sum of the links of a cell */
+    int *body_of;   /* [-] while links are made: 1 + that around it; else 0 */
+    double *hold;   /* [kg/(m^3 s)] sum of the links of a cell */
     double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
@@ -75,8 +74,6 @@ void solid_bodies_set_spring(struct solid_bodies *b, int i,
 /* All are there, and hold the fluid from now on, which is borrowed. Non-zero
  * after a message if they cannot touch. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
-
-/* What the next step depends on (state.h). */
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
 #endif
