@@ -21,10 +21,12 @@ LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
 # Test programs are many, and gold links them in a third of the time.
 LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 
+# Built into build/winnow-mpi only: see `distributed` below.
+RANKS := src/distributed/ranks
 # What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ASIDE   := src/resolved src/study
-ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved src/study src/distributed
+ALL_FOLDERS := $(filter-out $(RANKS),$(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/)))
 FOLDERS := $(ALL_FOLDERS)
 SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
@@ -161,6 +163,29 @@ help: ## this list
 clean: ## forget everything built
 	rm -rf $B
 
+# --- past one machine: LAMMPS moves the particles, PETSc solves; by hand only ---
+distributed: ## install what is missing and build build/winnow-mpi, for several machines (mpirun)
+	sh .ci/install distributed
+	$(MAKE) $(CORES) $B/winnow $B/winnow-mpi WERROR=
+check-distributed: ## the tests of build/winnow-mpi, where its packages can be had (three minutes)
+	@sh .ci/install distributed || exit 0; $(MAKE) $(CORES) ranks-check
+ranks-check: $B/winnow $B/winnow-mpi $B/tests/ranks/compare
+	@sh tests/distributed.sh $B
+# Flags of the headers of others, in which ours find much to warn of.
+MPI_CFLAGS = $(patsubst -I%,-isystem %,$(filter -I% -D%,$(shell pkg-config --cflags petsc liblammps 2>/dev/null))) -D_DEFAULT_SOURCE
+MPI_OBJ := $(patsubst %.c,$B/%.o,$(wildcard $(RANKS)/*.c))
+$(MPI_OBJ): CC = mpicc
+$(MPI_OBJ): STD += $(filter-out -D_FORTIFY_SOURCE=2,$(MPI_CFLAGS))
+$B/ranks/models.c: $B/src/models.c $(RANKS)/models.txt
+	@mkdir -p $(@D)
+	@awk -f src/models.awk $(MODELS) $(RANKS)/models.txt >$@
+$B/ranks/models.o: $B/ranks/models.c
+	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
+$B/winnow-mpi: $(MPI_OBJ) $B/ranks/models.o $B/tests/winnow_main.o $B/libwinnow.a
+	@echo "link $@"
+	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs petsc liblammps) $(LIBS)
+-include $(MPI_OBJ:.o=.d)
+
 tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a
 	@echo "link $@"
@@ -202,7 +227,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
+.PHONY: distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always

@@ -38,7 +38,8 @@ struct averaging_options {
     const struct averaging_region *regions; /* borrowed during create */
     int n_regions;                          /* [-] [0] */
     double cap;                             /* [-] on eps_s, pcm only [none] */
-    int fields; /* [-] largest number of fields in one call [8] */
+    int fields;  /* [-] largest number of fields in one call [8] */
+    void *parts; /* of a mesh that is a part of another one, borrowed [none] */
 };
 
 /* lost to lost_volume: of the last bind. alone to negative: of the last spread.

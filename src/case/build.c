@@ -58,7 +58,7 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
     return sim->averaging == NULL ? 2 : 0;
 }
 
-static void create_coupling(const struct settings *s, struct simulation *sim)
+void build_coupling(const struct settings *s, struct simulation *sim)
 {
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
@@ -76,7 +76,7 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
 
 /* --- effects ------------------------------------------------------------ */
 
-static void create_effects(const struct settings *s, struct simulation *sim)
+void build_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
@@ -102,10 +102,10 @@ static struct simulation *build(const struct settings *s, int with_bed,
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
-        if (*code == 0) create_coupling(s, sim);
+        if (*code == 0) build_coupling(s, sim);
     }
     if (*code == 0) {
-        create_effects(s, sim);
+        build_effects(s, sim);
         *code = case_part_add_last(s, sim);
         if (*code == 0) return sim;
     }

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "dem/population.h"
 #include "output/folder.h"
 #include "case/breakdown.h"
@@ -161,7 +162,7 @@ static int finish(struct run *run, int code)
     struct recorder *const r = run->recorder;
 
     if (code != NOT_WRITTEN && run->saver != NULL &&
-        run->saver->end(run->memory) != 0)
+        run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
@@ -235,7 +236,25 @@ static struct simulation *build(const struct run *run, int *code)
         run->resumes ? build_to_resume(s, code)
                      : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
     interrupt_watch_end(&b.watch);
-    return sim;
+    if (sim == NULL || processes_engines[0] == NULL) return sim;
+    sim->processes = processes_engines[0]->create(s, sim, code);
+    if (sim->processes != NULL) return sim;
+    build_free(sim);
+    return NULL;
+}
+
+/* Whether this program can compute the case; else 2, after a message. */
+static int check_engine(const struct settings *s)
+{
+    static const char key[] = "engine";
+
+    if (processes_engines[0] != NULL) return processes_engines[0]->check(s);
+    if (!settings_has(s, key) || strcmp(settings_text(s, key), "one") == 0)
+        return 0;
+    return settings_wrong(s, key,
+                          "this program computes on one machine; run the case "
+                          "with mpirun -n N build/winnow-mpi (make "
+                          "distributed)");
 }
 
 /* Non-zero, the exit code, after a message. */
@@ -258,7 +277,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (case_scales_check(s) != 0) return WRONG;
+    if (case_scales_check(s) != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;

@@ -10,6 +10,7 @@
 #include "base/number.h"
 #include "coupling/effects.h"
 #include "coupling/effect_mover.h"
+#include "coupling/processes.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
@@ -73,6 +74,7 @@ int coupling_start(struct simulation *sim)
     const struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
 
+    if (sim->processes != NULL) return sim->processes->start(sim->processes);
     if (cp == NULL) return 0;
     for (int i = 0; i < ps->n; i++) {
         cp->u_mean[3 * i] = ps->vx[i];
@@ -222,6 +224,7 @@ int coupling_step(struct simulation *sim)
     double clock = clock_now();
     int failed = 0;
 
+    if (sim->processes != NULL) return sim->processes->step(sim->processes);
     if (sim->population != NULL) failed = insert_and_remove(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */

@@ -181,8 +181,9 @@ void pressure_assemble(struct fluid *fl)
     if (pressure->pinned_cell >= 0)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
-    multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                               pressure->boundary_conductance);
+    if (fl->options.shared == NULL)
+        multigrid_set_coefficients(pressure->mg, pressure->conductance,
+                                   pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -343,10 +344,14 @@ struct solve_report pressure_correct(struct fluid *fl)
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
+    const double relative = last ? 0.0 : fl->options.p_relative_tolerance;
+    const double absolute = fl->options.tolerance * pressure->scale;
+    const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                  last ? 0.0 : fl->options.p_relative_tolerance,
-                  fl->options.tolerance * pressure->scale, 500, pressure->cg);
+        shared != NULL
+            ? shared->pressure(shared->parts, fl, relative, absolute)
+            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
+                        relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -84,7 +84,7 @@ static int is_chance(const struct finding *a, const struct finding *b)
 /* What half and twice the cost of the variant that the case itself is buy. */
 static void put_standing(const struct outcomes *o, int m, FILE *out)
 {
-    const int v = o->plan->standing;
+    const int v = o->standing;
     static const struct {
         double of;
         const char *words;

@@ -119,12 +119,21 @@ static void begin_anew(const struct run *r)
     }
 }
 
-/* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ... */
+/* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ..., where
+ * the threads are no choice. */
 static const char **command(const struct plan *p, const struct run *r,
                             int resumed)
 {
-    const char *const fixed[] = {"winnow",  "run", p->case_file, "-o",
-                                 r->folder, "-j",  "1",          "--quiet"};
+    const char *const threads =
+        choices_value(&p->choices, r->variant, PLAN_THREADS);
+    const char *const fixed[] = {"winnow",
+                                 "run",
+                                 p->case_file,
+                                 "-o",
+                                 r->folder,
+                                 "-j",
+                                 threads != NULL ? threads : "1",
+                                 "--quiet"};
     const size_t n = sizeof fixed / sizeof fixed[0];
     const char **const words =
         alloc_zeroed(n + 2 * (size_t)r->n_overrides + 2, sizeof *words);

@@ -149,15 +149,30 @@ double results_number(const char *summary, const char *path)
     return value;
 }
 
+/* The text up to the closing quote; what stood behind a backslash as it is, and
+ * a character by its number (summary.h has them below a blank) as a blank. */
+static char *unquoted(const char *at)
+{
+    char *const text = alloc_zeroed(strlen(at) + 1, 1);
+
+    for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
+        const int numbered = at[0] == '\\' && at[1] == 'u' && strlen(at) > 5;
+        if (numbered)
+            at += 5;
+        else if (*at == '\\' && at[1] != '\0')
+            at++;
+        text[n++] = (char)(numbered ? ' ' : *at);
+    }
+    return text;
+}
+
 char *results_text(const char *summary, const char *path)
 {
     const char *why;
     size_t length;
     char *const text = input_text(summary, &length, &why);
     const char *const at = text != NULL ? value_of(text, path) : NULL;
-    char *const found = at != NULL && *at == '"'
-                            ? strndup(at + 1, strcspn(at + 1, "\""))
-                            : NULL;
+    char *const found = at != NULL && *at == '"' ? unquoted(at + 1) : NULL;
 
     free(text);
     return found;

@@ -269,11 +269,11 @@ static int after_step(void *memory)
 }
 
 /* The state as it is now, unless the last step broke down or was cut short. */
-static int end(void *memory)
+static int end(void *memory, int broke_down)
 {
     struct resume *const r = memory;
     if (r->image.bytes == NULL) return 0;
-    return r->sampled == r->sim->steps ? save(r) : write_copy(r);
+    return !broke_down && r->sampled == r->sim->steps ? save(r) : write_copy(r);
 }
 
 const struct saver resume_saver = {.name = "resume",
