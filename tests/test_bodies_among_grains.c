@@ -13,7 +13,8 @@
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
 #include "facts.h"
-#include "resolved/among_grains.h"
+#include "resolved/among/among_effect.h"
+#include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
 
 /* A periodic box of water with 500 grains of 1 mm, and a sphere of 6 mm that
@@ -52,7 +53,7 @@ static struct simulation *build(const char *averaging, const char *more)
 
 static struct solid_bodies *bodies_of(const struct simulation *sim)
 {
-    return effects_memory(sim, &bodies_effect_among_grains);
+    return effects_memory(sim, &among_effect);
 }
 
 static const char *const averages[] = {

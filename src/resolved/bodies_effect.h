@@ -9,7 +9,9 @@
  * fluid and grains. */
 extern const struct effect bodies_effect;
 
-/* The same where there are particles, with which they move. */
-extern const struct effect bodies_effect_among_grains;
+/* Its functions that serve bodies among particles as well. */
+const char *bodies_effect_trouble(const void *memory);
+void bodies_effect_state(void *memory, struct state *s);
+void bodies_effect_free(void *memory);
 
 #endif

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "resolved/among_grains.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
@@ -52,7 +51,7 @@ solid_bodies_create(int n, int cells, double rho,
 void solid_bodies_free(struct solid_bodies *b)
 {
     if (b == NULL) return;
-    among_grains_free(b->among, b->ps->n);
+    if (b->among != NULL) b->free_among(b);
     dem_free(b->dem);
     particles_free(b->ps);
     free(b->shape);
@@ -151,7 +150,7 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     state_reals(s, "torque", "N m", b->torque, n, 3);
     if (b->by_fraction)
         state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
-    if (b->among != NULL) among_grains_state(b, s);
+    if (b->among != NULL) b->visit_among(b, s);
     state_end(s);
     if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
 }

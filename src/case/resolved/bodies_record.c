@@ -11,9 +11,9 @@
 #include "coupling/simulation.h"
 #include "output/series.h"
 #include "output/vtk.h"
-#include "resolved/among_grains.h"
+#include "resolved/among/among_effect.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/surroundings.h"
+#include "resolved/among/surroundings.h"
 
 struct record {
     const struct simulation *sim;
@@ -28,7 +28,7 @@ struct record {
 static const struct solid_bodies *bodies_of(const struct simulation *sim)
 {
     const struct solid_bodies *const b = effects_memory(sim, &bodies_effect);
-    return b != NULL ? b : effects_memory(sim, &bodies_effect_among_grains);
+    return b != NULL ? b : effects_memory(sim, &among_effect);
 }
 
 /* --- columns of the history ----------------------------------------------- */
@@ -94,39 +94,6 @@ static double overlap(const struct simulation *sim)
     return bodies_of(sim)->dem_report.max_overlap;
 }
 
-/* Of the particles on the bodies, mean of the last step. */
-static double push(const struct simulation *sim, int k)
-{
-    const struct solid_bodies *const b = bodies_of(sim);
-    double sum = 0.0;
-
-    for (int i = 0; i < b->ps->n; i++)
-        sum += b->among->pushed[i][k];
-    return sum;
-}
-
-static double push_x(const struct simulation *sim)
-{
-    return push(sim, 0);
-}
-
-static double push_y(const struct simulation *sim)
-{
-    return push(sim, 1);
-}
-
-static double push_z(const struct simulation *sim)
-{
-    return push(sim, 2);
-}
-
-/* Cells whose solids found no open cell (mirrors.h). */
-static double stuck(const struct simulation *sim)
-{
-    const struct mirrors *const m = bodies_of(sim)->among->mirrors;
-    return m != NULL ? mirrors_stuck(m) : 0.0;
-}
-
 static const struct history_column columns[] = {
     {"force_on_bodies_x [N]", force_x, 0},
     {"force_on_bodies_y [N]", force_y, 0},
@@ -137,10 +104,6 @@ static const struct history_column columns[] = {
     {"held_cells [-]", held_cells, 0},
     {"contacts_of_bodies [-]", contacts, 0},
     {"max_overlap_of_bodies [-]", overlap, 0},
-    {"force_of_grains_x [N]", push_x, HISTORY_PARTICLES},
-    {"force_of_grains_y [N]", push_y, HISTORY_PARTICLES},
-    {"force_of_grains_z [N]", push_z, HISTORY_PARTICLES},
-    {"closed_cells_with_solids [-]", stuck, HISTORY_PARTICLES},
     {NULL, NULL, 0}};
 
 /* --- files ---------------------------------------------------------------- */

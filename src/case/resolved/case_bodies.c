@@ -20,7 +20,8 @@
 #include "dem/contact_linear.h"
 #include "dem/limits.h"
 #include "dem/reference.h"
-#include "resolved/among_grains.h"
+#include "resolved/among/among_effect.h"
+#include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
 #include "resolved/body_numbers.h"
 
@@ -194,8 +195,7 @@ static struct solid_bodies *create(const struct settings *s)
 static int has_room(const void *state, const double x[3], double R)
 {
     const struct simulation *const sim = state;
-    return among_grains_has_room(
-        effects_memory(sim, &bodies_effect_among_grains), x, R);
+    return among_grains_has_room(effects_memory(sim, &among_effect), x, R);
 }
 
 /* The surfaces and their names in one list with those of the bodies, which the
@@ -225,7 +225,7 @@ static int furnish(const struct settings *s, struct simulation *sim,
     if (!settings_has(s, "bodies")) return 0;
     struct solid_bodies *const b = create(s);
 
-    effects_add(sim, &bodies_effect_among_grains, b);
+    effects_add(sim, &among_effect, b);
     among_grains_create(b, o->n_surfaces);
     join_surfaces(sim, b, o);
     sim->region.has_room = has_room;
@@ -235,7 +235,7 @@ static int furnish(const struct settings *s, struct simulation *sim,
 static int add(const struct settings *s, struct simulation *sim)
 {
     if (!settings_has(s, "bodies")) return 0;
-    struct solid_bodies *b = effects_memory(sim, &bodies_effect_among_grains);
+    struct solid_bodies *b = effects_memory(sim, &among_effect);
 
     if (b == NULL) {
         b = create(s);

@@ -39,7 +39,6 @@ void surfaces_save_history(struct surfaces *sf, int s,
 void surfaces_locate_particles(struct surfaces *sf, const struct particles *ps);
 void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
                    const struct bodies *b, double skin);
-
 void surfaces_choose_contacts(struct surfaces *sf, int s,
                               const struct bodies *b, double margin);
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,

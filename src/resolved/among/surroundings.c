@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/surroundings.h"
+#include "resolved/among/surroundings.h"
 
 #include <math.h>
 #include <stdlib.h>

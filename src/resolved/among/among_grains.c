@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/among_grains.h"
+#include "resolved/among/among_grains.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/body_motion.h"
-#include "resolved/body_surface.h"
+#include "resolved/among/body_surface.h"
 
 /* Particle steps between two of a body: so few that the springs of all grains
  * around it do not throw it back and forth. */
@@ -44,11 +44,44 @@ static void place(struct solid_bodies *b, int i)
         p->rotation[k][k] = 1.0;
 }
 
+static void release(struct solid_bodies *b)
+{
+    struct among_grains *const g = b->among;
+
+    for (int i = 0; i < b->ps->n; i++)
+        body_surface_release(&g->surface[i]);
+    mirrors_free(g->mirrors);
+    free(g->carrier);
+    free(g->surface);
+    free(g->impulse);
+    free(g->angular);
+    free(g->pushed);
+    free(g->held);
+    free(g);
+}
+
+static void visit(struct solid_bodies *b, struct state *s)
+{
+    struct among_grains *const g = b->among;
+    const int n = b->ps->n;
+
+    state_reals(s, "impulse_of_grains", "N s", g->impulse[0], n, 3);
+    state_reals(s, "angular_of_grains", "N m s", g->angular[0], n, 3);
+    state_reals(s, "force_of_grains", "N", g->pushed[0], n, 3);
+    state_reals_of(s, "time", "s", &g->carrier->t, sizeof *g->carrier, n, 1);
+    if (!s->loading || s->failed) return;
+    for (int i = 0; i < n; i++)
+        take_pose(b, i, g->carrier[i].t);
+    if (g->mirrors != NULL) mirrors_update(g->mirrors, b);
+}
+
 void among_grains_create(struct solid_bodies *b, int first)
 {
     const size_t n = (size_t)b->ps->n;
     struct among_grains *const g = b->among = alloc_zeroed(1, sizeof *g);
 
+    b->free_among = release;
+    b->visit_among = visit;
     g->first = first;
     g->carrier = alloc_zeroed(n, sizeof *g->carrier);
     g->surface = alloc_zeroed(n, sizeof *g->surface);
@@ -61,21 +94,6 @@ void among_grains_create(struct solid_bodies *b, int first)
         g->surface[i] = body_surface(b, i);
         g->surface[i].motion.carrier = &g->carrier[i];
     }
-}
-
-void among_grains_free(struct among_grains *g, int n)
-{
-    if (g == NULL) return;
-    for (int i = 0; i < n; i++)
-        body_surface_release(&g->surface[i]);
-    mirrors_free(g->mirrors);
-    free(g->carrier);
-    free(g->surface);
-    free(g->impulse);
-    free(g->angular);
-    free(g->pushed);
-    free(g->held);
-    free(g);
 }
 
 void among_grains_begin(struct solid_bodies *b, struct simulation *sim)
@@ -215,19 +233,4 @@ int among_grains_has_room(const struct solid_bodies *b, const double x[3],
         if (body_shape_distance(&b->shape[i], r) < R) return 0;
     }
     return 1;
-}
-
-void among_grains_state(struct solid_bodies *b, struct state *s)
-{
-    struct among_grains *const g = b->among;
-    const int n = b->ps->n;
-
-    state_reals(s, "impulse_of_grains", "N s", g->impulse[0], n, 3);
-    state_reals(s, "angular_of_grains", "N m s", g->angular[0], n, 3);
-    state_reals(s, "force_of_grains", "N", g->pushed[0], n, 3);
-    state_reals_of(s, "time", "s", &g->carrier->t, sizeof *g->carrier, n, 1);
-    if (!s->loading || s->failed) return;
-    for (int i = 0; i < n; i++)
-        take_pose(b, i, g->carrier[i].t);
-    if (g->mirrors != NULL) mirrors_update(g->mirrors, b);
 }

@@ -10,8 +10,8 @@
  * The fluid fraction is that of the particles alone, and 1 in a body, whose
  * surface is a wall to the averaging (mirrors.h).
  */
-#ifndef RESOLVED_AMONG_GRAINS_H
-#define RESOLVED_AMONG_GRAINS_H
+#ifndef RESOLVED_AMONG_AMONG_GRAINS_H
+#define RESOLVED_AMONG_AMONG_GRAINS_H
 
 #include "coupling/simulation.h"
 #include "dem/surfaces/dem_surface.h"
@@ -35,7 +35,6 @@ struct among_grains {
 /* Their surfaces, before there are particles; `first`: the number of other
  * surfaces. Called once all bodies have been added. */
 void among_grains_create(struct solid_bodies *b, int first);
-void among_grains_free(struct among_grains *g, int n);
 
 /* The particles, the fluid and the averaging are there. */
 void among_grains_begin(struct solid_bodies *b, struct simulation *sim);
@@ -53,7 +52,5 @@ void among_grains_add_momentum(const struct solid_bodies *b, double total[3]);
 /* 1 if a sphere of radius R [m] around x [m] overlaps no body. */
 int among_grains_has_room(const struct solid_bodies *b, const double x[3],
                           double R);
-
-void among_grains_state(struct solid_bodies *b, struct state *s);
 
 #endif

@@ -1,8 +1,8 @@
 /* body_surface.h -- the surface of a body as particles touch it.
  * Chapter "Resolving the grains".
  */
-#ifndef RESOLVED_BODY_SURFACE_H
-#define RESOLVED_BODY_SURFACE_H
+#ifndef RESOLVED_AMONG_BODY_SURFACE_H
+#define RESOLVED_AMONG_BODY_SURFACE_H
 
 #include "dem/surfaces/surface.h"
 #include "resolved/solid_bodies.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/body_surface.h"
+#include "resolved/among/body_surface.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

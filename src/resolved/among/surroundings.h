@@ -5,8 +5,8 @@
  * From it follow the Reynolds number [EW18 27] and the drag coefficient
  * [EW18 26] that a drag law would be asked for.
  */
-#ifndef RESOLVED_SURROUNDINGS_H
-#define RESOLVED_SURROUNDINGS_H
+#ifndef RESOLVED_AMONG_SURROUNDINGS_H
+#define RESOLVED_AMONG_SURROUNDINGS_H
 
 #include "resolved/solid_bodies.h"
 
