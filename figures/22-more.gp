@@ -8,7 +8,7 @@ b = part("bead")
 set title "a bead of foam in water"
 set xlabel "t [ms]"
 set ylabel "v upwards [m/s]"
-set yrange [-0.06:0.62]
+set yrange [-0.06:0.72]
 set key top right
 plot b using 1:2 with lines linetype 1 title "with both", \
      b using 1:3 with lines linetype 2 title "no virtual mass", \
@@ -27,7 +27,7 @@ set title "a cloud of beads in oil"
 set xlabel "t [s]"
 set ylabel "fall [mm/s]"
 set yrange [0:34]
-set key bottom right
+set key inside bottom right
 plot c using 1:2 with lines linetype 2 title "one-way", \
      c using 1:3 with lines linetype 1 title "two-way", \
      c using 1:4 with points pointtype 6 pointsize 0.8 linecolor "#000000" title "four-way"

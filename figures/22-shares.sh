@@ -59,10 +59,11 @@ shares mueller-bed 0.1
 shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
 shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
 shares tapered-bed 0.1
-shares van-wachem-bed 0.05
-shares ew18-liquid-cube 0.05
+shares van-wachem-bed 0.02
 shares seepage 0.02 particles.bed.settle=0.02
 shares history-sphere 2e-3
 shares shear-grain 6.5
 shares saltating-grain 0.17
 shares wet-rebound 0.012
+shares rising-bead 0.03
+shares falling-cloud 0.2

@@ -61,6 +61,47 @@ START_TEST(drag_laws_are_the_formulas_of_their_papers)
 }
 END_TEST
 
+/* Few spheres, held at random in slow flow [KimRussel85]: the whole force is 1
+ * + 3 sqrt(s/2) + (135/64) s ln s + 16.456 s. At s = 0.0101, where Hill, Koch
+ * and Ladd's polynomials begin, the next term, s^(3/2), is 1e-3, and 16.14 for
+ * 17.14, as some codes have it, is 1e-2. */
+START_TEST(hill_koch_ladds_few_spheres_are_kim_and_russels)
+{
+    const double s = 0.0101;
+    const double whole = factor("hill-koch-ladd", 1.0 - s, 1e-9) / (1.0 - s);
+    ck_assert_double_eq_tol(whole,
+                            1.0 + 3.0 * sqrt(s / 2.0) +
+                                135.0 / 64.0 * s * log(s) + 16.456 * s,
+                            1.5e-3);
+}
+END_TEST
+
+/* Alone and slow a sphere has Stokes' drag, in all laws from resolved flow; in
+ * those with DallaValle's coefficient 4.8^2/24 of it. Packed, s = 0.6, the
+ * whole force of slow flow is 10 s/(1 - s)^3: Carman's bed, to 1 % in the law
+ * that has it, 8 % for a fit to thinner arrays, a quarter for one to packings.
+ */
+START_TEST(laws_from_resolved_flow_have_stokes_and_carmans_limits)
+{
+    static const struct {
+        const char *law;
+        double sphere, bed;
+    } all[] = {{"beetstra", 1.0, 0.01},
+               {"hill-koch-ladd", 1.0, 1e-6},
+               {"tenneti", 1.0, 0.1},
+               {"cello", 1.0, 0.03},
+               {"rong", 0.96, 0.25}};
+    const double carman = 10.0 * 0.6 / gsl_pow_2(0.4); /* of the drag */
+
+    for (int k = 0; k < 5; k++) {
+        ck_assert_double_eq_tol(factor(all[k].law, 1.0, 1e-12), all[k].sphere,
+                                1e-6);
+        ck_assert_double_eq_tol(factor(all[k].law, 0.4, 1e-12) / carman, 1.0,
+                                all[k].bed);
+    }
+}
+END_TEST
+
 /* Single spheres: 24 / Re (1 + 0.1806 Re^0.6459) + ... at Re = 200 is 0.79596,
  * the value of another program (CalebBell/fluids, tests/test_drag.py).
  * DallaValle's 4.8^2 stands where Stokes has 24, its 0.63^2 where Newton has
@@ -354,6 +395,8 @@ END_TEST
 FACTS("drag_laws")
 {
     FACT_FOR_EACH(drag_laws_are_the_formulas_of_their_papers, ROWS);
+    FACT(hill_koch_ladds_few_spheres_are_kim_and_russels);
+    FACT(laws_from_resolved_flow_have_stokes_and_carmans_limits);
     FACT(ls_5_2_fits_for_one_sphere_have_their_known_values);
     FACT(ew18_a_2_a_slow_suspension_settles_with_eps_to_the_4_7);
     FACT(ew18_a_2_force_is_that_of_a_sphere_times_a_power);

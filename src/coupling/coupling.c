@@ -303,6 +303,18 @@ void coupling_add_inertia(struct simulation *sim)
     particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
 }
 
+void coupling_charge_inertia(struct simulation *sim, int i, double m)
+{
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->options.treatment != TREATMENT_SEMI_IMPLICIT ||
+        !cp->options.two_way)
+        return;
+    cp->inertia[i] += m;
+    for (int a = 0; a < 3; a++)
+        cp->u_then[3 * i + a] = cp->u_f[3 * i + a];
+}
+
 void coupling_slip(const struct simulation *sim, int i, double w[3])
 {
     const struct particles *const ps = sim->particles;

@@ -120,8 +120,10 @@ void coupling_add_force(struct simulation *sim, int i, const double f[3]);
  * `inertia` and `u_then`, 0 at first, by which the next step of the fluid is
  * charged with m (u^new - u_then)/dt in advance. Charged a step later instead,
  * it would throw the fluid back and forth where m exceeds the mass of the
- * fluid. */
+ * fluid. The second adds m [kg] of particle i, after the particles have moved,
+ * for the step of the fluid that follows. */
 void coupling_add_inertia(struct simulation *sim);
+void coupling_charge_inertia(struct simulation *sim, int i, double m);
 
 /* Sum of unpaid_impulse over the particles [N s]. */
 void coupling_unpaid_impulse(const struct simulation *sim, double owed[3]);

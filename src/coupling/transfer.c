@@ -244,6 +244,7 @@ static void subtract_inertia(struct coupling *cp, int n, double charged[3],
         *scale += fabs(estimate);
         cp->unpaid_impulse[j] -= estimate;
     }
+    memset(cp->inertia, 0, (size_t)n * sizeof *cp->inertia);
 }
 
 /* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a

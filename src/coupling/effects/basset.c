@@ -154,18 +154,6 @@ static void remember(struct basset *self, int i, int a, double dw, double w_0)
     self->change[3 * i + a] = dw;
 }
 
-/* The force of the next step contains m du/dt: the fluid resists in that step.
- */
-static void charge(struct simulation *sim, int i, double m)
-{
-    struct coupling *const cp = sim->coupling;
-
-    if (cp->options.treatment != TREATMENT_SEMI_IMPLICIT) return;
-    cp->inertia[i] = m;
-    for (int a = 0; a < 3; a++)
-        cp->u_then[3 * i + a] = cp->u_f[3 * i + a];
-}
-
 /* The impulse of the step, no part of which has acted on the fluid yet. */
 static void basset_after_particles(void *memory, struct simulation *sim)
 {
@@ -188,7 +176,7 @@ static void basset_after_particles(void *memory, struct simulation *sim)
             self->u[j] = u[j];
         }
         self->age[i] = 1.0;
-        charge(sim, i, m);
+        coupling_charge_inertia(sim, i, m);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, force, 1.0);
     }
@@ -226,5 +214,5 @@ const struct effect basset_effect = {
     .after_particles = basset_after_particles,
     .free = basset_free,
     .estimate = estimate,
-    .cost = {520.0, 80.0, 0.0},
+    .cost = {600.0, 50.0, 0.0},
 };

@@ -56,5 +56,5 @@ const struct effect magnus_effect = {
     .before_substep = magnus_before_substep,
     .free = vorticity_free,
     .estimate = estimate,
-    .cost = {300.0, 350.0, 0.0},
+    .cost = {100.0, 300.0, 0.0},
 };

@@ -96,5 +96,5 @@ const struct effect saffman_effect = {
     .before_substep = saffman_before_substep,
     .free = vorticity_free,
     .estimate = estimate,
-    .cost = {200.0, 350.0, 0.0},
+    .cost = {100.0, 200.0, 0.0},
 };
