@@ -1,13 +1,15 @@
 #!/bin/sh
 # The cases of chapter 22 with and without what they show.
 #
-#   22-forces.sh history|shear|spin|rebound|cost
+#   22-forces.sh history|shear|spin|rebound|bead|turn|cloud
 #
 # history: velocity of the bead over the terminal one against time over T = (2
 # a^2/9 nu) (ratio + 1/2): without the force, with it, exact. shear: where the
 # grain is, with and without lift. spin: the flights of the grain. rebound: speed
 # after over before the impact, by Stokes number: without lubrication, with it,
-# with history too. cost: time that each effect takes in a bed of 300 grains.
+# with history too. bead: velocity of the bead with all, without virtual mass,
+# without the pressure gradient. turn: spin of the grain with the torque, without,
+# exact. cloud: how fast it falls one-way, two-way and four-way.
 set -eu
 mkdir -p out
 run() { # CASE NAME OVERRIDES...
@@ -117,23 +119,42 @@ rebound() {
                   7800 * first * 3e-3 / (9 * mu), e[1], e[2], e[3] }'
     done
 }
-# Nanoseconds a particle and step, and over all that a step takes.
-cost() {
-    echo "# effect, ns a particle and step, % of the run"
-    liquid="-s fluid.density=1000 -s fluid.viscosity=1e-3 -s particles.grains.density=2500"
-    for more in pressure_gradient viscous_stress virtual_mass basset saffman \
-        fluid_torque magnus; do
-        # shellcheck disable=SC2086
-        run small-bed cost -s output.end=0.1 -s output.every=0.1 $liquid \
-            -s fluid.bottom.inlet=0.03 -s "effects.$more={}" -j 1
-        awk -v name=$more '
-            /"steps":/ { steps = $2 + 0 }
-            /"total":/ { total = $2 + 0 }
-            /"effect_seconds"/ { own = 1 }
-            own && index($1, "\"" name "\"") == 1 { seconds = $2 + 0 }
-            END { printf "%-18s %6.0f %5.1f\n", name,
-                  1e9 * seconds / steps / 300, 100 * seconds / total }
-        ' out/22-cost/summary.json
-    done
+
+bead() {
+    echo "# t [ms]; velocity upwards [m/s] with both, without virtual mass, without buoyancy"
+    g="gravity=[0.0,-9.81,0.0];"
+    run rising-bead bead-both
+    run rising-bead bead-light -s "effects={${g}pressure_gradient={};}"
+    run rising-bead bead-heavy -s "effects={${g}virtual_mass={};}"
+    columns bead-both time mean_fall_velocity >out/bead-both.txt
+    columns bead-light mean_fall_velocity >out/bead-light.txt
+    columns bead-heavy mean_fall_velocity >out/bead-heavy.txt
+    paste -d' ' out/bead-both.txt out/bead-light.txt out/bead-heavy.txt |
+        awk 'NR % 6 == 1 { printf "%4.1f %8.5f %8.5f %8.5f\n", 1e3 * $1, -$2, -$3, -$4 }'
 }
+
+turn() {
+    echo "# t [ms]; spin over that at the start with torque, without, exact"
+    run spinning-grain turn-with
+    run spinning-grain turn-without -s "effects={}"
+    columns turn-with time rotational_energy_particles >out/turn-with.txt
+    columns turn-without rotational_energy_particles >out/turn-without.txt
+    paste -d' ' out/turn-with.txt out/turn-without.txt | awk '
+        NR == 1 { first = $2 }
+        NR % 4 == 1 { printf "%.1f %.6f %.6f %.6f\n", 1e3 * $1, sqrt($2 / first),
+            sqrt($3 / first), exp(-60e-3 / (2650 * 4e-8) * $1) }'
+}
+
+cloud() {
+    echo "# t [s]; velocity of the fall [mm/s] one-way, two-way, four-way"
+    run falling-cloud cloud-1 -s 'particles.list="none"' -s 'exchange.coupling="one-way"'
+    run falling-cloud cloud-2 -s 'particles.list="none"'
+    run falling-cloud cloud-4
+    columns cloud-1 time mean_fall_velocity >out/cloud-1.txt
+    columns cloud-2 mean_fall_velocity >out/cloud-2.txt
+    columns cloud-4 mean_fall_velocity >out/cloud-4.txt
+    paste -d' ' out/cloud-1.txt out/cloud-2.txt out/cloud-4.txt |
+        awk 'NR % 5 == 1 { printf "%.2f %7.3f %7.3f %7.3f\n", $1, 1e3 * $2, 1e3 * $3, 1e3 * $4 }'
+}
+
 $1

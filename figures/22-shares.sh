@@ -27,7 +27,7 @@ shares() { # case, end [s], overrides
     "$winnow" run "cases/$name.cfg" "$@" -o "$work/$name" --quiet \
         >/dev/null 2>&1 || echo "$name broke down"
     for effect in $forces; do
-        awk -v name="$name" -v effect="$effect" '
+        awk -v name="${label:-$name}" -v effect="$effect" '
             FILENAME ~ /check$/ && $1 == effect { estimate = $2 }
             $1 == "\"" effect "\":" && $2 == "{" { within = 1 }
             within && /mean_share/ { measured = 100 * $2; within = 0 }
@@ -48,10 +48,19 @@ shares one-grain 0.0066
 shares closed-box 0.05
 shares packed-column 0.5
 shares small-bed 0.3
+water="fluid.density=1000 fluid.viscosity=1e-3 particles.grains.density=2500"
+label=small-bed,water,rest
+shares small-bed 0.3 $water fluid.bottom.inlet=0.005
+label=small-bed,water
+shares small-bed 0.3 $water fluid.bottom.inlet=0.05
+label=
 shares fed-bed 0.3
 shares mueller-bed 0.1
 shares fluidization-ramp 0.05 fluid.bottom.inlet=1.5 particles.bed.settle=0.1
 shares fluidization-two-sizes 0.05 particles.bed.settle=0.1
+shares tapered-bed 0.1
+shares van-wachem-bed 0.05
+shares ew18-liquid-cube 0.05
 shares seepage 0.02 particles.bed.settle=0.02
 shares history-sphere 2e-3
 shares shear-grain 6.5

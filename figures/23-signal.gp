@@ -2,17 +2,17 @@
 load "figures/style.gp"
 set terminal svg size 760,340 dynamic font "sans,14" background "#ffffff"
 set output "figures/23-signal.svg"
-set multiplot layout 1,2 margins 0.08,0.98,0.17,0.95 spacing 0.1
-set xlabel "time over {/:Italic T}"
-set ylabel "{/:Italic C'} over {/:Italic σ}" offset 1,0
+set multiplot layout 1,2 margins 0.1,0.97,0.2,0.95 spacing 0.12
+set xlabel "time / {/:Italic T}"
+set ylabel "{/:Italic C'} / {/:Italic σ}"
 unset key
 plot "figures/23-signal.txt" index 0 using 1:2 with lines linetype 1 \
          linewidth 1.2 title "step 0.02 T", \
      "" index 1 using 1:2 with linespoints linetype 2 pointtype 7 \
          pointsize 0.3 linewidth 1.2 title "step 0.2 T"
 set key top right
-set xlabel "lag over {/:Italic T}"
-set ylabel "{/:Italic R}" offset 1,0
+set xlabel "lag / {/:Italic T}"
+set ylabel "{/:Italic R}"
 plot [0:5] "figures/23-signal.txt" index 2 using 1:4 with lines linetype 4 \
          title "exp(-τ/{/:Italic T})", \
      "" index 2 using 1:2 with points linetype 1 pointtype 7 pointsize 0.4 \

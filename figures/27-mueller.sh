@@ -3,10 +3,12 @@
 # from 1 s on, and from later times on, so that the series can be cut into blocks.
 #
 #   sh figures/27-mueller.sh run NAME U SEED B CELLS END [-s ...]   into out/27-mueller
+#   sh figures/27-mueller.sh vary                one choice after the other, on mesh B'
 #   sh figures/27-mueller.sh collect [FOLDER]                       one table of all
 #
 # B is the bandwidth [m], CELLS are 18,50,4 for mesh C. On one quiet core a second of
-# mesh C takes two minutes. An interrupted run leaves its means up to there.
+# mesh C takes two minutes, of B' half a minute. An interrupted run leaves its means up
+# to there; told again, it goes on, and a run that is done is not made again.
 set -eu
 out=out/27-mueller
 froms="1 2 3 4 5 6 8 10 12 14 16"
@@ -14,6 +16,9 @@ froms="1 2 3 4 5 6 8 10 12 14 16"
 run() { # NAME U SEED B CELLS END ...
     name=$1 U=$2 seed=$3 b=$4 cells=$5 end=$6
     shift 6
+    ! grep -q '"exit_reason": "done"' "$out/$name/summary.json" 2>/dev/null || return 0
+    asked="$name $U $seed $b $cells $*"
+    [ ! -e "$out/$name/checkpoint" ] || set -- "$@" --resume
     lines=
     for from in $froms; do
         for height in 0.015 0.0164 0.025 0.0312 0.035; do
@@ -27,8 +32,36 @@ run() { # NAME U SEED B CELLS END ...
         -s averaging.bandwidth="$b" -s mesh.cells="[$cells]" -s output.end="$end" \
         -s output.every=0.05 -s output.history=0.001 \
         -s output.profiles="(${lines%,})" "$@" && code=0 || code=$?
-    echo "$name $U $seed $b $cells" "$@" >"$out/$name/asked"
+    echo "$asked" >"$out/$name/asked"
     return "$code"
+}
+
+# What the experiment or SX15 leave open, one after the other, for 6 s each; and other
+# seeds, which tell what a difference must exceed to mean anything.
+vary() {
+    out=out/27-vary grains=particles.grains
+    mkdir -p $out
+    while read -r name seed change; do
+        # shellcheck disable=SC2086 # words
+        run "$name" 0.9 "$seed" 2.4e-3 12,32,3 6.0 $change </dev/null
+    done <<END
+seed-1 1
+seed-2 2
+seed-3 3
+friction-0.3 1 -s $grains.friction=0.3
+restitution-0.9 1 -s $grains.restitution=0.9
+young-1.2e6 1 -s $grains.young=1.2e6 -s particles.step=1e-5
+gidaspow 1 -s exchange.drag=gidaspow
+beetstra 1 -s exchange.drag=beetstra
+di-felice 1 -s exchange.drag=di-felice
+model-B 1 -s exchange.model=B
+one-deep 1 -s mesh.cells=[12,32,1]
+slip 1 -s fluid.sides=slip
+same 1 -s averaging.interpolation=same
+diameter-1.17 1 -s particles.bed.diameter=1.17e-3
+fewer-8960 1 -s particles.bed.count=8960
+young-1.2e7 1 -s $grains.young=1.2e7 -s particles.step=4e-6
+END
 }
 
 # run: name, U [m/s], seed, b [m], cells, what else; end [s]
@@ -55,5 +88,6 @@ shift
 mkdir -p $out
 case $todo in
 run) run "$@" ;;
+vary) vary ;;
 collect) collect "${1:-$out}" ;;
 esac

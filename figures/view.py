@@ -18,10 +18,12 @@ from vtkmodules.vtkFiltersCore import (vtkArrayCalculator,
                                        vtkCellDataToPointData,
                                        vtkContourFilter)
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader,
                                  vtkXMLRectilinearGridReader)
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkDataSetMapper,
+                                         vtkColorTransferFunction,
                                          vtkPointGaussianMapper, vtkRenderer,
                                          vtkRenderWindow,
                                          vtkWindowToImageFilter)
@@ -65,9 +67,38 @@ def particles(points, middle):
     back.SetOrigin(middle)
     back.SetNormal(0, 0, -1)
     mapper.AddClippingPlane(back)
-    mapper.CreateDefaultLookupTable()
-    mapper.GetLookupTable().SetHueRange(0.62, 0.08)
+    mapper.SetLookupTable(shades())
     return mapper
+
+
+def shades():
+    """Viridis: lighter is larger, also in grey and to every eye."""
+    table = vtkColorTransferFunction()
+    for k, (r, g, b) in enumerate(((0.267, 0.005, 0.329), (0.229, 0.322, 0.546),
+                                   (0.128, 0.567, 0.551), (0.369, 0.789, 0.383),
+                                   (0.993, 0.906, 0.144))):
+        table.AddRGBPoint(0.15 * k, r, g, b)
+    return table
+
+
+def scale(mapper):
+    """The bar that says which shade is which speed."""
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable())
+    bar.SetTitle("m/s")
+    bar.SetNumberOfLabels(4)
+    bar.SetLabelFormat("%.1f")
+    bar.UnconstrainedFontSizeOn()
+    bar.SetPosition(0.02, 0.3)
+    bar.SetWidth(0.09)
+    bar.SetHeight(0.4)
+    for words in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        words.SetColor(0.2, 0.2, 0.2)
+        words.ShadowOff()
+        words.ItalicOff()
+        words.BoldOff()
+        words.SetFontSize(18)
+    return bar
 
 
 def skin(grid):
@@ -84,7 +115,7 @@ def skin(grid):
     return mapper
 
 
-def panel(window, k, grid, mapper, colour):
+def panel(window, k, grid, mapper, colour, bar=None):
     """Half of the picture: what the mapper draws, and the edges of the box."""
     edges = vtkOutlineFilter()
     edges.SetInputConnection(grid.GetOutputPort())
@@ -98,6 +129,8 @@ def panel(window, k, grid, mapper, colour):
         actor.GetProperty().SetAmbient(0.35)
         actor.GetProperty().SetDiffuse(0.65)
         renderer.AddActor(actor)
+    if bar:
+        renderer.AddActor2D(bar)
     renderer.SetViewport(0.5 * k, 0, 0.5 * k + 0.5, 1)
     renderer.SetBackground(1, 1, 1)
     camera = renderer.GetActiveCamera()
@@ -116,8 +149,8 @@ points = opened(vtkXMLPolyDataReader(), folder, "particles", seconds)
 window = vtkRenderWindow()
 window.SetOffScreenRendering(1)
 window.SetSize(1000, 800)
-panel(window, 0, grid, particles(points, grid.GetOutput().GetCenter()),
-      (1, 1, 1))
+speeds = particles(points, grid.GetOutput().GetCenter())
+panel(window, 0, grid, speeds, (1, 1, 1), scale(speeds))
 panel(window, 1, grid, skin(grid), (0.75, 0.62, 0.42))
 window.Render()
 image = vtkWindowToImageFilter()

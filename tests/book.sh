@@ -107,6 +107,15 @@ fact a_number_cannot_begin_a_line 1 "$chapter:18: a number cannot begin a line" 
 fresh && edit 's/speed = 4.429/speed = 5.2/' figures/fall.txt
 fact a_changed_result_is_shown 1 "-->5.2<!-- -->" weave check
 
+fresh && touch figures/fall.svg
+printf '\n![A stone\nthat falls](../figures/fall.svg)\n\nIt falls.\n' >>$chapter
+fact a_figure_gets_its_caption 0 "wove $chapter" weave
+fact the_caption_has_a_number 0 "**Figure 1.1.** A stone that falls." cat $chapter
+edit 's/Figure 1.1/Figure 1.7/' $chapter
+fact a_wrong_number_of_a_figure_is_shown 1 "-**Figure 1.7.**" weave check
+fact and_it_is_mended 0 "wove $chapter" weave
+fact once_and_not_twice 0 "" weave check
+
 echo "text:"
 fresh
 fact a_fresh_text_is_right 0 "" text
@@ -209,7 +218,7 @@ if command -v pandoc >/dev/null; then
     fresh && echo '<svg/>' >figures/fall.svg
     printf '\n![A stone](../figures/fall.svg)\n' >>$chapter
     printf '\n| [01-fall](01-fall.md) | Why? | 5 min | 1 s | `fall` |\n' >chapters/README.md
-    fact a_figure_has_a_numbered_caption 0 "<strong>Figure 1.1: </strong>A stone" \
+    fact a_figure_has_a_numbered_caption 0 "<strong>Figure 1.1.</strong> A stone" \
         sh -c "sh '$tools/book.sh' out && cat out/01-fall.html"
     fact the_contents_give_times 0 "Why? (5 min to read, 1 s to run)" cat out/index.html
     fresh && cp $chapter chapters/solutions/01-fall.md

@@ -92,5 +92,25 @@ capillary cohesion_capillary {tension=0.01;range=5e-5;}
 stochastic_drag stochastic_drag_effect {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
 EOF
+# Contacts: without them the loops that find and compute them are not called, and
+# a program without the folder of these loops does the same.
+alone='particles.list="none"'
+none=$("$work/whole" tests/free/bed.cfg 5 "$alone")
+# shellcheck disable=SC2046,SC2086
+link "$work/without" $(echo $others | tr ' ' '\n' | grep -v src/dem/fast/) $own \
+    left=1 src/dem/fast/*.c || exit
+without=$("$work/without" tests/free/bed.cfg 5 "$alone")
+fact "contacts off cost nothing: $none, without their loops $without" \
+    "$([ -n "$none" ] && [ "$none" = "$without" ] && echo 1)"
+fact "contacts on are seen by the count: $off" \
+    "$(echo "$none $off" | awk '{ print ($4 > $1 && $6 > $3) }')"
+echo "contacts $none $off" | awk '{
+    printf "%-16s %4d %6d %7d   %4d %6d %7d\n", $1, $2, $3, $4, $5, $6, $7 }'
+# The reaction of the particles on the fluid.
+one=$("$work/whole" tests/free/bed.cfg 5 'exchange.coupling="one-way"')
+fact "one-way runs less than two-way: $one" \
+    "$(echo "$one $off" | awk '{ print ($1 <= $4 && $2 < $5 && $3 < $6) }')"
+echo "two-way $one $off" | awk '{
+    printf "%-16s %4d %6d %7d   %4d %6d %7d\n", $1, $2, $3, $4, $5, $6, $7 }'
 [ $failed = 0 ] && echo "free: $facts facts hold"
 exit $failed

@@ -6,6 +6,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "dem/dem_method.h"
 #include "resolved/body_motion.h"
@@ -24,6 +25,8 @@ struct pool_options {
     double rho, mu, dt;
     double gradient[3]; /* [Pa/m] */
     double lid;         /* [m/s] velocity of the upper wall along x */
+    double inlet;       /* [m/s] of the floor, with an outlet above; 0: walls; o
+                           outlives the pool */
     const char *time;   /* NULL: bdf2 */
     double virtual_mass;
     enum body_method method;
@@ -35,6 +38,7 @@ struct pool_options {
 /* Equal cells, second order in space and time. */
 static inline void pool_create(struct pool *p, const struct pool_options *o)
 {
+    static const double start = 0.0;
     struct box_spec spec = {.grading = {1.0, 1.0, 1.0}};
     struct fluid_options f = {
         .rho = o->rho,
@@ -68,8 +72,19 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
     p->mesh = mesh_create_box(&spec);
     for (int i = 0; i < p->mesh->n_patches; i++)
         if (p->mesh->patches[i].name[0] == 't') p->boundary[i].wall[0] = o->lid;
+    for (int i = 0; i < p->mesh->n_patches && o->inlet > 0.0; i++) {
+        const char *const name = p->mesh->patches[i].name;
+        if (strcmp(name, "bottom") == 0)
+            p->boundary[i] = (struct boundary){.kind = BOUNDARY_INLET,
+                                               .n_points = 1,
+                                               .time = &start,
+                                               .velocity = &o->inlet};
+        if (strcmp(name, "top") == 0)
+            p->boundary[i] = (struct boundary){.kind = BOUNDARY_OUTLET};
+    }
     p->fluid = fluid_create(p->mesh, &f);
-    p->bodies = solid_bodies_create(o->n > 0 ? o->n : 1, p->fluid, &b);
+    p->bodies =
+        solid_bodies_create(o->n > 0 ? o->n : 1, p->mesh->n_cells, o->rho, &b);
 }
 
 static inline void pool_free(struct pool *p)

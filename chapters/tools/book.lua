@@ -18,31 +18,46 @@ local function display(math)
                     pandoc.Attr(equation_id(number), { "equation" }))
 end
 
--- A paragraph that is an image becomes a figure, with its text as the caption;
--- in a chapter the figures are numbered.
-local chapter, figures = nil, 0
-
-local function numbers(meta)
-  chapter = pandoc.utils.stringify(meta.chapter or ""):match("^%d+$")
+-- A paragraph that is an image becomes a figure; the paragraph after it that begins
+-- with **Figure 9.1.** is its caption.
+local function is_image(block)
+  return block and block.t == "Para" and #block.content == 1
+    and block.content[1].t == "Image"
 end
 
-local function figure(image)
-  local caption = pandoc.List(image.caption)
-  if chapter then
-    figures = figures + 1
-    local name = "Figure " .. chapter .. "." .. figures .. ": "
-    caption:insert(1, pandoc.Strong({ pandoc.Str(name) }))
+local function is_caption(block)
+  local first = block and block.t == "Para" and block.content[1]
+  return first and first.t == "Strong"
+    and pandoc.utils.stringify(first):match("^Figure %d+%.%d+%.$")
+end
+
+local function figure(image, caption)
+  local out = pandoc.List({ pandoc.RawBlock("html", "<figure>"), pandoc.Plain({ image }) })
+  if caption then
+    out:extend({ pandoc.RawBlock("html", "<figcaption>"), pandoc.Plain(caption.content),
+                 pandoc.RawBlock("html", "</figcaption>") })
   end
-  return { pandoc.RawBlock("html", "<figure>"), pandoc.Plain({ image }),
-           pandoc.RawBlock("html", "<figcaption>"), pandoc.Plain(caption),
-           pandoc.RawBlock("html", "</figcaption></figure>") }
+  out:insert(pandoc.RawBlock("html", "</figure>"))
+  return out
+end
+
+local function figures(list)
+  local out, i = pandoc.List(), 1
+  while i <= #list do
+    if is_image(list[i]) then
+      local caption = is_caption(list[i + 1]) and list[i + 1]
+      out:extend(figure(list[i].content[1], caption))
+      i = i + (caption and 2 or 1)
+    else
+      out:insert(list[i])
+      i = i + 1
+    end
+  end
+  return out
 end
 
 -- A paragraph is cut where a display formula stands in it.
 local function paragraph(block)
-  if #block.content == 1 and block.content[1].t == "Image" then
-    return figure(block.content[1])
-  end
   local blocks, line = pandoc.List(), pandoc.List()
   local function flush()
     while #line > 0 and (line[#line].t == "Space" or line[#line].t == "SoftBreak") do
@@ -124,8 +139,8 @@ local function code(item)
 end
 
 return {
-  { Meta = numbers },
   { Link = link, Image = image, RawInline = raw, Code = code },
   { Blocks = blocks },
+  { Blocks = figures },
   { Para = paragraph },
 }

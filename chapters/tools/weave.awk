@@ -11,6 +11,8 @@
 #   <!-- tests tests/test_drag.c -->                 the facts that a file shows
 # and a number within a line, never at its beginning:
 #   about <!-- number figures/drag.txt u_mf %.2f -->0.88<!-- --> m/s
+# Figures of a chapter are numbered: below a paragraph that is an image stands one that
+# begins with **Figure 9.1.**; where it is missing it is made of what the image is called.
 # With -v places=1 a code directive is printed with the line it was found on,
 # for the HTML. What cannot be found is said, as chapter:line, and ends in 1.
 
@@ -66,9 +68,53 @@ function directive(line,    words, n, text, mark) {
     fence(words[1] == "code" ? "c" : words[2] ~ /patch$/ ? "diff" : "text", text)
 }
 
+# The caption of the image above: its number, or all of it.
+function caption(line,    mark, n, words, i, out) {
+    mark = FILENAME
+    sub(/.*\//, "", mark)
+    mark = "**Figure " (mark + 0) "." ++figures ".**"
+    if (line ~ /^\*\*Figure/) {
+        sub(/^\*\*Figure[^*]*\*\*/, mark, line)
+        return line
+    }
+    out = mark
+    n = split(image, words, / +/)
+    for (i = 1; i <= n; i++) {
+        if (length(out) + 1 + length(words[i]) > 80 &&
+            words[i] !~ /^([-+*#>]|[0-9]+[.)])$/) { print out; out = words[i] }
+        else out = out " " words[i]
+    }
+    print out
+    print ""
+    return line
+}
+
+# An image that is a paragraph, over one line or several; what it is called is kept.
+function see_image(line) {
+    if (before == "" && line ~ /^!\[/) image = opened = ""
+    if (before == "" && line ~ /^!\[/) opened = 1
+    if (opened) {
+        image = image (image == "" ? "" : " ") line
+        if (line ~ /[.](svg|png)\)$/) {
+            opened = ""
+            sub(/^!\[/, "", image)
+            sub(/\]\([^()]*\)$/, "", image)
+            if (image !~ /[.]$/) image = image "."
+            due = chaptered
+        } else if (line == "") opened = image = ""
+    }
+    before = line
+}
+
+FNR == 1 { chaptered = FILENAME ~ /[0-9][0-9]-[a-z0-9-]*[.]md$/ && FILENAME !~ /solutions/ }
+
 {
     line = $0
     for (;;) {
+        if (due && shut == "" && line != "") {
+            due = 0
+            line = caption(line)
+        }
         if (shut != "") { # inside a fence everything is text
             if (line == shut) shut = ""
             print line
@@ -84,12 +130,18 @@ function directive(line,    words, n, text, mark) {
         } else if (line ~ /^<!-- (code|output|tests)/) {
             wrong("a directive stands alone on its line")
             print line
-        } else
+        } else {
+            see_image(line)
             print numbers(line)
+        }
         break
     }
 }
 
 END {
+    if (due) {
+        print ""
+        line = caption("")
+    }
     exit failed
 }

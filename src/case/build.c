@@ -1,35 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 
-#include <stdlib.h>
-#include <stdio.h>
-
 #include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
-#include "dem/population.h"
-#include "case/build_boundaries.h"
 #include "case/build_fluid.h"
 #include "case/build_particles.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_file.h"
 #include "case/models.h"
-
-struct mesh *build_mesh(const struct settings *s)
-{
-    return case_mesh_create(s);
-}
-
-int build_gravity(const struct settings *s, double g[3])
-{
-    g[0] = g[1] = g[2] = 0.0;
-    if (!settings_has(s, "effects.gravity")) return 0;
-    settings_vector(s, "effects.gravity", g);
-    return 1;
-}
+#include "case/table_numbers.h"
 
 /* --- coupling ----------------------------------------------------------- */
 
@@ -76,7 +58,7 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
     return sim->averaging == NULL ? 2 : 0;
 }
 
-static void create_coupling(const struct settings *s, struct simulation *sim)
+void build_coupling(const struct settings *s, struct simulation *sim)
 {
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
@@ -94,35 +76,36 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
 
 /* --- effects ------------------------------------------------------------ */
 
-static void create_effects(const struct settings *s, struct simulation *sim)
+void build_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
     for (int i = 0; effects[i] != NULL; i++) {
         const struct effect *const e = effects[i];
         if (!settings_has(s, e->keys[0].path)) continue;
-        case_file_parameters(s, e->keys, numbers, 16);
+        table_numbers(s, e->keys, numbers, 16);
         effects_add(sim, e, e->create(sim, numbers));
     }
 }
 
 static struct simulation *build(const struct settings *s, int with_bed,
-                                int *code)
+                                const struct bed_keeper *keeper, int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
     *code = 0;
-    sim->mesh = build_mesh(s);
+    sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    if (settings_has(s, "particles")) *code = build_particles(s, sim, with_bed);
+    if (settings_has(s, "particles"))
+        *code = build_particles(s, sim, with_bed, keeper);
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
-        if (*code == 0) create_coupling(s, sim);
+        if (*code == 0) build_coupling(s, sim);
     }
     if (*code == 0) {
-        create_effects(s, sim);
+        build_effects(s, sim);
         *code = case_part_add_last(s, sim);
         if (*code == 0) return sim;
     }
@@ -132,36 +115,16 @@ static struct simulation *build(const struct settings *s, int with_bed,
 
 struct simulation *build_simulation(const struct settings *s, int *code)
 {
-    return build(s, 1, code);
+    return build(s, 1, NULL, code);
+}
+
+struct simulation *build_kept(const struct settings *s,
+                              const struct bed_keeper *keeper, int *code)
+{
+    return build(s, 1, keeper, code);
 }
 
 struct simulation *build_to_resume(const struct settings *s, int *code)
 {
-    return build(s, 0, code);
-}
-
-void build_free(struct simulation *sim)
-{
-    if (sim == NULL) return;
-    for (int i = 0; i < sim->n_effects; i++)
-        if (sim->effects[i].effect->free != NULL)
-            sim->effects[i].effect->free(sim->effects[i].memory);
-    free(sim->effects);
-    coupling_free(sim->coupling);
-    averaging_free(sim->averaging);
-    dem_free(sim->dem);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->free != NULL) case_parts[i]->free(sim);
-    if (sim->population != NULL)
-        sim->population->functions->free(sim->population);
-    free(sim->materials);
-    free(sim->attractions);
-    particles_free(sim->particles);
-    fluid_free(sim->fluid);
-    build_boundaries_free(sim->boundaries,
-                          sim->mesh != NULL ? sim->mesh->n_patches : 0,
-                          sim->inlet_series);
-    free(sim->held_force);
-    mesh_free(sim->mesh);
-    free(sim);
+    return build(s, 0, NULL, code);
 }

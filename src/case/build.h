@@ -3,20 +3,28 @@
 #define CASE_BUILD_H
 
 #include "coupling/simulation.h"
+#include "case/build_free.h"
 #include "case/settings.h"
+
+struct bed_keeper;
 
 /* The simulation that the case describes, its bed settled. NULL after a
  * message; *code is then 2, 3 (the bed did not settle) or 4. */
 struct simulation *build_simulation(const struct settings *s, int *code);
+/* The same with somebody who saves the bed while it settles, and may end that
+ * with another code (dem/bed_settling.h); borrowed, or NULL. */
+struct simulation *build_kept(const struct settings *s,
+                              const struct bed_keeper *keeper, int *code);
 /* The same without its bed, whose state will be loaded. */
 struct simulation *build_to_resume(const struct settings *s, int *code);
-void build_free(struct simulation *sim);
 
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
 /* What the case says about parts, for `check` too. */
-struct mesh *build_mesh(const struct settings *s);
 struct averaging_options build_averaging_options(const struct settings *s);
-int build_gravity(const struct settings *s, double g[3]);
+
+/* What is built on the mesh, the particles and their averaging. */
+void build_coupling(const struct settings *s, struct simulation *sim);
+void build_effects(const struct settings *s, struct simulation *sim);
 
 #endif

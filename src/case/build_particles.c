@@ -6,61 +6,14 @@
 #include <unistd.h>
 
 #include "base/alloc.h"
-#include "dem/dem_method.h"
-#include "case/build.h"
+#include "case/build_free.h"
 #include "case/case_steps.h"
 #include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/case_overlap.h"
 #include "case/case_mesh.h"
-#include "case/models.h"
-
-static double real_or_zero(const struct settings *s, const char *path)
-{
-    return settings_has(s, path) ? settings_real(s, path) : 0.0;
-}
-
-struct dem_options build_dem_options(const struct settings *s, double step)
-{
-    struct dem_options o = {
-        .law = contact_law_named(settings_text(s, "particles.contact")),
-        .material = case_materials_one(s, 0),
-        .integrator =
-            integrators_named(settings_text(s, "particles.integrator")),
-        .method = dem_method_named(settings_text(s, "particles.list")),
-        .step = step,
-        .skin = real_or_zero(s, "particles.skin")};
-
-    case_mesh_ends(s, o.lo, o.hi);
-    case_mesh_periodic(s, o.periodic);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->dem_options != NULL)
-            case_parts[i]->dem_options(s, &o);
-    return o;
-}
-
-struct bed_options build_bed_options(const struct settings *s)
-{
-    struct bed_options b = {
-        .count = settings_int(s, "particles.bed.count"),
-        .diameter = real_or_zero(s, "particles.bed.diameter"),
-        .density = settings_real(s, "particles.grains.density"),
-        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
-        .jitter = settings_real(s, "particles.bed.jitter"),
-        .settle = settings_real(s, "particles.bed.settle")};
-
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->bed_sizes != NULL) case_parts[i]->bed_sizes(s, &b);
-    build_gravity(s, b.gravity);
-    return b;
-}
-
-void build_bed_release(struct bed_options *b)
-{
-    if (b->sizes != NULL) b->free_sizes(b->sizes);
-    b->sizes = NULL;
-}
+#include "case/particle_options.h"
 
 static int bed_lost(const struct bed_report *r)
 {
@@ -102,13 +55,49 @@ static void tell_settled(const struct settings *s, const struct bed_report *r,
                 r->time, r->kinetic, rest);
 }
 
-/* The bed from its file, or made anew and kept there: a file that the case
- * names, which must be written, or one that another run may use again. The
- * file knows no contacts with surfaces. */
-static int create_bed(const struct settings *s, struct simulation *sim,
-                      const struct dem_options *o)
+/* The bed from the file `path`, or made anew and kept there; NULL: it is not
+ * kept. Returns what bed_create does. */
+static int make_bed(const struct settings *s, struct simulation *sim,
+                    const struct dem_options *o,
+                    const struct bed_keeper *keeper, const char *path,
+                    struct bed_report *r)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
+
+    b.region = sim->region;
+    b.keeper = keeper;
+    sim->particles = particles_create(b.count + case_part_count_later(s));
+    sim->dem = dem_create(sim->particles, o);
+    const int found =
+        sim->dem == NULL ? BED_REFUSED
+                         : bed_create(path, sim->particles, sim->dem, &b, o, r);
+    particle_options_release(&b);
+    return found;
+}
+
+/* A bed that was kept for another run, and whose file is damaged, is settled
+ * anew. */
+static int remake_bed(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o,
+                      const struct bed_keeper *keeper, const char *path,
+                      struct bed_report *r)
+{
+    fprintf(stderr, "winnow: %s is removed, and the bed is settled anew\n",
+            path);
+    unlink(path);
+    dem_free(sim->dem);
+    particles_free(sim->particles);
+    sim->dem = NULL;
+    sim->particles = NULL;
+    return make_bed(s, sim, o, keeper, path, r);
+}
+
+/* The bed is kept in a file that the case names, which must be written, or in
+ * one that another run may use again. */
+static int create_bed(const struct settings *s, struct simulation *sim,
+                      const struct dem_options *o,
+                      const struct bed_keeper *keeper)
+{
     const int named = settings_has(s, "particles.bed.file");
     char path[SETTINGS_PATH];
     struct bed_report r;
@@ -116,18 +105,14 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (named)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
-    const int cached = !named && o->n_surfaces == 0 &&
-                       case_part_bed_file(s, path, sizeof path);
-    b.region = sim->region;
-    sim->particles = particles_create(b.count + case_part_count_later(s));
-    sim->dem = dem_create(sim->particles, o);
-    int found = sim->dem == NULL
-                    ? BED_REFUSED
-                    : bed_create(named || cached ? path : NULL, sim->particles,
-                                 sim->dem, &b, o, &r);
-    build_bed_release(&b);
+    const int cached = !named && case_part_bed_file(s, path, sizeof path);
+    const int was_there = cached && access(path, R_OK) == 0;
+    int found = make_bed(s, sim, o, keeper, named || cached ? path : NULL, &r);
+    if (found == BED_REFUSED && was_there)
+        found = remake_bed(s, sim, o, keeper, path, &r);
     if (found == BED_UNSAVED && cached) found = BED_CREATED;
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
+    if (found == BED_STOPPED) return r.stopped;
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
     if (cached && !r.settled) unlink(path);
     tell_settled(s, &r, sim->region.has_room == NULL, cached ? path : NULL);
@@ -184,12 +169,12 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 static int lay_bed(const struct settings *s, struct simulation *sim,
                    const struct dem_options *o)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
 
     b.region = sim->region;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     const int wrong = bed_fill(sim->particles, &b, o) != 0;
-    build_bed_release(&b);
+    particle_options_release(&b);
     if (wrong) return 2;
     sim->dem = dem_create(sim->particles, o);
     return sim->dem == NULL ? 2 : 0;
@@ -199,7 +184,7 @@ static int lay_bed(const struct settings *s, struct simulation *sim,
 static int furnish(const struct settings *s, struct simulation *sim,
                    struct dem_options *o)
 {
-    *o = build_dem_options(s, sim->dt / sim->dem_steps);
+    *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);
@@ -223,14 +208,15 @@ int build_particles_check(const struct settings *s)
 }
 
 int build_particles(const struct settings *s, struct simulation *sim,
-                    int with_bed)
+                    int with_bed, const struct bed_keeper *keeper)
 {
     struct dem_options o;
     int code = furnish(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
-        code = with_bed ? create_bed(s, sim, &o) : leave_room(s, sim, &o);
+        code =
+            with_bed ? create_bed(s, sim, &o, keeper) : leave_room(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;

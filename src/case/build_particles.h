@@ -7,18 +7,13 @@
 #include "case/settings.h"
 
 /* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
- * bed there is room for it only. Returns the exit code, after a message if not
- * 0. */
+ * bed there is room for it only; the keeper of the bed may be NULL. Returns the
+ * exit code, after a message if not 0. */
 int build_particles(const struct settings *s, struct simulation *sim,
-                    int with_bed);
+                    int with_bed, const struct bed_keeper *keeper);
 
 /* 0 if they can be where the case puts them, a bed on its lattice; nothing
  * moves, and nothing is kept. */
 int build_particles_check(const struct settings *s);
-
-/* The same in numbers, for `check`. */
-struct dem_options build_dem_options(const struct settings *s, double step);
-struct bed_options build_bed_options(const struct settings *s);
-void build_bed_release(struct bed_options *b);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
-#include "case/case_file.h"
 #include "case/case_materials.h"
+#include "case/table_numbers.h"
 
 enum { MOST_NUMBERS = 16 }; /* of an effect */
 
@@ -50,7 +50,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
     for (int k = 0, i = 0; effects[k] != NULL; k++) {
         if (!is_attraction(s, effects[k])) continue;
-        case_file_parameters(s, effects[k]->keys, numbers, MOST_NUMBERS);
+        table_numbers(s, effects[k]->keys, numbers, MOST_NUMBERS);
         all[i++] = effects[k]->attraction(numbers, &scene);
     }
     return all;
@@ -66,7 +66,7 @@ int case_cohesion_check(const struct settings *s)
     for (int k = 0; effects[k] != NULL && code == 0; k++) {
         const struct effect *const e = effects[k];
         if (e->wrong == NULL || !settings_has(s, e->keys[0].path)) continue;
-        case_file_parameters(s, e->keys, numbers, MOST_NUMBERS);
+        table_numbers(s, e->keys, numbers, MOST_NUMBERS);
         const char *const why = e->wrong(numbers, &scene);
         if (why != NULL) code = settings_wrong(s, e->keys[0].path, "%s", why);
     }

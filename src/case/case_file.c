@@ -2,7 +2,7 @@
 #include "case/case_file.h"
 
 #include "mesh/mesh_form.h"
-#include "case/case_mesh.h"
+#include "case/read_mesh.h"
 #include "case/case_part.h"
 #include "case/validate.h"
 #include "case/keys.h"
@@ -38,45 +38,9 @@ struct settings *case_file_read(const char *file, int n_overrides,
     case_file_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    *code = case_mesh_read(s);
+    *code = read_mesh(s);
     if (*code == 0) *code = validate_case(s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;
-}
-
-static int numbers_of(const struct settings *s, const struct key *key,
-                      double v[3])
-{
-    switch (key->type) {
-    case KEY_REAL:
-        v[0] = settings_real(s, key->path);
-        return 1;
-    case KEY_INT:
-        v[0] = settings_int(s, key->path);
-        return 1;
-    case KEY_BOOL:
-        v[0] = settings_bool(s, key->path);
-        return 1;
-    case KEY_VECTOR:
-        settings_vector(s, key->path, v);
-        return 3;
-    default:
-        return 0;
-    }
-}
-
-int case_file_parameters(const struct settings *s, const struct key *keys,
-                         double *numbers, int most)
-{
-    int n = 0;
-
-    for (const struct key *key = keys; key->path != NULL; key++) {
-        double v[3];
-        const int given = numbers_of(s, key, v);
-
-        for (int k = 0; k < given; k++, n++)
-            if (n < most) numbers[n] = v[k];
-    }
-    return n;
 }

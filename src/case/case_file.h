@@ -15,10 +15,4 @@ void case_file_tables(const struct key *tables[CASE_FILE_TABLES]);
 struct settings *case_file_read(const char *file, int n_overrides,
                                 const char *const *overrides, int *code);
 
-/* The numbers that the case gives for a table of keys, in their order: one for
- * a number, three for a vector, none for a group. Returns how many; at most
- * `most` are written. */
-int case_file_parameters(const struct settings *s, const struct key *keys,
-                         double *numbers, int most);
-
 #endif

@@ -4,10 +4,16 @@
 #include <math.h>
 
 #include "base/vector.h"
+#include "dem/dem_method.h"
 #include "dem/limits.h"
-#include "case/build_particles.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
+#include "case/particle_options.h"
+
+int case_limits_apart(const struct settings *s)
+{
+    return dem_method_named(settings_text(s, "particles.list"))->apart;
+}
 
 int case_limits_count(const struct settings *s)
 {
@@ -47,9 +53,9 @@ static double smallest_of_bed(const struct settings *s, int m)
 {
 
     if (m != 0 || !settings_has(s, "particles.bed")) return 0.0;
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
     const struct bed_range range = bed_range(&b);
-    build_bed_release(&b);
+    particle_options_release(&b);
     return b.count > 0 ? range.min : 0.0;
 }
 

@@ -15,6 +15,10 @@ struct case_limits {
     double longest;   /* [s] that still resolves the impact */
 };
 
+/* 1: the particles do not meet (particles.list), no impact has to be resolved.
+ */
+int case_limits_apart(const struct settings *s);
+
 /* How many materials the case lists, grains included. */
 int case_limits_count(const struct settings *s);
 

@@ -10,9 +10,8 @@
 #include "mesh/mesh.h"
 #include "case/settings.h"
 
-/* Checks the keys of the mesh, and makes the mesh if it is no plain box. 0, or
- * 2 after a message. */
-int case_mesh_read(struct settings *s);
+/* The plain box that the case gives. */
+struct box_spec case_mesh_box(const struct settings *s);
 
 /* The mesh, which the caller releases by mesh_free. */
 struct mesh *case_mesh_create(const struct settings *s);

@@ -44,11 +44,12 @@ struct case_part {
     int (*furnish)(const struct settings *s, struct simulation *sim,
                    struct dem_options *o);
     void (*free)(struct simulation *sim);
+    int (*furnish_last)(const struct settings *s, struct simulation *sim,
+                        struct dem_options *o); /* once all have */
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
-    /* Where a bed that the case does not name a file for is kept; 0: nowhere.
-     */
+    /* Where a bed is kept for which the case names no file; 0: nowhere. */
     int (*bed_file)(const struct settings *s, char *path, size_t room);
     /* After the particles and their dem have been created. */
     int (*add)(const struct settings *s, struct simulation *sim);
@@ -61,7 +62,7 @@ struct case_part {
 /* All of them, ended by NULL. */
 extern const struct case_part *const case_parts[];
 
-/* The same of all parts together. */
+/* Of all parts: */
 int case_part_check(const struct settings *s);
 int case_part_check_any(const struct settings *s);
 int case_part_furnish(const struct settings *s, struct simulation *sim,

@@ -7,12 +7,12 @@
 #include "averaging/averaging.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/build_particles.h"
 #include "case/case_limits.h"
 #include "case/case_memory.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
+#include "case/particle_options.h"
 
 /* Particles that are inserted later count as if they were there. */
 static void add_inserted(const struct settings *s, struct case_scales *k)
@@ -31,13 +31,13 @@ static void particle_scales(const struct settings *s, struct case_scales *k)
 
     k->density = settings_real(s, "particles.grains.density");
     if (settings_has(s, "particles.bed")) {
-        struct bed_options b = build_bed_options(s);
+        struct bed_options b = particle_options_bed(s);
         const struct bed_range range = bed_range(&b);
         k->particles = b.count;
         k->d = range.min;
         k->d_most = range.max;
         k->volume = range.volume;
-        build_bed_release(&b);
+        particle_options_release(&b);
         return;
     }
     k->particles = settings_length(s, list);
@@ -85,7 +85,7 @@ struct case_scales case_scales_of(const struct settings *s)
         add_inserted(s, &k);
         k.dem_dt = k.dt / k.dem_steps;
     }
-    build_gravity(s, g);
+    particle_options_gravity(s, g);
     k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
     k.impact = fmax(k.impact, case_limits_thrown(s));
     if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
@@ -109,11 +109,25 @@ int case_scales_check_memory(const struct settings *s,
     return case_memory_check(s, bytes);
 }
 
+/* Particles that do not meet resolve no impacts, and do not settle. */
+static int check_apart(const struct settings *s)
+{
+    if (!settings_has(s, "particles.bed") ||
+        settings_int(s, "particles.bed.count") == 0 ||
+        settings_real(s, "particles.bed.settle") == 0.0)
+        return 0;
+    return settings_wrong(s, "particles.list",
+                          "\"none\": no bed comes to rest without contacts; "
+                          "give particles.bed.settle = 0.0, or place the "
+                          "spheres");
+}
+
 int case_scales_check(const struct settings *s)
 {
     if (!settings_has(s, "particles")) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
+    if (case_limits_apart(s)) return check_apart(s);
     if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;

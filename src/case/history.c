@@ -1,242 +1,90 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/history.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
+#include "case/history_sums.h"
 #include "coupling/coupling.h"
-#include "case/history_energy.h"
+#include "coupling/replacement.h"
+#include "dem/energy.h"
+#include "dem/population.h"
 
-static double now(const struct simulation *sim)
-{
-    return sim->t;
-}
+/* Most columns are one expression of the simulation. */
+#define VALUE(name, expression)                                                \
+    static double name(const struct simulation *sim)                           \
+    {                                                                          \
+        return expression;                                                     \
+    }
 
 /* --- physics ------------------------------------------------------------ */
 
-/* Of kind: what enters by its own pressure is an inlet. */
-static const struct patch *patch_of(const struct fluid *fl,
-                                    enum boundary_kind kind, const char *name)
-{
-    const struct boundary *const b = fl->options.boundaries;
+VALUE(now, sim->t)
+VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
+VALUE(fluid_energy, fluid_kinetic_energy(sim->fluid))
 
-    for (int i = 0; i < fl->mesh->n_patches; i++)
-        if ((b[i].enters ? BOUNDARY_INLET : b[i].kind) == kind)
-            return &fl->mesh->patches[i];
-    return mesh_patch(fl->mesh, name);
-}
-
-double history_pressure_drop(const struct simulation *sim)
-{
-    const struct fluid *const fl = sim->fluid;
-    const struct patch *const in = patch_of(fl, BOUNDARY_INLET, "bottom");
-    const struct patch *const out = patch_of(fl, BOUNDARY_OUTLET, "top");
-
-    if (in == NULL || out == NULL) return 0.0;
-    return fluid_patch_pressure(fl, in) - fluid_patch_pressure(fl, out);
-}
-
-/* Extent along gravity over the volume: one over the (mean) section. */
-static double per_section(const struct simulation *sim, double *g)
-{
-    const struct mesh *const m = sim->mesh;
-    double volume = 1.0, along = 0.0;
-
-    *g = 0.0;
-    for (int k = 0; k < 3; k++) {
-        const double length = m->hi[k] - m->lo[k];
-        volume *= length;
-        along += fabs(sim->gravity[k]) * length;
-        *g += sim->gravity[k] * sim->gravity[k];
-    }
-    if (m->face_centre != NULL) volume = 0.0;
-    for (int c = 0; c < m->n_cells && m->face_centre != NULL; c++)
-        volume += m->V[c];
-    *g = sqrt(*g);
-    return *g > 0.0 ? along / (*g * volume) : 0.0;
-}
-
-double history_bed_weight(const struct simulation *sim)
-{
-    double g, mass = 0.0;
-    const double section = per_section(sim, &g);
-
-    for (int i = 0; i < sim->particles->n; i++)
-        mass += sim->particles->m[i];
-    return mass * g * section;
-}
-
-static double buoyant_weight(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    double g, volume = 0.0;
-    const double section = per_section(sim, &g);
-
-    for (int i = 0; i < ps->n; i++)
-        volume += M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
-    return history_bed_weight(sim) -
-           sim->fluid->options.rho * volume * g * section;
-}
-
-static double inlet_velocity(const struct simulation *sim)
-{
-    return fluid_inlet_velocity(sim->fluid);
-}
-
-static double fluid_energy(const struct simulation *sim)
-{
-    return fluid_kinetic_energy(sim->fluid);
-}
-
-static double particle_energy(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    double sum = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
-                           ps->vz[i] * ps->vz[i]);
-    return 0.5 * sum;
-}
-
-/* I = (2/5) m R^2 = m d^2 / 10. */
-static double spin_energy(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    double sum = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
-               (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
-                ps->wz[i] * ps->wz[i]);
-    return 0.5 * sum;
-}
-
-/* A third of their mean square about the mean. */
-static double granular_temperature(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    const double *const v[3] = {ps->vx, ps->vy, ps->vz};
-    double sum = 0.0;
-
-    if (ps->n == 0) return 0.0;
-    for (int k = 0; k < 3; k++) {
-        double mean = 0.0;
-        for (int i = 0; i < ps->n; i++)
-            mean += v[k][i] / ps->n;
-        for (int i = 0; i < ps->n; i++)
-            sum += (v[k][i] - mean) * (v[k][i] - mean);
-    }
-    return sum / (3.0 * ps->n);
-}
-
-static double mean_height(const struct simulation *sim)
-{
-    double sum = 0.0;
-
-    for (int i = 0; i < sim->particles->n; i++)
-        sum += sim->particles->y[i] / sim->particles->n;
-    return sum;
-}
-
-/* The mean fall velocity, that of a single sphere. */
-static double mean_fall(const struct simulation *sim)
-{
-    const struct particles *const ps = sim->particles;
-    const double *const g = sim->gravity;
-    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    double sum = 0.0;
-
-    for (int i = 0; i < ps->n; i++)
-        sum += ps->vx[i] * g[0] + ps->vy[i] * g[1] + ps->vz[i] * g[2];
-    return size > 0.0 && ps->n > 0 ? sum / (size * ps->n) : 0.0;
-}
-
-static double total_momentum(const struct simulation *sim, int k)
-{
-    double total[3];
-    coupling_total_momentum(sim, total);
-    return total[k];
-}
-
-static double momentum_x(const struct simulation *sim)
-{
-    return total_momentum(sim, 0);
-}
-
-static double momentum_y(const struct simulation *sim)
-{
-    return total_momentum(sim, 1);
-}
-
-static double momentum_z(const struct simulation *sim)
-{
-    return total_momentum(sim, 2);
-}
-
-static double owed(const struct simulation *sim, int k)
+/* Component k of a sum over all [N s]. */
+static double component(const struct simulation *sim, int k,
+                        void (*sum_of)(const struct simulation *, double[3]))
 {
     double sum[3];
-    coupling_unpaid_impulse(sim, sum);
+
+    sum_of(sim, sum);
     return sum[k];
 }
 
-static double owed_x(const struct simulation *sim)
-{
-    return owed(sim, 0);
-}
+VALUE(momentum_x, component(sim, 0, coupling_total_momentum))
+VALUE(momentum_y, component(sim, 1, coupling_total_momentum))
+VALUE(momentum_z, component(sim, 2, coupling_total_momentum))
+VALUE(owed_x, component(sim, 0, coupling_unpaid_impulse))
+VALUE(owed_y, component(sim, 1, coupling_unpaid_impulse))
+VALUE(owed_z, component(sim, 2, coupling_unpaid_impulse))
+VALUE(brought_x, component(sim, 0, replacement_momentum))
+VALUE(brought_y, component(sim, 1, replacement_momentum))
+VALUE(brought_z, component(sim, 2, replacement_momentum))
 
-static double owed_y(const struct simulation *sim)
-{
-    return owed(sim, 1);
-}
+/* For a simulation with a population (dem/population.h). */
+VALUE(particles, sim->particles->n)
+VALUE(inserted, (double)sim->population->totals.inserted)
+VALUE(removed, (double)sim->population->totals.removed)
+VALUE(waiting, (double)sim->population->totals.waiting)
+VALUE(mass_in, sim->population->totals.mass_in)
+VALUE(mass_out, sim->population->totals.mass_out)
+VALUE(replaced, sim->fluid->replaced)
 
-static double owed_z(const struct simulation *sim)
-{
-    return owed(sim, 2);
-}
+/* The budget of the energy of the particles (dem/energy.h). */
+VALUE(normal_springs, dem_energy(sim->dem)->normal)
+VALUE(tangential_springs, dem_energy(sim->dem)->tangential)
+VALUE(damped_n, dem_energy(sim->dem)->damped_n)
+VALUE(damped_t, dem_energy(sim->dem)->damped_t)
+VALUE(slid, dem_energy(sim->dem)->slid)
+VALUE(released, dem_energy(sim->dem)->released)
+VALUE(rolled, dem_energy(sim->dem)->rolled)
+VALUE(work, dem_energy(sim->dem)->work)
+VALUE(attracted, dem_energy(sim->dem)->attracted)
+VALUE(of_walls, dem_energy(sim->dem)->walls)
+VALUE(energy_brought, dem_energy(sim->dem)->added)
+VALUE(residual_of_energy, energy_residual(dem_energy(sim->dem)))
 
 /* --- numerics ----------------------------------------------------------- */
 
-static double cfl(const struct simulation *sim)
-{
-    return sim->fluid->report.cfl;
-}
-
-static double mass_residual(const struct simulation *sim)
-{
-    return sim->fluid->report.mass_residual;
-}
-
-static double momentum_residual(const struct simulation *sim)
-{
-    return sim->fluid->report.momentum_residual;
-}
-
-static double splitting(const struct simulation *sim)
-{
-    return sim->fluid->report.piso_residual;
-}
-
-static double pressure_iterations(const struct simulation *sim)
-{
-    return sim->fluid->report.pressure.iterations;
-}
-
-static double momentum_iterations(const struct simulation *sim)
-{
-    return sim->fluid->report.momentum.iterations;
-}
-
-static double backflow_faces(const struct simulation *sim)
-{
-    return sim->fluid->report.backflow_faces;
-}
-
-static double exchange_residual(const struct simulation *sim)
-{
-    return sim->coupling->report.exchange_residual;
-}
+VALUE(cfl, sim->fluid->report.cfl)
+VALUE(mass_residual, sim->fluid->report.mass_residual)
+VALUE(momentum_residual, sim->fluid->report.momentum_residual)
+VALUE(splitting, sim->fluid->report.piso_residual)
+VALUE(pressure_iterations, sim->fluid->report.pressure.iterations)
+VALUE(momentum_iterations, sim->fluid->report.momentum.iterations)
+VALUE(backflow_faces, sim->fluid->report.backflow_faces)
+VALUE(fluid_parts, sim->fluid->report.flow_substeps)
+VALUE(mean_gradient_x, sim->fluid->mean_gradient[0])
+VALUE(mean_gradient_y, sim->fluid->mean_gradient[1])
+VALUE(mean_gradient_z, sim->fluid->mean_gradient[2])
+VALUE(exchange_residual, sim->coupling->report.exchange_residual)
+VALUE(eps_lowest, sim->coupling->report.eps_lowest)
+VALUE(capped_cells, averaging_report(sim->averaging)->capped)
+VALUE(substeps, sim->coupling->report.substeps)
+VALUE(max_overlap, sim->dem_report.max_overlap)
+VALUE(contacts, sim->dem_report.contacts)
+VALUE(rebuilds, (double)sim->dem_report.rebuilds)
 
 static double relabelled(const struct simulation *sim)
 {
@@ -244,60 +92,10 @@ static double relabelled(const struct simulation *sim)
     return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
 }
 
-static double eps_lowest(const struct simulation *sim)
-{
-    return sim->coupling->report.eps_lowest;
-}
-
-static double capped_cells(const struct simulation *sim)
-{
-    return averaging_report(sim->averaging)->capped;
-}
-
-static double substeps(const struct simulation *sim)
-{
-    return sim->coupling->report.substeps;
-}
-
 static double shortest_time(const struct simulation *sim)
 {
     const double t = sim->coupling->report.shortest_time;
     return t < HUGE_VAL ? t : 0.0; /* no particle has one */
-}
-
-static double max_overlap(const struct simulation *sim)
-{
-    return sim->dem_report.max_overlap;
-}
-
-static double contacts(const struct simulation *sim)
-{
-    return sim->dem_report.contacts;
-}
-
-static double rebuilds(const struct simulation *sim)
-{
-    return (double)sim->dem_report.rebuilds;
-}
-
-static double mean_gradient_x(const struct simulation *sim)
-{
-    return sim->fluid->mean_gradient[0];
-}
-
-static double mean_gradient_y(const struct simulation *sim)
-{
-    return sim->fluid->mean_gradient[1];
-}
-
-static double mean_gradient_z(const struct simulation *sim)
-{
-    return sim->fluid->mean_gradient[2];
-}
-
-static double fluid_parts(const struct simulation *sim)
-{
-    return sim->fluid->report.flow_substeps;
 }
 
 enum {
@@ -314,36 +112,36 @@ const struct history_column history_columns[] = {
     {"time [s]", now, 0},
     {"pressure_drop [Pa]", history_pressure_drop, F},
     {"bed_weight [Pa]", history_bed_weight, P},
-    {"buoyant_weight [Pa]", buoyant_weight, C},
+    {"buoyant_weight [Pa]", history_buoyant_weight, C},
     {"inlet_velocity [m/s]", inlet_velocity, F},
     {"kinetic_energy_fluid [J]", fluid_energy, F},
-    {"kinetic_energy_particles [J]", particle_energy, P},
-    {"rotational_energy_particles [J]", spin_energy, P},
-    {"particles [-]", history_particles, L},
-    {"particles_in [-]", history_inserted, L},
-    {"particles_out [-]", history_removed, L},
-    {"particles_waiting [-]", history_waiting, L},
-    {"mass_in [kg]", history_mass_in, L},
-    {"mass_out [kg]", history_mass_out, L},
-    {"momentum_brought_x [N s]", history_brought_x, L},
-    {"momentum_brought_y [N s]", history_brought_y, L},
-    {"momentum_brought_z [N s]", history_brought_z, L},
-    {"fluid_replaced [kg]", history_replaced, C | L},
-    {"energy_normal_springs [J]", history_energy_normal, E},
-    {"energy_tangential_springs [J]", history_energy_tangential, E},
-    {"lost_in_normal_dashpots [J]", history_energy_damped_n, E},
-    {"lost_in_tangential_dashpots [J]", history_energy_damped_t, E},
-    {"lost_by_sliding [J]", history_energy_slid, E},
-    {"lost_by_tangential_springs [J]", history_energy_released, E},
-    {"lost_by_rolling [J]", history_energy_rolled, E},
-    {"work_of_outside_forces [J]", history_energy_work, E},
-    {"work_of_cohesion [J]", history_energy_attracted, E},
-    {"work_of_walls [J]", history_energy_walls, E},
-    {"energy_brought [J]", history_energy_brought, E},
-    {"energy_residual [J]", history_energy_residual, E},
-    {"granular_temperature [m2/s2]", granular_temperature, P},
-    {"mean_height [m]", mean_height, P},
-    {"mean_fall_velocity [m/s]", mean_fall, P},
+    {"kinetic_energy_particles [J]", history_particle_energy, P},
+    {"rotational_energy_particles [J]", history_spin_energy, P},
+    {"particles [-]", particles, L},
+    {"particles_in [-]", inserted, L},
+    {"particles_out [-]", removed, L},
+    {"particles_waiting [-]", waiting, L},
+    {"mass_in [kg]", mass_in, L},
+    {"mass_out [kg]", mass_out, L},
+    {"momentum_brought_x [N s]", brought_x, L},
+    {"momentum_brought_y [N s]", brought_y, L},
+    {"momentum_brought_z [N s]", brought_z, L},
+    {"fluid_replaced [kg]", replaced, C | L},
+    {"energy_normal_springs [J]", normal_springs, E},
+    {"energy_tangential_springs [J]", tangential_springs, E},
+    {"lost_in_normal_dashpots [J]", damped_n, E},
+    {"lost_in_tangential_dashpots [J]", damped_t, E},
+    {"lost_by_sliding [J]", slid, E},
+    {"lost_by_tangential_springs [J]", released, E},
+    {"lost_by_rolling [J]", rolled, E},
+    {"work_of_outside_forces [J]", work, E},
+    {"work_of_cohesion [J]", attracted, E},
+    {"work_of_walls [J]", of_walls, E},
+    {"energy_brought [J]", energy_brought, E},
+    {"energy_residual [J]", residual_of_energy, E},
+    {"granular_temperature [m2/s2]", history_granular_temperature, P},
+    {"mean_height [m]", history_mean_height, P},
+    {"mean_fall_velocity [m/s]", history_mean_fall, P},
     {"momentum_x [N s]", momentum_x, 0},
     {"momentum_y [N s]", momentum_y, 0},
     {"momentum_z [N s]", momentum_z, 0},

@@ -32,12 +32,4 @@ extern const struct history_column history_columns[];
 int history_applies(const struct history_column *c,
                     const struct simulation *sim);
 
-/* Mean pressure where the fluid enters less that where it leaves [Pa]; between
- * bottom and top where there is no inlet. */
-double history_pressure_drop(const struct simulation *sim);
-
-/* Weight of the particles over the cross-section of the box normal to gravity
- * [Pa]; 0 without gravity. */
-double history_bed_weight(const struct simulation *sim);
-
 #endif

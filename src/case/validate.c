@@ -7,10 +7,8 @@
 
 #include "dem/dem_method.h"
 #include "dem/integrators.h"
-#include "case/build.h"
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
-#include "case/build_particles.h"
 #include "case/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
@@ -21,11 +19,14 @@
 #include "case/model_choice.h"
 #include "case/profiles.h"
 #include "case/recorder_part.h"
+#include "case/particle_options.h"
+#include "case/schema.h"
 
-/* The two sides of each direction, and the key that names both at once. */
-static const char *const sides[3][3] = {{"left", "right", "sides"},
-                                        {"bottom", "top", "bottom_top"},
-                                        {"back", "front", "front_back"}};
+/* Of direction k the name of its two sides, and that of both at once. */
+static const char *side_of(int k, int i)
+{
+    return schema_patches[i < 2 ? 2 * k + i : 6 + k];
+}
 
 static const char *const axes[3] = {"x", "y", "z"};
 
@@ -40,27 +41,28 @@ static int has_side(const struct settings *s, const char *patch)
 /* A periodic direction has no sides; any other has each of its two once. */
 static int check_direction(const struct settings *s, int k)
 {
-    const int both = has_side(s, sides[k][2]);
+    const int both = has_side(s, side_of(k, 2));
     int periodic[3];
 
     settings_flags(s, "mesh.periodic", periodic);
     for (int i = 0; i < 2; i++) {
-        const int given = has_side(s, sides[k][i]) + both;
+        const int given = has_side(s, side_of(k, i)) + both;
 
         if (periodic[k] && given > 0)
             return settings_wrong(s, "mesh.periodic",
                                   "%s is periodic, so the fluid has no %s "
                                   "there; leave one of them out",
-                                  axes[k], both ? sides[k][2] : sides[k][i]);
+                                  axes[k],
+                                  both ? side_of(k, 2) : side_of(k, i));
         if (!periodic[k] && given == 0)
             return settings_wrong(s, "fluid",
                                   "nothing is said about the side %s: give "
                                   "fluid.%s or fluid.%s, or make %s periodic",
-                                  sides[k][i], sides[k][i], sides[k][2],
+                                  side_of(k, i), side_of(k, i), side_of(k, 2),
                                   axes[k]);
         if (given == 2)
             return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
-                                  sides[k][i], sides[k][i], sides[k][2]);
+                                  side_of(k, i), side_of(k, i), side_of(k, 2));
     }
     return 0;
 }
@@ -87,7 +89,7 @@ static int check_walls(const struct settings *s)
         for (int i = 0; i < 3; i++) {
             char path[64];
             double u[3];
-            snprintf(path, sizeof path, "fluid.%s.wall", sides[k][i]);
+            snprintf(path, sizeof path, "fluid.%s.wall", side_of(k, i));
             if (!settings_has(s, path)) continue;
             settings_vector(s, path, u);
             if (u[k] != 0.0)
@@ -170,13 +172,13 @@ static int check_bed_sizes(const struct settings *s)
  * beyond 0.6 none is free to settle. */
 static int check_bed_fits(const struct settings *s)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
     const struct bed_range range = bed_range(&b);
     const char *const key =
         b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
     double lo[3], size[3];
 
-    build_bed_release(&b);
+    particle_options_release(&b);
     case_mesh_ends(s, lo, size);
     for (int k = 0; k < 3; k++)
         size[k] -= lo[k];
@@ -248,7 +250,7 @@ static int check_integrator(const struct settings *s)
 /* A method that finds the pairs may not know all that a case asks for. */
 static int check_list(const struct settings *s)
 {
-    const struct dem_options o = build_dem_options(s, 1.0);
+    const struct dem_options o = particle_options_dem(s, 1.0);
     const char *const unknown = o.method->unknown(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(s, "particles.list", "%s knows no %s; %s does",

@@ -29,6 +29,14 @@ struct effect_field {
     const double *values; /* borrowed */
 };
 enum { EFFECT_FIELDS = 4 }; /* of one effect, at most */
+
+/* What an effect costs while it is on, as tests/bench/effects.sh measures it:
+ * time of one core, within a factor of two. */
+struct effect_cost {
+    double particle, cell; /* [ns] each of these and step of the loop */
+    double particle_step;  /* [ns] each and step of the particles */
+};
+
 struct effect {
     const char *name;       /* as a case spells it in `effects` */
     const char *what;       /* one line */
@@ -60,6 +68,7 @@ struct effect {
                          const struct attraction_scene *scene);
     /* How large the force would be in a case (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);
+    struct effect_cost cost;
 };
 
 #endif

@@ -52,4 +52,5 @@ const struct effect gravity_effect = {
     .create = gravity_create,
     .before_particles = gravity_before_particles,
     .estimate = estimate,
+    .cost = {7.0, 0.0, 0.0},
 };

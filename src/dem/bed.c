@@ -11,14 +11,10 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/thread_tuner.h"
-#include "dem/limits.h"
+#include "base/vector.h"
+#include "dem/bed_settling.h"
 
-static const double closest = 1.02;   /* [-] lattice spacing over d */
-static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
-static const double settling_speed = 1.0; /* [m/s] that the step is made for */
-static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
-enum { STEPS_A_LOOK = 50 };
+static const double closest = 1.02; /* [-] lattice spacing over d */
 
 struct lattice {
     int up;          /* direction that gravity points along */
@@ -26,11 +22,6 @@ struct lattice {
     int n[3];        /* sites a direction; as many layers as needed */
     double space[3]; /* [m] between sites */
 };
-
-static double length(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
 
 /* The direction that g mostly points along; without gravity the longest. */
 static int upward(const struct bed_options *bed, const struct dem_options *dem)
@@ -202,114 +193,6 @@ int bed_fill(struct particles *ps, const struct bed_options *bed,
     return bed->region.start_wrong(bed->region.state, ps);
 }
 
-/* While a bed of several sizes settles, small spheres have the inertia of the
- * mean one, because otherwise the step would have to resolve their short
- * impacts; the state of rest depends on the weights alone. Returns their own
- * masses, sorted with the particles from now on; NULL with one size. */
-static double *set_added_mass(struct particles *ps,
-                              const struct bed_options *bed)
-{
-    const double mean = bed->density * M_PI / 6.0 * gsl_pow_3(bed->diameter);
-
-    if (bed->sizes == NULL) return NULL;
-    double *const own = alloc_doubles(ps->capacity);
-    memcpy(own, ps->m, (size_t)ps->n * sizeof *own);
-    particles_attach(ps, "own_mass", "kg", own, 1);
-    for (int i = 0; i < ps->n; i++)
-        ps->m[i] = fmax(own[i], mean);
-    return own;
-}
-
-static void clear_added_mass(struct particles *ps, double *own)
-{
-    if (own == NULL) return;
-    memcpy(ps->m, own, (size_t)ps->n * sizeof *own);
-    particles_detach(ps, own);
-    free(own);
-}
-
-static void set_weight(struct particles *ps, const double *m, const double g[3])
-{
-    for (int i = 0; i < ps->n; i++) {
-        ps->ex[i] = m[i] * g[0];
-        ps->ey[i] = m[i] * g[1];
-        ps->ez[i] = m[i] * g[2];
-    }
-}
-
-static void slow_down(struct particles *ps, double factor)
-{
-    double *const all[] = {ps->vx, ps->vy, ps->vz, ps->wx, ps->wy, ps->wz};
-
-    for (int k = 0; k < 6; k++)
-        for (int i = 0; i < ps->n; i++)
-            all[k][i] *= factor;
-}
-
-/* Runs until the bed is at rest, at the earliest after `least` [s]; multiplies
- * all velocities by `kept` at each check. */
-static int run_to_rest(struct dem *run, double dt, double least, double kept,
-                       const struct bed_options *bed, struct particles *ps,
-                       struct bed_report *r)
-{
-    const double end = r->time + least;
-    struct thread_tuner crew;
-    double mass = 0.0;
-    int lost;
-
-    for (int i = 0; i < ps->n; i++)
-        mass += ps->m[i];
-    const double weight = mass * length(bed->gravity);
-
-    thread_tuner_use_all(&crew);
-    do {
-        thread_tuner_begin(&crew);
-        lost = dem_run(run, STEPS_A_LOOK, &r->dem);
-        thread_tuner_end(&crew);
-        r->steps += r->dem.steps;
-        r->time += (double)r->dem.steps * dt;
-        r->kinetic =
-            (r->dem.translation + r->dem.rotation) / (weight * bed->diameter);
-        r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= end;
-        if (kept < 1.0) slow_down(ps, kept);
-    } while (!lost && !r->settled && r->time < bed->settle);
-    thread_tuner_restore(&crew);
-    return lost;
-}
-
-/* Settles first with settling_e and a viscous drag, without which rolling
- * spheres would not stop; for at least the time in which a sphere falls by its
- * diameter, because all are at rest at the start. Then settles with the real
- * material. */
-static int settle(struct particles *ps, const struct bed_options *bed,
-                  const struct dem_options *o, struct bed_report *r,
-                  struct bed_springs *springs)
-{
-    const double fall = sqrt(bed->diameter / length(bed->gravity));
-    struct dem_options settling = *o;
-
-    settling.material.restitution = fmin(settling_e, o->material.restitution);
-    settling.step = limits_step(o->law, &o->material, bed->diameter,
-                                bed->density, settling_speed);
-    const double look = STEPS_A_LOOK * settling.step;
-    const double kept = exp(-look / (settling_drag * fall));
-    struct dem *const run = dem_create(ps, &settling);
-    if (run == NULL) return -1;
-    double *const own = set_added_mass(ps, bed);
-    set_weight(ps, ps->m, bed->gravity);
-    int lost = run_to_rest(run, settling.step, 1.5 * fall, kept, bed, ps, r);
-    if (!lost && r->settled) {
-        dem_change_material(run, &o->material);
-        if (own != NULL) set_weight(ps, own, bed->gravity);
-        lost = run_to_rest(run, settling.step, 0.0, 1.0, bed, ps, r);
-    }
-    springs->list = dem_springs(run, &springs->n);
-    dem_free(run);
-    clear_added_mass(ps, own);
-    set_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});
-    return lost;
-}
-
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,
                struct bed_springs *springs)
@@ -318,8 +201,8 @@ int bed_settle(struct particles *ps, const struct bed_options *bed,
 
     *springs = (struct bed_springs){0, NULL};
     *r = (struct bed_report){.settled = 1};
-    if (ps->n > 0 && bed->settle > 0.0 && length(bed->gravity) > 0.0)
-        lost = settle(ps, bed, dem, r, springs);
+    if (ps->n > 0 && bed->settle > 0.0 && vector_length(bed->gravity) > 0.0)
+        lost = bed_settling_run(ps, bed, dem, r, springs);
     bed_measure(ps, bed, dem, r);
     return lost;
 }
@@ -359,7 +242,10 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
     if (code == BED_ABSENT) {
         if (bed_fill(ps, bed, dem) != 0) return BED_REFUSED;
         const int wrong = bed_settle(ps, bed, dem, r, &springs);
-        code = wrong < 0 ? BED_REFUSED : wrong > 0 ? BED_LOST : BED_CREATED;
+        code = r->stopped  ? BED_STOPPED
+               : wrong < 0 ? BED_REFUSED
+               : wrong > 0 ? BED_LOST
+                           : BED_CREATED;
         if (path != NULL && code == BED_CREATED &&
             store->save(path, ps, &springs, bed, dem) != 0)
             code = BED_UNSAVED;

@@ -15,6 +15,7 @@
 #include "dem/placement_region.h"
 
 struct sizes;
+struct bed_keeper;
 
 struct bed_options {
     int count;          /* [-] */
@@ -30,6 +31,8 @@ struct bed_options {
     /* The diameter [m] that the share p of the sizes is below. */
     double (*quantile)(const struct sizes *s, double p);
     void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */
+    const struct bed_keeper *keeper; /* borrowed; NULL: settling is not saved
+                                        on the way (bed_settling.h) */
 };
 
 struct bed_report {
@@ -37,6 +40,8 @@ struct bed_report {
     double kinetic; /* [-] kinetic energy a particle over m g d */
     double time;    /* [s] that settling took */
     long steps;     /* [-] */
+    int stopped;    /* [-] not 0: its keeper has ended the settling, with this
+                       exit code */
     double height;  /* [m] twice the mean height of the centres */
     double top;     /* [m] highest point of any particle over the bottom */
     double packing; /* [-] volume of the particles over base times height */
@@ -71,9 +76,16 @@ extern const struct bed_store *const bed_stores[];
  * capacity for it; `run` was created for ps with `dem` and starts with the
  * tangential displacements of the bed. A bed that was read and one that was
  * settled continue identically, bit for bit. Non-zero after a message,
- * BED_UNSAVED if the file cannot be written; BED_LOST without one if a particle
- * is lost (see r->dem). */
-enum { BED_CREATED, BED_ABSENT, BED_REFUSED, BED_LOST, BED_UNSAVED };
+ * BED_UNSAVED if the file cannot be written; without one BED_LOST if a particle
+ * is lost (see r->dem), and BED_STOPPED if its keeper ended the settling. */
+enum {
+    BED_CREATED,
+    BED_ABSENT,
+    BED_REFUSED,
+    BED_LOST,
+    BED_UNSAVED,
+    BED_STOPPED
+};
 int bed_create(const char *path, struct particles *ps, struct dem *run,
                const struct bed_options *bed, const struct dem_options *dem,
                struct bed_report *r);

@@ -18,6 +18,7 @@ struct dem_method {
     const char *equations; /* keys in chapters/references.md */
     const char *function;  /* that finds the pairs */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    int apart; /* [-] 1: the particles do not meet, no impact is resolved */
     /* What of the options it does not know, in words; NULL: it knows all. */
     const char *(*unknown)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean

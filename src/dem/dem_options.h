@@ -22,12 +22,14 @@ struct dem_options {
     const struct integrator *integrator; /* NULL: velocity Verlet */
     const struct dem_method *method;     /* NULL: the first of dem_methods */
     double step;                         /* [s] */
-    double skin;                         /* [m] of the neighbour list; 0: d/6 */
+    double skin;                         /* [m] of the neighbour list; 0: d/3 */
     double lo[3], hi[3];                 /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
                         least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
+    unsigned long surfaces_checksum; /* [-] of their shapes and materials, to
+                                        know a bed that rests on them again */
     const struct attraction *attractions; /* borrowed likewise */
     int n_attractions;                    /* [-] 0: only touching counts */
     const struct prescribed_particle

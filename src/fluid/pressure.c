@@ -47,15 +47,14 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
     const double *restrict diag = fl->momentum->diag;
-    const double *restrict storage = fl->levels->ddt, *restrict eps_phi =
-                                                          fl->eps_n;
+    const double *restrict ddt = fl->levels->ddt, *restrict eps_phi = fl->eps_n;
     double *restrict per_flux = pressure->per_flux, *restrict per_force =
                                                         pressure->per_force;
     double *restrict resistance = pressure->resistance;
 
     for (int c = first; c < last; c++) {
         per_force[c] = 1.0 / (piso_gamma(fl, c) * V[c]);
-        per_flux[c] = storage[c] * per_force[c] / eps_phi[c];
+        per_flux[c] = ddt[c] * per_force[c] / eps_phi[c];
         resistance[c] = diag[c] * per_force[c] / eps[c];
     }
 }
@@ -182,8 +181,9 @@ void pressure_assemble(struct fluid *fl)
     if (pressure->pinned_cell >= 0)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
-    multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                               pressure->boundary_conductance);
+    if (fl->options.shared == NULL)
+        multigrid_set_coefficients(pressure->mg, pressure->conductance,
+                                   pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -344,10 +344,14 @@ struct solve_report pressure_correct(struct fluid *fl)
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
+    const double relative = last ? 0.0 : fl->options.p_relative_tolerance;
+    const double absolute = fl->options.tolerance * pressure->scale;
+    const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                  last ? 0.0 : fl->options.p_relative_tolerance,
-                  fl->options.tolerance * pressure->scale, 500, pressure->cg);
+        shared != NULL
+            ? shared->pressure(shared->parts, fl, relative, absolute)
+            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
+                        relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -212,9 +212,10 @@ void systems_create(struct fluid *fl)
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
-    fl->pressure->mg =
-        multigrid_create(n, m->n_internal, m->owner, m->neighbour,
-                         fl->geometry->face_coefficient, m->d, m->V);
+    if (fl->options.shared == NULL)
+        fl->pressure->mg =
+            multigrid_create(n, m->n_internal, m->owner, m->neighbour,
+                             fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }

@@ -147,6 +147,9 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
  * decays [1/s]. */
 double mesh_diffusion_rate(const struct mesh *m);
 
+/* Names of the patches of a box: left right bottom top back front. */
+extern const char *const mesh_sides[6];
+
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
 

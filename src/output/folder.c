@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 static const char manifest[] = "manifest.txt";
+static const char ahead[] = "checkpoint.ahead";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
@@ -72,6 +73,7 @@ struct folder {
     int file;     /* of the manifest, locked; negative: not open */
     int fresh;    /* [-] 1: the manifest was not there before */
     int resumes;  /* [-] 1: what is listed already stays as it is */
+    int headed;   /* [-] 1: the manifest has its head already */
     int quiet;    /* [-] 1: what is removed is not told */
     off_t length; /* [bytes] of the manifest, whole lines */
     struct manifest old;
@@ -256,7 +258,8 @@ void folder_leave(struct folder *f)
     char *const part = strcpy(alloc_zeroed(strlen(f->dir) + 1, 1), f->dir);
     size_t n = strlen(part);
 
-    if (f->fresh) unlinkat(f->here, manifest, 0);
+    if (f->fresh && faccessat(f->here, ahead, F_OK, 0) != 0)
+        unlinkat(f->here, manifest, 0);
     while (n > f->there) {
         rmdir(part); /* if it is empty */
         while (n > 0 && part[n - 1] == '/')
@@ -273,6 +276,22 @@ void folder_be_quiet(struct folder *f)
     f->quiet = 1;
 }
 
+/* An empty list. Non-zero after a message. */
+static int write_head(struct folder *f)
+{
+    f->length = (off_t)strlen(MANIFEST_HEAD);
+    errno = ENOSPC; /* if only a part is written */
+    f->headed = ftruncate(f->file, 0) == 0 &&
+                write(f->file, MANIFEST_HEAD, (size_t)f->length) == f->length;
+    return f->headed ? 0 : complaint("write", f->path);
+}
+
+char *folder_ahead(struct folder *f)
+{
+    if (f->fresh && !f->headed && write_head(f) != 0) return NULL;
+    return file_join(f->dir, ahead);
+}
+
 int folder_begin(struct folder *f)
 {
     int removed;
@@ -283,12 +302,7 @@ int folder_begin(struct folder *f)
                 f->dir, removed);
     manifest_release(&f->old);
     f->fresh = 0;
-    f->length = (off_t)strlen(MANIFEST_HEAD);
-    errno = ENOSPC; /* if only a part is written */
-    if (ftruncate(f->file, 0) == 0 &&
-        write(f->file, MANIFEST_HEAD, (size_t)f->length) == f->length)
-        return 0;
-    return complaint("write", f->path);
+    return write_head(f);
 }
 
 void folder_resume(struct folder *f)

@@ -30,8 +30,8 @@ long folder_holder(const char *dir);
 /* Releases the folder. */
 void folder_free(struct folder *f);
 
-/* Removes the folders that folder_take made, if nothing was begun. f must still
- * be freed. */
+/* Removes the folders that folder_take made, if nothing was begun and nothing
+ * was made ahead. f must still be freed. */
 void folder_leave(struct folder *f);
 
 /* Lets folder_begin remove without a word. */
@@ -40,6 +40,11 @@ void folder_be_quiet(struct folder *f);
 /* Removes the files of the previous run, with a message on stderr. Non-zero
  * after a message. */
 int folder_begin(struct folder *f);
+
+/* The path DIR/checkpoint.ahead of the one file that a run may make before
+ * folder_begin, as a new string; no list has it. The folder stays, when it is
+ * left, as long as the file is there. NULL after a message. */
+char *folder_ahead(struct folder *f);
 
 /* Instead of folder_begin, for a run that goes on: the files stay, and what is
  * in the manifest already is not added again, until the state is loaded. */

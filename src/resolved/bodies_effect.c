@@ -10,7 +10,7 @@ static int bodies_effect_move(void *memory, struct simulation *sim)
     return body_motion_advance(memory, sim->dt);
 }
 
-static const char *bodies_effect_trouble(const void *memory)
+const char *bodies_effect_trouble(const void *memory)
 {
     const struct solid_bodies *const b = memory;
     return b->dem_report.lost > 0
@@ -25,12 +25,12 @@ static void bodies_effect_momentum(const void *memory, double total[3])
     body_motion_add_momentum(memory, total);
 }
 
-static void bodies_effect_state(void *memory, struct state *s)
+void bodies_effect_state(void *memory, struct state *s)
 {
     solid_bodies_state(memory, s);
 }
 
-static void bodies_effect_free(void *memory)
+void bodies_effect_free(void *memory)
 {
     solid_bodies_free(memory);
 }

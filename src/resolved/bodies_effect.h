@@ -9,4 +9,9 @@
  * fluid and grains. */
 extern const struct effect bodies_effect;
 
+/* Its functions that serve bodies among particles as well. */
+const char *bodies_effect_trouble(const void *memory);
+void bodies_effect_state(void *memory, struct state *s);
+void bodies_effect_free(void *memory);
+
 #endif

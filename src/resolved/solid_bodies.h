@@ -6,9 +6,8 @@
  *
  *   rho (du/dt + u . grad u) = -grad p + mu lap u + hold (U + omega x r - u)
  *
- * and what the friction takes from the fluid moves the body [EW18 2, 3, 15].
- * The bodies are a second family of particles, with contacts of their own; the
- * fluid fraction is 1 everywhere.
+ * and what the friction takes from the fluid moves the body [EW18 2, 3, 15]: a
+ * particle of a second family, with contacts of its own.
  */
 #ifndef RESOLVED_SOLID_BODIES_H
 #define RESOLVED_SOLID_BODIES_H
@@ -18,14 +17,7 @@
 #include "fluid/fluid.h"
 #include "resolved/body_options.h"
 #include "resolved/body_shape.h"
-
-/* A cell that a body holds, or, outside of it, one beside a held one. */
-struct hold_link {
-    int cell;
-    double hold; /* [kg/(m^3 s)]; by_fraction: solid fraction [-] */
-    double u[3]; /* [m/s] velocity of the body there */
-    double r[3]; /* [m] the cell's centre, from that of the body */
-};
+#include "resolved/hold_link.h"
 
 struct solid_bodies {
     struct immersed hooks; /* first, because the fluid gives it back */
@@ -34,31 +26,38 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps; /* the bodies: centres, velocities, masses */
-    int moves;            /* [-] 1: one of them is not fixed */
-    struct dem *dem;      /* their contacts and motion; NULL: none is free */
-    struct dem_report dem_report; /* of the last step */
+    int springs, blocks,
+        moves;       /* [-] on springs; no spheres; 1: not all fixed */
+    struct dem *dem; /* their contacts and motion; NULL: none is free */
+    struct dem_report dem_report;
     struct body_shape *shape;
     enum body_motion *motion;
+    double *volume; /* [m^3] of the part of it within the box */
+    double *mass;   /* [kg]; ps->m: infinite to contacts unless it is free */
+    double *spring; /* [N/m] along each axis, 3 a body; 0: held there */
+    double *anchor; /* [m] where the springs are at rest, 3 */
     double *u_old, *w_old;     /* [m/s], [rad/s] a step before, 3 a body */
     double *impulse, *angular; /* [N s], [N m s] of the friction on the body in
                                   this step, 3 each */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
-    /* The held cells: the links of body i are link[start[i]] ... */
-    struct hold_link *link;
+    struct hold_link *link; /* those of body i are link[start[i]] ... */
     int *start, n_links, capacity;
+    struct among_grains *among; /* NULL: there are no other particles */
+    void (*free_among)(struct solid_bodies *b);
+    void (*visit_among)(struct solid_bodies *b, struct state *s);
     int cells;          /* [-] of the mesh */
     double dt_marked;   /* [s] step that the links were made for; 0: none */
     int *cell, n_cells; /* [-] the cells with a link, each once */
-    int *body_of;       /* [-] while links are made: 1 + the body around a
-                           cell's centre; else 0 */
-    double *hold;       /* [kg/(m^3 s)] sum of the links of a cell */
-    double *hold_u;     /* [N/m^3] sum of hold times velocity, 3 a cell */
+    int *body_of;   /* [-] while links are made: 1 + that around it; else 0 */
+    double *hold;   /* [kg/(m^3 s)] sum of the links of a cell */
+    double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
-/* n bodies at most. The fluid is borrowed, and holds the bodies from now on. */
+/* n bodies at most; the cells of the mesh, the density of the fluid [kg/m^3].
+ */
 struct solid_bodies *
-solid_bodies_create(int n, struct fluid *fl,
+solid_bodies_create(int n, int cells, double rho,
                     const struct solid_bodies_options *options);
 void solid_bodies_free(struct solid_bodies *b);
 
@@ -68,10 +67,13 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
 
-/* All bodies are there. Non-zero after a message if they cannot touch. */
-int solid_bodies_begin(struct solid_bodies *b);
+/* Springs [N/m] hold body i where it is now, where they are 0 without a way. */
+void solid_bodies_set_spring(struct solid_bodies *b, int i,
+                             const double spring[3]);
 
-/* Visits what the next step depends on; the links follow from it. */
+/* All are there, and hold the fluid from now on, which is borrowed. Non-zero
+ * after a message if they cannot touch. */
+int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 
 #endif

@@ -103,7 +103,7 @@ function material(density) {
 
 function put_bodies() {
     put("bodies = {")
-    put("  method = \"" v["body_method"] "\";")
+    if ("body_method" in v) put("  method = \"" v["body_method"] "\";")
     if (is("bodies", "cylinder"))
         put("  cylinders = ({ position = " at(0.5, 0.4, 0.5) "; diameter = 0.005;" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")

@@ -22,7 +22,8 @@ BEGIN {
     choice("cfm", "u_tolerance", "0.0 0.1")
     choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
-    choice("f", "bodies", "none fixed free moving cylinder")
+    choice("cf", "bodies", "none fixed free moving cylinder")
+    choice("m", "bodies", "none free")
     choice("f", "body_method", "hold fictitious-domain piso-ib")
     choice("cpm", "contact", "hertz linear")
     choice("cpm", "count", "none one few sixty settled crowd")
@@ -37,7 +38,7 @@ BEGIN {
     choice("cp", "surface", "none plane cylinder stl moving turning")
     choice("cm", "integrator", "velocity-verlet symplectic-euler")
     choice("p", "integrator", "velocity-verlet symplectic-euler heun")
-    choice("cpm", "list", "verlet link-cells all-pairs")
+    choice("cpm", "list", "verlet link-cells all-pairs none")
     choice("cp", "gravity", "down none oblique")
     choice("cpm", "budget", "off on")
     choice("cm", "averaging", "pcm dpvm cube two-grid kernel gaussian images diffusion")
@@ -108,16 +109,23 @@ BEGIN {
     apart("surface", "plane", "periodic", "y xyz",
           "not parallel to y, which is periodic")
     # The reference loop knows the sides of a box.
-    apart("list", "link-cells all-pairs", "integrator", "heun",
+    apart("list", "link-cells all-pairs none", "integrator", "heun",
           "knows no integrator that")
-    apart("list", "link-cells all-pairs", "driven", "line swing circle",
+    apart("list", "link-cells all-pairs none", "driven", "line swing circle",
           "knows no prescribed particles")
-    apart("list", "link-cells all-pairs", "surface",
+    apart("list", "link-cells all-pairs none", "surface",
           "plane cylinder stl moving turning", "knows no surfaces")
-    apart("list", "link-cells all-pairs", "mesh",
+    apart("list", "link-cells all-pairs none", "mesh",
           "slanted", "knows no surfaces")
     # A sheared box has walls of its own only where it is not periodic.
-    apart("list", "link-cells all-pairs", "mesh", "sheared")
+    apart("list", "link-cells all-pairs none", "mesh", "sheared")
+    # Without contacts nothing comes to rest, and no pair is close.
+    apart("list", "none", "count", "settled",
+          "no bed comes to rest without contacts|knows no")
+    apart("list", "none", "lubrication", "on",
+          "knows no force between particles")
+    apart("list", "none", "cohesion", "electrostatic van_der_waals capillary all",
+          "knows no force between particles")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.
@@ -130,6 +138,13 @@ BEGIN {
     apart("bodies", "fixed free moving cylinder", "mesh", "graded",
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
+    # Among particles they are surfaces; one that moves changes eps where it is.
+    apart("bodies", "free moving", "continuity", "void-rate",
+          "among particles a body that moves asks for")
+    apart("bodies", "fixed free moving cylinder", "cohesion",
+          "van_der_waals capillary all", "not on bodies")
+    apart("bodies", "fixed free moving cylinder", "list",
+          "link-cells all-pairs", "knows no surfaces")
     # One-way there are no solids on the mesh.
     apart("coupling", "one-way", "time_average", "on",
           "one-way there are no averaged fields")

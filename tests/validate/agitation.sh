@@ -3,10 +3,10 @@
 # coarse averaging, with a Gaussian, and with a random part of the drag. A run that
 # is done is not made again, so that what was interrupted goes on.
 #
-#   sh tests/validate/agitation.sh build/winnow [liquid|kernels|gas ...]
+#   sh tests/validate/agitation.sh build/winnow [liquid|choices|kernels|gas ...]
 #
-# liquid takes about ten minutes for each Reynolds number of RE (4 6 8 11), kernels
-# half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
+# liquid takes about five minutes for each Reynolds number of RE (4 6 8 11), choices
+# and kernels half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
 # EW18's GK-2, some hours). END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
 set -eu
@@ -134,6 +134,37 @@ liquid() {
     done
 }
 
+# What EW18 leaves open, varied once each, at Re_in = 11; and other random numbers.
+choices() {
+    grain=particles.grains random=effects.stochastic_drag
+    gauss=cases/ew18-liquid.cfg with=cases/ew18-liquid-random.cfg
+    while read -r name case change; do
+        # shellcheck disable=SC2086 # two words each
+        run "$name" "$case" $change
+    done >/dev/null <<END
+gauss-11 $gauss
+restitution $gauss -s $grain.restitution=0.7
+friction $gauss -s $grain.friction=0.1
+stiffness $gauss -s $grain.stiffness=9e4
+longer $gauss -s output.end=350.0
+step $gauss -s fluid.step=3e-3 -s particles.step=3e-4
+random-11 $with
+seed-2 $with -s $random.seed=2
+seed-3 $with -s $random.seed=3
+memory-0.5 $with -s $random.time=0.5
+memory-0.1 $with -s $random.time=0.1
+thinner $with -s $random.sigma_low=46.8 -s $random.sigma_high=6.71
+END
+    {
+        made choices
+        echo "# what $columns"
+        for name in gauss-11 restitution friction stiffness longer step \
+            random-11 seed-2 seed-3 memory-0.5 memory-0.1 thinner; do
+            row $name $name
+        done
+    } >$figures/23-choices.txt
+}
+
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
 kernels() {
     scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]"
@@ -188,5 +219,5 @@ gas() {
     done
 }
 
-[ $# -gt 0 ] || set -- liquid kernels gas
+[ $# -gt 0 ] || set -- liquid choices kernels gas
 for part in "$@"; do $part; done

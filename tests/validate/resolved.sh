@@ -142,6 +142,75 @@ densities() {
     done
 }
 
+# NAME GRAINS CELLS STEP END: EW18's grains in a periodic box, 12 cells a diameter, in
+# units of d, u_in and the density of the fluid; carried by the mean gradient.
+suspension_case() {
+    awk -v n="$2" -v L="$(awk "BEGIN { printf \"%.6f\", $3 / 12 }")" -v seed=1 \
+        -f tests/validate/suspension.awk >"$out/$1.spheres"
+    awk -v name="$1" -v n="$2" -v c="$3" -v dt="$4" -v end="$5" 'BEGIN {
+        L = sprintf("%.6f", c / 12); g = "6.046875"
+        printf "title = \"%s\";\n", name
+        printf "mesh = { size = [%s, %s, %s]; cells = [%d, %d, %d]; periodic = [true, true, true]; };\n", L, L, L, c, c, c
+        printf "fluid = { density = 1.0; viscosity = 0.125; step = %s; time = \"bdf2\"; convection = \"linear\"; tolerance = 1e-6;\n", dt
+        printf "  mean_gradient = [0.0, %.9g, 0.0]; };\n", -9 * g * n * 3.14159265358979 / 6 / (c / 12) ^ 3
+        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
+        printf "effects = { gravity = [0.0, -%s, 0.0]; };\n", g
+        printf "output = { end = %s; every = %s; };\n", end, end
+    }' >"$out/$1.cfg"
+}
+
+# The drag on grains that are resolved, at three fluid fractions: an hour and a half.
+suspension() {
+    echo "# eps  whole force over Beetstra's  then as tests/validate/samples.awk says"
+    while read -r n cells step end; do
+        name=suspension-$n-$cells
+        suspension_case "$name" "$n" "$cells" "$step" "$end"
+        run "$name" "$out/$name.cfg"
+        found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
+            "$out/$name/history.csv" "$out/$name/bodies.csv")
+        eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / ($cells / 12) ^ 3 }")
+        slip=$(awk "BEGIN { print ${found%% *} * 0.125 / $eps }")
+        law=$(winnow eval EW18:A.5 eps="$eps" rho_f=1 mu=0.125 d=1 u_r="$slip")
+        echo "$law" | awk -v eps="$eps" -v rest="$found" '
+            { printf "%s  %.3f  %s\n", eps, 9 * 6.046875 * 3.14159265358979 / 6 / $3, rest }'
+    done <<TABLE
+97 56 0.010 21.1
+95 60 0.008 28
+52 54 0.008 15
+TABLE
+}
+
+# NAME OVERRIDES...: a sphere of six grains in a narrow bed
+narrow_bed() {
+    to=$1
+    shift
+    run "bed-$to" cases/sphere-in-bed.cfg -s mesh.size=[0.014,0.028,0.014] \
+        -s mesh.cells=[14,28,14] -s particles.bed.count=1500 \
+        -s bodies.spheres.0.position=[0.007,0.007,0.007] \
+        -s bodies.spheres.0.diameter=0.006 -s output.end=0.6 -s output.every=0.3 "$@"
+}
+
+# Light, as the bed, heavy, and held: a minute.
+bed() {
+    echo "# density [kg/m^3]: height of the centre [mm] after 0, 0.1, ... 0.6 s"
+    for rho in 1100 1700 2300; do
+        narrow_bed $rho -s bodies.spheres.0.density=$rho
+        awk -F, -v rho=$rho 'BEGIN { printf "%s:", rho }
+            NR > 1 && (NR - 2) % 100 == 0 { printf " %.2f", 1e3 * $4 }
+            END { print "" }' "$out/bed-$rho/bodies.csv"
+    done
+    narrow_bed held -s bodies.spheres.0.motion=fixed
+    echo "# held: mean of fluid and grains after 0.2 s, over the volume and g [kg/m^3]"
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
+        $1 > 0.2 { n++; f += $at["force_on_bodies_y"]; g += $at["force_of_grains_y"]
+                   H += 2 * $at["mean_height"] }
+        END { Vg = 9.81 * 3.14159265358979 * 2.16e-7 / 6
+              eps = 1 - 1500 * 3.14159265358979e-9 / 6 / (1.96e-4 * H / n - Vg / 9.81)
+              printf "fluid %.0f  grains %.0f  sum %.0f;  the bed less the water, eps %.3f: %.0f\n",
+                     f / n / Vg, g / n / Vg, (f + g) / n / Vg, eps, 1500 * (1 - eps) }' \
+        "$out/bed-held/history.csv"
+}
+
 for part; do
     { made "$part"; $part; } >$out/24-"$part".txt
     cp $out/24-"$part".txt figures/24-"$part".txt

@@ -10,13 +10,13 @@
 #include "base/number.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
-#include "case/build_particles.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_overlap.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
+#include "case/particle_options.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
                   bed_key[] = "particles.bed.sizes";
@@ -276,7 +276,7 @@ static struct case_diameters diameters(const struct settings *s, int material)
 /* As dem_create asks of those that are there from the start. */
 static int check_period(const struct settings *s)
 {
-    struct dem_options o = build_dem_options(s, 1.0);
+    struct dem_options o = particle_options_dem(s, 1.0);
     const double most = diameters(s, -1).max;
     struct attraction *const pulls = case_cohesion_create(s, &o.n_attractions);
 
@@ -340,14 +340,12 @@ static int place(const struct settings *s, struct particles *ps,
 
 static struct population_sink sink_of(const struct settings *s, int i)
 {
-    static const char *const side[6] = {"left", "right", "bottom",
-                                        "top",  "back",  "front"};
     struct population_sink k = {.side = -1};
 
     region(s, sinks, i, k.lo, k.hi);
     for (int a = 0; a < 6; a++)
         if (settings_item_has(s, sinks, i, "side") &&
-            strcmp(settings_item_text(s, sinks, i, "side"), side[a]) == 0)
+            strcmp(settings_item_text(s, sinks, i, "side"), mesh_sides[a]) == 0)
             k.side = a;
     return k;
 }

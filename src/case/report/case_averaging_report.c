@@ -6,6 +6,7 @@
 #include "case/build.h"
 #include "case/case_mesh.h"
 #include "case/check_line.h"
+#include "case/particle_options.h"
 #include "mesh/mesh.h"
 
 #include <math.h>
@@ -43,7 +44,7 @@ static void print_smearing(const struct settings *s, double b,
                            const struct averaging_scales *k)
 {
     double lo[3], size[3], g[3];
-    const int is_bed = build_gravity(s, g) && k->volume > 0.0;
+    const int is_bed = particle_options_gravity(s, g) && k->volume > 0.0;
 
     if (k->d <= 0.0) return;
     check_line("Gaussian's b / d", b / k->d, "-",

@@ -10,9 +10,8 @@
 #include "coupling/drag_laws/fluidization.h"
 #include "coupling/stability.h"
 #include "base/vector.h"
-#include "case/build.h"
-#include "case/build_particles.h"
 #include "case/check_line.h"
+#include "case/particle_options.h"
 
 /* tau_p [s] of spheres of diameter d [m] that take eps_s of the room. */
 static double relaxation_time(const struct settings *s,
@@ -30,10 +29,10 @@ static double relaxation_time(const struct settings *s,
  * by all its sizes. */
 static double mean_diameter(const struct settings *s)
 {
-    struct bed_options b = build_bed_options(s);
+    struct bed_options b = particle_options_bed(s);
     const double volume = bed_range(&b).volume;
 
-    build_bed_release(&b);
+    particle_options_release(&b);
     return cbrt(6.0 / M_PI * volume / b.count);
 }
 
@@ -69,7 +68,7 @@ static void print_fluidization(const struct settings *s,
     double g[3];
     char remark[96];
 
-    build_gravity(s, g);
+    particle_options_gravity(s, g);
     const double u =
         fluidization_velocity(eps_mf, settings_real(s, "fluid.density"),
                               settings_real(s, "particles.grains.density"),

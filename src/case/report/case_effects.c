@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "case/case_cohesion.h"
-#include "case/case_file.h"
+#include "case/case_cost.h"
+#include "case/case_limits.h"
+#include "case/table_numbers.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"
 #include "dem/attraction.h"
@@ -54,7 +56,29 @@ static int applies(const struct settings *s, const struct effect *e)
            settings_has(s, "exchange");
 }
 
-static void print_effects(const struct settings *s, struct effect_scales *k)
+/* The time of the effect over that of the whole run without it [-]. */
+static double cost_of(const struct effect *e, const struct case_scales *in,
+                      int flow)
+{
+    const double each =
+        e->cost.particle + e->cost.particle_step * in->dem_steps;
+    const double ns = in->particles * each + in->cells * e->cost.cell;
+
+    return 1e-9 * ns * in->end / in->dt / case_cost_of(in, flow);
+}
+
+static void effect_line(const struct effect *e, double cost, int named,
+                        const struct effect_estimate *estimate)
+{
+    char told[160];
+
+    snprintf(told, sizeof told, "%7.3g %%   %s", 100.0 * cost,
+             verdict(named, estimate));
+    line(e->name, 100.0 * estimate->share, "%", told, estimate->remark);
+}
+
+static void print_effects(const struct settings *s, struct effect_scales *k,
+                          const struct case_scales *in)
 {
     int n;
     struct attraction *const all = case_cohesion_create(s, &n);
@@ -65,32 +89,64 @@ static void print_effects(const struct settings *s, struct effect_scales *k)
         double numbers[16] = {0.0};
 
         if (e->estimate == NULL || !applies(s, e)) continue;
-        if (named) case_file_parameters(s, e->keys, numbers, 16);
+        if (named) table_numbers(s, e->keys, numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);
-        line(e->name, 100.0 * estimate.share, "%", verdict(named, &estimate),
-             estimate.remark);
+        effect_line(e, cost_of(e, in, k->rho_f > 0.0), named, &estimate);
     }
     free(all);
 }
 
-/* Elghobashi's map: below 1e-6 the fluid does not feel the particles, below
- * 1e-3 these do not meet. */
-static void print_coupling(const struct settings *s,
-                           const struct effect_scales *k)
+/* The ways of the coupling that Elghobashi's map asks for: below a solids
+ * fraction of 1e-6 the fluid does not feel the particles, below 1e-3 these do
+ * not meet. One alone meets none. */
+static int ways_called_for(double eps_s, int particles)
 {
-    const char *const has = settings_text(s, "exchange.coupling");
-    const int needed = k->eps_s > 1e-3 ? 4 : k->eps_s > 1e-6 ? 2 : 1;
-    const int one_way = strcmp(has, "one-way") == 0;
+    if (eps_s <= 1e-6) return 1;
+    return eps_s > 1e-3 && particles > 1 ? 4 : 2;
+}
+
+/* Particles that meet while the fluid does not feel them are neither one-way
+ * nor four-way: 0. */
+static int ways_of(const struct settings *s)
+{
+    const int one_way =
+        strcmp(settings_text(s, "exchange.coupling"), "one-way") == 0;
+
+    if (case_limits_apart(s)) return one_way ? 1 : 2;
+    return one_way ? 0 : 4;
+}
+
+static void print_ways(const struct settings *s, int needed)
+{
+    static const char *const only[] = {
+        [1] = "exchange.coupling = \"one-way\", particles.list = \"none\"",
+        [2] = "particles.list = \"none\"",
+        [4] = "exchange.coupling = \"two-way\", and a particles.list"};
+    const int has = ways_of(s);
+
+    line("ways of the coupling", needed, "-",
+         has == needed  ? "as it is"
+         : has == 0     ? "they meet, the fluid does not feel them; CALLED FOR"
+         : has > needed ? "more than is called for; enough would be"
+                        : "CALLED FOR",
+         has == needed ? "" : only[needed]);
+}
+
+static void print_coupling(const struct settings *s,
+                           const struct effect_scales *k, int particles)
+{
+    const int needed = ways_called_for(k->eps_s, particles);
 
     line("solids fraction", k->eps_s, "-",
-         needed == 4   ? "over 1e-3: four-way, they meet"
-         : needed == 2 ? "1e-6 to 1e-3: two-way, the fluid feels them"
-                       : "below 1e-6: one-way will do",
-         one_way && needed > 1 ? "exchange.coupling is one-way" : "");
+         k->eps_s > 1e-3   ? "over 1e-3: particles meet"
+         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: the fluid feels them"
+                           : "below 1e-6: the fluid does not feel them",
+         "");
     line("mass loading", stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
          "of the particles over the fluid where they are", "");
+    print_ways(s, needed);
 }
 
 void case_effects_print(const struct settings *s, const struct case_scales *in)
@@ -98,7 +154,8 @@ void case_effects_print(const struct settings *s, const struct case_scales *in)
     struct effect_scales k = case_effects_scales(s, in);
 
     if (!(k.force > 0.0)) return;
-    puts("Effects, over the larger one of gravity and drag");
-    print_effects(s, &k);
-    if (settings_has(s, "exchange")) print_coupling(s, &k);
+    puts("Effects, over the larger one of gravity and drag; their time, over "
+         "the run's");
+    print_effects(s, &k, in);
+    if (settings_has(s, "exchange")) print_coupling(s, &k, in->particles);
 }

@@ -6,26 +6,33 @@
 #include <stdio.h>
 
 #include "base/vector.h"
-#include "case/build.h"
+#include "case/case_limits.h"
 #include "case/case_mesh.h"
+#include "case/particle_options.h"
 #include "coupling/drag.h"
 
 static const double packed = 0.6; /* [-] solids fraction of a bed at rest */
 
-/* What was measured in bubbling beds: the mean acceleration of a grain, most of
- * it by contacts, over that of a fall [-], and its spin over slip/d [-]. */
-static const double pushed = 5.0, spun = 0.1;
+/* What was measured in beds of gas and of water: the share of the slip by which
+ * a grain's velocity changes in the time of a fall over its diameter, most of
+ * it by contacts [-], and its spin over slip/d [-]. */
+static const double stirred = 0.3, spun = 0.1;
 
 /* The mean diameter [m], velocity [m/s] and spin [rad/s] of placed spheres. */
 struct placed {
     double d, speed, spin;
 };
 
-static struct placed placed_of(const struct settings *s)
+static struct placed placed_of(const struct settings *s,
+                               const struct case_scales *in)
 {
     static const char *const list = "particles.place";
     const int n = settings_length(s, list);
     struct placed p = {0.0, 0.0, 0.0};
+
+    if (n == 0) /* all of them are inserted */
+        return (struct placed){.d = 0.5 * (in->d + in->d_most),
+                               .speed = case_limits_thrown(s)};
 
     for (int i = 0; i < n; i++) {
         double v[3];
@@ -106,7 +113,7 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
 
 /* A bed in a stream: carried, or at rest. Within it the gas between bubbles
  * changes by the slip over a few cells, and what a bubble leaves falls for the
- * time of a diameter. */
+ * time of a diameter. A bed at rest meets the stream once, when it begins. */
 static void bed_scales(const struct settings *s, struct effect_scales *k,
                        const struct case_scales *in)
 {
@@ -115,11 +122,15 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
     k->slip = in->inlet / (1.0 - k->eps_s);
     k->length = 2.0 * in->S_c;
     k->shear = k->slip / k->length;
-    if (!k->carried) return;
+    if (!k->carried) { /* the stream begins, and then nothing changes */
+        k->time = in->end;
+        k->acceleration = k->slip / k->time;
+        return;
+    }
     k->spin = spun * k->slip / k->d;
-    k->acceleration = pushed * k->gravity * fabs(k->rho_s - k->rho_f) /
-                      (k->rho_s + 0.5 * k->rho_f);
     k->time = sqrt(k->d / k->gravity);
+    k->acceleration = stirred * k->slip / k->time * fabs(k->rho_s - k->rho_f) /
+                      (k->rho_s + 0.5 * k->rho_f);
 }
 
 /* Spheres that are far from each other: they fall, or the stream takes them. */
@@ -158,13 +169,13 @@ static void settle_time(struct effect_scales *k)
 struct effect_scales case_effects_scales(const struct settings *s,
                                          const struct case_scales *in)
 {
-    const struct placed p = placed_of(s);
+    const struct placed p = placed_of(s, in);
     double g[3];
     struct effect_scales k = {
         .rho_s = settings_real(s, "particles.grains.density"),
         .d = in->volume > 0.0 ? cbrt(6.0 / M_PI * in->volume / in->particles)
                               : p.d,
-        .gravity = build_gravity(s, g) ? vector_length(g) : 0.0};
+        .gravity = particle_options_gravity(s, g) ? vector_length(g) : 0.0};
 
     k.weight = k.rho_s * volume(&k) * k.gravity;
     if (settings_has(s, "exchange")) {

@@ -5,7 +5,6 @@
 #include "base/vector.h"
 #include "mesh/poly/quality.h"
 #include "dem/contact.h"
-#include "case/build.h"
 #include "case/build_particles.h"
 #include "case/case_cost.h"
 #include "case/report/case_averaging_report.h"
@@ -23,6 +22,7 @@
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"
+#include "case/particle_options.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -117,6 +117,11 @@ static void print_contacts(const struct settings *s,
     const double safe = case_limits_tightest(s, k->impact).longest;
 
     puts("Contacts");
+    if (case_limits_apart(s)) {
+        check_line("particle step", k->dem_dt, "s",
+                   "safe: particles.list = \"none\", they do not meet");
+        return;
+    }
     check_line("impact speed", k->impact, "m/s", "assumed for what follows");
     for (int m = 0; m < case_limits_count(s); m++) {
         const struct case_limits one = case_limits_of(s, m, k->impact);
@@ -138,7 +143,8 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
 
     case_mesh_ends(s, lo, size);
     if (settings_mesh(s) != NULL) return; /* it has no one section */
-    if (!build_gravity(s, g) || !settings_has(s, "particles.bed")) return;
+    if (!particle_options_gravity(s, g) || !settings_has(s, "particles.bed"))
+        return;
     check_line("weight of the bed over its area",
                k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
                "what the pressure drop comes to when it is carried");

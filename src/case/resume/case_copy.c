@@ -10,9 +10,7 @@
 #include "base/input.h"
 #include "base/version.h"
 #include "case/resume/case_text.h"
-#include "mesh/poly/poly.h"
-
-enum { PATH = 1024 };
+#include "case/resume/mesh_files.h"
 
 /* A file that the case names. */
 struct named_file {
@@ -79,19 +77,9 @@ static const char *add_file(struct case_copy *c, const char *path)
     return f->name;
 }
 
-/* The files of a mesh, packed or not. */
-static void add_mesh(struct case_copy *c, const char *dir)
+static void add_mesh_file(void *of, const char *path)
 {
-    static const char *const parts[] = {"points", "faces", "owner", "neighbour",
-                                        "boundary"};
-    char folder[POLY_FOLDER], path[PATH];
-
-    poly_folder(dir, folder);
-    for (int i = 0; i < 10; i++) {
-        snprintf(path, sizeof path, "%s/%s%s", folder, parts[i / 2],
-                 i % 2 ? ".gz" : "");
-        if (input_wrong(path) == NULL) add_file(c, path);
-    }
+    add_file(of, path);
 }
 
 /* What case.cfg calls a file. */
@@ -102,7 +90,7 @@ static char *named(void *of, const char *key, const char *name)
 
     settings_beside(c->settings, name, path, sizeof path);
     if (strcmp(key, "mesh.polymesh") != 0) return strdup(add_file(c, path));
-    add_mesh(c, path);
+    mesh_files_each(path, add_mesh_file, c);
     return strdup("case");
 }
 

@@ -12,6 +12,7 @@
 #include "base/number.h"
 #include "case/case_file.h"
 #include "case/case_steps.h"
+#include "case/resume/mesh_files.h"
 #include "case/schema.h"
 #include "case/source.h"
 
@@ -95,16 +96,15 @@ static int is_file(const char *path)
     return row != NULL && row->type == KEY_FILE;
 }
 
-static unsigned long checksum_of(const char *path)
+static void add_to_checksum(void *of, const char *path)
 {
+    unsigned long *const sum = of;
     size_t length;
     const char *why;
     char *const text = input_text(path, &length, &why);
-    const unsigned long sum =
-        text != NULL ? crc32_z(0, (unsigned char *)text, length) : 0;
 
+    if (text != NULL) *sum = crc32_z(*sum, (unsigned char *)text, length);
     free(text);
-    return sum;
 }
 
 /* A bed is made by the run itself where it is not there yet. */
@@ -112,10 +112,15 @@ static void put_contents(FILE *out, const struct settings *s, const char *path,
                          const char *name)
 {
     char file[SETTINGS_PATH];
+    unsigned long sum = 0;
 
     if (strcmp(path, "particles.bed.file") == 0) return;
     settings_beside(s, name, file, sizeof file);
-    fprintf(out, "%s = crc32 %08lx\n", path, checksum_of(file));
+    if (strcmp(path, "mesh.polymesh") == 0)
+        mesh_files_each(file, add_to_checksum, &sum);
+    else
+        add_to_checksum(&sum, file);
+    fprintf(out, "%s = crc32 %08lx\n", path, sum);
 }
 
 /* --- lines ---------------------------------------------------------------- */
@@ -239,7 +244,7 @@ int case_text_differs(const char *was, const char *is, const char *path)
     const char *line = first_missing(is, was);
 
     if (line == NULL) line = first_missing(was, is);
-    if (line == NULL) return 0;
+    if (line == NULL || path == NULL) return line != NULL;
     const int n = (int)strcspn(line, " ");
     const char *const a = line_of(was, line, (size_t)n);
     const char *const b = line_of(is, line, (size_t)n);

@@ -15,7 +15,8 @@ char *case_text_lines(const struct settings *s);
 
 /* Whether two such texts are of the same case, but for what may change when a
  * run is resumed: output.end, every, history and checkpoint, and the title.
- * Non-zero after a message that names the first other key with both values. */
+ * Non-zero after a message that names the first other key with both values;
+ * without one if path, of the first, is NULL. */
 int case_text_differs(const char *was, const char *is, const char *path);
 
 /* The value of a key in such a text, as a new string; NULL if it is not there.

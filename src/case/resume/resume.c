@@ -4,7 +4,9 @@
  *
  * DIR/checkpoint is written before the first step, every output.checkpoint
  * seconds of wall time, on SIGUSR1, and at every end; DIR/checkpoint.before is
- * the one before it. In between, a copy of the state in memory is renewed about
+ * the one before it. DIR/checkpoint.ahead is of a run that has not begun: it
+ * has the bed that settles, and stays until there is a first checkpoint. In
+ * between, a copy of the state in memory is renewed about
  * every second, for a run that breaks down has no good state any more. */
 #include "case/saver.h"
 
@@ -12,18 +14,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "base/file.h"
-#include "base/input.h"
 #include "base/interrupt.h"
-#include "base/version.h"
+#include "case/case_steps.h"
+#include "case/resume/ahead.h"
 #include "case/resume/bed_cache.h"
 #include "case/resume/case_copy.h"
 #include "case/resume/case_text.h"
 #include "case/resume/resume.h"
+#include "case/resume/state_texts.h"
 #include "output/checkpoint/state_file.h"
 
 /* Wall time between two copies: at least this, and so many times what one
@@ -37,6 +39,7 @@ struct resume {
     struct simulation *sim;
     struct recorder *recorder;
     char *path, *before;      /* of the two files */
+    struct ahead *ahead;      /* the third file */
     char *lines;              /* the case (case_text.h) */
     struct case_copy *copy;   /* of the case, for the folder */
     struct state_file *found; /* to resume from; NULL */
@@ -47,24 +50,6 @@ struct resume {
 };
 
 /* --- saving --------------------------------------------------------------- */
-
-static void put_texts(const struct resume *r, struct state_file *f)
-{
-    const char *why;
-    size_t length;
-    char *const text = input_text(settings_file(r->settings), &length, &why);
-
-    state_file_put_text(f, "program", "winnow " VERSION_TEXT);
-    state_file_put_text(f, "case_file", settings_file(r->settings));
-    state_file_put_text(f, "case", text != NULL ? text : "");
-    state_file_put_text(f, "settings", r->lines);
-    free(text);
-    for (int i = 0; i < r->options->n_overrides; i++) {
-        char name[32];
-        snprintf(name, sizeof name, "override_%d", i + 1);
-        state_file_put_text(f, name, r->options->overrides[i]);
-    }
-}
 
 static int visit_all(const struct resume *r, struct state_file *f)
 {
@@ -80,7 +65,7 @@ static int copy_state(struct resume *r)
     double clock = clock_now();
     struct state_file *const f = state_file_create();
 
-    put_texts(r, f);
+    state_texts_put(f, r->settings, r->options, r->lines);
     visit_all(r, f);
     free(r->image.bytes);
     r->image = state_file_image(f);
@@ -104,40 +89,68 @@ static int save(struct resume *r)
 
 /* --- finding -------------------------------------------------------------- */
 
-/* The newer of the two files that is whole. */
-static struct state_file *find(const struct resume *r)
+/* The newer of the two files that is whole; *damaged counts the others. */
+static struct state_file *find_whole(const struct resume *r, int *damaged)
 {
     const char *const path[2] = {r->path, r->before};
-    int there = 0;
 
+    *damaged = 0;
     for (int i = 0; i < 2; i++) {
         const char *why;
         struct state_file *const f = state_file_open(path[i], &why);
         if (f != NULL) return f;
         if (why == NULL) continue;
-        there = 1;
+        ++*damaged;
         fprintf(stderr, "winnow: %s is not taken: %s\n", path[i], why);
     }
-    fprintf(stderr, "winnow: nothing to resume in %s: no %scheckpoint\n",
-            folder_name(r->folder), there ? "whole " : "");
     return NULL;
 }
 
-/* The state that was found must be of this case, and before its end. */
-static int found_wrong(const struct resume *r)
+/* Whether what was found is of another case; then after a message, unless path
+ * is NULL. */
+static int is_other(const struct resume *r, const char *path)
 {
     char *const was = state_file_text(r->found, "settings");
-    char *const program = state_file_text(r->found, "program");
-    const int wrong = case_text_differs(was, r->lines, r->path);
+    const int other = case_text_differs(was, r->lines, path);
 
-    if (!wrong && strcmp(program, "winnow " VERSION_TEXT) != 0)
-        fprintf(stderr,
-                "winnow: %s was written by %s; this is winnow " VERSION_TEXT
-                ", whose numbers may differ\n",
-                r->path, program);
     free(was);
-    free(program);
-    return wrong;
+    if (!other && path != NULL) state_texts_tell_version(r->found, path);
+    return other;
+}
+
+/* Of the state that was found; non-zero after a message. */
+static int is_after_end(const struct resume *r)
+{
+    const double t = state_file_number(r->found, "/t");
+    const double end = settings_real(r->settings, "output.end");
+
+    if (t <= end + 0.5 * case_steps_length(r->settings)) return 0;
+    fprintf(stderr,
+            "winnow: output.end is %g s, and the run in %s is at t = %g s "
+            "already: it goes on to a later end only\n",
+            end, folder_name(r->folder), t);
+    return 1;
+}
+
+/* Finds what the run goes on from: a state of this case or, if there is none, a
+ * bed of this case that settles. Non-zero after a message. */
+static int find(struct resume *r)
+{
+    int damaged;
+
+    r->found = find_whole(r, &damaged);
+    if (r->found != NULL && !is_other(r, NULL))
+        return is_other(r, r->path) || is_after_end(r);
+    if (ahead_find(r->ahead)) {
+        const int other = ahead_is_other(r->ahead, 1);
+        state_file_free(r->found);
+        r->found = NULL;
+        return other;
+    }
+    if (r->found != NULL) return is_other(r, r->path);
+    fprintf(stderr, "winnow: nothing to resume in %s: no %scheckpoint\n",
+            folder_name(r->folder), damaged > 0 ? "whole " : "");
+    return 1;
 }
 
 static void release(void *memory)
@@ -145,6 +158,7 @@ static void release(void *memory)
     struct resume *const r = memory;
 
     state_file_free(r->found);
+    ahead_free(r->ahead);
     case_copy_free(r->copy);
     free(r->image.bytes);
     free(r->path);
@@ -167,12 +181,29 @@ static void *create(const struct settings *s, struct folder *folder,
     r->lines = case_text_lines(s);
     if (o->fresh) bed_cache_forget(s);
     r->copy = case_copy_create(s, o);
-    if (!o->resume) return r;
-    r->found = find(r);
-    if (r->found != NULL && !found_wrong(r)) return r;
+    r->ahead = ahead_create(s, folder, o, r->lines);
+    if (!o->resume || find(r) == 0) return r;
     *code = 2;
     release(r);
     return NULL;
+}
+
+static int is_of_run(const void *memory)
+{
+    const struct resume *const r = memory;
+    return r->found != NULL;
+}
+
+static int settle(void *memory, struct bed_settling *b, enum bed_moment when)
+{
+    const struct resume *const r = memory;
+    return ahead_settle(r->ahead, b, when);
+}
+
+static int before(void *memory)
+{
+    const struct resume *const r = memory;
+    return r->found != NULL ? 0 : ahead_replaces(r->ahead, r->path);
 }
 
 /* --- the run -------------------------------------------------------------- */
@@ -203,17 +234,20 @@ static int begin(void *memory, struct simulation *sim,
                  struct recorder *recorder)
 {
     struct resume *const r = memory;
+    const int goes_on = r->found != NULL;
 
     r->sim = sim;
     r->recorder = recorder;
-    if (r->found != NULL && load(r) != 0) return 1;
+    if (goes_on && load(r) != 0) return 1;
     r->sampled = sim->steps;
-    if (r->options->resume)
-        return case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
-               copy_state(r) != 0;
-    return case_copy_write(r->copy, r->folder) != 0 ||
-           list(r, RESUME_FILE) != 0 || list(r, RESUME_FILE_BEFORE) != 0 ||
-           save(r) != 0;
+    const int failed =
+        goes_on ? case_copy_restore(r->copy, folder_name(r->folder)) != 0 ||
+                      copy_state(r) != 0
+                : case_copy_write(r->copy, r->folder) != 0 ||
+                      list(r, RESUME_FILE) != 0 ||
+                      list(r, RESUME_FILE_BEFORE) != 0 || save(r) != 0;
+    if (!failed) ahead_is_over(r->ahead);
+    return failed;
 }
 
 static int after_step(void *memory)
@@ -235,15 +269,18 @@ static int after_step(void *memory)
 }
 
 /* The state as it is now, unless the last step broke down or was cut short. */
-static int end(void *memory)
+static int end(void *memory, int broke_down)
 {
     struct resume *const r = memory;
     if (r->image.bytes == NULL) return 0;
-    return r->sampled == r->sim->steps ? save(r) : write_copy(r);
+    return !broke_down && r->sampled == r->sim->steps ? save(r) : write_copy(r);
 }
 
 const struct saver resume_saver = {.name = "resume",
                                    .create = create,
+                                   .is_of_run = is_of_run,
+                                   .settle = settle,
+                                   .before = before,
                                    .begin = begin,
                                    .after_step = after_step,
                                    .end = end,

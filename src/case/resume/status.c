@@ -51,7 +51,7 @@ static int open_state(const char *dir, const char *name, struct found *f)
 
     f->file = state_file_open(path, &why);
     if (f->file != NULL)
-        state_real(state_file_state(f->file), "t", "s", &f->t);
+        f->t = state_file_number(f->file, "/t");
     else if (why != NULL)
         printf("%-11s %s: %s\n", name, "cannot be used", why);
     free(path);
@@ -75,6 +75,18 @@ static void print_state(const char *dir, const char *name, double t)
     free(path);
 }
 
+/* The i-th from 1, as a new string; NULL if there are less. */
+static char *override_of(struct state_file *f, int i)
+{
+    char name[32];
+
+    snprintf(name, sizeof name, "override_%d", i);
+    char *const text = state_file_text(f, name);
+    if (text[0] != '\0') return text;
+    free(text);
+    return NULL;
+}
+
 static void print_case(struct state_file *f)
 {
     static const char *const texts[][2] = {{"program", "program"},
@@ -86,13 +98,10 @@ static void print_case(struct state_file *f)
         free(text);
     }
     for (int i = 1;; i++) {
-        char name[32];
-        snprintf(name, sizeof name, "override_%d", i);
-        char *const text = state_file_text(f, name);
-        const int none = text[0] == '\0';
-        if (!none) printf("%-11s -s %s\n", "", text);
+        char *const text = override_of(f, i);
+        if (text == NULL) return;
+        printf("%-11s -s %s\n", "", text);
         free(text);
-        if (none) return;
     }
 }
 
@@ -107,14 +116,20 @@ static double end_of(struct state_file *f)
     return t;
 }
 
-/* How the run ended, or that it goes on. */
-static void print_end(const char *dir, const char *reason)
+/* 1 if the run goes on. */
+static int print_holder(const char *dir)
 {
     const long process = folder_holder(dir);
 
-    if (process > 0)
-        printf("%-11s process %ld is at it\n", "running", process);
-    else if (reason == NULL)
+    if (process > 0) printf("%-11s process %ld is at it\n", "running", process);
+    return process > 0;
+}
+
+/* How the run ended, or that it goes on. */
+static void print_end(const char *dir, const char *reason)
+{
+    if (print_holder(dir)) return;
+    if (reason == NULL)
         line("ended", "before it began");
     else if (strcmp(reason, "running") == 0)
         line("ended", "killed, or the machine stopped");
@@ -135,14 +150,76 @@ static void print_what_next(const char *dir, const struct found *f, int done)
     printf("%-11s winnow run %s/case.cfg -o ANOTHER\n", "repeat", dir);
 }
 
+/* A word of a command as a shell reads it. */
+static void print_quoted(const char *text)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
+                                "UVWXYZ0123456789_./,=+-";
+
+    if (text[strspn(text, plain)] == '\0') {
+        fputs(text, stdout);
+        return;
+    }
+    putchar('\'');
+    for (; *text != '\0'; text++)
+        if (*text == '\'')
+            fputs("'\\''", stdout);
+        else
+            putchar(*text);
+    putchar('\'');
+}
+
+/* The command that goes on with a run that has not begun. */
+static void print_beginning(const char *dir, struct state_file *f)
+{
+    char *const case_file = state_file_text(f, "case_file");
+
+    printf("%-11s winnow run %s --resume -o %s", "resume", case_file, dir);
+    free(case_file);
+    for (int i = 1;; i++) {
+        char *const text = override_of(f, i);
+        if (text == NULL) break;
+        fputs(" -s ", stdout);
+        print_quoted(text);
+        free(text);
+    }
+    putchar('\n');
+}
+
+/* Of a run that has not begun, whose bed settles; 0 if there is none. */
+static int print_ahead(const char *dir)
+{
+    struct found f = {NULL, 0.0};
+
+    if (!open_state(dir, RESUME_FILE_AHEAD, &f)) return 0;
+    char *const bed = state_file_text(f.file, RESUME_SETTLING);
+    print_case(f.file);
+    print_holder(dir);
+    if (strcmp(bed, "yes") == 0)
+        printf("%-11s its bed settles, at t = %g s; the run has not begun\n",
+               "reached", state_file_number(f.file, "/settling/time"));
+    else
+        line("reached", "the run has not begun");
+    print_beginning(dir, f.file);
+    free(bed);
+    state_file_free(f.file);
+    return 1;
+}
+
 static int print_folder(const char *dir, const char *summary)
 {
     struct found now = {NULL, 0.0}, before = {NULL, 0.0};
     char *const reason = summary_text_of(summary, "exit_reason");
     const int whole = open_state(dir, RESUME_FILE, &now);
+    const int ahead = print_ahead(dir);
 
     if (!whole) open_state(dir, RESUME_FILE_BEFORE, &before);
     const struct found *const f = whole ? &now : &before;
+    if (ahead && f->file == NULL) {
+        free(reason);
+        return 0;
+    }
+    if (ahead) puts("\nThe run before it:");
     if (f->file != NULL) print_case(f->file);
     print_end(dir, reason);
     if (f->file != NULL) {

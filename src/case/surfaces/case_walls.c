@@ -159,11 +159,6 @@ int case_walls_check(const struct settings *s)
             return settings_wrong(s, pulls[k],
                                   "it acts between particles and the walls of "
                                   "a box, not on the walls of this mesh");
-    if (settings_has(s, "particles.bed") &&
-        settings_has(s, "particles.bed.file"))
-        return settings_wrong(s, "particles.bed.file",
-                              "a bed that settles on the walls of a mesh is "
-                              "not kept in a file; leave this key out");
     return check_periods(s);
 }
 

@@ -14,6 +14,7 @@
 #include "case/surfaces/case_surfaces.h"
 #include "case/surfaces/case_walls.h"
 #include "dem/surfaces/surface_start.h"
+#include "dem/surfaces/surfaces_checksum.h"
 
 static int check(const struct settings *s)
 {
@@ -96,6 +97,7 @@ static int furnish(const struct settings *s, struct simulation *sim,
     take_names(sim);
     sim->walls = case_walls_create(
         s, case_walls_count(s) > 0 ? &sim->surfaces[o->n_surfaces - 1] : NULL);
+    o->surfaces_checksum = surfaces_checksum(o);
     sim->region = (struct placement_region){
         .has_room = sim->walls != NULL ? has_room : NULL,
         .start_wrong = start_wrong,

@@ -226,4 +226,5 @@ const struct effect basset_effect = {
     .after_particles = basset_after_particles,
     .free = basset_free,
     .estimate = estimate,
+    .cost = {520.0, 80.0, 0.0},
 };

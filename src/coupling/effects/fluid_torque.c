@@ -24,16 +24,6 @@ static void *fluid_torque_create(struct simulation *sim,
     return vorticity_create(sim, "fluid_torque_vorticity");
 }
 
-static void fluid_torque_free(void *memory)
-{
-    vorticity_free(memory);
-}
-
-static void fluid_torque_before_particles(void *memory, struct simulation *sim)
-{
-    vorticity_update(memory, sim);
-}
-
 static void fluid_torque_before_substep(void *memory, struct simulation *sim)
 {
     const struct vorticity *const v = memory;
@@ -44,8 +34,7 @@ static void fluid_torque_before_substep(void *memory, struct simulation *sim)
         double *const spin[3] = {&ps->wx[i], &ps->wy[i], &ps->wz[i]};
         const double rho_s = ps->m[i] / particles_volume(ps, i);
         double Omega[3];
-        for (int k = 0; k < 3; k++)
-            Omega[k] = *spin[k] - 0.5 * v->at[3 * i + k];
+        vorticity_relative_spin(v, ps, i, Omega);
         const double rate = spin_decay_rate(o->rho, o->mu, ps->d[i], rho_s,
                                             vector_length(Omega));
         for (int k = 0; k < 3; k++)
@@ -76,8 +65,9 @@ const struct effect fluid_torque_effect = {
     .function = "spin_decay_rate",
     .keys = keys,
     .create = fluid_torque_create,
-    .before_particles = fluid_torque_before_particles,
+    .before_particles = vorticity_update,
     .before_substep = fluid_torque_before_substep,
-    .free = fluid_torque_free,
+    .free = vorticity_free,
     .estimate = estimate,
+    .cost = {200.0, 250.0, 0.0},
 };

@@ -88,4 +88,5 @@ const struct effect lubrication_effect = {
     .attraction = lubrication_attraction,
     .wrong = lubrication_wrong,
     .estimate = estimate,
+    .cost = {50.0, 0.0, 390.0},
 };

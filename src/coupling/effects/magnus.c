@@ -12,16 +12,6 @@ static void *magnus_create(struct simulation *sim, const double *parameters)
     return vorticity_create(sim, "magnus_vorticity");
 }
 
-static void magnus_free(void *memory)
-{
-    vorticity_free(memory);
-}
-
-static void magnus_before_particles(void *memory, struct simulation *sim)
-{
-    vorticity_update(memory, sim);
-}
-
 /* The lift for slip and spin at the start of the sub-step. */
 static void magnus_before_substep(void *memory, struct simulation *sim)
 {
@@ -30,12 +20,9 @@ static void magnus_before_substep(void *memory, struct simulation *sim)
     const struct particles *const ps = sim->particles;
 
     for (int i = 0; i < ps->n; i++) {
-        const double *const curl = &v->at[3 * i];
-        const double Omega[3] = {ps->wx[i] - 0.5 * curl[0],
-                                 ps->wy[i] - 0.5 * curl[1],
-                                 ps->wz[i] - 0.5 * curl[2]};
-        double w[3], F[3];
+        double w[3], Omega[3], F[3];
         coupling_slip(sim, i, w);
+        vorticity_relative_spin(v, ps, i, Omega);
         spin_lift(o->rho, o->mu, ps->d[i], w, Omega, F);
         coupling_add_force(sim, i, F);
     }
@@ -65,8 +52,9 @@ const struct effect magnus_effect = {
     .function = "spin_lift",
     .keys = keys,
     .create = magnus_create,
-    .before_particles = magnus_before_particles,
+    .before_particles = vorticity_update,
     .before_substep = magnus_before_substep,
-    .free = magnus_free,
+    .free = vorticity_free,
     .estimate = estimate,
+    .cost = {300.0, 350.0, 0.0},
 };

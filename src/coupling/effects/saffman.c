@@ -53,16 +53,6 @@ static void *saffman_create(struct simulation *sim, const double *parameters)
     return vorticity_create(sim, "saffman_vorticity");
 }
 
-static void saffman_free(void *memory)
-{
-    vorticity_free(memory);
-}
-
-static void saffman_before_particles(void *memory, struct simulation *sim)
-{
-    vorticity_update(memory, sim);
-}
-
 /* The lift for the slip at the start of the sub-step. */
 static void saffman_before_substep(void *memory, struct simulation *sim)
 {
@@ -102,8 +92,9 @@ const struct effect saffman_effect = {
     .function = "saffman_lift",
     .keys = keys,
     .create = saffman_create,
-    .before_particles = saffman_before_particles,
+    .before_particles = vorticity_update,
     .before_substep = saffman_before_substep,
-    .free = saffman_free,
+    .free = vorticity_free,
     .estimate = estimate,
+    .cost = {200.0, 350.0, 0.0},
 };

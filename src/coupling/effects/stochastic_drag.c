@@ -74,14 +74,18 @@ struct stochastic_drag {
     long uses, cuts; /* [-] of k' so far */
 };
 
+/* Of the numbers of a case, in the order of its keys. */
+static struct stochastic_drag_sigma sigma_of(const double *p)
+{
+    return (struct stochastic_drag_sigma){p[0], p[1], p[2], p[3], p[4] != 0.0};
+}
+
 static void *stochastic_drag_create(struct simulation *sim,
                                     const double *parameters)
 {
     struct stochastic_drag *const self = alloc_zeroed(1, sizeof *self);
 
-    self->sigma = (struct stochastic_drag_sigma){parameters[0], parameters[1],
-                                                 parameters[2], parameters[3],
-                                                 parameters[4] != 0.0};
+    self->sigma = sigma_of(parameters);
     self->T = parameters[5];
     self->seed = (unsigned long)parameters[6];
     self->y = alloc_doubles(sim->particles->capacity);
@@ -105,10 +109,10 @@ static double normal_of(const struct stochastic_drag *self,
 
 static double slip_of(const struct simulation *sim, int i)
 {
-    const struct particles *const ps = sim->particles;
-    const double *const u = &sim->coupling->u_f[3 * i];
+    double w[3];
 
-    return gsl_hypot3(u[0] - ps->vx[i], u[1] - ps->vy[i], u[2] - ps->vz[i]);
+    coupling_slip(sim, i, w);
+    return gsl_hypot3(w[0], w[1], w[2]);
 }
 
 /* k' [kg/s] of particle i before it is cut. */
@@ -195,11 +199,9 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     static const struct stochastic_drag_sigma liquid = {93.5, 13.43, 3.0, 10.5,
                                                         0};
     const double *const n = k->numbers, eps = 1.0 - k->eps_s;
-    const struct stochastic_drag_sigma own = {
-        n != NULL ? n[0] : 0.0, n != NULL ? n[1] : 0.0, n != NULL ? n[2] : 0.0,
-        n != NULL ? n[3] : 0.0, n != NULL && n[4] != 0.0};
+    const struct stochastic_drag_sigma s = n != NULL ? sigma_of(n) : liquid;
     const double Re = coefficient_reynolds(eps, k->rho_f, k->mu, k->d, k->slip);
-    const double sigma = stochastic_drag_sigma(n != NULL ? &own : &liquid, Re);
+    const double sigma = stochastic_drag_sigma(&s, Re);
     const double F =
         M_PI / 8.0 * k->rho_f * gsl_pow_2(k->d * eps * k->slip) * sigma;
 
@@ -254,4 +256,5 @@ const struct effect stochastic_drag_effect = {
     .state = stochastic_drag_state,
     .wrong = wrong,
     .estimate = estimate,
+    .cost = {200.0, 0.0, 0.0},
 };

@@ -171,4 +171,5 @@ const struct effect virtual_mass_effect = {
     .state = virtual_mass_state,
     .free = virtual_mass_free,
     .estimate = estimate,
+    .cost = {200.0, 70.0, 0.0},
 };

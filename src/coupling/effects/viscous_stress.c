@@ -160,4 +160,5 @@ const struct effect viscous_stress_effect = {
     .before_particles = viscous_stress_before_particles,
     .free = viscous_stress_free,
     .estimate = estimate,
+    .cost = {30.0, 200.0, 0.0},
 };

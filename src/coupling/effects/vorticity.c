@@ -19,8 +19,10 @@ struct vorticity *vorticity_create(struct simulation *sim, const char *name)
     return v;
 }
 
-void vorticity_free(struct vorticity *v)
+void vorticity_free(void *memory)
 {
+    struct vorticity *const v = memory;
+
     if (v == NULL) return;
     free(v->u_b);
     free(v->gradient);
@@ -29,8 +31,9 @@ void vorticity_free(struct vorticity *v)
     free(v);
 }
 
-void vorticity_update(struct vorticity *v, struct simulation *sim)
+void vorticity_update(void *memory, struct simulation *sim)
 {
+    struct vorticity *const v = memory;
     const struct fluid *const fl = sim->fluid;
 
     fluid_boundary_velocity(fl, v->u_b);
@@ -43,4 +46,14 @@ void vorticity_update(struct vorticity *v, struct simulation *sim)
         v->curl[3 * c + 2] = g[3] - g[1];
     }
     averaging_gather(sim->averaging, 3, v->curl, v->at);
+}
+
+void vorticity_relative_spin(const struct vorticity *v,
+                             const struct particles *ps, int i, double Omega[3])
+{
+    const double *const curl = &v->at[3 * i];
+
+    Omega[0] = ps->wx[i] - 0.5 * curl[0];
+    Omega[1] = ps->wy[i] - 0.5 * curl[1];
+    Omega[2] = ps->wz[i] - 0.5 * curl[2];
 }

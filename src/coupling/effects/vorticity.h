@@ -19,9 +19,15 @@ struct vorticity {
 
 /* `name` is that of the attached array `at` (particles.h); borrowed. */
 struct vorticity *vorticity_create(struct simulation *sim, const char *name);
-void vorticity_free(struct vorticity *v);
 
-/* Fills curl and at from the velocity of the fluid now. */
-void vorticity_update(struct vorticity *v, struct simulation *sim);
+/* Hooks of the effects whose memory is a struct vorticity (effect.h): the
+ * second fills curl and at from the velocity of the fluid now. */
+void vorticity_free(void *memory);
+void vorticity_update(void *memory, struct simulation *sim);
+
+/* The spin of particle i against half of the curl [rad/s]. */
+void vorticity_relative_spin(const struct vorticity *v,
+                             const struct particles *ps, int i,
+                             double Omega[3]);
 
 #endif

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 #include "base/alloc.h"
 #include "base/file.h"
@@ -13,7 +14,11 @@
 #include "base/number.h"
 #include "dem/population/sizes.h"
 
-enum { LINE = 256, FACTS = 24, COLUMNS = 11 };
+enum { LINE = 256, FACTS = 24, COLUMNS = 11, LAST_LINE = 15 };
+
+/* `other` of a spring against a surface (surface_history.c); against the walls
+ * of the box it is -1 to -6. */
+enum { SURFACE_SPRING = -7 };
 
 /* "name a b c" with numbers that read back exactly. */
 static void fact(char line[LINE], const char *name, int n, const double *value)
@@ -68,7 +73,7 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
     const struct material *const m = &o->material;
     int n = 0;
 
-    snprintf(text[n++], LINE, "winnow bed 1, contact %s\n", o->law->name);
+    snprintf(text[n++], LINE, "winnow bed 2, contact %s\n", o->law->name);
     snprintf(text[n++], LINE, "count %d\n", bed->count);
     snprintf(text[n++], LINE, "seed %lu\n", bed->seed);
     snprintf(text[n++], LINE, "periodic %d %d %d\n", o->periodic[0],
@@ -88,6 +93,9 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
     fact(text[n++], "friction", 1, &m->friction);
     if (m->rolling > 0.0) fact(text[n++], "rolling", 1, &m->rolling);
     if (o->materials != NULL) wall_fact(text[n++], o);
+    if (o->n_surfaces > 0)
+        snprintf(text[n++], LINE, "surfaces %d crc32 %08lx\n", o->n_surfaces,
+                 o->surfaces_checksum);
     for (int k = 0; k < o->n_attractions && n < FACTS; k++)
         attraction_fact(text[n++], &o->attractions[k]);
     return n;
@@ -122,6 +130,8 @@ static void write_bed(FILE *f, const struct particles *ps,
                 s->xi[2]);
         for (int k = 0; with_roll && k < 3; k++)
             fprintf(f, " %a", s->roll_angle[k]);
+        for (int k = 0; s->other == SURFACE_SPRING && k < 3; k++)
+            fprintf(f, " %a", s->n[k]);
         fprintf(f, "\n");
     }
 }
@@ -131,18 +141,32 @@ static int rolls(const struct dem_options *o)
     return materials_have_rolling(&o->material, o->materials);
 }
 
+/* The checksum of all bytes before it. */
+static void last_line(char line[LAST_LINE + 1], const char *bytes, size_t n)
+{
+    snprintf(line, LAST_LINE + 1, "crc32 %08lx\n",
+             (unsigned long)crc32_z(0, (const unsigned char *)bytes, n));
+}
+
 int bed_file_save(const char *path, const struct particles *ps,
                   const struct bed_springs *springs,
                   const struct bed_options *bed, const struct dem_options *dem)
 {
-    char text[FACTS][LINE];
+    char text[FACTS][LINE], last[LAST_LINE + 1], *bytes;
+    size_t length;
     struct file *const file = file_create(path);
 
     if (file == NULL) return 1;
+    FILE *const out = open_memstream(&bytes, &length);
     const int count = facts(text, bed, dem);
     for (int n = 0; n < count; n++)
-        fputs(text[n], file_stream(file));
-    write_bed(file_stream(file), ps, springs, rolls(dem));
+        fputs(text[n], out);
+    write_bed(out, ps, springs, rolls(dem));
+    fclose(out);
+    last_line(last, bytes, length);
+    fwrite(bytes, 1, length, file_stream(file));
+    fputs(last, file_stream(file));
+    free(bytes);
     return file_commit(file);
 }
 
@@ -231,17 +255,37 @@ static const char *read_particles(FILE *f, struct particles *ps,
     return NULL;
 }
 
-static int spring_fits(const struct dem_spring *s, int count)
+/* Those against surfaces come last. */
+static int spring_fits(const struct dem_spring *s, const struct dem_spring *old,
+                       int count, const struct dem_options *dem)
 {
-    return s->id >= 0 && s->id < count && s->other >= -6 && s->other < count &&
+    const int least = dem->n_surfaces > 0 ? SURFACE_SPRING : -6;
+    const int late = old != NULL && old->other == SURFACE_SPRING;
+
+    return s->id >= 0 && s->id < count && s->other >= least &&
+           s->other < (late ? SURFACE_SPRING + 1 : count) &&
            isfinite(s->xi[0] + s->xi[1] + s->xi[2]) &&
+           isfinite(s->n[0] + s->n[1] + s->n[2]) &&
            isfinite(s->roll_angle[0] + s->roll_angle[1] + s->roll_angle[2]);
+}
+
+static const char *read_spring(FILE *f, struct dem_spring *s, int with_roll)
+{
+    if (fscanf(f, "%d %d %la %la %la", &s->id, &s->other, &s->xi[0], &s->xi[1],
+               &s->xi[2]) != 5)
+        return incomplete;
+    for (int k = 0; with_roll && k < 3; k++)
+        if (fscanf(f, "%la", &s->roll_angle[k]) != 1) return incomplete;
+    for (int k = 0; s->other == SURFACE_SPRING && k < 3; k++)
+        if (fscanf(f, "%la", &s->n[k]) != 1) return incomplete;
+    return NULL;
 }
 
 /* Sixty contacts a sphere, and some with walls, are more than any bed has. */
 static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
-                                int with_roll, int *line)
+                                const struct dem_options *dem, int *line)
 {
+    const int with_roll = rolls(dem);
     int n = -1;
 
     ++*line;
@@ -253,27 +297,39 @@ static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
     for (int q = 0; q < n; q++) {
         struct dem_spring *const s = &springs->list[q];
         ++*line;
-        if (fscanf(f, "%d %d %la %la %la", &s->id, &s->other, &s->xi[0],
-                   &s->xi[1], &s->xi[2]) != 5)
-            return incomplete;
-        for (int k = 0; with_roll && k < 3; k++)
-            if (fscanf(f, "%la", &s->roll_angle[k]) != 1) return incomplete;
-        if (!spring_fits(s, count)) return "this spring cannot be in the bed";
+        const char *const wrong = read_spring(f, s, with_roll);
+        if (wrong != NULL) return wrong;
+        if (!spring_fits(s, q > 0 ? s - 1 : NULL, count, dem))
+            return "this spring cannot be in the bed";
     }
     return NULL;
+}
+
+/* A digit that was changed makes another number, which may be possible. */
+static const char *damage(const char *bytes, size_t length)
+{
+    char line[LAST_LINE + 1];
+
+    if (length < LAST_LINE) return incomplete;
+    last_line(line, bytes, length - LAST_LINE);
+    return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0
+               ? NULL
+               : "the file is damaged: its checksum is another one";
 }
 
 int bed_file_load(const char *path, struct particles *ps,
                   struct bed_springs *springs, const struct bed_options *bed,
                   const struct dem_options *dem)
 {
-    const char *const why = input_wrong(path);
-    if (why != NULL && errno == ENOENT) return BED_ABSENT;
-    FILE *const f = why == NULL ? fopen(path, "r") : NULL;
-    const char *wrong = NULL;
+    const char *why, *wrong = NULL;
+    size_t length;
+    char *const bytes = input_text(path, &length, &why);
+    FILE *const f = bytes != NULL ? fmemopen(bytes, length + 1, "r") : NULL;
     int line;
 
     if (f == NULL) {
+        free(bytes);
+        if (errno == ENOENT) return BED_ABSENT;
         fprintf(stderr, "winnow: %s: %s\n", path,
                 why != NULL ? why : strerror(errno));
         return BED_REFUSED;
@@ -282,13 +338,15 @@ int bed_file_load(const char *path, struct particles *ps,
     if (line > 0) {
         wrong = read_particles(f, ps, bed, dem, &line);
         if (wrong == NULL)
-            wrong = read_springs(f, bed->count, springs, rolls(dem), &line);
+            wrong = read_springs(f, bed->count, springs, dem, &line);
+        if (wrong == NULL) wrong = damage(bytes, length);
         if (wrong != NULL)
             fprintf(stderr,
                     "winnow: %s:%d: %s; remove the file to make the bed anew\n",
                     path, line, wrong);
     }
     fclose(f);
+    free(bytes);
     return line == 0 || wrong != NULL ? BED_REFUSED : BED_CREATED;
 }
 

@@ -3,7 +3,8 @@
  *
  * Text: what the bed was made with, line by line; then the particles and the
  * springs of their contacts in hexadecimal numbers, which read back to the same
- * bits. A file that was made with other options is refused.
+ * bits; last the checksum of all before it. A file that was made with other
+ * options is refused, and one of which any byte was changed.
  */
 #ifndef DEM_POPULATION_BED_FILE_H
 #define DEM_POPULATION_BED_FILE_H

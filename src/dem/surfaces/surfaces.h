@@ -15,6 +15,7 @@ struct surfaces {
     struct surface_contacts *chunk;
     int n_chunks;       /* [-] chunks */
     double speed;       /* [m/s] no point of a surface in the box is faster */
+    int carried;        /* [-] 1: one of them has a carrier (motion.h) */
     int *index_of_id;   /* [-] index of each id after a sort, or -1 */
     int index_capacity; /* [-] that there is room for in `where` */
 };
@@ -38,7 +39,6 @@ void surfaces_save_history(struct surfaces *sf, int s,
 void surfaces_locate_particles(struct surfaces *sf, const struct particles *ps);
 void surfaces_find(struct surfaces *sf, int s, const struct chunk *chunk,
                    const struct bodies *b, double skin);
-
 void surfaces_choose_contacts(struct surfaces *sf, int s,
                               const struct bodies *b, double margin);
 void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,

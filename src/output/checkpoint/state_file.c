@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <hdf5.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -250,7 +251,7 @@ int state_file_write(const struct state_image *image, const char *path,
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
     if (fwrite(image->bytes, 1, image->size, out) == image->size &&
-        fflush(out) == 0 && access(path, F_OK) == 0) {
+        fflush(out) == 0 && before != NULL && access(path, F_OK) == 0) {
         unlink(before);
         (void)!link(path, before);
     }
@@ -267,13 +268,17 @@ static int is_whole(const char *bytes, size_t length)
     return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0;
 }
 
-static hid_t opened(char *bytes, size_t length)
+/* Two images of one name that are open at a time would be one for HDF5, and
+ * there must be no file of that name. */
+static hid_t opened(const char *path, char *bytes, size_t length)
 {
     const hid_t access = in_memory();
+    char *const name = file_join(path, "image");
 
     H5Pset_file_image(access, bytes, length);
-    const hid_t file = H5Fopen("state", H5F_ACC_RDONLY, access);
+    const hid_t file = H5Fopen(name, H5F_ACC_RDONLY, access);
     H5Pclose(access);
+    free(name);
     return file;
 }
 
@@ -288,7 +293,7 @@ struct state_file *state_file_open(const char *path, const char **why)
     }
     *why = "it is damaged: its checksum is another one";
     const hid_t file = is_whole(bytes, length)
-                           ? opened(bytes, length - LAST_LINE)
+                           ? opened(path, bytes, length - LAST_LINE)
                            : H5I_INVALID_HID;
     free(bytes);
     return file < 0 ? NULL : file_of(file, path, 1);
@@ -305,6 +310,17 @@ char *state_file_text(struct state_file *f, const char *name)
     H5Tclose(type);
     H5Dclose(at);
     return text;
+}
+
+double state_file_number(struct state_file *f, const char *path)
+{
+    const hid_t at = H5Dopen2(f->file, path, H5P_DEFAULT);
+    double x = NAN;
+
+    if (at < 0) return NAN;
+    H5Dread(at, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &x);
+    H5Dclose(at);
+    return x;
 }
 
 int state_file_all_visited(const struct state_file *f)

@@ -39,8 +39,8 @@ void state_file_put_text(struct state_file *f, const char *name,
 struct state_image state_file_image(struct state_file *f);
 
 /* Writes the file to PATH.partial, flushes and renames it; an older PATH is
- * then called `before`. At any moment there is a whole one. Non-zero after a
- * message. */
+ * then called `before`, if that is not NULL. At any moment there is a whole
+ * one. Non-zero after a message. */
 int state_file_write(const struct state_image *image, const char *path,
                      const char *before);
 
@@ -50,6 +50,10 @@ struct state_file *state_file_open(const char *path, const char **why);
 
 /* A text as a new string, "" if the file has none of that name. */
 char *state_file_text(struct state_file *f, const char *name);
+
+/* A single number "/t", which is not counted as visited; nan if there is none.
+ */
+double state_file_number(struct state_file *f, const char *path);
 
 /* Non-zero after a message if the file has arrays that were not visited. */
 int state_file_all_visited(const struct state_file *f);

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/history_sums.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+/* Of kind: what enters by its own pressure is an inlet. */
+static const struct patch *patch_of(const struct fluid *fl,
+                                    enum boundary_kind kind, const char *name)
+{
+    const struct boundary *const b = fl->options.boundaries;
+
+    for (int i = 0; i < fl->mesh->n_patches; i++)
+        if ((b[i].enters ? BOUNDARY_INLET : b[i].kind) == kind)
+            return &fl->mesh->patches[i];
+    return mesh_patch(fl->mesh, name);
+}
+
+double history_pressure_drop(const struct simulation *sim)
+{
+    const struct fluid *const fl = sim->fluid;
+    const struct patch *const in = patch_of(fl, BOUNDARY_INLET, "bottom");
+    const struct patch *const out = patch_of(fl, BOUNDARY_OUTLET, "top");
+
+    if (in == NULL || out == NULL) return 0.0;
+    return fluid_patch_pressure(fl, in) - fluid_patch_pressure(fl, out);
+}
+
+/* Extent along gravity over the volume: one over the (mean) section. */
+static double per_section(const struct simulation *sim, double *g)
+{
+    const struct mesh *const m = sim->mesh;
+    double volume = 1.0, along = 0.0;
+
+    *g = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double length = m->hi[k] - m->lo[k];
+        volume *= length;
+        along += fabs(sim->gravity[k]) * length;
+        *g += sim->gravity[k] * sim->gravity[k];
+    }
+    if (m->face_centre != NULL) volume = 0.0;
+    for (int c = 0; c < m->n_cells && m->face_centre != NULL; c++)
+        volume += m->V[c];
+    *g = sqrt(*g);
+    return *g > 0.0 ? along / (*g * volume) : 0.0;
+}
+
+double history_bed_weight(const struct simulation *sim)
+{
+    double g, mass = 0.0;
+    const double section = per_section(sim, &g);
+
+    for (int i = 0; i < sim->particles->n; i++)
+        mass += sim->particles->m[i];
+    return mass * g * section;
+}
+
+double history_buoyant_weight(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    double g, volume = 0.0;
+    const double section = per_section(sim, &g);
+
+    for (int i = 0; i < ps->n; i++)
+        volume += M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+    return history_bed_weight(sim) -
+           sim->fluid->options.rho * volume * g * section;
+}
+
+double history_particle_energy(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    double sum = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
+                           ps->vz[i] * ps->vz[i]);
+    return 0.5 * sum;
+}
+
+/* I = (2/5) m R^2 = m d^2 / 10. */
+double history_spin_energy(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    double sum = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
+               (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
+                ps->wz[i] * ps->wz[i]);
+    return 0.5 * sum;
+}
+
+/* A third of their mean square about the mean. */
+double history_granular_temperature(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const v[3] = {ps->vx, ps->vy, ps->vz};
+    double sum = 0.0;
+
+    if (ps->n == 0) return 0.0;
+    for (int k = 0; k < 3; k++) {
+        double mean = 0.0;
+        for (int i = 0; i < ps->n; i++)
+            mean += v[k][i] / ps->n;
+        for (int i = 0; i < ps->n; i++)
+            sum += (v[k][i] - mean) * (v[k][i] - mean);
+    }
+    return sum / (3.0 * ps->n);
+}
+
+double history_mean_height(const struct simulation *sim)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < sim->particles->n; i++)
+        sum += sim->particles->y[i] / sim->particles->n;
+    return sum;
+}
+
+/* The mean fall velocity, that of a single sphere. */
+double history_mean_fall(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    const double *const g = sim->gravity;
+    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    double sum = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        sum += ps->vx[i] * g[0] + ps->vy[i] * g[1] + ps->vz[i] * g[2];
+    return size > 0.0 && ps->n > 0 ? sum / (size * ps->n) : 0.0;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/particle_options.h"
+
+#include "dem/dem_method.h"
+#include "case/case_materials.h"
+#include "case/case_mesh.h"
+#include "case/case_part.h"
+
+int particle_options_gravity(const struct settings *s, double g[3])
+{
+    g[0] = g[1] = g[2] = 0.0;
+    if (!settings_has(s, "effects.gravity")) return 0;
+    settings_vector(s, "effects.gravity", g);
+    return 1;
+}
+
+static double real_or_zero(const struct settings *s, const char *path)
+{
+    return settings_has(s, path) ? settings_real(s, path) : 0.0;
+}
+
+struct dem_options particle_options_dem(const struct settings *s, double step)
+{
+    struct dem_options o = {
+        .law = contact_law_named(settings_text(s, "particles.contact")),
+        .material = case_materials_one(s, 0),
+        .integrator =
+            integrators_named(settings_text(s, "particles.integrator")),
+        .method = dem_method_named(settings_text(s, "particles.list")),
+        .step = step,
+        .skin = real_or_zero(s, "particles.skin")};
+
+    case_mesh_ends(s, o.lo, o.hi);
+    case_mesh_periodic(s, o.periodic);
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->dem_options != NULL)
+            case_parts[i]->dem_options(s, &o);
+    return o;
+}
+
+struct bed_options particle_options_bed(const struct settings *s)
+{
+    struct bed_options b = {
+        .count = settings_int(s, "particles.bed.count"),
+        .diameter = real_or_zero(s, "particles.bed.diameter"),
+        .density = settings_real(s, "particles.grains.density"),
+        .seed = (unsigned long)settings_int(s, "particles.bed.seed"),
+        .jitter = settings_real(s, "particles.bed.jitter"),
+        .settle = settings_real(s, "particles.bed.settle")};
+
+    for (int i = 0; case_parts[i] != NULL; i++)
+        if (case_parts[i]->bed_sizes != NULL) case_parts[i]->bed_sizes(s, &b);
+    particle_options_gravity(s, b.gravity);
+    return b;
+}
+
+void particle_options_release(struct bed_options *b)
+{
+    if (b->sizes != NULL) b->free_sizes(b->sizes);
+    b->sizes = NULL;
+}

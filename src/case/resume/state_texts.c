@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resume/state_texts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/input.h"
+#include "base/version.h"
+
+static const char program[] = "winnow " VERSION_TEXT;
+
+void state_texts_put(struct state_file *f, const struct settings *s,
+                     const struct run_options *o, const char *lines)
+{
+    const char *why;
+    size_t length;
+    char *const text = input_text(settings_file(s), &length, &why);
+
+    state_file_put_text(f, "program", program);
+    state_file_put_text(f, "case_file", settings_file(s));
+    state_file_put_text(f, "case", text != NULL ? text : "");
+    state_file_put_text(f, "settings", lines);
+    free(text);
+    for (int i = 0; i < o->n_overrides; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "override_%d", i + 1);
+        state_file_put_text(f, name, o->overrides[i]);
+    }
+}
+
+void state_texts_tell_version(struct state_file *f, const char *path)
+{
+    char *const by = state_file_text(f, "program");
+
+    if (strcmp(by, program) != 0)
+        fprintf(stderr,
+                "winnow: %s was written by %s; this is %s, whose numbers may "
+                "differ\n",
+                path, by, program);
+    free(by);
+}

@@ -1,0 +1,16 @@
+/* table_numbers.h -- the numbers that a case gives for a table of keys, as the
+ * effects get them.
+ */
+#ifndef CASE_TABLE_NUMBERS_H
+#define CASE_TABLE_NUMBERS_H
+
+#include "base/key.h"
+#include "case/settings.h"
+
+/* The numbers that the case gives for a table of keys, in their order: one for
+ * a number, three for a vector, none for a group. Returns how many; at most
+ * `most` are written. */
+int table_numbers(const struct settings *s, const struct key *keys,
+                  double *numbers, int most);
+
+#endif

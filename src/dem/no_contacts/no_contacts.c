@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* no_contacts.c -- particles that do not meet, for one- and two-way coupling.
+ * Chapter "Further forces".
+ *
+ *   m dv/dt = F   [LS 4.1]
+ *
+ * No pairs are looked for, so each particle takes all steps of a run before the
+ * next one begins. The walls of the box are smooth and throw it back at once,
+ * v_n to -e v_n with the restitution e of wall and grain, and no time has to
+ * resolve the impact. The spin stays what it is.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "dem/box_domain.h"
+#include "dem/dem_internal.h"
+#include "dem/implicit_drag.h"
+
+/* Number of particles above which a second thread is faster. */
+enum { MANY = 1000 };
+
+/* The gains of an implicit drag in the first, the later and the last kick. */
+enum { KICKS = 3 };
+
+/* One particle on its way; its loads are constant in a run. */
+struct traveller {
+    double x[3], v[3]; /* [m], [m/s] */
+    double R, m;       /* [m]; [kg] with the added mass */
+    double a[3];       /* [m/s^2] of the outside force */
+    double rate;       /* [1/s] k/m of an implicit drag */
+    double gain[KICKS];
+    double restitution; /* [-] at a wall */
+    double impulse[3];  /* [N s] of -k v */
+    double work, lost;  /* [J] of the forces; in the walls */
+};
+
+/* Lengths [s] of the kicks. */
+struct kicks {
+    double dt[KICKS], step;
+};
+
+static struct kicks kicks_of(const struct dem_options *o)
+{
+    const double dt = o->step;
+
+    return (struct kicks){
+        {o->integrator->first * dt, dt, o->integrator->last * dt}, dt};
+}
+
+/* e of the grain's material against that of the walls. */
+static double restitution_at(const struct dem *dem, int i)
+{
+    const struct materials *const all = dem->options.materials;
+    const struct particles *const ps = dem->ps;
+    const int own = ps->material != NULL ? ps->material[i] : 0;
+
+    return all == NULL
+               ? dem->options.material.restitution
+               : materials_pair(&dem->options.material, all, own, all->wall)
+                     .restitution;
+}
+
+static struct traveller traveller_of(const struct dem *dem, int i,
+                                     const struct kicks *kicks)
+{
+    const struct particles *const ps = dem->ps;
+    const int drag = ps->drag_coefficient != NULL;
+    struct traveller t = {.x = {ps->x[i], ps->y[i], ps->z[i]},
+                          .v = {ps->vx[i], ps->vy[i], ps->vz[i]},
+                          .R = 0.5 * ps->d[i],
+                          .m = ps->m[i] + (drag ? ps->added_mass[i] : 0.0),
+                          .restitution = restitution_at(dem, i)};
+    const double F[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+
+    for (int k = 0; k < 3; k++)
+        t.a[k] = F[k] / t.m;
+    t.rate = drag ? ps->drag_coefficient[i] / t.m : 0.0;
+    for (int q = 0; q < KICKS; q++)
+        t.gain[q] = implicit_drag_gain(t.rate * kicks->dt[q]);
+    return t;
+}
+
+/* v += F/m dt [LS 4.1], with a drag -k v as in implicit_drag.h. */
+static void kick(struct traveller *t, double gain, double dt)
+{
+    for (int k = 0; k < 3; k++) {
+        const double dv = gain * (t->a[k] - t->rate * t->v[k]) * dt;
+        t->v[k] += dv;
+        t->impulse[k] += t->m * (dv - t->a[k] * dt);
+    }
+}
+
+/* Mirrors what is beyond a wall that is approached; what it lost is e of the
+ * way, as it would be without forces. */
+static void rebound(struct traveller *t, const struct box_domain *box)
+{
+    for (int w = 0; w < 6; w++) {
+        const int k = w / 2;
+        const double into = w % 2 ? 1.0 : -1.0;
+        const double gap = box_domain_gap(box, w, t->x) - t->R;
+        const double e = t->restitution;
+        if (box->periodic[k] || gap >= 0.0 || into * t->v[k] <= 0.0) continue;
+        t->lost += 0.5 * t->m * (1.0 - e * e) * t->v[k] * t->v[k];
+        t->work += t->m * t->a[k] * (1.0 + e) * into * gap;
+        t->x[k] += (1.0 + e) * into * gap;
+        t->v[k] *= -e;
+    }
+}
+
+static void drift(struct traveller *t, const struct box_domain *box, double dt)
+{
+    for (int k = 0; k < 3; k++) {
+        t->x[k] += dt * t->v[k];
+        t->work +=
+            dt * t->m * (t->a[k] * t->v[k] - t->rate * t->v[k] * t->v[k]);
+    }
+    rebound(t, box);
+}
+
+/* Kick, drift, kick, drift, ... (integrators.h). */
+static void travel(struct traveller *t, const struct box_domain *box,
+                   const struct kicks *kicks, int steps)
+{
+    for (int k = 0; k < steps; k++) {
+        const int q = k == 0 ? 0 : 1;
+        kick(t, t->gain[q], kicks->dt[q]);
+        drift(t, box, kicks->step);
+    }
+    if (steps > 0) kick(t, t->gain[2], kicks->dt[2]);
+}
+
+static void store(const struct traveller *t, const struct box_domain *box,
+                  struct particles *ps, int i)
+{
+    ps->x[i] = box_domain_inside(box, 0, t->x[0]);
+    ps->y[i] = box_domain_inside(box, 1, t->x[1]);
+    ps->z[i] = box_domain_inside(box, 2, t->x[2]);
+    ps->vx[i] = t->v[0], ps->vy[i] = t->v[1], ps->vz[i] = t->v[2];
+    for (int k = 0; k < 3 && ps->drag_impulse != NULL; k++)
+        ps->drag_impulse[3 * i + k] += t->impulse[k];
+}
+
+/* --- the sums of a run ---------------------------------------------------- */
+
+static double kinetic(const struct particles *ps, int i, double m)
+{
+    const double v2 =
+        ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] + ps->vz[i] * ps->vz[i];
+    return 0.5 * m * v2;
+}
+
+static double rotation(const struct particles *ps, int i)
+{
+    const double w2 =
+        ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] + ps->wz[i] * ps->wz[i];
+    return 0.05 * ps->m[i] * ps->d[i] * ps->d[i] * w2;
+}
+
+/* Wholly outside, or not finite: a comparison with NaN is false. */
+static int is_lost(const struct box_domain *box, const struct particles *ps,
+                   int i)
+{
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(box, w, x);
+        if (!(box->periodic[w / 2] ? fabs(gap) < HUGE_VAL
+                                   : gap >= -0.5 * ps->d[i]))
+            return 1;
+    }
+    return !(kinetic(ps, i, 1.0) + rotation(ps, i) < HUGE_VAL);
+}
+
+static void measure(const struct particles *ps, const struct box_domain *box,
+                    struct dem_report *r)
+{
+    r->lost_id = r->lost_through = -1;
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        r->max_speed = fmax(r->max_speed, sqrt(2.0 * kinetic(ps, i, 1.0)));
+        r->translation += kinetic(ps, i, ps->m[i]);
+        r->rotation += rotation(ps, i);
+        if (!is_lost(box, ps, i) || r->lost++ > 0) continue;
+        r->lost_id = ps->id[i];
+        memcpy(r->lost_at, x, sizeof x);
+    }
+}
+
+static double all_kinetic(const struct particles *ps)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        sum += kinetic(ps, i,
+                       ps->m[i] +
+                           (ps->added_mass != NULL ? ps->added_mass[i] : 0.0)) +
+               rotation(ps, i);
+    return sum;
+}
+
+/* One thread adds up the budget, in the order of the particles. */
+static void move_all(struct dem *dem, const struct box_domain *box, int steps)
+{
+    struct particles *const ps = dem->ps;
+    struct energy *const e = dem->energy;
+    const struct kicks kicks = kicks_of(&dem->options);
+
+#pragma omp parallel for schedule(static) if (ps->n >= MANY && e == NULL)
+    for (int i = 0; i < ps->n; i++) {
+        struct traveller t = traveller_of(dem, i, &kicks);
+        travel(&t, box, &kicks, steps);
+        store(&t, box, ps, i);
+        if (e == NULL) continue;
+        e->work += t.work;
+        e->damped_n += t.lost;
+    }
+}
+
+static void run(struct dem *dem, int steps, struct dem_report *r)
+{
+    const struct box_domain *const box = dem->state;
+    struct energy *const e = dem->energy;
+
+    *r = (struct dem_report){.steps = steps};
+    if (e != NULL) {
+        const double before = energy_residual(e);
+        e->kinetic = all_kinetic(dem->ps);
+        e->added += energy_residual(e) - before;
+    }
+    move_all(dem, box, steps);
+    if (e != NULL) e->kinetic = all_kinetic(dem->ps);
+    measure(dem->ps, box, r);
+    dem->motion_steps += dem->motion_on ? steps : 0;
+}
+
+/* --- the other functions of dem_method.h ---------------------------------- */
+
+static const char *unknown(const struct dem_options *o)
+{
+    if (o->n_surfaces > 0) return "surfaces";
+    if (o->n_prescribed > 0) return "prescribed particles";
+    if (o->n_attractions > 0) return "force between particles";
+    if (o->integrator != NULL && o->integrator->predicts)
+        return "integrator that computes the forces twice";
+    return NULL;
+}
+
+static double no_skin(const struct dem_options *o, double mean)
+{
+    (void)o, (void)mean;
+    return 0.0;
+}
+
+static int create(struct dem *dem)
+{
+    const struct dem_options *const o = &dem->options;
+    struct box_domain *const box = dem->state = alloc_zeroed(1, sizeof *box);
+
+    *box = box_domain_of(o->lo, o->hi, o->periodic);
+    return 0;
+}
+
+static void release(struct dem *dem)
+{
+    free(dem->state);
+}
+
+static void nothing(struct dem *dem)
+{
+    (void)dem; /* no list, no histories, no overlaps */
+}
+
+static void nothing_to_visit(struct dem *dem, struct state *s)
+{
+    (void)dem, (void)s;
+}
+
+static struct dem_spring *no_springs(struct dem *dem, int *n)
+{
+    (void)dem;
+    *n = 0;
+    return NULL;
+}
+
+static void no_springs_back(struct dem *dem, const struct dem_spring *list,
+                            int n, const int *index)
+{
+    (void)dem, (void)list, (void)n, (void)index;
+}
+
+const struct dem_method no_contacts_method = {
+    .name = "none",
+    .what = "no pairs: particles do not meet, and walls throw them back",
+    .equations = "LS 4.1",
+    .function = "travel",
+    .apart = 1,
+    .unknown = unknown,
+    .skin = no_skin,
+    .create = create,
+    .free = release,
+    .run = run,
+    .changed = nothing,
+    .limit_overlap = nothing,
+    .visit = nothing_to_visit,
+    .springs = no_springs,
+    .restore_springs = no_springs_back};

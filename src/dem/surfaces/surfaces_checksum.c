@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dem/surfaces/surfaces_checksum.h"
+
+#include <zlib.h>
+
+#include "dem/surfaces/surface.h"
+
+static unsigned long add(unsigned long sum, const void *bytes, size_t n)
+{
+    return crc32_z(sum, bytes, n);
+}
+
+static unsigned long add_shape(unsigned long sum, const struct surface *s)
+{
+    const int whole[] = {(int)s->shape, s->inside, s->material};
+
+    sum = add(sum, whole, sizeof whole);
+    sum = add(sum, s->point, sizeof s->point);
+    sum = add(sum, s->normal, sizeof s->normal);
+    sum = add(sum, &s->radius, sizeof s->radius);
+    if (s->triangles == NULL) return sum;
+    const size_t n = (size_t)s->triangles->n;
+    return add(sum, s->triangles->corner, n * sizeof *s->triangles->corner);
+}
+
+static unsigned long add_pair(unsigned long sum, const struct dem_options *o,
+                              int material)
+{
+    const struct material_pair p =
+        materials_pair(&o->material, o->materials, 0, material);
+    const double known[] = {p.of[1]->young, p.of[1]->poisson, p.stiffness,
+                            p.tangential,   p.restitution,    p.friction,
+                            p.rolling};
+
+    return add(sum, known, sizeof known);
+}
+
+unsigned long surfaces_checksum(const struct dem_options *o)
+{
+    unsigned long sum = 0;
+
+    for (int k = 0; k < o->n_surfaces; k++) {
+        sum = add_shape(sum, &o->surfaces[k]);
+        if (o->materials != NULL)
+            sum = add_pair(sum, o, o->surfaces[k].material);
+    }
+    return sum;
+}
