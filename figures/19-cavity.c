@@ -4,7 +4,7 @@
  * the horizontal one, how far they are off the published tables, and the order
  * in which they converge.
  *
- *   sh figures/run.sh figures/19-cavity.c -- square|cube RE N...
+ *   sh figures/run.sh figures/19-cavity.c -- square|cube RE [SCHEME] N...
  *
  * The flow in the cube is symmetric about z = 1/2: half of it is computed. */
 #include <math.h>
@@ -32,7 +32,7 @@ static int cell(int n, int i, int j, int k)
     return i + n * (j + n * k);
 }
 
-static struct fluid *cavity(int cube, int n, double re,
+static struct fluid *cavity(int cube, int n, double re, const char *scheme,
                             const struct boundary b[6])
 {
     const struct box_spec spec = {{1.0, 1.0, 0.5},
@@ -43,7 +43,7 @@ static struct fluid *cavity(int cube, int n, double re,
                                     .mu = 1.0 / re,
                                     .dt = 1.0 / n,
                                     .convection =
-                                        convection_scheme_named("linear"),
+                                        convection_scheme_named(scheme),
                                     .correctors = 2,
                                     .piso_tolerance = 1e-3,
                                     .tolerance = 1e-5,
@@ -252,6 +252,10 @@ int main(int argc, char **argv)
 {
     const int cube = argc > 1 && strcmp(argv[1], "cube") == 0;
     const double re = argc > 2 ? atof(argv[2]) : 1000.0;
+    const int named = argc > 3 && convection_scheme_named(argv[3]) != NULL;
+    const char *const scheme = named ? argv[3] : "linear";
+    char **const size = argv + 3 + named;
+    const int sizes = argc - 3 - named;
     struct boundary b[6];
     struct fluid *last = NULL;
     struct profile p[8];
@@ -262,10 +266,10 @@ int main(int argc, char **argv)
         b[i] = (struct boundary){.kind =
                                      i == 5 ? BOUNDARY_SLIP : BOUNDARY_NO_SLIP};
     b[3].wall[0] = 1.0;
-    for (int i = 0; i < argc - 3; i++) {
-        const int n = atoi(argv[i + 3]);
+    for (int i = 0; i < sizes; i++) {
+        const int n = atoi(size[i]);
         if (n < 8 || n > MOST || n % 2 != 0 || i == 8) return 2;
-        struct fluid *const fl = cavity(cube, n, re, b);
+        struct fluid *const fl = cavity(cube, n, re, scheme, b);
         if (last != NULL) prolong(last, fl);
         settle(fl);
         p[i] = centrelines(fl);
@@ -274,7 +278,7 @@ int main(int argc, char **argv)
             printf("off_%c_%d = %.4f\n", "uv"[k], n, off(&p[i], k, &t));
         for (int k = 0; k < 2 && i >= 2; k++)
             printf("order_%c_%d = %.2f\n", "uv"[k], n, order(&p[i - 2], k));
-        if (i >= 1 && i == argc - 4) print(&p[i], &p[i - 1]);
+        if (i >= 1 && i == sizes - 1) print(&p[i], &p[i - 1]);
         fflush(stdout);
         last = fl;
     }

@@ -95,7 +95,7 @@ static void least_squares(const struct mesh *m, const double *u,
 static void by_mesh(const struct mesh *m, const double *u, const double *u_b,
                     double *slope)
 {
-    (m->skewed ? least_squares : gauss)(m, u, u_b, slope);
+    (m->skewed == 2 ? least_squares : gauss)(m, u, u_b, slope);
 }
 
 const struct key velocity_gradient_keys[] = {
@@ -105,7 +105,7 @@ const struct key velocity_gradient_keys[] = {
 
 const struct velocity_gradient_scheme velocity_gradient_by_mesh = {
     .name = "by-mesh",
-    .what = "gauss; least-squares where links miss the middle of their faces",
+    .what = "least-squares where there are tetrahedra; else gauss",
     .equations = "",
     .function = "by_mesh",
     .fill = by_mesh,

@@ -176,6 +176,8 @@ void mesh_collect_faces(struct mesh *m)
         mesh_off_middle(m, f, off);
         if (larger(off, 1e-6, &m->d[3 * f])) m->skewed = 1;
     }
+    for (int c = 0; c < m->n_cells && m->skewed; c++)
+        if (m->cell_start[c + 1] - m->cell_start[c] == 4) m->skewed = 2;
 }
 
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
