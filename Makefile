@@ -18,11 +18,15 @@ LIGHTLY  = -O1
 # Debian has HDF5 in a folder of its own, which pkg-config knows.
 HDF5    := $(shell pkg-config --libs hdf5 2>/dev/null || echo -lhdf5)
 LIBS     = -lconfig -lgsl -lgslcblas $(HDF5) -lz -lm
+# Test programs are many, and gold links them in a third of the time.
+LINK    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 
+# Built into build/winnow-mpi only: see `distributed` below.
+RANKS := src/distributed/ranks
 # What is built: the rooms' own files, and the folders in them and rooms aside that are named
 # here; `make FOLDERS=src/dem/fast B=build/fast` builds with one of them alone.
-ASIDE   := src/resolved src/study
-ALL_FOLDERS := $(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/))
+ASIDE   := src/resolved src/study src/distributed
+ALL_FOLDERS := $(filter-out $(RANKS),$(ASIDE) $(patsubst %/,%,$(wildcard src/*/*/)))
 FOLDERS := $(ALL_FOLDERS)
 SRC   := $(filter-out $(ASIDE:=/%),$(wildcard src/*/*.c)) $(wildcard $(FOLDERS:=/*.c))
 # Each folder lists its models in models.txt; models.awk joins the lists of what
@@ -76,9 +80,10 @@ facts: $(TESTS:=.facts)
 # Without a process for each fact, which doubles what a small one takes.
 SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 # Under sanitizers these take longest, and check-slow runs them.
-LONG := $(patsubst %,$B/tests/test_%,attraction averaging body_methods boundary \
+LONG := $(patsubst %,$B/tests/test_%,$B/tests/test_%,attraction attraction averaging body_methods boundary \
         contact_loop contiguous_faces face_jump grid hard_beds hard_cases \
-        images_poly inlets manufactured reference_loop resolved verified)
+        images_poly inlets manufactured motion neighbours reference_loop \
+        resolved rolling surfaces verified wall_images)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
@@ -158,6 +163,29 @@ help: ## this list
 clean: ## forget everything built
 	rm -rf $B
 
+# --- past one machine: LAMMPS moves the particles, PETSc solves; by hand only ---
+distributed: ## install what is missing and build build/winnow-mpi, for several machines (mpirun)
+	sh .ci/install distributed
+	$(MAKE) $(CORES) $B/winnow $B/winnow-mpi WERROR=
+check-distributed: ## the tests of build/winnow-mpi, where its packages can be had (three minutes)
+	@sh .ci/install distributed || exit 0; $(MAKE) $(CORES) ranks-check
+ranks-check: $B/winnow $B/winnow-mpi $B/tests/ranks/compare
+	@sh tests/distributed.sh $B
+# Flags of the headers of others, in which ours find much to warn of.
+MPI_CFLAGS = $(patsubst -I%,-isystem %,$(filter -I% -D%,$(shell pkg-config --cflags petsc liblammps 2>/dev/null))) -D_DEFAULT_SOURCE
+MPI_OBJ := $(patsubst %.c,$B/%.o,$(wildcard $(RANKS)/*.c))
+$(MPI_OBJ): CC = mpicc
+$(MPI_OBJ): STD += $(filter-out -D_FORTIFY_SOURCE=2,$(MPI_CFLAGS))
+$B/ranks/models.c: $B/src/models.c $(RANKS)/models.txt
+	@mkdir -p $(@D)
+	@awk -f src/models.awk $(MODELS) $(RANKS)/models.txt >$@
+$B/ranks/models.o: $B/ranks/models.c
+	@$(CC) $(STD) $(OPT) $(WARN) -c -o $@ $<
+$B/winnow-mpi: $(MPI_OBJ) $B/ranks/models.o $B/tests/winnow_main.o $B/libwinnow.a
+	@echo "link $@"
+	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs petsc liblammps) $(LIBS)
+-include $(MPI_OBJ:.o=.d)
+
 tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a
 	@echo "link $@"
@@ -190,7 +218,7 @@ $B/src/case/report/equation_index_rows.o: $B/src/case/report/equation_index_rows
 # This test counts allocations.
 $B/tests/test_effects: WRAP = -Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints
 $B/tests/%: $B/tests/%.o $B/libwinnow.a
-	@$(CC) $(OPT) -fopenmp -o $@ $(filter %.o,$^) $(filter %.a,$^) $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
+	@$(CC) $(OPT) $(LINK) -fopenmp -o $@ $(filter %.o,$^) $(filter %.a,$^) $(WRAP) -lcheck -lsubunit -lrt -lpthread $(LIBS)
 # Run anew each time: cases and data may have changed, too.
 $B/tests/%.facts: $B/tests/% always
 	@sh tests/run.sh $<
@@ -199,7 +227,7 @@ $B/tests/winnow_main.o: $B/src/main.o
 	@objcopy --redefine-sym main=winnow_main $< $@
 $B/tests/fuzz: $B/tests/winnow_main.o
 
-.PHONY: all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
+.PHONY: distributed check-distributed ranks-check all run check checks check-slow slow facts sanitized style faults kills kills-slow pairs study \
         steps steps-check cli free vtk tools commands faults-slow pairs-slow \
         commands-slow core core-slow sanitized-slow style-slow cylinder-slow solutions results text pages \
         validate bench figures fuzz replay weave book help clean tests always

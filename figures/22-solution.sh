@@ -6,5 +6,5 @@ for density in 1e4 3e4 1e5; do
     winnow check cases/history-sphere.cfg -s particles.grains.density=$density |
         grep basset
     winnow run cases/history-sphere.cfg -s particles.grains.density=$density \
-        -o out/22-dense --quiet | grep basset
+        -o out/22-dense 2>/dev/null | grep basset
 done

@@ -58,13 +58,17 @@ static int wrong(const struct command *c, const char *what, const char *why)
 static const struct {
     const char *word;
     char letter;
-} words[] = {{"--quiet", '-'}, {"--resume", 'r'}, {"--fresh", 'f'}, {NULL, 0}};
+} words[] = {{"--quiet", '-'},
+             {"--resume", 'r'},
+             {"--fresh", 'f'},
+             {"--to", 't'},
+             {NULL, 0}};
 
 /* 1 if the option is such a word, which is then noted. */
 static int take_word(const struct command *c, const char *option,
                      struct command_line *l)
 {
-    int *const noted[] = {&l->quiet, &l->resume, &l->fresh};
+    int *const noted[] = {&l->quiet, &l->resume, &l->fresh, &l->to};
 
     for (int i = 0; words[i].word != NULL; i++)
         if (strcmp(option, words[i].word) == 0 &&

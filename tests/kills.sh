@@ -6,8 +6,10 @@
 # says in one line why it cannot go on.
 #
 #   sh tests/kills.sh build/winnow          (one kill of each case)
-#   sh tests/kills.sh build/winnow 40       (40 of each: 200 in all)
+#   sh tests/kills.sh build/winnow 40       (40 of each, and of a bed that
+#                                            settles: 240 in all)
 #   sh tests/kills.sh build/winnow 40 7     (at other moments)
+#   sh tests/kills.sh build/winnow 40 7 fed (of one case)
 set -u
 winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
 kills=${2:-1}
@@ -31,7 +33,8 @@ air='fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
 grains='grains = { density = 1000; stiffness = 100; restitution = 0.9;
     friction = 0.3; rolling_friction = 0.05; };'
 
-# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory.
+# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory,
+# statistics of each grain.
 cat >coupled.cfg <<END
 title = "a bed in air";
 $box
@@ -45,7 +48,8 @@ effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {};
     energy_budget = {}; };
 output = { end = 0.015; every = 0.0015; animation = true;
     profiles = ( { field = "eps_f"; height = 0.003; from = 0.005; } );
-    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } ); };
+    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } );
+    statistics = { from = 0.005; blocks = 2; lags = 0.002; }; contacts = true; };
 END
 
 # Who comes and goes, moving walls, a prescribed particle, random places.
@@ -107,6 +111,29 @@ output = { end = 0.03; every = 0.003;
     profiles = ( { field = "u_y"; height = 0.012; from = 0.01; } ); };
 END
 
+# A bed of several sizes that settles on a sheet for longer than it runs.
+cat >sheet.stl <<END
+solid sheet
+facet normal 0 1 0
+outer loop
+vertex -0.8 0.000003 -0.8
+vertex 0.8 0.000005 -0.8
+vertex 0 0.000005 0.8
+endloop
+endfacet
+endsolid sheet
+END
+cat >settling.cfg <<END
+title = "a bed that settles";
+mesh = { size = [0.03, 0.03, 0.03]; cells = [3, 3, 3]; };
+particles = { contact = "linear"; step = 1e-5; $grains
+    sizes = ( { name = "s"; distribution = "uniform"; min = 1.1e-3; max = 1.6e-3; } );
+    surfaces = ( { name = "sheet"; shape = "stl"; file = "sheet.stl"; } );
+    bed = { count = 2000; sizes = "s"; seed = 1; jitter = 0.0; settle = 0.1; }; };
+effects = { gravity = [0.0, -9.81, 0.0]; };
+output = { end = 0.001; every = 0.001; };
+END
+
 # A bed that is worth keeping.
 cat >wide.cfg <<END
 title = "a wide bed";
@@ -127,6 +154,7 @@ chance() { # number
 run() { # seconds, signal, case, folder, options...
     for_long=$1 signal=$2 name=$3 folder=$4
     shift 4
+    rm -rf cache
     timeout -s "$signal" "$for_long" env PATH=/none "$winnow" run "$name.cfg" -o "$folder" -s output.checkpoint=0.02 \
         --quiet "$@" >out 2>said
 }
@@ -173,7 +201,8 @@ kill_once() {
             'BEGIN { printf "%.3f", 0.02 + r * T * 0.7 }')
         threads=$((1 + (kill + turn) % 2))
         stop "$how" "$moment" 2>/dev/null
-        [ ! -e part/checkpoint ] || resume=--resume
+        [ ! -e part/checkpoint ] && [ ! -e part/checkpoint.ahead ] ||
+            resume=--resume
     done
     run 600 KILL "$name" part -j 1 $resume
     code=$?
@@ -191,7 +220,10 @@ kill_once() {
 }
 
 kill=0
-for name in coupled fed cells linked flow; do
+[ $# -lt 4 ] || kill=$((seed - 1)) # other ways to stop, too
+names="coupled fed cells linked flow"
+[ "$kills" -eq 1 ] || names="$names settling"
+for name in ${4:-$names}; do
     rm -rf full
     began=$(date +%s%N)
     run 600 KILL $name full -j 1 || { echo "FAILED $name" && cat said && exit 1; }
@@ -203,6 +235,14 @@ for name in coupled fed cells linked flow; do
         kill_once
     done
 done
+# Prints the sum and ends.
+finish() {
+    [ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
+    echo "$((resumed + refused)) kills: $resumed runs have the same bits, $refused say why not"
+    exit 0
+}
+[ $# -lt 4 ] || finish
+
 # --- what a folder says, and a bed that was settled before ---------------------
 
 # check WHAT COMMAND...: the command succeeds.
@@ -238,6 +278,10 @@ check "a changed key is refused with both values" says \
     "$winnow" run flow.cfg -o was --resume -s fluid.density=2.5
 check "another case is refused" says 'is .* in this case, and not set in that' \
     "$winnow" run linked.cfg -o was --resume
+check "a run on a mesh" short cells.cfg -o mesh -s output.end=0.0025
+echo >>dual/points
+check "another mesh is refused" says 'mesh.polymesh is crc32' \
+    "$winnow" run cells.cfg -o mesh --resume
 check "nothing to resume is said" says 'nothing to resume in empty' \
     "$winnow" run flow.cfg -o empty --resume
 check "a second state" short flow.cfg -o was --resume -s output.end=0.006
@@ -247,15 +291,48 @@ check "damage is said, and the state before taken" says \
     "$winnow" run flow.cfg -o was --resume -s output.end=0.009
 check "the same from there" short flow.cfg -o whole -s output.end=0.009
 check "has the same bits" cmp was/history.csv whole/history.csv
+check "and the same means of the second half" same whole was
+check "an end that is past is refused" says 'goes on to a later end only' \
+    "$winnow" run flow.cfg -o was --resume -s output.end=0.003
+
+# Stops a run as soon as it has saved the bed that settles.
+stop_settling() { # signal, folder
+    "$winnow" run resting.cfg -o "$2" -s output.checkpoint=0.01 >told 2>&1 &
+    while [ ! -e "$2/checkpoint.ahead" ] && kill -0 $! 2>/dev/null; do
+        sleep 0.01
+    done
+    kill -s "$1" $! 2>/dev/null
+    wait $! 2>/dev/null
+}
+sed 's/sizes = ( .*//; s/sizes = "s"/diameter = 1.2e-3/; s/settle = 0.1/settle = 0.02/' \
+    settling.cfg >resting.cfg
+"$winnow" run resting.cfg -o rest --quiet >out 2>&1
+rm -rf cache
+stop_settling TERM settles
+check "a signal while a bed settles is told" grep -q 'while the bed settled' told
+check "status of a bed that settles" says 'its bed settles' "$winnow" status settles
+check "it settles on" says 'the bed settles on from' \
+    "$winnow" run resting.cfg -o settles --resume
+check "to the same bits" diff -r rest/particles settles/particles
+check "and leaves no state of settling" [ ! -e settles/checkpoint.ahead ]
+# The files of an earlier run stay until the next has a state.
+short flow.cfg -o kept -s output.end=0.003 >out 2>&1
+rm -rf cache
+stop_settling KILL kept
+check "the run before can go on" short flow.cfg -o kept --resume
+check "with the bits of one piece" cmp kept/history.csv full/history.csv
 
 check "a bed is settled" says 'settled in' "$winnow" run wide.cfg -o bed1
 check "and found again" says 'was settled before' "$winnow" run wide.cfg -o bed2
 check "with the same bits" diff -r bed1/particles bed2/particles
+for bed in cache/winnow/bed-*; do damage "$bed"; done
+check "a damaged one is settled anew" says 'the bed is settled anew' \
+    "$winnow" run wide.cfg -o bed4
+check "with the same bits again" diff -r bed1/particles bed4/particles
 check "or settled anew" says 'settled in' "$winnow" run wide.cfg -o bed3 --fresh
 check "or with another key" says 'settled in' \
     "$winnow" run wide.cfg -o bed3 -s particles.bed.seed=2
 check "but for other output" says 'was settled before' \
     "$winnow" run wide.cfg -o bed3 -s output.end=0.002
 
-[ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
-echo "$kill kills: $resumed runs have the same bits, $refused say why not"
+finish

@@ -24,6 +24,7 @@
 #define TESTS_MADE_H
 
 #include "mesh/poly/sheared.h"
+#include "tetrahedra.h"
 #include "fluid/fluid.h"
 
 #include <math.h>
@@ -38,6 +39,7 @@ struct manufactured {
     int flat;            /* 1: one cell in z, and nothing depends on it */
     double grading;      /* last cell over first, in x and y; and back in z */
     double shear[3];     /* of MANUFACTURED_BOX */
+    double shake;        /* [-] above 0: on tetrahedra, shaken so much */
     int shared, mixture; /* gamma = eps; form of continuity */
     const char *time, *convection, *slope;
     double dt, end, K; /* [s], [s], [kg/(m^3 s)] */
@@ -253,6 +255,17 @@ struct manufactured_boundaries {
     double *profile;
 };
 
+/* The middle of a face. */
+static void manufactured_middle(const struct mesh *m, int f, double x[3])
+{
+    const double w = f < m->n_internal ? 1.0 - m->w[f] : 1.0;
+
+    for (int k = 0; k < 3; k++)
+        x[k] = m->face_centre != NULL
+                   ? m->face_centre[3 * f + k]
+                   : m->centre[3 * m->owner[f] + k] + w * m->d[3 * f + k];
+}
+
 static void manufactured_bound(const struct manufactured *a,
                                const struct mesh *m,
                                struct manufactured_boundaries *b)
@@ -267,8 +280,9 @@ static void manufactured_bound(const struct manufactured *a,
     b->profile = malloc((size_t)p->n * sizeof *b->profile);
     for (int j = 0; j < p->n; j++) {
         const int f = p->first + j;
-        const double y = m->centre[3 * m->owner[f] + 1];
-        b->profile[j] = 6.0 * y * (1.0 - y);
+        double x[3];
+        manufactured_middle(m, f, x);
+        b->profile[j] = 6.0 * x[1] * (1.0 - x[1]);
     }
     for (int i = 0; i < MANUFACTURED_COURSE; i++) {
         b->time[i] = 1.2 * a->end * i / (MANUFACTURED_COURSE - 1);
@@ -282,9 +296,9 @@ static void manufactured_bound(const struct manufactured *a,
     b->side[1] = (struct boundary){.kind = BOUNDARY_OUTLET};
 }
 
-static struct fluid *manufactured_create(const struct manufactured *a,
-                                         struct manufactured_boundaries *b)
+static struct mesh *manufactured_mesh(const struct manufactured *a)
 {
+    const int n[3] = {a->n, a->n, a->n};
     const double g = a->grading > 0.0 ? a->grading : 1.0;
     const struct box_spec spec = {{1.0, 1.0, 1.0},
                                   {a->n, a->n, a->flat ? 1 : a->n},
@@ -292,8 +306,16 @@ static struct fluid *manufactured_create(const struct manufactured *a,
                                   {0, 0, 0}};
     const int straight =
         a->shear[0] == 0.0 && a->shear[1] == 0.0 && a->shear[2] == 0.0;
-    struct mesh *const m = straight ? mesh_create_box(&spec)
-                                    : mesh_create_sheared(&spec, a->shear);
+
+    if (a->shake > 0.0) return tetrahedra_create(n, a->shake, NULL);
+    return straight ? mesh_create_box(&spec)
+                    : mesh_create_sheared(&spec, a->shear);
+}
+
+static struct fluid *manufactured_create(const struct manufactured *a,
+                                         struct manufactured_boundaries *b)
+{
+    struct mesh *const m = manufactured_mesh(a);
     const struct fluid_options o = {
         .rho = manufactured_rho,
         .mu = manufactured_mu,
@@ -321,11 +343,8 @@ static struct fluid *manufactured_create(const struct manufactured *a,
         fl->p[c] = manufactured_p(a, x, 0.0);
     }
     for (int f = 0; f < m->n_faces; f++) {
-        const double *const P = &m->centre[3 * m->owner[f]];
-        const double w = f < m->n_internal ? 1.0 - m->w[f] : 1.0;
         double x[3], q[3];
-        for (int k = 0; k < 3; k++)
-            x[k] = P[k] + w * m->d[3 * f + k];
+        manufactured_middle(m, f, x);
         manufactured_flux(a, x, 0.0, q);
         fl->phi[f] = 0.0;
         for (int k = 0; k < 3; k++)

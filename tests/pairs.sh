@@ -62,12 +62,15 @@ same() { # folder, folder
         done && cmp "$1.told" "$2.told"
 }
 
-# With two threads, stopped on the way and resumed; in one piece where the step
-# of the loop follows from the end.
+# With two threads, stopped on the way and resumed with a later end; in one piece
+# where the step of the loop follows from the end. Prints why it was not resumed.
 second_run() { # name
-    PATH=/none "$winnow" run "$1.cfg" -o "$1.2" -j 2 -s output.end=8e-4 --quiet &&
-        PATH=/none "$winnow" run "$1.cfg" -o "$1.2" -j 2 --resume --quiet ||
-        PATH=/none "$winnow" run "$1.cfg" -o "$1.2" -j 2 --quiet
+    name=$1
+    set -- "$winnow" run "$1.cfg" -o "$1.2" -j 2 --quiet
+    PATH=/none "$@" -s output.end=8e-4 >"$name.second" 2>&1 &&
+        PATH=/none "$@" --resume >"$name.second" 2>&1 && return
+    grep -q 'step_of_the_loop\|before its first step' "$name.second" || cat "$name.second"
+    PATH=/none "$@" >/dev/null 2>&1
 }
 
 # What is wrong with a run of the case, if anything.
@@ -83,7 +86,7 @@ verdict() { # name, code, why
     else
         line=$(grep "^$1 " list)
         awk -F, -v line="$line" -f "$parts/verdict.awk" "$1.1/history.csv"
-        second_run "$1" >/dev/null 2>&1
+        second_run "$1"
         same "$1.1" "$1.2" || echo "one thread, and two that were interrupted, differ"
     fi
 }
@@ -100,7 +103,7 @@ one() { # name
         echo "    cd $work && $winnow run $1.cfg -o $1.1 -j 1"
         echo "$1" >>failed
     else
-        rm -rf "$1.1" "$1.2" "$1".1.told "$1".2.told
+        rm -rf "$1.1" "$1.2" "$1".1.told "$1".2.told "$1.second"
     fi
 }
 

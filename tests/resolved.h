@@ -83,7 +83,8 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
             p->boundary[i] = (struct boundary){.kind = BOUNDARY_OUTLET};
     }
     p->fluid = fluid_create(p->mesh, &f);
-    p->bodies = solid_bodies_create(o->n > 0 ? o->n : 1, p->fluid, &b);
+    p->bodies = solid_bodies_create(o->n > 0 ? o->n : 1, p->mesh->n_cells,
+                                    o->rho, &b);
 }
 
 static inline void pool_free(struct pool *p)

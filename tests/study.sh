@@ -156,6 +156,17 @@ sphere=$top/cases/settling-sphere.cfg
 fact the_step_of_a_sphere_costs_and_gains_what_check_says \
     holds "$sphere" 'fluid.step halved' sphere 'step=' 5
 
+# The drag of a grain, 4 and 8 sub-steps: the study above.
+sed 's/substeps = 1;/substeps = 4;/' "$top/cases/one-grain.cfg" >four.cfg
+fact sub_steps_cost_and_gain_what_check_says \
+    holds four.cfg 'exchange.substeps doubled' grain 'substeps=[48]' 5
+# A wave of grains fades with the square of the bandwidth.
+wave=$top/cases/studies/wave.cfg
+"$winnow" study "$wave" -s averaging.bandwidth=8e-3,4e-3 --measure profile.0 --times 2 \
+    --truth '600*pi/6/(48*64)*(1 + 0.5*cos(2*pi*x/0.048))' -o wave --quiet >advice || cat advice
+fact a_bandwidth_costs_and_gains_what_check_says \
+    holds "$wave" 'averaging.bandwidth halved' wave 'bandwidth=' 5
+
 echo "processes:"
 # Killed in the middle without a word, the study goes on: what has ended is not
 # done again, and what a killed study has left behind is waited for.
@@ -199,6 +210,33 @@ changed_case_is_done_again() {
     [ "$before" != "$(cat killed/runs/step=2e-5/summary.json)" ]
 }
 fact another_case_is_done_again changed_case_is_done_again
+# The same names, but a file that the case names has other bytes: grains that stand
+# in another place.
+sed 's/bed = .*/place = ( { position = [0.003, 0.009, 0.003]; diameter = 1e-3; } );\n    surfaces = ( { name = "plate"; shape = "stl"; file = "plate.stl"; } ); };/' \
+    grains.cfg >plate.cfg
+plate() { # height of a plate of one triangle
+    printf 'solid p\nfacet normal 0 1 0\nouter loop\nvertex 0 %s 0\nvertex 0 %s 0.02\n' "$1" "$1"
+    printf 'vertex 0.02 %s 0\nendloop\nendfacet\nendsolid p\n' "$1"
+}
+changed_file_is_done_again() {
+    plate 0.002 >plate.stl
+    file="-s particles.step=2e-5,1e-5 -s output.end=0.002 --measure mean_height -o plate --quiet"
+    # shellcheck disable=SC2086 # words
+    "$winnow" study plate.cfg $file >/dev/null || return 1
+    # shellcheck disable=SC2086
+    "$winnow" study plate.cfg $file --dry-run | grep -q '2 of them done' || return 1
+    plate 0.003 >plate.stl
+    # shellcheck disable=SC2086
+    "$winnow" study plate.cfg $file --dry-run | grep -q ' 0 of them done'
+}
+fact a_changed_file_that_the_case_names_is_done_again changed_file_is_done_again
+threads_change_no_bit() {
+    "$winnow" study grains.cfg -s threads=1,2 -s particles.bed.count=20 --measure mean_height \
+        --cost seconds.total -o threads --quiet >/dev/null || return 1
+    [ "$(column threads/study.csv mean_height | sort -u | wc -l)" -eq 1 ] &&
+        grep -q '"threads": 2' threads/runs/threads=2/summary.json
+}
+fact threads_are_varied_and_change_no_bit threads_change_no_bit
 broken_run_is_a_result() {
     # A step of the springs that does not resolve them, and one refused for it.
     "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \

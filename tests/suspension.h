@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh/poly/sheared.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
@@ -34,6 +35,7 @@ struct scene {
     int n, dem_steps;
     double size;  /* [m] of the cube */
     int cells;    /* a side */
+    double shear; /* [-] of the cube, along x over y */
     double width; /* [-] bandwidth in cells */
     double cap;   /* [-] of pcm on eps_s; 0: none */
     double gravity[3];
@@ -180,7 +182,9 @@ static inline struct simulation *build(const struct scene *s)
         o.attractions = &attraction;
         o.n_attractions = 1;
     }
-    sim->mesh = mesh_create_box(&spec);
+    const double shear[3] = {s->shear, 0.0, 0.0};
+    sim->mesh = s->shear != 0.0 ? mesh_create_sheared(&spec, shear)
+                                : mesh_create_box(&spec);
     sim->dt = s->dt;
     sim->dem_steps = s->dem_steps;
     scatter(sim, s);

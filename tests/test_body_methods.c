@@ -20,7 +20,7 @@ static double drag_by(enum body_method method, double vn, int steps,
 
     pool_one_sphere_by(p, d, 12, 1.0, vn / 144.0, -1e-6, middle, BODY_FIXED,
                        1.0, method);
-    ck_assert_int_eq(solid_bodies_begin(p->bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
     pool_run(p, steps);
     fluid_mean_flow(p->fluid, flow);
     return p->bodies->force[0] / (3.0 * M_PI * d * flow[0]) / 7.442;
@@ -136,7 +136,7 @@ static void sphere_in_a_closed_box(struct pool *p, enum body_method method,
     p->fluid->options.outer_correctors = 2;
     solid_bodies_add(p->bodies, &sphere, middle, 1.0, BODY_PRESCRIBED);
     p->bodies->ps->vx[0] = 0.5;
-    ck_assert_int_eq(solid_bodies_begin(p->bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
 }
 
 /* The second projection changes the velocity beside the walls, after their
@@ -175,7 +175,7 @@ START_TEST(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
     pool_create(&p, &o);
     solid_bodies_add(p.bodies, &sphere, (double[3]){0.5, 0.22, 0.5}, 1.0,
                      BODY_FIXED);
-    ck_assert_int_eq(solid_bodies_begin(p.bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     for (int i = 0; i < 3; i++) {
         pool_run(&p, 1);
         ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
@@ -314,7 +314,7 @@ START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
     pool_create(&p, &o);
     solid_bodies_add(p.bodies, &sphere, x, 2.0, BODY_FREE);
     p.bodies->ps->vy[0] = -0.5;
-    ck_assert_int_eq(solid_bodies_begin(p.bodies), 0);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
     for (int i = 0; i < 60; i++) { /* to the floor and back */
         pool_run(&p, 1);
         fastest = fmax(fastest, p.bodies->ps->vy[0]);
@@ -325,8 +325,44 @@ START_TEST(ew18_4_a_sphere_is_not_thrown_back_by_a_gap_of_less_than_a_cell)
 }
 END_TEST
 
+/* A sphere falls on a box and comes to rest on its top, where the spring
+ * carries the weight less that of the fluid. */
+START_TEST(ls_4_4_a_sphere_comes_to_rest_on_a_box)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {12, 12, 12},
+                                   .walls = {0, 1, 0},
+                                   .rho = 1.0,
+                                   .mu = 0.1,
+                                   .dt = 0.01,
+                                   .virtual_mass = 2.0,
+                                   .n = 2,
+                                   .dem_steps = 10,
+                                   .tolerance = 1e-8};
+    const double size[3] = {0.8, 0.4, 0.8}, at[3] = {0.5, 0.2, 0.5};
+    const double x[3] = {0.52, 0.60, 0.5}, d = 0.3, k = 20.0;
+    const struct body_shape box = body_shape_box(size),
+                            sphere = body_shape_sphere(d);
+    const double weight = (3.0 - 1.0) * M_PI / 6.0 * d * d * d;
+    struct pool p;
+
+    pool_create(&p, &o);
+    p.bodies->options.gravity[1] = -1.0;
+    p.bodies->contacts.material.stiffness = k;
+    solid_bodies_add(p.bodies, &box, at, 1.0, BODY_FIXED);
+    solid_bodies_add(p.bodies, &sphere, x, 3.0, BODY_FREE);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    pool_run(&p, 400);
+    ck_assert_double_eq_tol(p.bodies->ps->y[1], 0.4 + 0.5 * d - weight / k,
+                            0.2 * weight / k); /* it trembles a little */
+    ck_assert_double_eq(p.bodies->ps->y[0], 0.2);
+    pool_free(&p);
+}
+END_TEST
+
 FACTS("body_methods")
 {
+    FACT(ls_4_4_a_sphere_comes_to_rest_on_a_box);
     FACT(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag);
     FACT(ls_5_17_the_fluid_inside_moves_with_the_body);
     FACT(ls_5_20_the_corrected_fluxes_have_no_divergence);

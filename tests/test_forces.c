@@ -181,6 +181,39 @@ START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
 }
 END_TEST
 
+/* The same of u_y = a x^2 where links are oblique: without the rest of S, the
+ * terms along x and along the slanted links would add up to 1 + 2 s^2 times
+ * it. */
+START_TEST(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola)
+{
+    struct scene s = inviscid(1.0);
+    s.averaging = "pcm";
+    s.pressure_gradient = 0;
+    s.virtual_mass = 0.0;
+    s.viscous_stress = 1;
+    s.mu = 0.7;
+    s.shear = 0.5;
+    struct simulation *const sim = build(&s);
+    const struct mesh *const m = sim->mesh;
+    const double at[3] = {0.65 * s.size, 0.55 * s.size, 0.55 * s.size};
+    const int host = mesh_cell_at(m, at[0], at[1], at[2]);
+    const double a = 3.0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        sim->fluid->u[3 * c + 1] = a * gsl_pow_2(m->centre[3 * c]);
+    sim->particles->x[0] = m->centre[3 * host];
+    sim->particles->y[0] = m->centre[3 * host + 1];
+    sim->particles->z[0] = m->centre[3 * host + 2];
+    averaging_bind(sim->averaging);
+    memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
+    sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
+    const double f = particles_volume(sim->particles, 0) * s.mu * 2.0 * a;
+    ck_assert_double_eq_tol(sim->held_force[1], f, 1e-9 * f);
+    ck_assert_double_lt(fabs(sim->held_force[0]), 1e-9 * f);
+    discard(sim);
+}
+END_TEST
+
 /* A decaying shear wave: the force of the stress on the sphere is that on the
  * fluid in its place, rho V du/dt, to the tolerance of the predictor. */
 START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
@@ -285,6 +318,7 @@ FACTS("forces")
     FACT(ls_5_3_a_converging_stream_accelerates_what_is_in_it);
     FACT_FOR_EACH(ls_5_3_virtual_mass_and_model_b_keep_total_momentum, 32);
     FACT(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume);
+    FACT(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola);
     FACT(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place);
     FACT_FOR_EACH(ls_5_1_viscous_stress_keeps_total_momentum, 4);
     FACT(sx15_2b_models_a_and_b_agree_as_the_step_goes_to_zero);

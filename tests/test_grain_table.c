@@ -71,6 +71,54 @@ START_TEST(a_table_is_read_by_the_names_of_its_columns)
 }
 END_TEST
 
+/* As LAMMPS writes it, and by hand with a remark for a title: the head is of no
+ * interest, nor is what follows the atoms. */
+START_TEST(a_data_file_has_its_spheres_in_the_section_of_atoms)
+{
+    static const char *const heads[] = {"LAMMPS data file, timestep = 5\n",
+                                        "# by hand\n"};
+    static const char *const styles[] = {"Atoms # sphere\n\n", "Atoms\n\n"};
+    static const char *const ends[] = {" 0 0 -1\n", "\n"};
+    char text[512];
+    long n;
+
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text,
+                 "%s\n 2 atoms\n 1 atom types\n\n 0 1 xlo xhi\n\n%s"
+                 "7 1 0.5 2500 1 2 3%s3 1 1e-0 2500 4 5 6%s\n"
+                 "Velocities\n\n7 0 0 0 0 0 0\n3 0 0 0 0 0 0\n",
+                 heads[i], styles[i], ends[i], ends[i]);
+        const char *const path = file_of(text);
+        ck_assert_int_eq(grain_table_is(path), 1);
+        struct insertion_sphere *const list = insertion_read(path, &n);
+        ck_assert_ptr_nonnull(list);
+        ck_assert_int_eq(n, 2);
+        ck_assert_double_eq(list[0].x[0], 1.0);
+        ck_assert_double_eq(list[0].x[2], 3.0);
+        ck_assert_double_eq(list[0].d, 0.5);
+        ck_assert_double_eq(list[1].x[1], 5.0);
+        ck_assert_double_eq(list[1].d, 1.0);
+        free(list);
+    }
+}
+END_TEST
+
+/* Atoms of another style have no diameter. */
+START_TEST(a_data_file_of_other_atoms_is_refused)
+{
+    long n;
+
+    scratch_listen(dir);
+    ck_assert_ptr_null(insertion_read(
+        file_of("LAMMPS data file\n\n1 atoms\n\nAtoms # atomic\n\n"
+                "1 1 0.5 1 2\n"),
+        &n));
+    char *const said = scratch_heard(dir);
+    ck_assert_ptr_nonnull(strstr(said, "found the style atomic"));
+    free(said);
+}
+END_TEST
+
 /* Numbers alone are x y z d, as ever. */
 START_TEST(a_file_without_names_is_no_table)
 {
@@ -110,6 +158,8 @@ FACTS("grain table")
 {
     tcase_add_checked_fixture(facts, set_up, tear_down);
     FACT(the_last_snapshot_of_a_dump_is_read);
+    FACT(a_data_file_has_its_spheres_in_the_section_of_atoms);
+    FACT(a_data_file_of_other_atoms_is_refused);
     FACT(a_table_is_read_by_the_names_of_its_columns);
     FACT(a_file_without_names_is_no_table);
     FACT(a_table_without_sizes_or_with_half_a_row_is_refused);

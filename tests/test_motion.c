@@ -314,6 +314,30 @@ START_TEST(prescribed_particle_is_free_and_then_circles)
 }
 END_TEST
 
+/* Without a velocity it is held where it is, against a push and a throw. */
+START_TEST(prescribed_particle_without_a_speed_is_held)
+{
+    const struct prescribed_particle one = {.id = 0, .motion = {.until = 0.5}};
+    struct dem_options o = with(NULL, 1e-3);
+    struct particles *const ps = sphere_at(0.1, 0.2, 0.3);
+    struct dem_report r;
+
+    o.prescribed = &one;
+    o.n_prescribed = 1;
+    spheres_throw(ps, 0, 0.2, 0.0, 0.0);
+    ps->ey[0] = 1.0;
+    struct dem *const dem = started(ps, &o);
+    dem_run(dem, 400, &r);
+    ck_assert_double_eq(ps->x[0], 0.1);
+    ck_assert_double_eq(ps->y[0], 0.2);
+    ck_assert_double_eq(ps->vx[0], 0.0);
+    dem_run(dem, 200, &r); /* free from 0.5 s on */
+    ck_assert_double_ge(ps->y[0], 0.2 + 1e-6);
+    dem_free(dem);
+    particles_free(ps);
+}
+END_TEST
+
 /* It acts on the others as a wall: (1 + e) V, although its mass is the same as
  * theirs. */
 START_TEST(prescribed_particle_repels_another_as_a_wall_does)
@@ -449,6 +473,7 @@ FACTS("motion")
     FACT(sphere_in_a_drum_spins_with_the_wall);
     FACT_FOR_EACH(surface_accounts_for_force_torque_and_work, 2);
     FACT(prescribed_particle_is_free_and_then_circles);
+    FACT(prescribed_particle_without_a_speed_is_held);
     FACT(prescribed_particle_repels_another_as_a_wall_does);
     FACT_FOR_EACH(prescribed_particle_moves_alike_with_every_integrator, 3);
     FACT_FOR_EACH(released_prescribed_particle_keeps_its_energy, 3);

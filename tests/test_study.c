@@ -4,8 +4,9 @@
  * orders. The processes are in tests/study.sh. */
 #include "study/choices.h"
 #include "study/measure.h"
+#include "study/plan.h"
 #include "study/results.h"
-#include "study/standing.h"
+#include "study/runs.h"
 #include "study/statistics.h"
 #include "study/truth.h"
 
@@ -141,6 +142,22 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
 }
 END_TEST
 
+/* A quote, a backslash and an end of line, as the summary writes them. */
+START_TEST(texts_of_a_summary_are_those_that_were_written)
+{
+    char dir[64];
+
+    scratch_make(dir);
+    const char *const path = scratch_path(dir, "summary.json");
+    scratch_write(path,
+                  "{\n  \"exit_reason\": \"a \\\"b\\\" \\\\u\\u000ac\"\n}\n");
+    char *const text = results_text(path, "exit_reason");
+    ck_assert_str_eq(text, "a \"b\" \\u\nc");
+    free(text);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* A history of v = 10 t, cut in its last row. */
 static struct curve taken(const char *text)
 {
@@ -239,21 +256,42 @@ static const char scene[] =
     "output = { end = 1; every = 1; };\n";
 
 /* A default counts as well as what is written, and 0.01 is 1e-2. */
+/* The variant that the case is, among those of the words. */
+static int standing(const char *dir, int n, const char *const *choices)
+{
+    const char *words[16] = {scratch_path(dir, "scene.cfg"), "--measure",
+                             "steps", "-o", "nowhere"};
+    struct plan p;
+    int code, runs = 0;
+
+    for (int i = 0; i < n; i++) {
+        words[5 + 2 * i] = "-s";
+        words[6 + 2 * i] = choices[i];
+    }
+    ck_assert_int_eq(plan_create(&p, 5 + 2 * n, words), 0);
+    struct run *const run = runs_create(&p, &runs, &code);
+    ck_assert_int_eq(code, 0);
+    const int found = runs_standing(&p, runs, run);
+    runs_free(runs, run);
+    plan_free(&p);
+    return found;
+}
+
+/* However a number is written: as 1 or 1.0, 0.02 or 2e-2. */
 START_TEST(the_case_as_it_stands_is_found_among_its_variants)
 {
     char dir[64];
-    struct choices c = {0};
 
     scratch_make(dir);
     scratch_write(scratch_path(dir, "scene.cfg"), scene);
-    choices_add(&c, "fluid.step=0.02,0.01");
-    choices_add(&c, "fluid.time=bdf2,euler");
-    choices_add(&c, "output.end=0.5");
-    ck_assert_int_eq(standing_variant(scratch_path(dir, "scene.cfg"), &c), 3);
-    choices_free(&c);
-    choices_add(&c, "fluid.step=0.02,0.03");
-    ck_assert_int_eq(standing_variant(scratch_path(dir, "scene.cfg"), &c), -1);
-    choices_free(&c);
+    ck_assert_int_eq(
+        standing(dir, 4,
+                 (const char *[]){"fluid.step=2e-2,0.01",
+                                  "fluid.time=bdf2,euler",
+                                  "fluid.density=1000,1.0", "output.end=0.5"}),
+        7);
+    ck_assert_int_eq(standing(dir, 1, (const char *[]){"fluid.step=0.02,0.03"}),
+                     -1);
     scratch_clear(dir);
 }
 END_TEST
@@ -265,6 +303,7 @@ FACTS("study")
     FACT(richardson_finds_the_order_and_the_limit);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
+    FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
     FACT(a_formula_is_computed_as_one_writes_it);
     FACT(xs11_4_1_is_a_truth_in_time);

@@ -72,8 +72,9 @@ END
         exit 1
     }
 done
-# Spheres that touch, one of them across a periodic end, and one that falls on
-# the floor. Walls with the stress of the fluid on them.
+# Spheres that touch, one of them across a periodic end, one that falls on the
+# floor and one on a shelf. Walls with the stress of the fluid on them. All that
+# particles.vtp can hold, in the order of the ids.
 cat >"$work/pressed.cfg" <<'END'
 mesh = { size = [0.006, 0.006, 0.006]; cells = [3, 3, 3]; periodic = [true, false, false]; };
 fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
@@ -83,13 +84,44 @@ particles = { contact = "linear"; step = 1e-5; overlaps = "allow";
     place = ( { position = [0.0002, 0.002, 0.003]; diameter = 1e-3; },
               { position = [0.0002, 0.00298, 0.003]; diameter = 1e-3; },
               { position = [0.00522, 0.002, 0.003]; diameter = 1e-3; },
-              { position = [0.003, 0.0005, 0.003]; diameter = 1e-3; } ); };
+              { position = [0.003, 0.0005, 0.003]; diameter = 1e-3; },
+              { position = [0.0015, 0.00459, 0.003]; diameter = 1e-3; velocity = [0.0, -0.1, 0.0]; } );
+    surfaces = ( { name = "shelf"; shape = "stl"; file = "shelf.stl"; scale = 1e-3;
+                   point = [0.0015, 0.004, 0.003]; } ); };
+averaging = { method = "pcm"; };
+exchange = { drag = "gidaspow"; };
 effects = { gravity = [0.0, -9.81, 0.0]; };
-output = { end = 1e-3; every = 1e-3; contacts = true; walls = true; forces = ( { name = "all"; } ); };
+output = { end = 1e-3; every = 1e-3; contacts = true; sorted = true;
+           particles = "mass material fluid_force contact_force contact_number"; walls = true; forces = ( { name = "all"; } ); };
 END
+sed 's/-1 0 0/-1 0 -1/; s/ 1 0 0/ 1 0 -1/; s/0 1 0$/0 0 2/' "$work/blade.stl" >"$work/shelf.stl"
 "$build/winnow" run "$work/pressed.cfg" -o "$work/pressed" --quiet >"$work/said" 2>&1 || {
     cat "$work/said"
     exit 1
 }
+# The same eight spheres in the middle of a periodic box and across its corners.
+for at in here moved; do
+    {
+        echo 'mesh = { size = [0.006, 0.006, 0.006]; cells = [1, 1, 1]; periodic = [true, true, true]; };'
+        echo 'particles = { contact = "linear"; step = 1e-6; overlaps = "allow";'
+        echo '  grains = { density = 1000; stiffness = 100; restitution = 0.9; friction = 0.1; };'
+        echo '  place = ('
+        for k in 0 1 2 3 4 5 6 7; do
+            echo "$k $at" | awk '{
+                s = $2 == "here" ? 2.4 : 5.4
+                x = s + 0.97 * ($1 % 2); y = s + 0.98 * (int($1 / 2) % 2); z = s + 0.96 * int($1 / 4)
+                if (x >= 6) x -= 6
+                if (y >= 6) y -= 6
+                if (z >= 6) z -= 6
+                printf "%s{ position = [%.5fe-3, %.5fe-3, %.5fe-3]; diameter = 1e-3; }",
+                    $1 ? "," : "", x, y, z }'
+        done
+        echo '); }; output = { end = 2e-5; every = 1e-5; contacts = true; particles = "contact_number"; sorted = true; };'
+    } >"$work/heap-$at.cfg"
+    "$build/winnow" run "$work/heap-$at.cfg" -o "$work/heap-$at" --quiet >"$work/said" 2>&1 || {
+        cat "$work/said"
+        exit 1
+    }
+done
 $python tests/vtk_check.py "$work/samples" "$work/run" "$work/sheared" \
-    "$work/dual" "$work/pressed"
+    "$work/dual" "$work/pressed" "$work/heap-here" "$work/heap-moved"

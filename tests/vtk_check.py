@@ -305,6 +305,53 @@ def check_table(path, ascending):
         check((np.diff(numbers[:, 0]) > 0).all(), path, "time goes back")
 
 
+def check_pressed(folder):
+    """Contacts by hand; one of them with a surface. What is said of particles."""
+    files = sorted((folder / "contacts").glob("*.vtp"))
+    lines = [load(p).GetNumberOfLines() for p in files]
+    check(lines == [2, 2], folder, f"{lines} contacts, not 2, and then 2")
+    others = sorted(arrays_of(files[-1], load(files[-1]))["ids"][:, 1])
+    check(others == [-7, -3], folder, f"{others}, not the shelf and the floor")
+    for path in sorted((folder / "particles").glob("*.vtp")):
+        a = arrays_of(path, load(path))
+        check(list(a["id"]) == [0, 1, 2, 3, 4], path, "ids do not ascend")
+        check(np.allclose(a["mass"], 1000 * math.pi / 6 * 1e-9, rtol=1e-6),
+              path, "a mass is not that of its sphere")
+        check((a["material"] == 0).all(), path, "another material")
+    check(list(a["contact_number"]) == [0, 0, 0, 1, 1], path,
+          f"contact numbers {a['contact_number']}")
+    check((a["contact_force"][3:, 1] > 1e-6).all() and
+          (a["contact_force"][:3] == 0).all(), path, "a force of no contact")
+    check((a["fluid_force"][:3, 1] * a["velocity"][:3, 1] < 0).all() and
+          (np.abs(a["fluid_force"]) < 1e-4).all(), path,
+          "the drag is not against the motion")
+
+
+def check_moved(folder, here):
+    """What was moved across the seams has the same contacts."""
+    for path in sorted((folder / "contacts").glob("*.vtp")):
+        pair = [(p, load(p)) for p in (path, here / "contacts" / path.name)]
+        lists = []
+        for p, data in pair:
+            a = arrays_of(p, data)
+            ends = vtk_to_numpy(data.GetPoints().GetData()).reshape(-1, 2, 3)
+            rows = zip(np.sort(a["ids"], axis=1).tolist(), a["force"],
+                       a["overlap"],
+                       np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+            lists.append(sorted(rows, key=lambda row: row[0]))
+        got, want = lists
+        check(len(got) == len(want) >= 12 and
+              all(g[0] == w[0] and np.allclose(g[1:], w[1:], rtol=1e-5)
+                  for g, w in zip(got, want)), path, "contacts have changed")
+        number = [arrays_of(p, load(p))["contact_number"].tolist()
+                  for p in (folder / "particles" / path.name.replace(
+                      "contacts", "particles"),
+                      here / "particles" / path.name.replace(
+                          "contacts", "particles"))]
+        check(number[0] == number[1] == [3] * 8, path,
+              f"contact numbers {number}")
+
+
 def check_run(folder):
     box = None
     for pvd in sorted(folder.glob("*.pvd"), key=lambda p: p.stem != "fluid"):
@@ -312,10 +359,10 @@ def check_run(folder):
     check((folder / "history.csv").is_file(), folder, "no history.csv")
     for path in sorted(folder.rglob("*.csv")):
         check_table(path, path.name in ("history.csv", "surfaces.csv"))
-    if (folder / "contacts.pvd").is_file():
-        lines = [load(p).GetNumberOfLines()
-                 for p in sorted((folder / "contacts").glob("*.vtp"))]
-        check(lines == [2, 1], folder, f"{lines} contacts, not 2, and then 1")
+    if folder.name == "pressed":
+        check_pressed(folder)
+    if folder.name.endswith("-moved"):
+        check_moved(folder, folder.with_name(folder.name[:-5] + "here"))
     summary = folder / "summary.json"
     if check(summary.is_file(), folder, "no summary.json"):
         strict = {"parse_constant": lambda word: check(False, summary, word)}

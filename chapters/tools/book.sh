@@ -1,9 +1,14 @@
 #!/bin/sh
 # Renders the book: build/book/index.html. Asks for pandoc.
 #
-#   sh chapters/tools/book.sh [build/book]
+#   sh chapters/tools/book.sh [build/book [plain]]
+#
+# Plain pages, of which only links and form are looked at, have listings without
+# colours, which take pandoc longer than all else.
 set -eu
 out=${1:-build/book}
+colours=
+[ "${2:-}" != plain ] || colours=--no-highlight
 tools=$(cd "$(dirname "$0")" && pwd)
 anchors=$out/anchors.txt
 pages=$(find chapters -maxdepth 1 -name '[0-9]*.md' | LC_ALL=C sort)
@@ -41,7 +46,7 @@ render() { # page, page before, page after
     # What cannot be woven, weave.sh has said.
     awk -v places=1 -f "$tools/c.awk" -f "$tools/show.awk" -f "$tools/weave.awk" \
         "$1" 2>/dev/null |
-        pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none \
+        pandoc -f gfm+tex_math_dollars -t html5 --standalone --mathml --wrap none $colours \
             --template "$tools/page.html" --toc --toc-depth 2 \
             --lua-filter "$tools/cite.lua" \
             --lua-filter "$tools/book.lua" -M anchors="$anchors" \

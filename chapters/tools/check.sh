@@ -18,6 +18,7 @@ text() {
     step sh "$tools/weave.sh" check
     step sh "$tools/ledger.sh" check
     step sh "$tools/unshown.sh" check
+    awk -v half=1 -f "$tools/listings.awk" chapters/[0-9]*.md
 }
 
 results() {
@@ -34,7 +35,7 @@ solutions() {
 
 pages() {
     if command -v pandoc >/dev/null; then
-        step sh "$tools/book.sh" "$build/book"
+        step sh "$tools/book.sh" "$build/book.plain" plain
     else
         echo "book: without pandoc no pages are made"
     fi

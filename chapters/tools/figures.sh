@@ -61,9 +61,10 @@ remake() { # file
     fi
 }
 
-# What gnuplot draws from a transcript says so: it names the file.
+# What gnuplot draws from a transcript says so: it names the file, if only in the
+# comment at its top.
 draw() { # file
-    for script in $(grep -l "$1" figures/*.gp); do
+    for script in $(grep -l "${1##*/}" figures/*.gp); do
         gnuplot "$script" >"$work/said" 2>&1 ||
             printf '%-28s not drawn: %s\n' "$script" "$(tail -1 "$work/said")"
     done

@@ -74,13 +74,13 @@ same() {
 
 slow() { head -1 "$1" | grep -q '^# slow'; }
 
-# What a transcript depends on: the source, the files that its commands name,
-# and the program whose name program.sh is given.
+# What a transcript depends on: the source, the files that its commands name but
+# for pictures, which they make, and the program whose name program.sh is given.
 depends() {
     echo src
     sed -n 's/^\$ //p' "$1" | sed 's|program\.sh \([^ ]*\)|program.sh figures/\1.c|' |
         grep -oE '(figures|cases|chapters/tools|tests/bench)/[A-Za-z0-9_.-]+' |
-        sort -u
+        grep -v -E '\.(svg|png)$' | sort -u
 }
 
 made_at() { sed -n '1s/^# slow, made at \([0-9a-f]*+\{0,1\}\).*/\1/p' "$1"; }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "averaging/averaging_wall.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/stencil.h"
@@ -16,9 +17,10 @@
 
 struct averaging {
     const struct averaging_method *method;
-    struct cell_of_particle *hosts;
-    void *state; /* of the method */
-    int fields;  /* [-] largest number in one call */
+    struct cell_of_particle *cells;
+    void *state;                 /* of the method */
+    int fields;                  /* [-] largest number in one call */
+    struct averaging_wall *wall; /* NULL: there is none */
     struct averaging_report report;
 };
 
@@ -83,8 +85,8 @@ struct averaging *averaging_create(const struct averaging_method *method,
 
     a->method = row_for(method, mesh);
     a->fields = full.fields;
-    a->hosts = cell_of_particle_create(mesh, ps);
-    a->state = a->method->create(a->hosts, &full);
+    a->cells = cell_of_particle_create(mesh, ps);
+    a->state = a->method->create(a->cells, &full);
     if (a->state != NULL) return a;
     averaging_free(a);
     return NULL;
@@ -94,20 +96,20 @@ void averaging_free(struct averaging *a)
 {
     if (a == NULL) return;
     if (a->state != NULL) a->method->free(a->state);
-    cell_of_particle_free(a->hosts);
+    cell_of_particle_free(a->cells);
     free(a);
 }
 
 int averaging_bind(struct averaging *a)
 {
     struct averaging_report *const r = &a->report;
-    const struct particles *const ps = a->hosts->ps;
+    const struct particles *const ps = a->cells->ps;
 
     *r = (struct averaging_report){.worst = {.converged = 1}};
-    r->lost = cell_of_particle_find(a->hosts);
+    r->lost = cell_of_particle_find(a->cells);
     if (r->lost > 0) {
         int i = 0;
-        while (a->hosts->cell[i] >= 0)
+        while (a->cells->cell[i] >= 0)
             i++;
         r->lost_id = ps->id[i];
         return 1;
@@ -139,17 +141,30 @@ void averaging_spread(struct averaging *a, int m, const double *q,
                       double *field)
 {
     assert(m >= 1 && m <= a->fields);
-    assert(a->report.lost == 0 && a->hosts->n == a->hosts->ps->n);
+    assert(a->report.lost == 0 && a->cells->n == a->cells->ps->n);
     a->method->spread(a->state, m, q, field, &a->report);
-    check_first_field(&a->report, a->hosts->mesh, m, field);
+    if (a->wall != NULL) a->wall->move_out(a->wall, m, field);
+    check_first_field(&a->report, a->cells->mesh, m, field);
 }
 
 void averaging_gather(struct averaging *a, int m, const double *field,
                       double *q)
 {
     assert(m >= 1 && m <= a->fields);
-    assert(a->report.lost == 0 && a->hosts->n == a->hosts->ps->n);
-    a->method->gather(a->state, m, field, q, &a->report);
+    assert(a->report.lost == 0 && a->cells->n == a->cells->ps->n);
+    a->method->gather(a->state, m, averaging_extended(a, m, field), q,
+                      &a->report);
+}
+
+void averaging_set_wall(struct averaging *a, struct averaging_wall *wall)
+{
+    a->wall = wall;
+}
+
+const double *averaging_extended(struct averaging *a, int m,
+                                 const double *field)
+{
+    return a->wall != NULL ? a->wall->extend(a->wall, m, field) : field;
 }
 
 double averaging_capped_fraction(const struct averaging *a, int i)
@@ -162,19 +177,19 @@ double averaging_capped_fraction(const struct averaging *a, int i)
 void averaging_apply_cap(const struct averaging *a, int m, double *q)
 {
     if (a->report.capped == 0) return;
-    for (int i = 0; i < a->hosts->n; i++)
+    for (int i = 0; i < a->cells->n; i++)
         for (int k = 0; k < m; k++)
             q[m * i + k] *= averaging_capped_fraction(a, i);
 }
 
 const int *averaging_cell_of_particle(const struct averaging *a)
 {
-    return a->hosts->cell;
+    return a->cells->cell;
 }
 
 const struct cell_of_particle *averaging_cells(const struct averaging *a)
 {
-    return a->hosts;
+    return a->cells;
 }
 
 const struct averaging_report *averaging_report(const struct averaging *a)

@@ -38,7 +38,8 @@ struct averaging_options {
     const struct averaging_region *regions; /* borrowed during create */
     int n_regions;                          /* [-] [0] */
     double cap;                             /* [-] on eps_s, pcm only [none] */
-    int fields; /* [-] largest number of fields in one call [8] */
+    int fields;  /* [-] largest number of fields in one call [8] */
+    void *parts; /* of a mesh that is a part of another one, borrowed [none] */
 };
 
 /* lost to lost_volume: of the last bind. alone to negative: of the last spread.
@@ -60,6 +61,7 @@ extern const struct averaging_method *const averaging_methods[];
 const struct averaging_method *averaging_method_named(const char *name);
 
 struct averaging;
+struct averaging_wall;
 
 /* Allocates for ps->capacity particles; nothing is allocated afterwards. Mesh
  * and particles are borrowed. NULL after a message if the options are wrong. */
@@ -80,6 +82,12 @@ void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
+
+/* Solids inside the mesh (averaging_wall.h), from now on; borrowed. And a field
+ * as it is to be interpolated: itself without such solids. */
+void averaging_set_wall(struct averaging *a, struct averaging_wall *wall);
+const double *averaging_extended(struct averaging *a, int m,
+                                 const double *field);
 
 /* Fraction of the volume of particle i that is left by the cap of pcm [-]; 1
  * for all other methods. Spreading and gathering do not apply it: the caller

@@ -10,7 +10,8 @@ static void nearest(struct averaging *a, int m, const double *field,
                     const double *boundary, double *q)
 {
     (void)boundary;
-    cell_of_particle_value(averaging_cells(a), m, field, q);
+    cell_of_particle_value(averaging_cells(a), m,
+                           averaging_extended(a, m, field), q);
 }
 
 /* Value on face f of number k of the m. */
@@ -78,10 +79,11 @@ static void gradient(const struct mesh *mesh, int c, int k, int m,
         g[j] /= mesh->V[c];
 }
 
-static void linear(struct averaging *a, int m, const double *field,
+static void linear(struct averaging *a, int m, const double *values,
                    const double *boundary, double *q)
 {
     const struct cell_of_particle *const h = averaging_cells(a);
+    const double *const field = averaging_extended(a, m, values);
 
 #pragma omp parallel for schedule(static) if (h->n > 512)
     for (int c = 0; c < h->mesh->n_cells; c++) {

@@ -124,7 +124,7 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
         snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
-    else if (sim->n_surfaces > 0 && sim->dem_report.lost > 0 &&
+    else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
         describe_through(sim, when, text);
     else if (sim->particles != NULL && sim->dem_report.lost > 0)

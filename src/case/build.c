@@ -13,11 +13,6 @@
 #include "case/models.h"
 #include "case/table_numbers.h"
 
-struct mesh *build_mesh(const struct settings *s)
-{
-    return case_mesh_create(s);
-}
-
 /* --- coupling ----------------------------------------------------------- */
 
 static double bandwidth_of(const struct settings *s)
@@ -63,7 +58,7 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
     return sim->averaging == NULL ? 2 : 0;
 }
 
-static void create_coupling(const struct settings *s, struct simulation *sim)
+void build_coupling(const struct settings *s, struct simulation *sim)
 {
     const struct coupling_options o = {
         .law = drag_law_named(settings_text(s, "exchange.drag")),
@@ -81,7 +76,7 @@ static void create_coupling(const struct settings *s, struct simulation *sim)
 
 /* --- effects ------------------------------------------------------------ */
 
-static void create_effects(const struct settings *s, struct simulation *sim)
+void build_effects(const struct settings *s, struct simulation *sim)
 {
     double numbers[16];
 
@@ -99,7 +94,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
     *code = 0;
-    sim->mesh = build_mesh(s);
+    sim->mesh = case_mesh_create(s);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles"))
@@ -107,10 +102,10 @@ static struct simulation *build(const struct settings *s, int with_bed,
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
-        if (*code == 0) create_coupling(s, sim);
+        if (*code == 0) build_coupling(s, sim);
     }
     if (*code == 0) {
-        create_effects(s, sim);
+        build_effects(s, sim);
         *code = case_part_add_last(s, sim);
         if (*code == 0) return sim;
     }

@@ -21,7 +21,10 @@ struct simulation *build_to_resume(const struct settings *s, int *code);
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
 /* What the case says about parts, for `check` too. */
-struct mesh *build_mesh(const struct settings *s);
 struct averaging_options build_averaging_options(const struct settings *s);
+
+/* What is built on the mesh, the particles and their averaging. */
+void build_coupling(const struct settings *s, struct simulation *sim);
+void build_effects(const struct settings *s, struct simulation *sim);
 
 #endif

@@ -32,11 +32,8 @@ static int has(const struct settings *s, const struct patch *p, const char *key,
 /* 1 if both ends of direction k are walls that hold the fluid. */
 static int between_walls(const struct settings *s, int k)
 {
-    static const char *const ends[3][2] = {
-        {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
-
     for (int i = 0; i < 2; i++) {
-        const char *const side = settings_side(s, ends[k][i]);
+        const char *const side = settings_side(s, mesh_sides[2 * k + i]);
         char wall[PATH], rotation[PATH];
         if (side == NULL) return 0; /* periodic */
         snprintf(wall, sizeof wall, "%s.wall", side);

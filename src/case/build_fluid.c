@@ -23,12 +23,10 @@ static void take_drive(const struct settings *s, struct fluid_options *o)
     case_mesh_periodic(s, o->keeps_flow);
 }
 
-int build_fluid(const struct settings *s, struct simulation *sim)
+struct fluid_options build_fluid_options(const struct settings *s,
+                                         const struct simulation *sim)
 {
     const int shared = settings_has(s, "effects.pressure_gradient");
-
-    sim->boundaries = build_boundaries(s, sim->mesh, &sim->inlet_series);
-    if (sim->boundaries == NULL) return 2;
     struct fluid_options o = {
         .rho = settings_real(s, "fluid.density"),
         .mu = settings_real(s, "fluid.viscosity"),
@@ -55,6 +53,14 @@ int build_fluid(const struct settings *s, struct simulation *sim)
             models_value(coupling_forms, settings_text(s, "exchange.model")),
         .boundaries = sim->boundaries};
     take_drive(s, &o);
+    return o;
+}
+
+int build_fluid(const struct settings *s, struct simulation *sim)
+{
+    sim->boundaries = build_boundaries(s, sim->mesh, &sim->inlet_series);
+    if (sim->boundaries == NULL) return 2;
+    const struct fluid_options o = build_fluid_options(s, sim);
     sim->fluid = fluid_create(sim->mesh, &o);
     return 0;
 }

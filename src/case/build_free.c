@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "dem/population.h"
 #include "case/build_boundaries.h"
 #include "case/case_part.h"
@@ -11,6 +12,7 @@
 void build_free(struct simulation *sim)
 {
     if (sim == NULL) return;
+    if (sim->processes != NULL) sim->processes->free(sim->processes);
     for (int i = 0; i < sim->n_effects; i++)
         if (sim->effects[i].effect->free != NULL)
             sim->effects[i].effect->free(sim->effects[i].memory);

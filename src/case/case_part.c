@@ -6,23 +6,23 @@
 
 #include "base/number.h"
 
+/* Calls one function of all parts that have it, up to the first that returns
+ * another code than 0. */
+#define EACH_PART(function, ...)                                               \
+    int code = 0;                                                              \
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)                   \
+        if (case_parts[i]->function != NULL)                                   \
+            code = case_parts[i]->function(__VA_ARGS__);                       \
+    return code
+
 int case_part_check(const struct settings *s)
 {
-    int code = 0;
-
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->check != NULL) code = case_parts[i]->check(s);
-    return code;
+    EACH_PART(check, s);
 }
 
 int case_part_check_any(const struct settings *s)
 {
-    int code = 0;
-
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->check_any != NULL)
-            code = case_parts[i]->check_any(s);
-    return code;
+    EACH_PART(check_any, s);
 }
 
 int case_part_furnish(const struct settings *s, struct simulation *sim,
@@ -33,36 +33,26 @@ int case_part_furnish(const struct settings *s, struct simulation *sim,
     for (int i = 0; case_parts[i] != NULL && code == 0; i++)
         if (case_parts[i]->furnish != NULL)
             code = case_parts[i]->furnish(s, sim, o);
+    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
+        if (case_parts[i]->furnish_last != NULL)
+            code = case_parts[i]->furnish_last(s, sim, o);
     return code;
 }
 
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o)
 {
-    int code = 0;
-
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->place != NULL) code = case_parts[i]->place(s, ps, o);
-    return code;
+    EACH_PART(place, s, ps, o);
 }
 
 int case_part_add(const struct settings *s, struct simulation *sim)
 {
-    int code = 0;
-
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->add != NULL) code = case_parts[i]->add(s, sim);
-    return code;
+    EACH_PART(add, s, sim);
 }
 
 int case_part_add_last(const struct settings *s, struct simulation *sim)
 {
-    int code = 0;
-
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->add_last != NULL)
-            code = case_parts[i]->add_last(s, sim);
-    return code;
+    EACH_PART(add_last, s, sim);
 }
 
 int case_part_bed_file(const struct settings *s, char *path, size_t room)

@@ -44,6 +44,9 @@ struct case_part {
     int (*furnish)(const struct settings *s, struct simulation *sim,
                    struct dem_options *o);
     void (*free)(struct simulation *sim);
+    /* What is added to that, once all parts have furnished theirs. */
+    int (*furnish_last)(const struct settings *s, struct simulation *sim,
+                        struct dem_options *o);
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);

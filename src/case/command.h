@@ -16,13 +16,14 @@ struct command_line {
     int quiet;       /* 1: --quiet was given */
     int resume;      /* 1: --resume was given */
     int fresh;       /* 1: --fresh was given */
+    int to;          /* 1: --to was given, before a further word */
 };
 
 struct command {
     const char *name, *arguments, *what;
     const char *options; /* first letters of those it takes, - for --quiet, r
-                            for --resume, f for --fresh; NULL: all that
-                            follows is words */
+                            for --resume, f for --fresh, t for --to; NULL: all
+                            that follows is words */
     int least, most;     /* words after the name; most < 0: any number */
     /* Returns the exit code, after a message if it is not 0. */
     int (*act)(const struct command_line *l);

@@ -134,7 +134,7 @@ static int add_fluid(struct field_output *p, const struct snapshot *s)
 static int add_particles(struct field_output *p, const struct snapshot *s)
 {
     const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
-    const struct vtk_array arrays[] = {
+    struct vtk_array arrays[5 + SNAPSHOT_FIELDS] = {
         {.name = "diameter", .components = 1, .values = s->d, .single = 1},
         {.name = "velocity",
          .components = 3,
@@ -147,11 +147,17 @@ static int add_particles(struct field_output *p, const struct snapshot *s)
         {.name = "id", .components = 1, .ints = s->id},
         {.name = "material", .components = 1, .ints = s->material}};
 
+    int n = s->material != NULL ? 5 : 4;
+    for (int i = 0; i < s->n_more; i++)
+        arrays[n++] = (struct vtk_array){.name = s->more[i]->name,
+                                         .components = s->more[i]->components,
+                                         .values = s->value[i],
+                                         .single = 1};
     const char *const path = next_of(p, p->particles);
 
     return path == NULL ||
-           vtk_write_particles(p->writer, path, s->n, x, s->t,
-                               s->material != NULL ? 5 : 4, arrays) != 0 ||
+           vtk_write_particles(p->writer, path, s->n, x, s->t, n, arrays) !=
+               0 ||
            series_add(p->particles, s->t) != 0;
 }
 

@@ -65,14 +65,12 @@ struct key *patch_schema_create(const struct key *table, int n,
 
 static const char *wrong(const struct key *const *tables, const char *name)
 {
-    const struct key *k;
-
     if (!isalpha((unsigned char)name[0]))
         return "its name does not begin with a letter";
     for (const char *c = name; *c != '\0'; c++)
         if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
             return "its name has other signs than letters, digits, _ and -";
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (k, tables) {
         const char *const member = schema_member(k, "fluid");
         if (member != NULL && strcmp(member, name) == 0)
             return "the fluid has a key of that name";

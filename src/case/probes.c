@@ -27,14 +27,14 @@ struct probes {
 };
 
 static int create_sensor(const struct settings *s, const struct simulation *sim,
-                         const struct snapshot *look, int i,
+                         const struct snapshot *snapshot, int i,
                          struct sensor *sensor)
 {
     double x[3];
 
     settings_item_vector(s, list, i, "position", x);
     sensor->field =
-        field_names_find(look, settings_item_text(s, list, i, "field"));
+        field_names_find(snapshot, settings_item_text(s, list, i, "field"));
     if (sensor->field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s",
                               sensor->field.name);
@@ -58,17 +58,18 @@ static struct table *create_table(const struct probes *p, struct folder *folder)
 
 struct probes *probes_create(const struct settings *s,
                              const struct simulation *sim,
-                             const struct snapshot *look, struct folder *folder)
+                             const struct snapshot *snapshot,
+                             struct folder *folder)
 {
     struct probes *const p = alloc_zeroed(1, sizeof *p);
     int wrong = 0;
 
-    p->snapshot = look;
+    p->snapshot = snapshot;
     p->n = settings_length(s, list);
     p->sensor = alloc_zeroed((size_t)p->n, sizeof *p->sensor);
     p->row = alloc_doubles(p->n + 1);
     for (int i = 0; i < p->n && !wrong; i++)
-        wrong = create_sensor(s, sim, look, i, &p->sensor[i]);
+        wrong = create_sensor(s, sim, snapshot, i, &p->sensor[i]);
     if (!wrong && p->n > 0)
         wrong = (p->table = create_table(p, folder)) == NULL;
     if (!wrong) return p;

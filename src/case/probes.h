@@ -10,10 +10,10 @@ struct probes;
 
 /* One column of DIR/probes.csv for each group of output.probes, whose points
  * validate.c has found to be inside; no file if there is none. NULL after a
- * message. The snapshot is what they look at. */
+ * message. The snapshot is what they read. */
 struct probes *probes_create(const struct settings *s,
                              const struct simulation *sim,
-                             const struct snapshot *look,
+                             const struct snapshot *snapshot,
                              struct folder *folder);
 void probes_free(struct probes *p);
 

@@ -48,7 +48,8 @@ void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
 }
 
 static int create_line(const struct settings *s, const struct simulation *sim,
-                       const struct snapshot *look, int i, struct line *line)
+                       const struct snapshot *snapshot, int i,
+                       struct line *line)
 {
     const struct profile_line where = {
         .along = 0,
@@ -56,7 +57,7 @@ static int create_line(const struct settings *s, const struct simulation *sim,
         .height = settings_item_real(s, list, i, "height"),
         .from = settings_item_real(s, list, i, "from")};
     const struct profile_field field =
-        field_names_find(look, settings_item_text(s, list, i, "field"));
+        field_names_find(snapshot, settings_item_text(s, list, i, "field"));
 
     if (field.values == NULL)
         return settings_wrong(s, list, "the scene has no field %s", field.name);
@@ -67,15 +68,15 @@ static int create_line(const struct settings *s, const struct simulation *sim,
 
 struct profiles *profiles_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 const struct snapshot *look)
+                                 const struct snapshot *snapshot)
 {
     struct profiles *const l = alloc_zeroed(1, sizeof *l);
 
-    l->snapshot = look;
+    l->snapshot = snapshot;
     l->n = settings_length(s, "output.profiles");
     l->line = alloc_zeroed((size_t)l->n, sizeof *l->line);
     for (int i = 0; i < l->n; i++)
-        if (create_line(s, sim, look, i, &l->line[i]) != 0) {
+        if (create_line(s, sim, snapshot, i, &l->line[i]) != 0) {
             profiles_free(l);
             return NULL;
         }

@@ -17,10 +17,10 @@ enum { PROFILES_NAME = 64 };
 void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME]);
 
 /* One profile for each group of output.profiles; NULL after a message. The
- * snapshot is what they look at. */
+ * snapshot is what they read. */
 struct profiles *profiles_create(const struct settings *s,
                                  const struct simulation *sim,
-                                 const struct snapshot *look);
+                                 const struct snapshot *snapshot);
 void profiles_free(struct profiles *l);
 
 /* Takes a sample of the snapshot, which stands for dt [s]. */

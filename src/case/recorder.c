@@ -16,6 +16,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_columns.h"
 #include "coupling/effect_count.h"
+#include "coupling/processes.h"
 #include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
@@ -109,6 +110,9 @@ int recorder_sample(struct recorder *r)
     const long step = r->sim->steps;
 
     update_extremes(r);
+    if (r->sim->processes != NULL &&
+        (step % r->row_every == 0 || step % r->picture_every == 0))
+        r->sim->processes->collect(r->sim->processes, PROCESSES_FIELDS);
     if (step % r->row_every == 0) {
         snapshot_take(r->snapshot, r->sim);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
@@ -290,6 +294,7 @@ static int create_parts(struct recorder *r)
 
     if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
         return 1;
+    recorder_part_prepare(&r->parts, r->snapshot);
     r->history = create_history(r);
     if (r->history == NULL) return 1;
     r->pictures = field_output_create(sim, folder);

@@ -24,6 +24,13 @@ void recorder_part_free(struct recorder_part_list *l)
         l->part[i]->free(l->state[i]);
 }
 
+void recorder_part_prepare(const struct recorder_part_list *l,
+                           struct snapshot *s)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->part[i]->prepare != NULL) l->part[i]->prepare(l->state[i], s);
+}
+
 int recorder_part_columns(const struct recorder_part_list *l,
                           const struct history_column **column, int room)
 {
@@ -50,33 +57,27 @@ void recorder_part_print(const struct recorder_part_list *l)
         if (l->part[i]->print != NULL) l->part[i]->print(l->state[i]);
 }
 
+/* Calls one function of all parts that have it, up to the first that fails. */
+#define EACH_PART(function, ...)                                               \
+    int failed = 0;                                                            \
+    for (int i = 0; i < l->n && !failed; i++)                                  \
+        if (l->part[i]->function != NULL)                                      \
+            failed = l->part[i]->function(__VA_ARGS__);                        \
+    return failed
+
 int recorder_part_row(const struct recorder_part_list *l)
 {
-    int failed = 0;
-
-    for (int i = 0; i < l->n && !failed; i++)
-        if (l->part[i]->row != NULL) failed = l->part[i]->row(l->state[i]);
-    return failed;
+    EACH_PART(row, l->state[i]);
 }
 
 int recorder_part_fields(const struct recorder_part_list *l, double t)
 {
-    int failed = 0;
-
-    for (int i = 0; i < l->n && !failed; i++)
-        if (l->part[i]->fields != NULL)
-            failed = l->part[i]->fields(l->state[i], t);
-    return failed;
+    EACH_PART(fields, l->state[i], t);
 }
 
 int recorder_part_finish(const struct recorder_part_list *l)
 {
-    int failed = 0;
-
-    for (int i = 0; i < l->n && !failed; i++)
-        if (l->part[i]->finish != NULL)
-            failed = l->part[i]->finish(l->state[i]);
-    return failed;
+    EACH_PART(finish, l->state[i]);
 }
 
 void recorder_part_state(const struct recorder_part_list *l, struct state *s)

@@ -10,6 +10,7 @@
 #include "base/state.h"
 #include "case/history.h"
 #include "case/settings.h"
+#include "case/snapshot.h"
 #include "coupling/simulation.h"
 #include "output/folder.h"
 #include "output/summary.h"
@@ -24,6 +25,8 @@ struct recorder_part {
     void *(*create)(const struct settings *s, const struct simulation *sim,
                     struct folder *folder, int *failed);
     void (*free)(void *part);
+    /* What it adds to the snapshots, at the start. */
+    void (*prepare)(void *part, struct snapshot *s);
     int (*row)(void *part);               /* with each row of history.csv */
     int (*fields)(void *part, double t);  /* with the fields of time t [s] */
     int (*finish)(void *part);            /* at the end of the run */
@@ -52,6 +55,8 @@ int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
 void recorder_part_free(struct recorder_part_list *l);
 int recorder_part_columns(const struct recorder_part_list *l,
                           const struct history_column **column, int room);
+void recorder_part_prepare(const struct recorder_part_list *l,
+                           struct snapshot *s);
 int recorder_part_row(const struct recorder_part_list *l);
 int recorder_part_fields(const struct recorder_part_list *l, double t);
 int recorder_part_finish(const struct recorder_part_list *l);

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "dem/population.h"
 #include "output/folder.h"
 #include "case/breakdown.h"
@@ -42,13 +43,13 @@ static int sample(struct recorder *r, struct simulation *sim)
 }
 
 /* One step, by as many threads as pay. */
-static int step(struct simulation *sim, struct thread_tuner *crew)
+static int step(struct simulation *sim, struct thread_tuner *tuner)
 {
     const double began = clock_processor();
 
-    thread_tuner_begin(crew);
+    thread_tuner_begin(tuner);
     const int failed = coupling_step(sim);
-    thread_tuner_end(crew);
+    thread_tuner_end(tuner);
     sim->seconds.processor += clock_processor() - began;
     return failed;
 }
@@ -94,14 +95,14 @@ static int is_cut_short(const struct simulation *sim)
 
 /* The loop. Returns the exit code. A step that was cut short is not sampled. */
 static int advance(struct run *run, struct progress *bar,
-                   struct thread_tuner *crew)
+                   struct thread_tuner *tuner)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
     int told = sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
 
     while (sim->steps < steps) {
-        const int failed = step(sim, crew);
+        const int failed = step(sim, tuner);
 
         if (is_cut_short(sim)) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
@@ -118,13 +119,13 @@ static int advance(struct run *run, struct progress *bar,
 static int go(struct run *run)
 {
     struct progress bar;
-    struct thread_tuner crew;
+    struct thread_tuner tuner;
 
     progress_init(&bar, run->sim->t, settings_real(run->settings, "output.end"),
                   run->options->quiet);
-    thread_tuner_use_all(&crew);
-    int code = advance(run, &bar, &crew);
-    thread_tuner_restore(&crew);
+    thread_tuner_use_all(&tuner);
+    int code = advance(run, &bar, &tuner);
+    thread_tuner_restore(&tuner);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
     case_part_after_run(run->sim);
@@ -161,7 +162,7 @@ static int finish(struct run *run, int code)
     struct recorder *const r = run->recorder;
 
     if (code != NOT_WRITTEN && run->saver != NULL &&
-        run->saver->end(run->memory) != 0)
+        run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
@@ -235,7 +236,25 @@ static struct simulation *build(const struct run *run, int *code)
         run->resumes ? build_to_resume(s, code)
                      : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
     interrupt_watch_end(&b.watch);
-    return sim;
+    if (sim == NULL || processes_engines[0] == NULL) return sim;
+    sim->processes = processes_engines[0]->create(s, sim, code);
+    if (sim->processes != NULL) return sim;
+    build_free(sim);
+    return NULL;
+}
+
+/* Whether this program can compute the case; else 2, after a message. */
+static int check_engine(const struct settings *s)
+{
+    static const char key[] = "engine";
+
+    if (processes_engines[0] != NULL) return processes_engines[0]->check(s);
+    if (!settings_has(s, key) || strcmp(settings_text(s, key), "one") == 0)
+        return 0;
+    return settings_wrong(s, key,
+                          "this program computes on one machine; run the case "
+                          "with mpirun -n N build/winnow-mpi (make "
+                          "distributed)");
 }
 
 /* Non-zero, the exit code, after a message. */
@@ -258,7 +277,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (case_scales_check(s) != 0) return WRONG;
+    if (case_scales_check(s) != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
@@ -291,6 +310,10 @@ static int act(const struct command_line *l)
 {
     int code;
     struct interrupt_watch watch;
+
+    /* Then there are only files, and on stderr what is wrong. */
+    if (l->quiet && freopen("/dev/null", "w", stdout) == NULL)
+        return NOT_WRITTEN;
     char *const dir = default_dir(l->words[0]);
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
                                   .quiet = l->quiet,
@@ -316,7 +339,8 @@ const struct command command_run = {
     "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
     "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended, --fresh settles its bed anew",
+    "goes on where the run in DIR ended, --fresh settles its bed anew, --quiet "
+    "prints nothing but what is wrong",
     "osj-rf",
     1,
     1,

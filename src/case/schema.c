@@ -50,9 +50,7 @@ static int matches(const char *row, const char *path)
 
 const struct key *schema_find(const struct key *const *tables, const char *path)
 {
-    const struct key *k;
-
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++)
+    SCHEMA_EACH (k, tables)
         if (matches(k->path, path)) return k;
     return NULL;
 }
@@ -252,9 +250,7 @@ static void as_written(const struct key *key, char text[SCHEMA_TEXT])
 static const struct key *row_named(const struct key *const *tables,
                                    const char *name)
 {
-    const struct key *k;
-
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (k, tables) {
         const char *const last = strrchr(k->path, '.');
         if (strcmp(last == NULL ? k->path : last + 1, name) == 0) return k;
     }
@@ -267,20 +263,19 @@ const struct key *schema_nearest(const struct key *const *tables,
     const char *const dot = strrchr(path, '.');
     const char *const name = dot == NULL ? path : dot + 1;
     char group[SCHEMA_TEXT] = "";
-    const struct key *k;
     struct nearest n;
 
     if (dot != NULL)
         snprintf(group, sizeof group, "%.*s", (int)(dot - path), path);
     nearest_init(&n, name);
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++)
+    SCHEMA_EACH (k, tables)
         if (schema_member(k, group) != NULL)
             offer_row(&n, schema_member(k, group));
     if (nearest_best(&n) != NULL) {
         beside(path, nearest_best(&n), nearest);
         return schema_find(tables, nearest);
     }
-    k = row_named(tables, name);
-    if (k != NULL) as_written(k, nearest);
-    return k;
+    const struct key *const row = row_named(tables, name);
+    if (row != NULL) as_written(row, nearest);
+    return row;
 }

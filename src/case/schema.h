@@ -14,8 +14,8 @@
 
 enum { SCHEMA_TEXT = 512 }; /* room for a path or a phrase */
 
-/* What <patch> stands for in a path: the sides of the box and the pairs of
- * opposite sides. Ended by NULL. */
+/* What <patch> stands for in a path: the sides of the box, as in
+ * mesh_sides, and the three pairs of opposite sides. Ended by NULL. */
 extern const char *const schema_patches[];
 
 /* The row of a path, or NULL. */
@@ -25,6 +25,12 @@ const struct key *schema_find(const struct key *const *tables,
 /* 1 if there is such a row, or would be in a build that leaves no folder out.
  */
 int schema_knows(const struct key *const *tables, const char *path);
+
+/* Walks over the rows of all tables. */
+#define SCHEMA_EACH(found, tables)                                             \
+    for (const struct key *const *table_ = (tables); *table_ != NULL;          \
+         table_++)                                                             \
+        for (const struct key *found = *table_; found->path != NULL; found++)
 
 /* The i-th row over all tables, or NULL after the last. */
 const struct key *schema_at(const struct key *const *tables, int i);

@@ -242,9 +242,8 @@ static int missing(const struct key *const *tables, const char *path,
                    const config_setting_t *group)
 {
     char expected[SCHEMA_TEXT];
-    const struct key *k;
 
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (k, tables) {
         const char *const name = schema_member(k, path);
 
         if (name == NULL || k->fallback != NULL ||
@@ -333,11 +332,8 @@ int schema_check_check(config_t *tree, const struct key *const *tables)
 static void fill_group(const struct key *const *tables, const char *path,
                        config_setting_t *group)
 {
-    const struct key *k;
-
-    for (int i = 0; (k = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (k, tables) {
         const char *const name = schema_member(k, path);
-
         char value[SCHEMA_TEXT];
 
         if (name == NULL || !schema_has_default(k) ||

@@ -1,24 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/second_half.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/history_sums.h"
 #include "output/block_means.h"
 
-enum { DROP, LEAN, N_BLOCKED };
+/* What a row of the history adds: two numbers with errors by blocks, and the
+ * mean squares of speeds. */
+enum { DROP, LEAN, N_BLOCKED, WEIGHT = N_BLOCKED, SPEED, LEVEL, UPRIGHT, N };
 
+/* All rows are kept, for a run that is resumed may get a later end, and its
+ * second half is then another one. */
 struct second_half {
     const struct simulation *sim;
-    double from; /* [s] */
-    long rows;
-    double drop, weight;                /* [Pa] sums over the rows */
-    double lean;                        /* [-] the same */
-    double speed, horizontal, vertical; /* [m^2/s^2] of squares */
-    struct block_means *blocks;
+    double end; /* [s] */
+    int rows, capacity;
+    double *time;     /* [s] */
+    double (*row)[N]; /* [Pa, -, Pa, m^2/s^2, m^2/s^2, m^2/s^2] */
 };
 
 struct second_half *second_half_create(const struct simulation *sim, double end)
@@ -26,20 +30,20 @@ struct second_half *second_half_create(const struct simulation *sim, double end)
     struct second_half *const h = alloc_zeroed(1, sizeof *h);
 
     h->sim = sim;
-    h->from = 0.5 * end;
-    h->blocks = block_means_create(N_BLOCKED);
+    h->end = end;
     return h;
 }
 
 void second_half_free(struct second_half *h)
 {
     if (h == NULL) return;
-    block_means_free(h->blocks);
+    free(h->time);
+    free(h->row);
     free(h);
 }
 
-/* The bed as a whole; returns how far it leans. */
-static double add_bed(struct second_half *h)
+/* The bed as a whole. */
+static void put_bed(const struct second_half *h, double row[N])
 {
     const struct particles *const ps = h->sim->particles;
     const struct mesh *const m = h->sim->mesh;
@@ -54,92 +58,123 @@ static double add_bed(struct second_half *h)
         for (int k = 0; k < 3; k++)
             p[k] += ps->m[i] * v[k];
     }
-    if (ps->n == 0) return 0.0;
+    if (ps->n == 0) return;
     const double gg = vector_dot(g, g);
     const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;
-    h->speed += square / mass;
-    h->vertical += along * along / (mass * mass);
-    h->horizontal += (vector_dot(p, p) - along * along) / (mass * mass);
-    return (2.0 * x / mass - m->lo[0] - m->hi[0]) / (m->hi[0] - m->lo[0]);
+    row[SPEED] = square / mass;
+    row[UPRIGHT] = along * along / (mass * mass);
+    row[LEVEL] = (vector_dot(p, p) - along * along) / (mass * mass);
+    row[LEAN] = (2.0 * x / mass - m->lo[0] - m->hi[0]) / (m->hi[0] - m->lo[0]);
+}
+
+static void grow(struct second_half *h, int capacity)
+{
+    double *const time = alloc_doubles(capacity);
+    double(*const row)[N] = alloc_zeroed((size_t)capacity, sizeof *row);
+
+    if (h->rows > 0) memcpy(time, h->time, (size_t)h->rows * sizeof *time);
+    if (h->rows > 0) memcpy(row, h->row, (size_t)h->rows * sizeof *row);
+    free(h->time);
+    free(h->row);
+    h->time = time;
+    h->row = row;
+    h->capacity = capacity;
 }
 
 void second_half_add(struct second_half *h)
 {
-    static const double once[N_BLOCKED] = {1.0, 1.0};
-    double row[N_BLOCKED] = {0.0, 0.0};
-
-    if (h->sim->fluid == NULL || h->sim->t < h->from) return;
+    if (h->sim->fluid == NULL) return;
+    if (h->rows == h->capacity) grow(h, 2 * h->rows + 16);
+    double *const row = h->row[h->rows];
+    for (int k = 0; k < N; k++)
+        row[k] = 0.0;
+    h->time[h->rows++] = h->sim->t;
     row[DROP] = history_pressure_drop(h->sim);
-    h->drop += row[DROP];
-    h->rows++;
-    if (h->sim->particles != NULL) {
-        h->weight += history_bed_weight(h->sim);
-        row[LEAN] = add_bed(h);
-        h->lean += row[LEAN];
-    }
-    block_means_add(h->blocks, row, once);
-}
-
-/* Where the end of the case has changed since it was saved, the means begin
- * anew. */
-static void begin_anew(struct second_half *h)
-{
-    struct block_means *const blocks = block_means_create(N_BLOCKED);
-
-    block_means_free(h->blocks);
-    *h = (struct second_half){.sim = h->sim, .from = h->from, .blocks = blocks};
+    if (h->sim->particles == NULL) return;
+    row[WEIGHT] = history_bed_weight(h->sim);
+    put_bed(h, row);
 }
 
 void second_half_state(struct second_half *h, struct state *s)
 {
-    double from = h->from;
-
     state_begin(s, "second_half");
-    state_long(s, "rows", "-", &h->rows);
-    state_real(s, "drop", "Pa", &h->drop);
-    state_real(s, "weight", "Pa", &h->weight);
-    state_real(s, "lean", "-", &h->lean);
-    state_real(s, "speed", "m2/s2", &h->speed);
-    state_real(s, "horizontal", "m2/s2", &h->horizontal);
-    state_real(s, "vertical", "m2/s2", &h->vertical);
-    block_means_state(h->blocks, s);
-    state_real(s, "from", "s", &from);
+    state_count(s, "rows", &h->rows, INT_MAX);
+    if (s->loading && !s->failed) {
+        const int rows = h->rows;
+        h->rows = 0;
+        grow(h, rows + 16);
+        h->rows = rows;
+    }
+    state_reals(s, "time", "s", h->time, h->rows, 1);
+    state_reals(s, "row", "Pa - Pa m2/s2", h->rows > 0 ? h->row[0] : NULL,
+                h->rows, N);
     state_end(s);
-    if (from != h->from) begin_anew(h);
+}
+
+/* The first row of the second half. */
+static int first(const struct second_half *h)
+{
+    int k = h->rows;
+
+    while (k > 0 && h->time[k - 1] >= 0.5 * h->end)
+        k--;
+    return k;
+}
+
+static double mean(const struct second_half *h, int column)
+{
+    double sum = 0.0;
+
+    for (int k = first(h); k < h->rows; k++)
+        sum += h->row[k][column];
+    return sum / (double)(h->rows - first(h));
 }
 
 int second_half_has_any(const struct second_half *h)
 {
-    return h->rows > 0;
+    return first(h) < h->rows;
 }
 
 double second_half_pressure_drop(const struct second_half *h)
 {
-    return h->drop / (double)h->rows;
+    return mean(h, DROP);
 }
 
 double second_half_weight(const struct second_half *h)
 {
-    return h->weight / (double)h->rows;
+    return mean(h, WEIGHT);
+}
+
+/* The errors of the means by blocks. */
+static void find_errors(const struct second_half *h, double error[N_BLOCKED])
+{
+    static const double once[N_BLOCKED] = {1.0, 1.0};
+    struct block_means *const blocks = block_means_create(N_BLOCKED);
+
+    for (int k = first(h); k < h->rows; k++)
+        block_means_add(blocks, h->row[k], once);
+    for (int q = 0; q < N_BLOCKED; q++)
+        error[q] = block_means_error(blocks, q);
+    block_means_free(blocks);
 }
 
 void second_half_write(const struct second_half *h, struct summary *to)
 {
-    const double n = (double)h->rows;
+    double error[N_BLOCKED];
 
-    if (h->rows == 0) return;
+    if (!second_half_has_any(h)) return;
+    find_errors(h, error);
     summary_begin(to, "second_half");
     summary_number(to, "mean_pressure_drop", second_half_pressure_drop(h));
     if (h->sim->particles != NULL)
         summary_number(to, "bed_weight", second_half_weight(h));
-    summary_number(to, "mean_pressure_drop_error",
-                   block_means_error(h->blocks, DROP));
+    summary_number(to, "mean_pressure_drop_error", error[DROP]);
     if (h->sim->particles != NULL) {
-        summary_number(to, "particle_velocity_rms", sqrt(h->speed / n));
-        summary_number(to, "horizontal_velocity_rms", sqrt(h->horizontal / n));
-        summary_number(to, "vertical_velocity_rms", sqrt(h->vertical / n));
-        summary_number(to, "lean", h->lean / n);
-        summary_number(to, "lean_error", block_means_error(h->blocks, LEAN));
+        summary_number(to, "particle_velocity_rms", sqrt(mean(h, SPEED)));
+        summary_number(to, "horizontal_velocity_rms", sqrt(mean(h, LEVEL)));
+        summary_number(to, "vertical_velocity_rms", sqrt(mean(h, UPRIGHT)));
+        summary_number(to, "lean", mean(h, LEAN));
+        summary_number(to, "lean_error", error[LEAN]);
     }
     summary_end(to);
 }

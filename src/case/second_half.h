@@ -27,10 +27,12 @@ struct second_half *second_half_create(const struct simulation *sim,
                                        double end);
 void second_half_free(struct second_half *h);
 
-/* Takes a sample, if there is a fluid and it is late enough. */
+/* Takes a sample, if there is a fluid. */
 void second_half_add(struct second_half *h);
 
-/* The sums so far (state.h). */
+/* The samples so far (state.h); the end may be another one when they are
+ * loaded.
+ */
 void second_half_state(struct second_half *h, struct state *s);
 
 /* The means so far; 0 samples: 0 and nothing written. */

@@ -336,9 +336,7 @@ void settings_item_vector(const struct settings *s, const char *list, int i,
 /* The path of the i-th patch of the mesh from files, or NULL. */
 static const char *patch_path(const struct settings *s, int i)
 {
-    const struct key *k;
-
-    for (int row = 0; (k = schema_at(s->tables, row)) != NULL; row++)
+    SCHEMA_EACH (k, s->tables)
         if (k->type == KEY_PATCH && i-- == 0) return k->path;
     return NULL;
 }

@@ -9,6 +9,14 @@
 
 #include "coupling/simulation.h"
 
+/* A further number, or vector, of each particle. */
+struct snapshot_field {
+    const char *name, *unit;
+    int components; /* [-] 1 or 3 */
+    void (*take)(void *memory, const struct simulation *sim, double *to);
+};
+enum { SNAPSHOT_FIELDS = 8 };
+
 struct snapshot {
     double t; /* [s] */
     /* Fluid; NULL without one. */
@@ -27,6 +35,13 @@ struct snapshot {
     double *speed; /* [m/s] */
     int *id;
     int *material; /* [-] NULL where all are of one */
+    /* What folders add (recorder_part.h). */
+    int n_more;
+    const struct snapshot_field *more[SNAPSHOT_FIELDS];
+    void *memory[SNAPSHOT_FIELDS];
+    double *value[SNAPSHOT_FIELDS];
+    int *order; /* [-] work space if particles are in the order of their ids;
+                   NULL: as the program has them */
 };
 
 struct snapshot *snapshot_create(const struct simulation *sim);
@@ -35,5 +50,10 @@ void snapshot_free(struct snapshot *s);
 void snapshot_state(struct snapshot *s, const struct mesh *mesh,
                     struct state *state);
 void snapshot_take(struct snapshot *s, const struct simulation *sim);
+/* At the start: adds a field, which is computed with `memory`; puts the
+ * particles in the order of their ids. */
+void snapshot_add(struct snapshot *s, const struct snapshot_field *field,
+                  void *memory);
+void snapshot_sort(struct snapshot *s);
 
 #endif

@@ -20,11 +20,13 @@
 #include "case/profiles.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
+#include "case/schema.h"
 
-/* The two sides of each direction, and the key that names both at once. */
-static const char *const sides[3][3] = {{"left", "right", "sides"},
-                                        {"bottom", "top", "bottom_top"},
-                                        {"back", "front", "front_back"}};
+/* Of direction k the name of its two sides, and that of both at once. */
+static const char *side_of(int k, int i)
+{
+    return schema_patches[i < 2 ? 2 * k + i : 6 + k];
+}
 
 static const char *const axes[3] = {"x", "y", "z"};
 
@@ -39,27 +41,28 @@ static int has_side(const struct settings *s, const char *patch)
 /* A periodic direction has no sides; any other has each of its two once. */
 static int check_direction(const struct settings *s, int k)
 {
-    const int both = has_side(s, sides[k][2]);
+    const int both = has_side(s, side_of(k, 2));
     int periodic[3];
 
     settings_flags(s, "mesh.periodic", periodic);
     for (int i = 0; i < 2; i++) {
-        const int given = has_side(s, sides[k][i]) + both;
+        const int given = has_side(s, side_of(k, i)) + both;
 
         if (periodic[k] && given > 0)
             return settings_wrong(s, "mesh.periodic",
                                   "%s is periodic, so the fluid has no %s "
                                   "there; leave one of them out",
-                                  axes[k], both ? sides[k][2] : sides[k][i]);
+                                  axes[k],
+                                  both ? side_of(k, 2) : side_of(k, i));
         if (!periodic[k] && given == 0)
             return settings_wrong(s, "fluid",
                                   "nothing is said about the side %s: give "
                                   "fluid.%s or fluid.%s, or make %s periodic",
-                                  sides[k][i], sides[k][i], sides[k][2],
+                                  side_of(k, i), side_of(k, i), side_of(k, 2),
                                   axes[k]);
         if (given == 2)
             return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
-                                  sides[k][i], sides[k][i], sides[k][2]);
+                                  side_of(k, i), side_of(k, i), side_of(k, 2));
     }
     return 0;
 }
@@ -86,7 +89,7 @@ static int check_walls(const struct settings *s)
         for (int i = 0; i < 3; i++) {
             char path[64];
             double u[3];
-            snprintf(path, sizeof path, "fluid.%s.wall", sides[k][i]);
+            snprintf(path, sizeof path, "fluid.%s.wall", side_of(k, i));
             if (!settings_has(s, path)) continue;
             settings_vector(s, path, u);
             if (u[k] != 0.0)

@@ -10,6 +10,7 @@
 #include "base/number.h"
 #include "coupling/effects.h"
 #include "coupling/effect_mover.h"
+#include "coupling/processes.h"
 #include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
@@ -73,6 +74,7 @@ int coupling_start(struct simulation *sim)
     const struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
 
+    if (sim->processes != NULL) return sim->processes->start(sim->processes);
     if (cp == NULL) return 0;
     for (int i = 0; i < ps->n; i++) {
         cp->u_mean[3 * i] = ps->vx[i];
@@ -133,6 +135,17 @@ static void add_before(struct dem_report *r, const struct dem_report *before)
     r->max_overlap = fmax(r->max_overlap, before->max_overlap);
 }
 
+/* The particles, and bodies that they push. */
+static int run_particles(struct simulation *sim, int steps)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        if (e->effect->mover != NULL && e->effect->mover->along != NULL)
+            return e->effect->mover->along(e->memory, sim, steps);
+    }
+    return dem_run(sim->dem, steps, &sim->dem_report);
+}
+
 /* Steps 3 and 4: moves the particles through the sub-steps, each with the drag
  * at its start. */
 static int move_with_drag(struct simulation *sim, double *clock)
@@ -151,7 +164,7 @@ static int move_with_drag(struct simulation *sim, double *clock)
         effects_call(sim, EFFECTS_BEFORE_SUBSTEP);
         transfer_begin_substep(sim, steps);
         clock_add(&sim->seconds.exchange, clock);
-        failed = dem_run(sim->dem, steps, &sim->dem_report);
+        failed = run_particles(sim, steps);
         clock_add(&sim->seconds.dem, clock);
         add_before(&sim->dem_report, &before);
         before = sim->dem_report;
@@ -164,7 +177,7 @@ static int move_freely(struct simulation *sim, double *clock)
 {
     apply_held_forces(sim);
     clock_add(&sim->seconds.exchange, clock);
-    const int failed = dem_run(sim->dem, sim->dem_steps, &sim->dem_report);
+    const int failed = run_particles(sim, sim->dem_steps);
     clock_add(&sim->seconds.dem, clock);
     return failed;
 }
@@ -211,6 +224,7 @@ int coupling_step(struct simulation *sim)
     double clock = clock_now();
     int failed = 0;
 
+    if (sim->processes != NULL) return sim->processes->step(sim->processes);
     if (sim->population != NULL) failed = insert_and_remove(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */

@@ -19,6 +19,7 @@
 
 struct coupling;
 struct population;
+struct processes;
 
 /* Wall-clock seconds spent so far, by part; and processor seconds of all
  * threads, without output. */
@@ -61,6 +62,7 @@ struct simulation {
     struct effect_state *at_work;    /* the one whose hook runs */
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
+    struct processes *processes; /* that compute it in parts; NULL: this one */
 };
 
 /* Visits all parts that decide the next step (state.h); a simulation that is

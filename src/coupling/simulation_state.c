@@ -3,6 +3,7 @@
 #include "coupling/simulation.h"
 
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 
 static void seconds_state(struct seconds *spent, struct state *s)
 {
@@ -38,6 +39,8 @@ static void effects_state(struct simulation *sim, struct state *s)
  * the averaging keeps follows from them. */
 int simulation_state(struct simulation *sim, struct state *s)
 {
+    if (sim->processes != NULL && !s->loading)
+        sim->processes->collect(sim->processes, PROCESSES_ALL);
     state_real(s, "t", "s", &sim->t);
     state_long(s, "steps", "-", &sim->steps);
     seconds_state(&sim->seconds, s);
@@ -48,5 +51,7 @@ int simulation_state(struct simulation *sim, struct state *s)
     effects_state(sim, s);
     if (s->loading && !s->failed && sim->averaging != NULL)
         s->failed = averaging_bind(sim->averaging) != 0;
+    if (sim->processes != NULL && !s->failed)
+        sim->processes->state(sim->processes, s);
     return s->failed;
 }

@@ -87,6 +87,7 @@ void transfer_solids_velocity(const struct simulation *sim)
     struct coupling *const cp = sim->coupling;
 
     if (cp == NULL || !cp->options.two_way || needs_velocity(sim)) return;
+    if (sim->processes != NULL) return; /* which have done so */
     for (int i = 0; i < ps->n; i++) {
         const double V = volume(ps, i);
         cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */
@@ -126,6 +127,10 @@ int transfer_average(struct simulation *sim)
     cp->report.seen_lowest = 1.0;
     for (int i = 0; i < ps->n; i++)
         cp->report.seen_lowest = fmin(cp->report.seen_lowest, cp->eps[i]);
+    cp->report.eps_lowest =
+        shared_smallest(sim->fluid->options.shared, cp->report.eps_lowest);
+    cp->report.seen_lowest =
+        shared_smallest(sim->fluid->options.shared, cp->report.seen_lowest);
     return cp->report.eps_lowest <= 0.0 || cp->report.seen_lowest <= 0.0;
 }
 
@@ -152,7 +157,8 @@ static void estimate_drag_impulse(struct simulation *sim)
             cp->amount[4 * i + 1 + a] = cp->k[i] * cp->u_mean[3 * i + a] -
                                         cp->unpaid_impulse[3 * i + a] / sim->dt;
     }
-    cp->report.shortest_time = shortest;
+    cp->report.shortest_time =
+        shared_smallest(sim->fluid->options.shared, shortest);
 }
 
 /* The inertia of effects beside the drag (coupling_add_inertia). */

@@ -13,7 +13,7 @@
 static const double settling_e = 0.1; /* [-] e while the bed comes to rest */
 static const double settling_speed = 1.0; /* [m/s] that the step is made for */
 static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
-enum { STEPS_A_LOOK = 50 };
+enum { CHECK_EVERY = 50 };
 
 /* The two parts of the way, and its end. */
 enum { DISSIPATIVE, REAL, ENDED };
@@ -120,19 +120,19 @@ static int call_keeper(struct bed_settling *b, enum bed_moment when)
 }
 
 /* Runs until the bed is at rest, at the earliest at `least` [s]; multiplies all
- * velocities by `kept` at each look. */
+ * velocities by `kept` at each check. */
 static int run_to_rest(struct bed_settling *b, double least, double kept)
 {
     struct bed_report *const r = b->r;
-    struct thread_tuner crew;
+    struct thread_tuner tuner;
     int lost = 0;
 
-    thread_tuner_use_all(&crew);
+    thread_tuner_use_all(&tuner);
     do {
         if (call_keeper(b, BED_MOVES) != 0) break;
-        thread_tuner_begin(&crew);
-        lost = dem_run(b->run, STEPS_A_LOOK, &r->dem);
-        thread_tuner_end(&crew);
+        thread_tuner_begin(&tuner);
+        lost = dem_run(b->run, CHECK_EVERY, &r->dem);
+        thread_tuner_end(&tuner);
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * b->step;
         r->kinetic = (r->dem.translation + r->dem.rotation) /
@@ -140,7 +140,7 @@ static int run_to_rest(struct bed_settling *b, double least, double kept)
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
         if (kept < 1.0) slow_down(b->ps, kept);
     } while (!lost && !r->settled && r->time < b->bed->settle);
-    thread_tuner_restore(&crew);
+    thread_tuner_restore(&tuner);
     return lost;
 }
 
@@ -149,12 +149,13 @@ static int run_to_rest(struct bed_settling *b, double least, double kept)
 static int go(struct bed_settling *b)
 {
     const double fall = sqrt(b->bed->diameter / vector_length(b->bed->gravity));
-    const double look = STEPS_A_LOOK * b->step;
+    const double interval = CHECK_EVERY * b->step;
     int lost = 0;
 
     if (call_keeper(b, BED_BEGINS) != 0) return 0;
     if (b->part == DISSIPATIVE) {
-        lost = run_to_rest(b, 1.5 * fall, exp(-look / (settling_drag * fall)));
+        lost =
+            run_to_rest(b, 1.5 * fall, exp(-interval / (settling_drag * fall)));
         if (lost || b->r->stopped) return lost;
         begin_part(b, b->r->settled ? REAL : ENDED);
     }

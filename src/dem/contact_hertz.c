@@ -69,7 +69,7 @@ static double wave_time(const struct material *m, double r, double rho)
 }
 
 /* What Hertz's law asks of each material. */
-static const struct key elastic_keys[] = {
+const struct key contact_hertz_keys[] = {
     {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
      "Young's modulus E", "LS 4.9", ""},
     {"particles.grains.poisson", KEY_REAL, "-", ">= 0, <= 0.5", KEY_ASKED,
@@ -85,7 +85,7 @@ const struct contact_law contact_hertz = {
     .what = "elastic spheres after Hertz and Mindlin",
     .equations = "LS 4.7-4.10",
     .function = "contact_hertz_force",
-    .keys = {elastic_keys},
+    .keys = {contact_hertz_keys},
     .constants = constants,
     .duration = duration,
     .wave_time = wave_time,

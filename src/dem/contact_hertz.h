@@ -18,6 +18,7 @@
 #include "dem/contact.h"
 
 extern const struct contact_law contact_hertz;
+extern const struct key contact_hertz_keys[]; /* also for other laws */
 
 /* E* [Pa]: 1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j [LS 4.9]. */
 double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j);
@@ -27,7 +28,6 @@ double contact_hertz_modulus(double E_i, double nu_i, double E_j, double nu_j);
 double contact_hertz_shear(double E_i, double nu_i, double E_j, double nu_j);
 /* R* = R_i R_j / (R_i + R_j) [m]. */
 double contact_hertz_radius(double R_i, double R_j);
-
 /* [N/m^1.5] k_n = (4/3) E* sqrt(R*) [LS 4.9]. */
 double contact_hertz_stiffness(double E_star, double R_star);
 /* [s] of an elastic head-on impact at v [m/s]: 2.9432 delta_max / v. */

@@ -49,7 +49,7 @@ static double wave_time(const struct material *m, double r, double rho)
 
 /* Its constants; without a ratio the tangential spring is 2/7 of the normal
  * one. A pair of materials may have constants of its own. */
-static const struct key spring_keys[] = {
+const struct key contact_linear_keys[] = {
     {"particles.grains.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
      "spring constant k", "LS 4.4", ""},
     {"particles.grains.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
@@ -69,7 +69,7 @@ const struct contact_law contact_linear = {
     .what = "spring and dashpot",
     .equations = "LS 4.4, 4.8",
     .function = "contact_linear_force",
-    .keys = {spring_keys},
+    .keys = {contact_linear_keys},
     .constants = constants,
     .duration = duration,
     .wave_time = wave_time,

@@ -22,6 +22,7 @@
 #include "dem/contact.h"
 
 extern const struct contact_law contact_linear;
+extern const struct key contact_linear_keys[]; /* also for other laws */
 
 /* m* = m_i m_j / (m_i + m_j) [kg]. */
 static inline double contact_linear_mass(double m_i, double m_j)

@@ -22,7 +22,7 @@ struct dem_options {
     const struct integrator *integrator; /* NULL: velocity Verlet */
     const struct dem_method *method;     /* NULL: the first of dem_methods */
     double step;                         /* [s] */
-    double skin;                         /* [m] of the neighbour list; 0: d/6 */
+    double skin;                         /* [m] of the neighbour list; 0: d/3 */
     double lo[3], hi[3];                 /* [m] walls of the box */
     int periodic[3]; /* [-] 1: no walls, hi is lo again; the box must be at
                         least 2 (d + skin + range) long there */

@@ -55,6 +55,7 @@ int fluid_advance(struct fluid *fl, double dt)
             n = fmax(1.0, ceil(left / fl->options.cfl *
                                fmax(fastest_cell(fl),
                                     fastest_inlet(fl, fl->t + left))));
+        n = shared_largest(fl->options.shared, n);
         fl->options.dt = left / n;
         left -= fl->options.dt;
         failed = fluid_step(fl);

@@ -16,11 +16,13 @@
 #include <stddef.h>
 
 #include "fluid/piso.h"
+#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 int deferred_correction_exists(const struct fluid *fl)
 {
-    return fl->options.convection->deferred != NULL || fl->mesh->oblique;
+    return fl->options.convection->deferred != NULL || fl->mesh->oblique ||
+           fl->mesh->skewed;
 }
 
 static void fill_velocity_gradients(struct fluid *fl, const double *u)
@@ -136,9 +138,11 @@ static const double *continued(const struct fluid *fl)
 
 void deferred_correction_add(struct fluid *fl)
 {
-    const double *const known = fl->levels->u_known;
+    const double *const known =
+        fl->levels->u_known != NULL ? fl->levels->u_known : fl->u;
 
-    if (fl->options.convection->deferred != NULL)
-        add_beyond(fl, known != NULL ? known : fl->u);
-    if (fl->mesh->oblique) add_non_orthogonal(fl, continued(fl));
+    if (fl->options.convection->deferred != NULL) add_beyond(fl, known);
+    if (fl->mesh->oblique || fl->mesh->skewed)
+        add_non_orthogonal(fl, continued(fl));
+    if (fl->mesh->skewed) skewness_add_convection(fl, known);
 }

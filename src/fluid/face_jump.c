@@ -188,6 +188,8 @@ FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
 void face_jump_add_gamma_fluxes(struct fluid *fl)
 {
     PARALLEL_RANGES(fl->mesh->n_cells, 12, smooth_force_rows, fl);
+    if (fl->immersed != NULL && fl->immersed->smooth_forces != NULL)
+        fl->immersed->smooth_forces(fl->immersed, fl);
     FOR_EACH_FACE(fl->faces, 8, gamma_flux, fl);
 }
 

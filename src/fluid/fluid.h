@@ -28,6 +28,7 @@
 #include "fluid/boundary.h"
 #include "fluid/convection.h"
 #include "fluid/immersed.h"
+#include "fluid/shared_solution.h"
 #include "fluid/velocity_gradient.h"
 #include "fluid/time_scheme.h"
 #include "linear/report.h"
@@ -65,6 +66,7 @@ struct fluid_options {
     int keeps_flow[3]; /* 1: the mean gradient in this direction is adapted, to
                           keep */
     double mean_flow[3]; /* [m/s] this superficial velocity on average */
+    const struct shared_solution *shared; /* of one part of a mesh; NULL */
 };
 
 /* Residuals of the last step. */

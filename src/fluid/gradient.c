@@ -15,6 +15,7 @@
 #include "linear/face_loops.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
+#include "fluid/skewness.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3
@@ -118,5 +119,8 @@ void gradient_update(struct fluid *fl)
 {
     inner_pressures(fl);
     boundary_pressures(fl);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+    if (fl->geometry->off == NULL) return;
+    skewness_add_pressures(fl);
     PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
 }

@@ -18,6 +18,9 @@ struct immersed {
     void (*add_friction)(struct immersed *self, struct fluid *fl);
     /* The mobilities of the faces are set: changes those of held cells. */
     void (*change_faces)(struct immersed *self, struct fluid *fl);
+    /* The smooth forces of the cells (face_jump.c) were found from the diagonal:
+     * takes the friction out of them. */
+    void (*smooth_forces)(struct immersed *self, struct fluid *fl);
     /* The velocity has been corrected with the new pressure. */
     void (*corrected)(struct immersed *self, struct fluid *fl);
     /* The velocity of the step is final, unless this changes it. */

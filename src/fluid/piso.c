@@ -44,6 +44,8 @@ static void correct(struct fluid *fl)
     keep_worst_report(&fl->report.pressure, pressure_correct(fl));
     gradient_update(fl);
     velocity_correct(fl);
+    if (fl->options.shared != NULL)
+        fl->options.shared->corrected(fl->options.shared->parts, fl);
     if (fl->immersed != NULL && fl->immersed->corrected != NULL)
         fl->immersed->corrected(fl->immersed, fl);
     fl->report.correctors++;
@@ -126,6 +128,10 @@ int fluid_step(struct fluid *fl)
     ddt_end(fl);
     report->momentum_residual =
         momentum_balance_residual(fl, before, relabelled);
-    return !(all_finite(fl) && report->pressure.converged &&
-             report->momentum.converged);
+    const int failed = !(all_finite(fl) && report->pressure.converged &&
+                         report->momentum.converged);
+    return fl->options.shared == NULL
+               ? failed
+               : fl->options.shared->finished(fl->options.shared->parts, fl,
+                                              failed);
 }

@@ -26,6 +26,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
+#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 static inline double dot3(const double *a, const double *b)
@@ -46,21 +47,20 @@ static void cell_resistances(int first, int last, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
     const double *restrict V = fl->mesh->V, *restrict eps = fl->eps;
     const double *restrict diag = fl->momentum->diag;
-    const double *restrict storage = fl->levels->ddt, *restrict eps_phi =
-                                                          fl->eps_n;
+    const double *restrict ddt = fl->levels->ddt, *restrict eps_phi = fl->eps_n;
     double *restrict per_flux = pressure->per_flux, *restrict per_force =
                                                         pressure->per_force;
     double *restrict resistance = pressure->resistance;
 
     for (int c = first; c < last; c++) {
         per_force[c] = 1.0 / (piso_gamma(fl, c) * V[c]);
-        per_flux[c] = storage[c] * per_force[c] / eps_phi[c];
+        per_flux[c] = ddt[c] * per_force[c] / eps_phi[c];
         resistance[c] = diag[c] * per_force[c] / eps[c];
     }
 }
 
 /* The same for the flux one step earlier, in a two-step scheme. */
-static double older_per_flux(const struct fluid *fl, int c)
+double pressure_older_per_flux(const struct fluid *fl, int c)
 {
     return fl->levels->ddt_older[c] * fl->pressure->per_force[c] /
            fl->eps_nm1[c];
@@ -75,11 +75,11 @@ static void store_old_time_fluxes(struct fluid *fl)
     for (int f = 0; f < m->n_internal; f++)
         pressure->explicit_flux[f] +=
             pressure->m_face[f] * fl->phi_older[f] *
-            ((1.0 - m->w[f]) * older_per_flux(fl, m->owner[f]) +
-             m->w[f] * older_per_flux(fl, m->neighbour[f]));
+            ((1.0 - m->w[f]) * pressure_older_per_flux(fl, m->owner[f]) +
+             m->w[f] * pressure_older_per_flux(fl, m->neighbour[f]));
     for (int f = m->n_internal; f < m->n_faces; f++) /* m_face: outlets only */
         pressure->explicit_flux[f] += pressure->m_face[f] * fl->phi_older[f] *
-                                      older_per_flux(fl, m->owner[f]);
+                                      pressure_older_per_flux(fl, m->owner[f]);
 }
 
 /* m_f, and the terms that are the same for all correctors: the conductance and
@@ -181,8 +181,9 @@ void pressure_assemble(struct fluid *fl)
     if (pressure->pinned_cell >= 0)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
-    multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                               pressure->boundary_conductance);
+    if (fl->options.shared == NULL)
+        multigrid_set_coefficients(pressure->mg, pressure->conductance,
+                                   pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -240,6 +241,7 @@ static void predicted_fluxes(struct fluid *fl)
     FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
     if (m->oblique) FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
+    if (fl->geometry->off != NULL) skewness_add_fluxes(fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
@@ -342,10 +344,14 @@ struct solve_report pressure_correct(struct fluid *fl)
     if (mean_gradient_exists(&fl->options)) mean_gradient_add(fl);
     pressure_rhs(fl);
     const int last = fl->report.correctors >= fl->options.correctors - 1;
+    const double relative = last ? 0.0 : fl->options.p_relative_tolerance;
+    const double absolute = fl->options.tolerance * pressure->scale;
+    const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                  last ? 0.0 : fl->options.p_relative_tolerance,
-                  fl->options.tolerance * pressure->scale, 500, pressure->cg);
+        shared != NULL
+            ? shared->pressure(shared->parts, fl, relative, absolute)
+            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
+                        relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

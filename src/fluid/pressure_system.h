@@ -34,6 +34,9 @@ struct pressure_system {
 
 /* pressure.c: mobilities and the matrix; once a step. */
 void pressure_assemble(struct fluid *fl);
+/* The time derivative of cell c per superficial flux one step before the last,
+ * in a two-step scheme [kg/(m^3 s)]. */
+double pressure_older_per_flux(const struct fluid *fl, int c);
 /* Solves for p with the present H and sets phi. */
 struct solve_report pressure_correct(struct fluid *fl);
 

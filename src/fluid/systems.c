@@ -12,6 +12,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
+#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 static int has(const struct fluid *fl, enum boundary_kind kind)
@@ -206,13 +207,15 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
+    fl->geometry->off = skewness_of(m);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
-    fl->pressure->mg =
-        multigrid_create(n, m->n_internal, m->owner, m->neighbour,
-                         fl->geometry->face_coefficient, m->d, m->V);
+    if (fl->options.shared == NULL)
+        fl->pressure->mg =
+            multigrid_create(n, m->n_internal, m->owner, m->neighbour,
+                             fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }
@@ -230,5 +233,6 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
+    free(fl->geometry->off);
     free(fl->geometry);
 }

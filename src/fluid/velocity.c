@@ -86,6 +86,9 @@ struct solve_report velocity_predict(struct fluid *fl)
                                  ? fl->options.u_tolerance
                                  : fl->options.tolerance;
 
+    if (fl->options.shared != NULL)
+        return fl->options.shared->momentum(fl->options.shared->parts, fl,
+                                            tolerance);
     return bicgstab_solve(momentum->matrix, momentum->diag3, momentum->rhs,
                           fl->u, tolerance, 1e-300, 200, momentum->bicgstab);
 }
@@ -113,6 +116,11 @@ static void predicted_rows(int first, int last, const struct fluid *fl,
 void velocity_predicted_sum(struct fluid *fl)
 {
     struct momentum_system *const momentum = fl->momentum;
+
+    if (fl->options.shared != NULL) { /* whose solvers leave no residual */
+        velocity_neighbour_sum(fl);
+        return;
+    }
 
     PARALLEL_RANGES(fl->mesh->n_cells, 12, predicted_rows, fl,
                     bicgstab_residual(momentum->bicgstab));
@@ -213,5 +221,7 @@ double velocity_residual(struct fluid *fl)
         all.worst = fmax(all.worst, extremes[s].worst);
         all.largest = fmax(all.largest, extremes[s].largest);
     }
+    if (fl->options.shared != NULL)
+        return fl->options.shared->residual(fl->options.shared->parts, fl);
     return all.largest > 0.0 ? all.worst / all.largest : 0.0;
 }

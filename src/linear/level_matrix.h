@@ -1,4 +1,5 @@
-/* level_matrix.h -- the matrix of one level of multigrid.  Chapter 7.
+/* level_matrix.h -- the matrix of one level of multigrid.
+ * Chapter "Linear solvers".
  *
  * It is symmetric, with the entry -g[l] for link l and a diagonal such that the
  * row sums are those given. The cycle works in single precision, with the

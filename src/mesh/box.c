@@ -14,8 +14,8 @@
 
 #include "base/alloc.h"
 
-static const char *const patch_names[3][2] = {
-    {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
+const char *const mesh_sides[6] = {"left", "right", "bottom",
+                                   "top",  "back",  "front"};
 
 /* Cell edges from 0 to size; each cell is the same factor wider than the one
  * before it, the last `grading` times the first. */
@@ -163,7 +163,7 @@ static void count_faces(struct mesh *m)
         for (int side = 0; side < 2 && !b->periodic[k]; side++) {
             struct patch *const patch = &m->patches[m->n_patches++];
             snprintf(patch->name, sizeof patch->name, "%s",
-                     patch_names[k][side]);
+                     mesh_sides[2 * k + side]);
             patch->first = m->n_faces;
             patch->n = m->n_cells / b->n[k];
             m->n_faces += patch->n;

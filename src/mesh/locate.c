@@ -85,11 +85,11 @@ static int go_through(struct walk *w, int a)
 {
     const struct mesh *const m = w->m;
     const int f = m->cell_face[a],
-              lap = m->periodic_index != NULL ? m->periodic_index[f] : 0;
+              crossing = m->periodic_index != NULL ? m->periodic_index[f] : 0;
 
-    for (int k = 0; k < 3 && lap != 0; k++)
-        w->x[k] += m->out[a] *
-                   (lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k]);
+    for (int k = 0; k < 3 && crossing != 0; k++)
+        w->x[k] += m->out[a] * (crossing > 0 ? m->period[crossing - 1][k]
+                                             : -m->period[-crossing - 1][k]);
     return m->out[a] > 0.0 ? m->neighbour[f] : m->owner[f];
 }
 
@@ -289,7 +289,7 @@ static double rounding(const struct mesh *m)
 static void set_plane(const struct mesh *m, int a)
 {
     const int f = m->cell_face[a];
-    const int lap =
+    const int crossing =
         m->periodic_index != NULL && f < m->n_internal && m->out[a] < 0.0
             ? m->periodic_index[f]
             : 0;
@@ -298,8 +298,9 @@ static void set_plane(const struct mesh *m, int a)
 
     for (int k = 0; k < 3; k++) {
         double x = m->face_centre[3 * f + k];
-        if (lap != 0)
-            x += lap > 0 ? m->period[lap - 1][k] : -m->period[-lap - 1][k];
+        if (crossing != 0)
+            x += crossing > 0 ? m->period[crossing - 1][k]
+                              : -m->period[-crossing - 1][k];
         p[k] = m->out[a] * S[k] / area;
         p[3] += p[k] * x;
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "base/number.h"
 
 static void shape_free(struct mesh_shape *s)
@@ -134,6 +135,14 @@ void mesh_allocate(struct mesh *m)
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 
+/* Whether a component of a is larger than this part of b. */
+static int larger(const double a[3], double part, const double b[3])
+{
+    const double most = part * part * vector_dot(b, b);
+
+    return a[0] * a[0] > most || a[1] * a[1] > most || a[2] * a[2] > most;
+}
+
 /* For each cell its faces in ascending order. */
 void mesh_collect_faces(struct mesh *m)
 {
@@ -158,13 +167,14 @@ void mesh_collect_faces(struct mesh *m)
     }
     free(fill);
     for (int f = 0; f < m->n_internal; f++) {
-        const double *const S = &m->S[3 * f];
         double rest[3];
         mesh_oblique_part(m, f, rest);
-        for (int k = 0; k < 3; k++)
-            if (rest[k] * rest[k] >
-                1e-20 * (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]))
-                m->oblique = 1;
+        if (larger(rest, 1e-10, &m->S[3 * f])) m->oblique = 1;
+    }
+    for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
+        double off[3];
+        mesh_off_middle(m, f, off);
+        if (larger(off, 1e-6, &m->d[3 * f])) m->skewed = 1;
     }
 }
 
@@ -176,6 +186,18 @@ void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
 
     for (int k = 0; k < 3; k++)
         rest[k] = S[k] - ratio * d[k];
+}
+
+void mesh_off_middle(const struct mesh *m, int f, double off[3])
+{
+    const double *const d = &m->d[3 * f], *const S = &m->S[3 * f];
+
+    if (f >= m->n_internal)
+        vector_along(d, -vector_dot(S, d) / vector_dot(S, S), S, off);
+    else
+        for (int k = 0; k < 3; k++)
+            off[k] = m->face_centre[3 * f + k] -
+                     m->centre[3 * m->owner[f] + k] - (1.0 - m->w[f]) * d[k];
 }
 
 int mesh_dimensions(const struct mesh *m)

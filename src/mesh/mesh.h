@@ -79,6 +79,7 @@ struct mesh {
     double *out;     /* [-] beside it: 1 if S points out of the cell, else -1 */
     struct box box;  /* of a box; else n is 0 */
     int oblique;     /* 1: some link vector d is not normal to its face */
+    int skewed;      /* 1: some link misses the middle of its face */
     double lo[3], hi[3]; /* [m] the smallest box around it */
     int reference_count; /* [-] number of further owners, each of which calls
                             mesh_free */
@@ -145,6 +146,9 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
  * decays [1/s]. */
 double mesh_diffusion_rate(const struct mesh *m);
 
+/* Names of the patches of a box: left right bottom top back front. */
+extern const char *const mesh_sides[6];
+
 /* The patch of that name, or NULL. */
 const struct patch *mesh_patch(const struct mesh *m, const char *name);
 
@@ -155,7 +159,7 @@ double mesh_period(const struct mesh *m, int k);
 /* For functions that create meshes. mesh_allocate creates the arrays for the
  * numbers of cells, faces and patches in m; when all faces are set,
  * mesh_collect_faces finds the faces of each cell and whether a link is
- * non-orthogonal. */
+ * non-orthogonal, or misses the middle of its face. */
 void mesh_allocate(struct mesh *m);
 void mesh_collect_faces(struct mesh *m);
 /* Requires everything else to be set; no corner is farther from the plane of
@@ -165,6 +169,10 @@ void mesh_bins_create(struct mesh *m, double slack);
 /* S - d S.S / S.d: the non-orthogonal part of the area vector of inner face f
  * [m^2]. */
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
+
+/* From where the link of a face inside crosses it to its middle; of a boundary
+ * face the part of its link along it [m]. */
+void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
 int mesh_dimensions(const struct mesh *m);

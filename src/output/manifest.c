@@ -213,7 +213,7 @@ static struct manifest list_of(char *text, size_t length)
 }
 
 /* Only the names that `kept` does not have. */
-static void leave_out(struct manifest *m, const struct manifest *kept)
+static void forget_kept(struct manifest *m, const struct manifest *kept)
 {
     int n = 0;
 
@@ -239,7 +239,7 @@ int manifest_cut(int file, const char *path, long length, int here,
     text[kept] = '\0';
     struct manifest old = list_of(text, kept);
     struct manifest gone = list_of(later, all - kept);
-    leave_out(&gone, &old);
+    forget_kept(&gone, &old);
     const int failed = manifest_remove(&gone, here, dir, &removed);
     manifest_release(&old);
     manifest_release(&gone);

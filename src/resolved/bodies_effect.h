@@ -9,4 +9,7 @@
  * fluid and grains. */
 extern const struct effect bodies_effect;
 
+/* The same where there are particles, with which they move. */
+extern const struct effect bodies_effect_among_grains;
+
 #endif

@@ -5,12 +5,13 @@
 #include <string.h>
 
 #include "dem/box_domain.h"
+#include "resolved/block_contacts.h"
 #include "resolved/squeeze_film.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
 static double displaced(const struct solid_bodies *b, int i)
 {
-    return b->rho * body_shape_volume(&b->shape[i]);
+    return b->rho * b->volume[i];
 }
 
 /* Moment of inertia over mass [m^2] of a sphere, of a solid or of fluid. */
@@ -33,10 +34,10 @@ static void set_forces(struct solid_bodies *b, int i, double dt)
         const double gained = u[k] - b->u_old[3 * i + k];
         b->force[3 * i + k] = (b->impulse[3 * i + k] + m * gained) / dt;
         outside[k] = b->force[3 * i + k] + C_v * m * gained / dt +
-                     (ps->m[i] - m) * b->options.gravity[k];
+                     (b->mass[i] - m) * b->options.gravity[k];
         b->u_old[3 * i + k] = u[k];
     }
-    if (b->motion[i] != BODY_FREE) return;
+    if (b->motion[i] != BODY_FREE && b->motion[i] != BODY_SPRING) return;
     ps->ex[i] = outside[0], ps->ey[i] = outside[1], ps->ez[i] = outside[2];
     ps->added_mass[i] = C_v * m;
 }
@@ -86,37 +87,95 @@ static int drift(struct solid_bodies *b, double dt)
     return b->dem_report.lost > 0;
 }
 
-/* Contacts and lubrication act in each particle step. The report is of all. */
-static int move(struct solid_bodies *b)
+/* The velocities of those on springs after a step [s], the spring first: as
+ * symplectic Euler does it. */
+static void pull_springs(struct solid_bodies *b, double step)
 {
-    struct dem_report *const all = &b->dem_report;
-    double deepest = 0.0;
-    int failed = 0;
+    const struct dem_options *const o = &b->contacts;
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
+    struct particles *const ps = b->ps;
 
-    if (b->lubrication.reach == 0.0)
-        return dem_run(b->dem, b->options.dem_steps, all);
-    for (int k = 0; k < b->options.dem_steps && !failed; k++) {
-        squeeze_film_act(b, b->contacts.step);
-        failed = dem_run(b->dem, 1, all);
-        deepest = fmax(deepest, all->max_overlap);
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        const double e[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+        double *const v[3] = {&ps->vx[i], &ps->vy[i], &ps->vz[i]};
+        for (int k = 0; k < 3 && b->motion[i] == BODY_SPRING; k++) {
+            const double stiff = b->spring[3 * i + k];
+            const double away =
+                box_domain_nearest(&box, k, x[k] - b->anchor[3 * i + k]);
+            if (stiff > 0.0)
+                *v[k] += step * (e[k] - stiff * away) /
+                         (b->mass[i] + ps->added_mass[i]);
+        }
     }
-    all->max_overlap = deepest;
+}
+
+/* One particle step of all, without lubrication. */
+static int move_once(struct solid_bodies *b, double step)
+{
+    struct dem_report one;
+
+    pull_springs(b, step);
+    if (b->dem == NULL) return drift(b, step);
+    const double deepest = b->dem_report.max_overlap;
+    const int failed = dem_run(b->dem, 1, &one);
+    b->dem_report = one;
+    b->dem_report.max_overlap = fmax(deepest, one.max_overlap);
     return failed;
 }
 
-int body_motion_advance(struct solid_bodies *b, double dt)
+/* Contacts and lubrication act in each particle step. The report is of all. */
+int body_motion_run(struct solid_bodies *b, int n, double step)
 {
     int failed = 0;
 
+    if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
+    if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&
+        b->lubrication.reach == 0.0)
+        return dem_run(b->dem, n, &b->dem_report);
+    b->dem_report.max_overlap = 0.0;
+    for (int k = 0; k < n && !failed; k++) {
+        if (b->dem != NULL && b->lubrication.reach > 0.0)
+            squeeze_film_act(b, step);
+        if (b->dem != NULL && b->blocks > 0) {
+            const double depth = block_contacts_act(b, step);
+            b->dem_report.max_overlap = fmax(b->dem_report.max_overlap, depth);
+        }
+        failed = move_once(b, step);
+    }
+    return failed;
+}
+
+void body_motion_add_spin(struct solid_bodies *b, int i,
+                          const double impulse[3])
+{
+    const double per_mass = gyration(b, i);
+    const double I =
+        per_mass * (b->ps->m[i] + b->options.virtual_mass * displaced(b, i));
+
+    if (b->motion[i] != BODY_FREE) return;
+    b->ps->wx[i] += impulse[0] / I;
+    b->ps->wy[i] += impulse[1] / I;
+    b->ps->wz[i] += impulse[2] / I;
+}
+
+void body_motion_set_forces(struct solid_bodies *b, double dt)
+{
     for (int i = 0; i < b->ps->n; i++) {
         set_forces(b, i, dt);
         turn(b, i, dt);
     }
     clear(b);
+}
+
+int body_motion_advance(struct solid_bodies *b, double dt)
+{
+    const int n = b->options.dem_steps;
+
+    body_motion_set_forces(b, dt);
     if (!b->moves) return 0;
-    failed = b->dem != NULL ? move(b) : drift(b, dt);
-    b->dt_marked = 0.0; /* they have moved */
-    return failed;
+    b->dt_marked = 0.0; /* they will have moved */
+    return body_motion_run(b, n, dt / n);
 }
 
 void body_motion_add_momentum(const struct solid_bodies *b, double total[3])

@@ -8,8 +8,9 @@
  *   (rho_p + C_v rho) V Delta U = J + (1 + C_v) rho V Delta U_old
  *                                 + (rho_p - rho) V g dt + contacts
  *
- * and likewise with the moments of inertia. C_v rho V stands on both sides: it
- * does nothing to a steady motion, and keeps light bodies stable.
+ * a spring adds -k (X - X_0) to the contacts. Likewise with the moments of
+ * inertia. C_v rho V stands on both sides: it does nothing to a steady motion,
+ * and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H
@@ -19,6 +20,14 @@
 /* One step of dt [s] of all bodies, with the impulses of this step, which are 0
  * again afterwards. Non-zero if one is lost. */
 int body_motion_advance(struct solid_bodies *b, double dt);
+
+/* The same in parts, among particles: the forces of a step of dt [s], a part of
+ * it in n steps of `step` [s], and the spin that an angular impulse of contacts
+ * [N m s] gives. */
+void body_motion_set_forces(struct solid_bodies *b, double dt);
+int body_motion_run(struct solid_bodies *b, int n, double step);
+void body_motion_add_spin(struct solid_bodies *b, int i,
+                          const double impulse[3]);
 
 /* Adds rho_p V U - rho V U_old + C_v rho V (U - U_old), with U_old the velocity
  * that the fluid inside has got already [N s]. */

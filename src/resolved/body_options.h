@@ -9,7 +9,12 @@ enum body_method {
     BODY_METHOD_FICTITIOUS,
     BODY_METHOD_PISO_IB
 };
-enum body_motion { BODY_FREE, BODY_FIXED, BODY_PRESCRIBED };
+enum body_motion {
+    BODY_FREE,
+    BODY_FIXED,
+    BODY_PRESCRIBED,
+    BODY_SPRING /* free along each axis with a spring, without a spin */
+};
 
 /* Gaps narrower than cells (squeeze_film.h). */
 struct squeeze_film {

@@ -72,6 +72,22 @@ double body_shape_distance(const struct body_shape *shape, const double r[3])
     }
 }
 
+void body_shape_normal(const struct body_shape *shape, const double r[3],
+                       double n[3])
+{
+    const double step = 1e-4 * shape->half[0];
+
+    for (int k = 0; k < 3; k++) {
+        double a[3] = {r[0], r[1], r[2]}, c[3] = {r[0], r[1], r[2]};
+        a[k] -= step;
+        c[k] += step;
+        n[k] = body_shape_distance(shape, c) - body_shape_distance(shape, a);
+    }
+    const double length = vector_length(n);
+    for (int k = 0; k < 3; k++)
+        n[k] = length > 0.0 ? n[k] / length : k == 1;
+}
+
 void body_shape_extent(const struct body_shape *shape, double extent[3])
 {
     const double *const half = shape->half;

@@ -25,6 +25,10 @@ struct body_shape body_shape_cylinder(double diameter, double length,
 /* Signed distance [m] of the point r [m], seen from the centre of the body. */
 double body_shape_distance(const struct body_shape *shape, const double r[3]);
 
+/* Its gradient, the outward normal [-] of the surface next to r. */
+void body_shape_normal(const struct body_shape *shape, const double r[3],
+                       double n[3]);
+
 /* Half of the extent along each axis of the mesh [m]. */
 void body_shape_extent(const struct body_shape *shape, double extent[3]);
 

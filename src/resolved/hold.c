@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "base/vector.h"
+#include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/pressure_system.h"
@@ -62,12 +63,12 @@ static double theta(const struct solid_bodies *b, const struct fluid *fl, int c)
     return (diag - b->hold[c] * fl->mesh->V[c]) / diag;
 }
 
-/* Adds the share of cell c in the flux of the bodies through S, (1 - theta) u_b
+/* The share of cell c in the flux of the bodies through S, (1 - theta) eps u_b
  * . S / 2 [m^3/s]. */
-static double body_flux(const struct solid_bodies *b, int c, double rest,
-                        const double S[3])
+static double body_flux(const struct solid_bodies *b, const struct fluid *fl,
+                        int c, double rest, const double S[3])
 {
-    return b->hold[c] > 0.0 ? 0.5 * (1.0 - rest) *
+    return b->hold[c] > 0.0 ? 0.5 * (1.0 - rest) * fl->eps[c] *
                                   vector_dot(&b->hold_u[3 * c], S) / b->hold[c]
                             : 0.0;
 }
@@ -89,7 +90,20 @@ static void change_face(const struct solid_bodies *b, struct fluid *fl, int f)
     pressure->conductance[f] *= factor;
     pressure->explicit_flux[f] *= factor;
     pressure->explicit_flux[f] +=
-        body_flux(b, o, of_o, S) + body_flux(b, n, of_n, S);
+        body_flux(b, fl, o, of_o, S) + body_flux(b, fl, n, of_n, S);
+}
+
+/* Convection and viscosity alone: with the diagonal, face_jump.c has taken away
+ * hold u as well. */
+static void smooth_forces(struct immersed *self, struct fluid *fl)
+{
+    const struct solid_bodies *const b = bodies_of(self);
+
+    for (int j = 0; j < b->n_cells; j++) {
+        const int c = b->cell[j];
+        for (int k = 0; k < 3; k++)
+            fl->jump->smooth_force[3 * c + k] += b->hold[c] * fl->u[3 * c + k];
+    }
 }
 
 /* Each face of a held cell once: by its owner, if that is held. The pressure
@@ -147,6 +161,7 @@ void hold_fluid(struct solid_bodies *b)
     b->hooks = (struct immersed){.begin = begin,
                                  .add_friction = add_friction,
                                  .change_faces = change_faces,
+                                 .smooth_forces = smooth_forces,
                                  .end = end};
 }
 

@@ -7,62 +7,9 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
+#include "resolved/cell_window.h"
 
 const double mark_firmness = 1e3;
-
-/* The cells of a box that one body may hold. */
-struct window {
-    int first[3], last[3]; /* [-] of each direction; beyond the ends of a
-                              periodic one */
-    const struct mesh *mesh;
-};
-
-/* Index of the cell of a direction at x [m]; equal cells. */
-static int index_at(const struct box *b, int k, double x)
-{
-    const double width = (b->edge[k][b->n[k]] - b->edge[k][0]) / b->n[k];
-    return (int)floor((x - b->edge[k][0]) / width);
-}
-
-/* The cells of a body at x [m], and one more layer. */
-static struct window window_of(const struct mesh *m, const double x[3],
-                               const struct body_shape *shape)
-{
-    struct window w = {.mesh = m};
-    double extent[3];
-
-    body_shape_extent(shape, extent);
-    for (int k = 0; k < 3; k++) {
-        const double *const edge = m->box.edge[k];
-        const int n = m->box.n[k], here = index_at(&m->box, k, x[k]);
-        w.first[k] = index_at(&m->box, k, x[k] - extent[k]) - 1;
-        w.last[k] = index_at(&m->box, k, x[k] + extent[k]) + 1;
-        if (m->box.periodic[k] && 2.0 * extent[k] >= edge[n] - edge[0]) {
-            w.first[k] = here - n / 2; /* from end to end: each cell once */
-            w.last[k] = w.first[k] + n - 1;
-        }
-        if (m->box.periodic[k]) continue;
-        if (w.first[k] < 0) w.first[k] = 0;
-        if (w.last[k] >= m->box.n[k]) w.last[k] = m->box.n[k] - 1;
-    }
-    return w;
-}
-
-/* The cell at these indices, and how far its centre is from x [m]. */
-static int cell_of(const struct mesh *m, const int at[3], const double x[3],
-                   double r[3])
-{
-    const struct box *const b = &m->box;
-    int in[3];
-
-    for (int k = 0; k < 3; k++) {
-        const int n = b->n[k], laps = (at[k] < 0 ? at[k] - n + 1 : at[k]) / n;
-        in[k] = at[k] - laps * n;
-        r[k] = 0.5 * (b->edge[k][in[k]] + b->edge[k][in[k] + 1]) +
-               laps * (b->edge[k][n] - b->edge[k][0]) - x[k];
-    }
-    return in[0] + b->n[0] * (in[1] + b->n[1] * in[2]);
-}
 
 /* mu |S| / (|d| V) of face f [kg/(m^3 s)]. */
 static double exchange(const struct fluid *fl, int f, int c)
@@ -168,17 +115,16 @@ static void release(struct solid_bodies *b, const struct fluid *fl, int i,
     if (s <= 0.0) b->body_of[c] = 0;
 }
 
-/* Solid fraction of a cell at the distance s, as of a plane surface. */
-static double fraction(const struct fluid *fl, int c, double s)
+double mark_fraction(const struct mesh *m, int c, double s)
 {
-    return fmin(fmax(0.5 - s / cbrt(fl->mesh->V[c]), 0.0), 1.0);
+    return fmin(fmax(0.5 - s / cbrt(m->V[c]), 0.0), 1.0);
 }
 
 static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
                       int c, const double r[3], double s)
 {
     if (b->by_fraction) {
-        const double share = fraction(fl, c, s);
+        const double share = mark_fraction(fl->mesh, c, s);
         if (share > 0.0) add_link(b, i, c, share, r);
     } else if (s > 0.0) {
         const double hold = soft(fl, &b->shape[i], c, r, s);
@@ -193,14 +139,16 @@ static void each_cell(struct solid_bodies *b, const struct fluid *fl, int i,
     const struct mesh *const m = fl->mesh;
     const struct body_shape *const shape = &b->shape[i];
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
-    const struct window w = window_of(m, x, shape);
+    double extent[3], r[3];
     int at[3];
-    double r[3];
+
+    body_shape_extent(shape, extent);
+    const struct cell_window w = cell_window_around(m, x, extent);
 
     for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
         for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
             for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_of(m, at, x, r);
+                const int c = cell_window_cell(m, at, x, r);
                 act(b, fl, i, c, r, body_shape_distance(shape, r));
             }
 }

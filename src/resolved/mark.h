@@ -29,4 +29,8 @@ extern const double mark_firmness;
  * changed. */
 void mark_bodies(struct solid_bodies *b, const struct fluid *fl);
 
+/* Solid fraction of cell c [-], whose centre is at the distance s [m], as of a
+ * plane surface. */
+double mark_fraction(const struct mesh *m, int c, double s);
+
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "resolved/among_grains.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
@@ -19,23 +20,24 @@ static void (*const set_method[])(struct solid_bodies *) = {
     [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
 
 struct solid_bodies *
-solid_bodies_create(int n, struct fluid *fl,
+solid_bodies_create(int n, int cells, double rho,
                     const struct solid_bodies_options *options)
 {
     struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
-    const int cells = fl->mesh->n_cells;
-    double **const three[6] = {&b->u_old,   &b->w_old, &b->impulse,
-                               &b->angular, &b->force, &b->torque};
+    double **const three[8] = {&b->u_old, &b->w_old,  &b->impulse, &b->angular,
+                               &b->force, &b->torque, &b->spring,  &b->anchor};
 
     b->options = *options;
     if (options->dem != NULL) b->contacts = *options->dem;
     b->lubrication = options->lubrication;
-    b->rho = fl->options.rho;
+    b->rho = rho;
     b->ps = particles_create(n);
     particles_add_implicit_drag(b->ps);
     b->shape = alloc_zeroed((size_t)n, sizeof *b->shape);
     b->motion = alloc_zeroed((size_t)n, sizeof *b->motion);
-    for (int a = 0; a < 6; a++)
+    b->mass = alloc_doubles(n);
+    b->volume = alloc_doubles(n);
+    for (int a = 0; a < 8; a++)
         *three[a] = alloc_doubles(3 * n);
     b->cells = cells;
     b->start = alloc_ints(n + 1);
@@ -44,17 +46,21 @@ solid_bodies_create(int n, struct fluid *fl,
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
     set_method[options->method](b);
-    fl->immersed = &b->hooks;
     return b;
 }
 
 void solid_bodies_free(struct solid_bodies *b)
 {
     if (b == NULL) return;
+    among_grains_free(b->among, b->ps->n);
     dem_free(b->dem);
     particles_free(b->ps);
     free(b->shape);
     free(b->motion);
+    free(b->mass);
+    free(b->volume);
+    free(b->spring);
+    free(b->anchor);
     free(b->u_old);
     free(b->w_old);
     free(b->impulse);
@@ -70,32 +76,64 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b);
 }
 
+/* A cylinder along an axis of the box may be longer than that. */
+static double volume_within(const struct solid_bodies *b,
+                            const struct body_shape *shape)
+{
+    const double *const lo = b->contacts.lo, *const hi = b->contacts.hi;
+    struct body_shape cut = *shape;
+
+    for (int k = 0; k < 3 && shape->kind == BODY_CYLINDER; k++)
+        if (fabs(shape->axis[k]) == 1.0 && hi[k] > lo[k])
+            cut.half[1] = fmin(cut.half[1], 0.5 * (hi[k] - lo[k]));
+    return body_shape_volume(&cut);
+}
+
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density, enum body_motion motion)
 {
-    const double V = body_shape_volume(shape);
+    const double V = volume_within(b, shape);
     const int i = particles_add(b->ps, x, cbrt(6.0 * V / M_PI), density);
 
     b->shape[i] = *shape;
     b->motion[i] = motion;
+    b->volume[i] = V;
+    b->mass[i] = b->ps->m[i];
     if (motion != BODY_FREE) b->ps->m[i] = immovable;
     return i;
 }
 
-int solid_bodies_begin(struct solid_bodies *b)
+void solid_bodies_set_spring(struct solid_bodies *b, int i,
+                             const double spring[3])
+{
+    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
+
+    b->motion[i] = BODY_SPRING;
+    memcpy(&b->spring[3 * i], spring, sizeof x);
+    memcpy(&b->anchor[3 * i], x, sizeof x);
+}
+
+int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
 {
     int free = 0;
 
+    fl->immersed = &b->hooks;
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         free |= b->motion[i] == BODY_FREE;
+        b->springs += b->motion[i] == BODY_SPRING;
+        b->blocks += b->shape[i].kind != BODY_SPHERE;
         b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
     if (!free) return 0;
+    /* To the dem of the spheres the others are points at their centres, which
+     * no sphere comes to: block_contacts.h. */
+    for (int i = 0; i < b->ps->n; i++)
+        if (b->shape[i].kind != BODY_SPHERE) b->ps->d[i] *= 1e-3;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }
@@ -113,6 +151,7 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     state_reals(s, "torque", "N m", b->torque, n, 3);
     if (b->by_fraction)
         state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
+    if (b->among != NULL) among_grains_state(b, s);
     state_end(s);
     if (s->loading) b->dt_marked = 0.0; /* the links are made anew */
 }

@@ -202,9 +202,10 @@ char **choices_overrides(const struct choices *c, int variant, int *n)
     *n = 0;
     for (int i = 0; i < c->n; i++) {
         const struct choice *const of = &c->of[i];
-        char *const *const value =
-            of->value + choices_entry(c, variant, i) * of->n_keys;
+        const int entry = of->n == 1 ? 0 : choices_entry(c, variant, i);
+        char *const *const value = of->value + entry * of->n_keys;
 
+        if (variant < 0 && of->n > 1) continue;
         for (int k = 0; k < of->n_keys; k++) {
             const size_t room = strlen(of->key[k]) + strlen(value[k]) + 2;
             texts[*n] = alloc_zeroed(room, 1);
@@ -212,6 +213,16 @@ char **choices_overrides(const struct choices *c, int variant, int *n)
         }
     }
     return texts;
+}
+
+const char *choices_value(const struct choices *c, int variant, const char *key)
+{
+    for (int i = 0; i < c->n; i++)
+        for (int k = 0; k < c->of[i].n_keys; k++)
+            if (strcmp(c->of[i].key[k], key) == 0)
+                return c->of[i]
+                    .value[choices_entry(c, variant, i) * c->of[i].n_keys + k];
+    return NULL;
 }
 
 /* The last part of a key, where no other key of the study ends so; else all. */

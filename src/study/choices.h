@@ -2,6 +2,7 @@
  *
  *     fluid.step=4e-3,2e-3,1e-3                            a key, three values
  *     mesh.cells:fluid.step=[8,8,8]:2e-3,[16,16,16]:1e-3   two keys together
+ *     threads=1,2                                          no key: run -j 1
  *
  * Commas separate values where they stand in no brackets, braces or quotes, and
  * colons the values of keys that change together. Choices are crossed: a
@@ -33,8 +34,13 @@ int choices_variants(const struct choices *c);
 int choices_entry(const struct choices *c, int variant, int i);
 int choices_with(const struct choices *c, int variant, int i, int entry);
 
-/* All that a variant sets, "key=value" each; to be freed with its texts. */
+/* All that a variant sets, "key=value" each; of variant -1 what all runs have.
+ * To be freed with its texts. */
 char **choices_overrides(const struct choices *c, int variant, int *n);
+
+/* The value of a key in a variant, or NULL; borrowed. */
+const char *choices_value(const struct choices *c, int variant,
+                          const char *key);
 
 /* What tells a variant from others, "step=1e-3, method=pcm", without the choice
  * `but` (-1: with all); a key as short as it can be, "" if nothing is left. To

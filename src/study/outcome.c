@@ -221,6 +221,7 @@ struct outcomes outcomes_create(const struct plan *p, int n_runs,
     o.n = choices_variants(&p->choices);
     o.variant = alloc_zeroed((size_t)o.n, sizeof *o.variant);
     o.axis = choices_axis(&p->choices);
+    o.standing = runs_standing(p, n_runs, runs);
     for (int v = 0; v < o.n; v++)
         take_variant(&o, v);
     for (int m = 0; m < p->n_measures; m++) {

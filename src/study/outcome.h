@@ -36,7 +36,8 @@ struct outcomes {
     const struct run *run;
     int n;
     struct outcome *variant;
-    int axis; /* the choice along which a line goes; -1: none */
+    int standing; /* the variant that the case itself is; -1: none */
+    int axis;     /* the choice along which a line goes; -1: none */
 };
 
 /* Everything is borrowed but what it holds. */

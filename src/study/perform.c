@@ -91,34 +91,49 @@ static void forget(const struct run *r)
     free(summary);
 }
 
+/* What a run goes on from, or a bed that settles. */
+static const char *const checkpoints[] = {"checkpoint", "checkpoint.before",
+                                          "checkpoint.ahead"};
+enum { CHECKPOINTS = sizeof checkpoints / sizeof checkpoints[0] };
+
 /* 1 if the folder has a checkpoint of this very run. */
 static int can_go_on(const struct run *r)
 {
-    char *const path = file_join(r->folder, "checkpoint");
-    const int found = access(path, F_OK) == 0 && runs_is_begun(r);
+    int found = 0;
 
-    free(path);
-    return found;
+    for (int i = 0; i < CHECKPOINTS && !found; i++) {
+        char *const path = file_join(r->folder, checkpoints[i]);
+        found = access(path, F_OK) == 0;
+        free(path);
+    }
+    return found && runs_is_begun(r);
 }
 
 /* Removes the checkpoints of a run that cannot go on from them. */
 static void begin_anew(const struct run *r)
 {
-    static const char *const names[] = {"checkpoint", "checkpoint.before"};
-
-    for (int i = 0; i < 2; i++) {
-        char *const path = file_join(r->folder, names[i]);
+    for (int i = 0; i < CHECKPOINTS; i++) {
+        char *const path = file_join(r->folder, checkpoints[i]);
         remove(path);
         free(path);
     }
 }
 
-/* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ... */
+/* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ..., where
+ * the threads are no choice. */
 static const char **command(const struct plan *p, const struct run *r,
                             int resumed)
 {
-    const char *const fixed[] = {"winnow",  "run", p->case_file, "-o",
-                                 r->folder, "-j",  "1",          "--quiet"};
+    const char *const threads =
+        choices_value(&p->choices, r->variant, PLAN_THREADS);
+    const char *const fixed[] = {"winnow",
+                                 "run",
+                                 p->case_file,
+                                 "-o",
+                                 r->folder,
+                                 "-j",
+                                 threads != NULL ? threads : "1",
+                                 "--quiet"};
     const size_t n = sizeof fixed / sizeof fixed[0];
     const char **const words =
         alloc_zeroed(n + 2 * (size_t)r->n_overrides + 2, sizeof *words);

@@ -4,7 +4,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "case/case_file.h"
-#include "study/standing.h"
 #include "study/study_words.h"
 
 #include <math.h>
@@ -87,8 +86,12 @@ char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
         snprintf(texts[at++], sizeof p->seed[i].key + 16, "%s=%d",
                  p->seed[i].key, p->seed[i].value + seed);
     }
-    for (int i = 0; i < n_choices; i++)
-        texts[at++] = choices[i];
+    for (int i = 0; i < n_choices; i++) {
+        if (strncmp(choices[i], PLAN_THREADS "=", 8) == 0)
+            free(choices[i]);
+        else
+            texts[at++] = choices[i];
+    }
     free(choices);
     *n = at;
     return texts;
@@ -104,6 +107,20 @@ void plan_free_texts(int n, char **texts)
 /* --- the plan as a whole ---------------------------------------------------
  */
 
+static int check_threads(const struct plan *p)
+{
+    for (int v = 0; v < choices_variants(&p->choices); v++) {
+        const char *const text = choices_value(&p->choices, v, PLAN_THREADS);
+        char *end;
+
+        if (text == NULL) return 0;
+        const long n = strtol(text, &end, 10);
+        if (*end != '\0' || n < 1 || n > 1024)
+            return wrong(PLAN_THREADS "=", "asks for numbers from 1 to 1024");
+    }
+    return 0;
+}
+
 static int add_choices(struct plan *p, const struct study_words *w)
 {
     for (int i = 0; i < w->n_choices; i++)
@@ -112,14 +129,19 @@ static int add_choices(struct plan *p, const struct study_words *w)
     if (n < 2)
         return wrong("nothing to compare", ": give a key several values, -s "
                                            "key=value,value,...");
-    return n <= MOST_VARIANTS ? 0 : wrong("", "more than 10000 variants");
+    if (p->jobs == 0) /* runs of several threads one after the other */
+        p->jobs = choices_value(&p->choices, 0, PLAN_THREADS) != NULL
+                      ? 1
+                      : omp_get_num_procs();
+    return n <= MOST_VARIANTS ? check_threads(p)
+                              : wrong("", "more than 10000 variants");
 }
 
 /* The case of the first variant, which says what there is to be measured. */
 static struct settings *first_case(const struct plan *p, int *code)
 {
     int n;
-    char **const overrides = choices_overrides(&p->choices, 0, &n);
+    char **const overrides = plan_overrides(p, 0, 0, &n);
     struct settings *const s =
         case_file_read(p->case_file, n, (const char *const *)overrides, code);
 
@@ -182,7 +204,6 @@ static int complete(struct plan *p, const struct study_words *w)
     code = add_measures(p, w, s);
     if (code == 0) code = add_seeds(p, s);
     if (code == 0) add_output(p, s);
-    if (code == 0) p->standing = standing_variant(p->case_file, &p->choices);
     if (w->title == NULL && code == 0)
         p->title = strdup(settings_text(s, "title"));
     settings_free(s);
@@ -200,7 +221,7 @@ int plan_create(struct plan *p, int n_words, const char *const *words)
         p->dir = w.dir != NULL ? strdup(w.dir) : default_dir(w.file);
         p->seeds = w.seeds > 0 ? w.seeds : 1;
         p->times = w.times > 0 ? w.times : 1;
-        p->jobs = w.jobs > 0 ? w.jobs : omp_get_num_procs();
+        p->jobs = w.jobs;
         if (w.title != NULL) p->title = strdup(w.title);
         code = complete(p, &w);
     }

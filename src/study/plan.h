@@ -9,6 +9,9 @@
 /* Most measures of a study, and most seeds of a case. */
 enum { PLAN_MEASURES = 16, PLAN_SEEDS = 16 };
 
+/* What is varied beside the keys of a case: threads of a run. */
+#define PLAN_THREADS "threads"
+
 /* What a run costs, where nothing else is named: processor time [s]. */
 #define PLAN_COST "seconds.processor"
 
@@ -29,7 +32,6 @@ struct plan {
     int times;           /* [-] repetitions of each, for its processor time */
     int jobs;            /* [-] processes at a time */
     int quiet, dry;      /* [-] 1: no progress; 1: only say what would run */
-    int standing;        /* the variant that the case itself is; -1: none */
     int n_seeds;
     struct plan_seed seed[PLAN_SEEDS];
     int n_fixed;
@@ -41,8 +43,8 @@ struct plan {
 int plan_create(struct plan *p, int n_words, const char *const *words);
 void plan_free(struct plan *p);
 
-/* Overrides of a variant with the k-th seed, "key=value" each; to be freed with
- * its texts. */
+/* Overrides of a variant, or of -1 (choices_overrides), with the k-th seed,
+ * "key=value" each; to be freed with its texts. */
 char **plan_overrides(const struct plan *p, int variant, int seed, int *n);
 void plan_free_texts(int n, char **texts);
 

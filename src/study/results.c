@@ -149,15 +149,34 @@ double results_number(const char *summary, const char *path)
     return value;
 }
 
+/* The text up to the closing quote; what stood behind a backslash as it is, and
+ * a character that is given by its number, \u000a, as that. */
+static char *unquoted(const char *at)
+{
+    char *const text = alloc_zeroed(strlen(at) + 1, 1);
+
+    for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
+        const int escaped = *at == '\\' && at[1] != '\0';
+        char number[5] = "";
+
+        at += escaped;
+        if (escaped && *at == 'u' && strlen(at) > 4) {
+            memcpy(number, at + 1, 4);
+            at += 4;
+            text[n++] = (char)strtol(number, NULL, 16);
+        } else
+            text[n++] = *at;
+    }
+    return text;
+}
+
 char *results_text(const char *summary, const char *path)
 {
     const char *why;
     size_t length;
     char *const text = input_text(summary, &length, &why);
     const char *const at = text != NULL ? value_of(text, path) : NULL;
-    char *const found = at != NULL && *at == '"'
-                            ? strndup(at + 1, strcspn(at + 1, "\""))
-                            : NULL;
+    char *const found = at != NULL && *at == '"' ? unquoted(at + 1) : NULL;
 
     free(text);
     return found;

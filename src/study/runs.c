@@ -7,70 +7,70 @@
 #include "base/version.h"
 #include "case/case_cost.h"
 #include "case/case_file.h"
-#include "case/override.h"
-#include "case/source.h"
+#include "case/resume/case_text.h"
 #include "study/results.h"
 
 #include <ctype.h>
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 enum { LONGEST_NAME = 100 };
 
 /* Exit codes of a run that are no result of it. */
 enum { NOT_WRITTEN = 4, INTERRUPTED = 130 };
 
-/* FNV-1a, 64 bits. */
-static uint64_t hash_of(const char *text, size_t length)
-{
-    uint64_t h = UINT64_C(14695981039346656037);
-
-    for (size_t i = 0; i < length; i++)
-        h = (h ^ (unsigned char)text[i]) * UINT64_C(1099511628211);
-    return h;
-}
-
 /* --- what a run is -------------------------------------------------------- */
 
-/* The hash of all that the case and its overrides say, included files too. */
-static int hash_case(const struct plan *p, const struct run *r, uint64_t *hash)
+/* The text without the ".0" of whole numbers, for a case may write 1 or 1.0. */
+static void drop_points(char *text)
 {
-    char *text = NULL;
-    size_t length;
-    config_t tree;
-    int code = source_read(&tree, p->case_file);
+    char *to = text;
 
-    for (int i = 0; i < r->n_overrides && code == 0; i++)
-        code = override_apply(&tree, r->overrides[i]);
-    if (code == 0) {
-        FILE *const out = open_memstream(&text, &length);
-        config_write(&tree, out);
-        fclose(out);
-        *hash = hash_of(text, length);
-        free(text);
+    for (const char *at = text; *at != '\0'; at++) {
+        if (at > text && isdigit((unsigned char)at[-1]) &&
+            strncmp(at, ".0", 2) == 0 && strchr(",)]\n", at[2]) != NULL)
+            at++;
+        else
+            *to++ = *at;
     }
-    config_destroy(&tree);
-    return code;
+    *to = '\0';
+}
+
+static unsigned long checksum_of(const char *text)
+{
+    return crc32_z(0, (const unsigned char *)text, strlen(text));
+}
+
+/* Of all that the case says, and of the files that it names. */
+static unsigned long contents_of(const struct settings *s)
+{
+    char *const lines = case_text_lines(s);
+
+    drop_points(lines);
+    const unsigned long sum = checksum_of(lines);
+    free(lines);
+    return sum;
 }
 
 /* The text of variant.txt. */
-static int identify(const struct plan *p, struct run *r)
+static char *identity_of(const struct plan *p, const struct run *r)
 {
-    uint64_t hash = 0;
+    const char *const threads =
+        choices_value(&p->choices, r->variant, PLAN_THREADS);
+    char *text;
     size_t length;
-    const int code = hash_case(p, r, &hash);
+    FILE *const out = open_memstream(&text, &length);
 
-    if (code != 0) return code;
-    FILE *const out = open_memstream(&r->identity, &length);
-    fprintf(out, "winnow %s, %s, contents %016" PRIx64 "\n", VERSION_TEXT,
-            p->case_file, hash);
+    fprintf(out, "winnow %s, %s, contents crc32 %08lx\n", VERSION_TEXT,
+            p->case_file, r->contents);
     for (int i = 0; i < r->n_overrides; i++)
         fprintf(out, "%s\n", r->overrides[i]);
+    if (threads != NULL) fprintf(out, PLAN_THREADS "=%s\n", threads);
     fclose(out);
-    return 0;
+    return text;
 }
 
 /* A folder's name from what tells the run from others: letters that no shell
@@ -94,8 +94,7 @@ static char *name_of(const struct plan *p, const struct run *r)
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
     if (changed)
-        n += (size_t)sprintf(name + n, "-%08x",
-                             (unsigned)hash_of(label, strlen(label)));
+        n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
     if (p->seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
     if (p->times > 1) sprintf(name + n, "+time-%d", r->time);
     free(label);
@@ -116,8 +115,10 @@ static int create(const struct plan *p, struct run *r)
         p->case_file, r->n_overrides, (const char *const *)r->overrides, &code);
     if (s == NULL) return code;
     r->expected = case_cost_seconds(s);
+    r->contents = contents_of(s);
+    r->identity = identity_of(p, r);
     settings_free(s);
-    return identify(p, r);
+    return 0;
 }
 
 struct run *runs_create(const struct plan *p, int *n, int *code)
@@ -149,6 +150,23 @@ void runs_free(int n, struct run *runs)
         plan_free_texts(runs[i].n_overrides, runs[i].overrides);
     }
     free(runs);
+}
+
+int runs_standing(const struct plan *p, int n, const struct run *runs)
+{
+    int n_overrides, code, found = -1;
+    char **const overrides = plan_overrides(p, -1, 0, &n_overrides);
+    struct settings *const s = case_file_read(
+        p->case_file, n_overrides, (const char *const *)overrides, &code);
+
+    plan_free_texts(n_overrides, overrides);
+    if (s == NULL) return -1;
+    const unsigned long own = contents_of(s);
+    for (int i = 0; i < n && found < 0; i++)
+        if (runs[i].seed == 0 && runs[i].contents == own)
+            found = runs[i].variant;
+    settings_free(s);
+    return found;
 }
 
 /* --- what has ended ------------------------------------------------------- */

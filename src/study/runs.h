@@ -3,7 +3,8 @@
  * A run is `winnow run CASE -s ... -o DIR/runs/NAME -j 1 --quiet`. Its folder
  * also holds variant.txt, which says what it is a run of, and log.txt, what it
  * said. A run whose summary tells of its end, and whose variant.txt is the same
- * as now, is not done again.
+ * as now, is not done again. It has a checksum of all values of the case, its
+ * defaults, and the contents of the files that it names.
  */
 #ifndef STUDY_RUNS_H
 #define STUDY_RUNS_H
@@ -15,6 +16,7 @@ struct run {
     char *name;              /* of its folder */
     char *folder;            /* DIR/runs/NAME */
     char *identity;          /* what variant.txt says */
+    unsigned long contents;  /* checksum of the case, overrides and all */
     int n_overrides;
     char **overrides;
     double expected; /* [s] processor time, roughly; only ratios count */
@@ -28,6 +30,10 @@ enum { RUN_TO_DO = -1 };
  */
 struct run *runs_create(const struct plan *p, int *n, int *code);
 void runs_free(int n, struct run *runs);
+
+/* The variant that the case itself is, defaults included; what is set for all
+ * runs counts as the case's. -1 if none is. */
+int runs_standing(const struct plan *p, int n, const struct run *runs);
 
 /* Finds out which have ended before; returns how many. */
 int runs_look(int n, struct run *runs);

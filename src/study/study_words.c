@@ -110,8 +110,9 @@ const struct key study_words_keys[] = {
      "", ""},
     {"vary", KEY_LIST, "", "", NULL, "what is varied; all crossed", "", ""},
     {"vary.keys", KEY_TEXT, "", "", NULL,
-     "a key of the case, or keys that change together, with colons between", "",
-     ""},
+     "a key of the case, or keys that change together, with colons between; "
+     "or threads: those of a run",
+     "", ""},
     {"vary.values", KEY_TEXT, "", "", NULL,
      "its values from coarse to fine, with commas between", "", ""},
     {"measures", KEY_LIST, "", "", NULL, "what is looked at in each run", "",

@@ -103,7 +103,7 @@ function material(density) {
 
 function put_bodies() {
     put("bodies = {")
-    put("  method = \"" v["body_method"] "\";")
+    if ("body_method" in v) put("  method = \"" v["body_method"] "\";")
     if (is("bodies", "cylinder"))
         put("  cylinders = ({ position = " at(0.5, 0.4, 0.5) "; diameter = 0.005;" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
@@ -319,6 +319,9 @@ function put_output(    h, p, i, n, f) {
     }
     if (on("forces")) put("  forces = ( { name = \"walls\"; } ); walls = true;")
     if (on("contacts")) put("  contacts = true;")
+    if (v["shown"] == "all")
+        put("  sorted = true; particles = \"mass material contact_force contact_number" \
+            (letter == "c" ? " fluid_force" : "") "\";")
     if (on("statistics"))
         put("  statistics = { from = " 3 * step "; blocks = 2;" \
             (letter == "c" ? " lags = " 4 * step ";" : "") " };")

@@ -22,7 +22,8 @@ BEGIN {
     choice("cfm", "u_tolerance", "0.0 0.1")
     choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
-    choice("f", "bodies", "none fixed free moving cylinder")
+    choice("cf", "bodies", "none fixed free moving cylinder")
+    choice("m", "bodies", "none free")
     choice("f", "body_method", "hold fictitious-domain piso-ib")
     choice("cpm", "contact", "hertz linear")
     choice("cpm", "count", "none one few sixty settled crowd")
@@ -69,6 +70,7 @@ BEGIN {
     choice("cf", "probes", "off on")
     choice("cf", "forces", "off on")
     choice("cp", "contacts", "off on")
+    choice("cp", "shown", "few all")
     choice("cp", "statistics", "off on")
 
     # Nothing comes from outside: momentum stays.
@@ -136,6 +138,13 @@ BEGIN {
     apart("bodies", "fixed free moving cylinder", "mesh", "graded",
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
+    # Among particles they are surfaces; one that moves changes eps where it is.
+    apart("bodies", "free moving", "continuity", "void-rate",
+          "among particles a body that moves asks for")
+    apart("bodies", "fixed free moving cylinder", "cohesion",
+          "van_der_waals capillary all", "not on bodies")
+    apart("bodies", "fixed free moving cylinder", "list",
+          "link-cells all-pairs", "knows no surfaces")
     # One-way there are no solids on the mesh.
     apart("coupling", "one-way", "time_average", "on",
           "one-way there are no averaged fields")

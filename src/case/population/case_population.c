@@ -340,14 +340,12 @@ static int place(const struct settings *s, struct particles *ps,
 
 static struct population_sink sink_of(const struct settings *s, int i)
 {
-    static const char *const side[6] = {"left", "right", "bottom",
-                                        "top",  "back",  "front"};
     struct population_sink k = {.side = -1};
 
     region(s, sinks, i, k.lo, k.hi);
     for (int a = 0; a < 6; a++)
         if (settings_item_has(s, sinks, i, "side") &&
-            strcmp(settings_item_text(s, sinks, i, "side"), side[a]) == 0)
+            strcmp(settings_item_text(s, sinks, i, "side"), mesh_sides[a]) == 0)
             k.side = a;
     return k;
 }

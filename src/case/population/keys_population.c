@@ -42,8 +42,8 @@ const struct key case_population_keys[] = {
      "seed of sizes and places", "", ""},
     {"particles.insert.file", KEY_FILE, "", "", "",
      "instead of chance: a file with x y z d [m] in each line, a table with "
-     "names of columns, or a dump of LAMMPS or LIGGGHTS; beside the case "
-     "unless "
+     "names of columns, or a dump or a data file of LAMMPS or LIGGGHTS; "
+     "beside the case unless "
      "it begins with /",
      "", ""},
     {"particles.sinks", KEY_LIST, "", "", "",

@@ -60,11 +60,9 @@ static double fill_rate(const struct mesh *m, const double u[3])
  * of a box the patches come in the order left, right, bottom, ... */
 static void inward(const struct mesh *m, const struct patch *p, double e[3])
 {
-    static const char *const names[6] = {"left", "right", "bottom",
-                                         "top",  "back",  "front"};
     e[0] = e[1] = e[2] = 0.0;
     for (int i = 0; i < 6 && m->face_centre == NULL; i++)
-        if (mesh_patch(m, names[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
+        if (mesh_patch(m, mesh_sides[i]) == p) e[i / 2] = i % 2 ? -1.0 : 1.0;
     for (int f = p->first; f < p->first + p->n && m->face_centre != NULL; f++)
         vector_along(e, -1.0, &m->S[3 * f], e);
     const double length = vector_length(e);

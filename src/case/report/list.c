@@ -65,10 +65,9 @@ static size_t part_of(const char *path)
 static int print_part(const struct key *const *tables, const char *part,
                       size_t length)
 {
-    const struct key *key;
     int n = 0;
 
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
+    SCHEMA_EACH (key, tables)
         if (part_of(key->path) == length &&
             strncmp(key->path, part, length) == 0) {
             print_key(key, "");

@@ -41,6 +41,9 @@ static void print_fluid(const struct settings *s, const struct case_scales *k)
     const double order =
         time_scheme_named(settings_text(s, "fluid.time"))->time_levels;
 
+    if (order == 1.0)
+        check_line("fluid.time = bdf2", 1.0, "-",
+                   "times the time; the error of the step of order 2, not 1");
     line("fluid.step halved", time_with(k, 1, 2.0, 1.0, 1.0),
          "the error of the step", order, 1);
     line("fluid.step doubled", time_with(k, 1, 0.5, 1.0, 1.0),
@@ -76,6 +79,36 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
          order_of_cells(s), 0);
 }
 
+/* Smearing takes a share of a wave that goes with the square of the bandwidth.
+ * The diffusion costs the same for any. */
+static void print_bandwidth(const struct settings *s)
+{
+    if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
+    line("averaging.bandwidth halved", 1.0, "what it takes off a wave", 2.0, 1);
+    line("averaging.bandwidth doubled", 1.0, "what it takes off a wave", 2.0,
+         0);
+}
+
+/* A sub-step asks for the drag of each particle once, which was seen to cost as
+ * much as a step of its motion. Where their number is left to the program it is
+ * no choice. */
+static void print_substeps(const struct settings *s,
+                           const struct case_scales *k)
+{
+    const int n = settings_int(s, "exchange.substeps");
+    struct case_scales one = *k;
+
+    if (n == 0) return;
+    one.dem_steps = n;
+    one.cells = 0;
+    const double more = case_cost_of(&one, 0) / case_cost_of(k, 1);
+    line("exchange.substeps doubled", 1.0 + more, "the error of the drag", 1.0,
+         1);
+    if (n > 1)
+        line("exchange.substeps halved", 1.0 - 0.5 * more,
+             "the error of the drag", 1.0, 0);
+}
+
 void report_accuracy(const struct settings *s, const struct case_scales *k)
 {
     const int flow = settings_has(s, "fluid");
@@ -83,6 +116,8 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     puts("What accuracy costs");
     if (flow) print_fluid(s, k);
     if (flow) print_cells(s, k);
+    if (settings_has(s, "averaging")) print_bandwidth(s);
+    if (settings_has(s, "exchange")) print_substeps(s, k);
     if (k->particles == 0) return;
     /* The force of a dashpot jumps when a contact begins and ends. */
     line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),

@@ -4,13 +4,16 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/simulation.h"
 #include "output/series.h"
 #include "output/vtk.h"
+#include "resolved/among_grains.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/surroundings.h"
 
 struct record {
     const struct simulation *sim;
@@ -19,11 +22,13 @@ struct record {
     struct table *table;
     struct series *pictures;
     struct vtk_writer *writer;
+    struct surroundings_filter *filter; /* NULL: no such columns */
 };
 
 static const struct solid_bodies *bodies_of(const struct simulation *sim)
 {
-    return effects_memory(sim, &bodies_effect);
+    const struct solid_bodies *const b = effects_memory(sim, &bodies_effect);
+    return b != NULL ? b : effects_memory(sim, &bodies_effect_among_grains);
 }
 
 /* --- columns of the history ----------------------------------------------- */
@@ -89,6 +94,39 @@ static double overlap(const struct simulation *sim)
     return bodies_of(sim)->dem_report.max_overlap;
 }
 
+/* Of the particles on the bodies, mean of the last step. */
+static double push(const struct simulation *sim, int k)
+{
+    const struct solid_bodies *const b = bodies_of(sim);
+    double sum = 0.0;
+
+    for (int i = 0; i < b->ps->n; i++)
+        sum += b->among->pushed[i][k];
+    return sum;
+}
+
+static double push_x(const struct simulation *sim)
+{
+    return push(sim, 0);
+}
+
+static double push_y(const struct simulation *sim)
+{
+    return push(sim, 1);
+}
+
+static double push_z(const struct simulation *sim)
+{
+    return push(sim, 2);
+}
+
+/* Cells whose solids found no open cell (mirrors.h). */
+static double stuck(const struct simulation *sim)
+{
+    const struct mirrors *const m = bodies_of(sim)->among->mirrors;
+    return m != NULL ? mirrors_stuck(m) : 0.0;
+}
+
 static const struct history_column columns[] = {
     {"force_on_bodies_x [N]", force_x, 0},
     {"force_on_bodies_y [N]", force_y, 0},
@@ -99,22 +137,28 @@ static const struct history_column columns[] = {
     {"held_cells [-]", held_cells, 0},
     {"contacts_of_bodies [-]", contacts, 0},
     {"max_overlap_of_bodies [-]", overlap, 0},
+    {"force_of_grains_x [N]", push_x, HISTORY_PARTICLES},
+    {"force_of_grains_y [N]", push_y, HISTORY_PARTICLES},
+    {"force_of_grains_z [N]", push_z, HISTORY_PARTICLES},
+    {"closed_cells_with_solids [-]", stuck, HISTORY_PARTICLES},
     {NULL, NULL, 0}};
 
 /* --- files ---------------------------------------------------------------- */
 
-enum { EACH = 15, COLUMNS = 2 + EACH };
+/* The last ones are means around the body. */
+enum { COLUMNS = 17, AROUND = 6 };
 
-static struct table *create_table(struct folder *folder)
+static struct table *create_table(struct folder *folder, int n)
 {
-    static const char *const names[COLUMNS] = {
-        "time [s]",      "body [-]",    "x [m]",          "y [m]",
-        "z [m]",         "vx [m/s]",    "vy [m/s]",       "vz [m/s]",
-        "wx [rad/s]",    "wy [rad/s]",  "wz [rad/s]",     "force_x [N]",
-        "force_y [N]",   "force_z [N]", "torque_x [N m]", "torque_y [N m]",
-        "torque_z [N m]"};
+    static const char *const names[COLUMNS + AROUND] = {
+        "time [s]",       "body [-]",    "x [m]",          "y [m]",
+        "z [m]",          "vx [m/s]",    "vy [m/s]",       "vz [m/s]",
+        "wx [rad/s]",     "wy [rad/s]",  "wz [rad/s]",     "force_x [N]",
+        "force_y [N]",    "force_z [N]", "torque_x [N m]", "torque_y [N m]",
+        "torque_z [N m]", "eps_f [-]",   "ux [m/s]",       "uy [m/s]",
+        "uz [m/s]",       "Re_p [-]",    "C_d [-]"};
 
-    return folder_table(folder, "bodies.csv", COLUMNS, names);
+    return folder_table(folder, "bodies.csv", n, names);
 }
 
 static struct series *create_series(struct folder *folder)
@@ -136,26 +180,41 @@ static void release(void *record)
     table_free(r->table);
     series_free(r->pictures);
     vtk_writer_free(r->writer);
+    surroundings_free(r->filter);
     free(r);
 }
 
 static void *create(const struct settings *s, const struct simulation *sim,
                     struct folder *folder, int *failed)
 {
-    (void)s;
+    static const char width[] = "bodies.filter";
+
     if (bodies_of(sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
     r->sim = sim;
     r->bodies = bodies_of(sim);
     r->folder = folder;
-    r->table = create_table(folder);
+    if (settings_has(s, width))
+        r->filter =
+            surroundings_create(r->bodies, sim->fluid, settings_real(s, width));
+    r->table =
+        create_table(folder, r->filter != NULL ? COLUMNS + AROUND : COLUMNS);
     r->pictures = r->table != NULL ? create_series(folder) : NULL;
     r->writer = vtk_writer_create();
     if (r->pictures != NULL) return r;
     release(r);
     *failed = 1;
     return NULL;
+}
+
+static void add_surroundings(const struct record *r, int i, double *row)
+{
+    const struct surroundings around = surroundings_of(r->filter, i);
+    const double values[AROUND] = {around.eps,  around.u[0], around.u[1],
+                                   around.u[2], around.Re,   around.Cd};
+
+    memcpy(row, values, sizeof values);
 }
 
 static int add_row(void *record)
@@ -165,12 +224,14 @@ static int add_row(void *record)
     const struct particles *const ps = b->ps;
     int failed = 0;
 
+    if (r->filter != NULL) surroundings_bind(r->filter);
     for (int i = 0; i < ps->n && !failed; i++) {
         const double *const F = &b->force[3 * i], *const T = &b->torque[3 * i];
-        const double row[COLUMNS] = {
+        double row[COLUMNS + AROUND] = {
             r->sim->t, i,         ps->x[i],  ps->y[i],  ps->z[i],  ps->vx[i],
             ps->vy[i], ps->vz[i], ps->wx[i], ps->wy[i], ps->wz[i], F[0],
             F[1],      F[2],      T[0],      T[1],      T[2]};
+        if (r->filter != NULL) add_surroundings(r, i, &row[COLUMNS]);
         failed = table_add(r->table, row);
     }
     return failed;

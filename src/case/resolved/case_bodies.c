@@ -4,6 +4,7 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -19,6 +20,7 @@
 #include "dem/contact_linear.h"
 #include "dem/limits.h"
 #include "dem/reference.h"
+#include "resolved/among_grains.h"
 #include "resolved/bodies_effect.h"
 #include "resolved/body_numbers.h"
 
@@ -71,6 +73,7 @@ static int dem_steps(const struct settings *s)
 {
     const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
 
+    if (settings_has(s, "particles")) return case_steps_within(s);
     if (m == 0.0) return 1;
     const double t = contact_linear_time(stiffness(s), e, 0.5 * m);
     return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
@@ -92,60 +95,61 @@ static struct dem_options contacts(const struct settings *s)
     return o;
 }
 
-static void add_sphere(const struct settings *s, int i, struct solid_bodies *b)
-{
-    const struct body_shape shape =
-        body_shape_sphere(settings_item_real(s, list, i, "diameter"));
-    const enum body_motion motion = is(s, i, "free")    ? BODY_FREE
-                                    : is(s, i, "fixed") ? BODY_FIXED
-                                                        : BODY_PRESCRIBED;
-    double x[3], v[3], w[3];
-
-    settings_item_vector(s, list, i, "position", x);
-    settings_item_vector(s, list, i, "velocity", v);
-    settings_item_vector(s, list, i, "spin", w);
-    const int at = solid_bodies_add(
-        b, &shape, x,
-        motion == BODY_FREE ? settings_item_real(s, list, i, "density") : 1.0,
-        motion);
-    if (motion == BODY_FIXED) return;
-    b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
-    b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
-}
-
 static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
 
-static void add_block(const struct settings *s, const char *of, int i,
-                      const struct body_shape *shape, struct solid_bodies *b)
+static enum body_motion motion_of(const struct settings *s, const char *of,
+                                  int i)
 {
-    const int moves =
-        strcmp(settings_item_text(s, of, i, "motion"), "prescribed") == 0;
-    double x[3], v[3];
+    const char *const name = settings_item_text(s, of, i, "motion");
+
+    return strcmp(name, "free") == 0         ? BODY_FREE
+           : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
+           : strcmp(name, "spring") == 0     ? BODY_SPRING
+                                             : BODY_FIXED;
+}
+
+static void add_one(const struct settings *s, const char *of, int i,
+                    const struct body_shape *shape, struct solid_bodies *b)
+{
+    const enum body_motion motion = motion_of(s, of, i);
+    const int has_mass = motion == BODY_FREE || motion == BODY_SPRING;
+    double x[3], v[3], w[3] = {0.0, 0.0, 0.0};
 
     settings_item_vector(s, of, i, "position", x);
     settings_item_vector(s, of, i, "velocity", v);
-    const int at = solid_bodies_add(b, shape, x, 1.0,
-                                    moves ? BODY_PRESCRIBED : BODY_FIXED);
-    if (moves) b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+    if (of == list) settings_item_vector(s, of, i, "spin", w);
+    const int at = solid_bodies_add(
+        b, shape, x, has_mass ? settings_item_real(s, of, i, "density") : 1.0,
+        motion);
+    if (motion == BODY_FREE || motion == BODY_PRESCRIBED) {
+        b->ps->vx[at] = v[0], b->ps->vy[at] = v[1], b->ps->vz[at] = v[2];
+        b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
+    }
+    if (motion != BODY_SPRING) return;
+    settings_item_vector(s, of, i, "spring", v);
+    solid_bodies_set_spring(b, at, v);
 }
 
 static void add_all(const struct settings *s, struct solid_bodies *b)
 {
     double v[3];
 
-    for (int i = 0; i < settings_length(s, list); i++)
-        add_sphere(s, i, b);
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const struct body_shape shape =
+            body_shape_sphere(settings_item_real(s, list, i, "diameter"));
+        add_one(s, list, i, &shape, b);
+    }
     for (int i = 0; i < settings_length(s, boxes); i++) {
         settings_item_vector(s, boxes, i, "size", v);
         const struct body_shape shape = body_shape_box(v);
-        add_block(s, boxes, i, &shape, b);
+        add_one(s, boxes, i, &shape, b);
     }
     for (int i = 0; i < settings_length(s, cylinders); i++) {
         settings_item_vector(s, cylinders, i, "axis", v);
         const struct body_shape shape = body_shape_cylinder(
             settings_item_real(s, cylinders, i, "diameter"),
             settings_item_real(s, cylinders, i, "length"), v);
-        add_block(s, cylinders, i, &shape, b);
+        add_one(s, cylinders, i, &shape, b);
     }
 }
 
@@ -164,9 +168,8 @@ static struct squeeze_film gaps(const struct settings *s)
                      : 0.0};
 }
 
-static int add(const struct settings *s, struct simulation *sim)
+static struct solid_bodies *create(const struct settings *s)
 {
-    if (!settings_has(s, "bodies")) return 0;
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
         .method = (enum body_method)models_value(
@@ -177,12 +180,69 @@ static int add(const struct settings *s, struct simulation *sim)
         .lubrication = gaps(s)};
     const int n = settings_length(s, list) + settings_length(s, boxes) +
                   settings_length(s, cylinders);
+    int cells[3];
 
+    settings_counts(s, "mesh.cells", cells);
     particle_options_gravity(s, o.gravity);
-    struct solid_bodies *const b = solid_bodies_create(n, sim->fluid, &o);
-    effects_add(sim, &bodies_effect, b);
+    struct solid_bodies *const b =
+        solid_bodies_create(n, cells[0] * cells[1] * cells[2],
+                            settings_real(s, "fluid.density"), &o);
     add_all(s, b);
-    return solid_bodies_begin(b) != 0 ? 2 : 0;
+    return b;
+}
+
+static int has_room(const void *state, const double x[3], double R)
+{
+    const struct simulation *const sim = state;
+    return among_grains_has_room(
+        effects_memory(sim, &bodies_effect_among_grains), x, R);
+}
+
+/* The surfaces and their names in one list with those of the bodies, which the
+ * part of the surfaces releases; sim->n_surfaces stays. */
+static void join_surfaces(struct simulation *sim, const struct solid_bodies *b,
+                          struct dem_options *o)
+{
+    const size_t before = (size_t)o->n_surfaces, n = (size_t)b->ps->n;
+    struct surface *const all = alloc_zeroed(before + n, sizeof *all);
+    const char **const names = alloc_zeroed(before + n, sizeof *names);
+
+    for (size_t i = 0; i < before + n; i++) {
+        all[i] = i < before ? sim->surfaces[i] : b->among->surface[i - before];
+        names[i] = all[i].name;
+    }
+    free(sim->surfaces);
+    free(sim->surface_names);
+    o->surfaces = sim->surfaces = all;
+    sim->surface_names = names;
+    o->n_surfaces += (int)n;
+}
+
+/* Among particles, which touch the bodies: before there are any. */
+static int furnish(const struct settings *s, struct simulation *sim,
+                   struct dem_options *o)
+{
+    if (!settings_has(s, "bodies")) return 0;
+    struct solid_bodies *const b = create(s);
+
+    effects_add(sim, &bodies_effect_among_grains, b);
+    among_grains_create(b, o->n_surfaces);
+    join_surfaces(sim, b, o);
+    sim->region.has_room = has_room;
+    return 0;
+}
+
+static int add(const struct settings *s, struct simulation *sim)
+{
+    if (!settings_has(s, "bodies")) return 0;
+    struct solid_bodies *b = effects_memory(sim, &bodies_effect_among_grains);
+
+    if (b == NULL) {
+        b = create(s);
+        effects_add(sim, &bodies_effect, b);
+    } else
+        among_grains_begin(b, sim);
+    return solid_bodies_begin(b, sim->fluid) != 0 ? 2 : 0;
 }
 
 /* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
@@ -264,5 +324,6 @@ MODELS_KIND(case_bodies_method, body_methods, "body_method",
 
 const struct case_part case_bodies_part = {.keys = case_bodies_keys,
                                            .check_any = case_bodies_check,
+                                           .furnish_last = furnish,
                                            .add_last = add,
                                            .print = report};

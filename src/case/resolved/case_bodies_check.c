@@ -84,7 +84,35 @@ static int check_sphere(const struct settings *s, int i)
     return 0;
 }
 
-/* Boxes and cylinders have no contacts yet. */
+/* What moves by its mass against a spring. */
+static int check_spring(const struct settings *s, const char *of, int i)
+{
+    double k[3];
+
+    if (strcmp(settings_item_text(s, of, i, "motion"), "spring") != 0) return 0;
+    settings_item_vector(s, of, i, "spring", k);
+    if (!(vector_length(k) > 0.0))
+        return settings_wrong(s, of,
+                              "number %d is on a spring and asks for its "
+                              "stiffness, spring = [kx, ky, kz] in N/m",
+                              i);
+    if (settings_item_has(s, of, i, "density")) return 0;
+    return settings_wrong(
+        s, of, "number %d is on a spring and asks for its density", i);
+}
+
+static int check_springs(const struct settings *s)
+{
+    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
+                                        "bodies.cylinders"};
+    int code = 0;
+
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
+            code = check_spring(s, lists[l], i);
+    return code;
+}
+
 static int check_blocks(const struct settings *s)
 {
     const int boxes = settings_length(s, "bodies.boxes"),
@@ -94,13 +122,6 @@ static int check_blocks(const struct settings *s)
         return settings_wrong(s, "bodies",
                               "there is no body; give spheres, boxes or "
                               "cylinders");
-    for (int i = 0; i < settings_length(s, list); i++)
-        if (is(s, i, "free") && boxes + cylinders > 0)
-            return settings_wrong(
-                s, list,
-                "sphere %d is free, and nothing would keep it "
-                "out of boxes and cylinders",
-                i);
     for (int i = 0; i < cylinders; i++) {
         double axis[3];
         settings_item_vector(s, "bodies.cylinders", i, "axis", axis);
@@ -112,15 +133,58 @@ static int check_blocks(const struct settings *s)
     return 0;
 }
 
+static int any_moves(const struct settings *s)
+{
+    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
+                                        "bodies.cylinders"};
+
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < settings_length(s, lists[l]); i++)
+            if (strcmp(settings_item_text(s, lists[l], i, "motion"), "fixed") !=
+                0)
+                return 1;
+    return 0;
+}
+
+/* Bodies among particles: a body in the way of a method that sets velocities by
+ * solid fractions, a cell that a body enters, and what knows no surfaces. */
+static int check_particles(const struct settings *s)
+{
+    static const char *const pulls[] = {"effects.van_der_waals",
+                                        "effects.capillary"};
+
+    if (strcmp(settings_text(s, "bodies.method"), "hold") != 0)
+        return settings_wrong(s, "bodies.method",
+                              "among particles bodies hold the fluid by "
+                              "\"hold\" only");
+    if (settings_has(s, "exchange") && any_moves(s) &&
+        strcmp(settings_text(s, "fluid.continuity"), "mixture") != 0)
+        return settings_wrong(s, "fluid.continuity",
+                              "among particles a body that moves asks for "
+                              "\"mixture\": where it comes, the fluid fraction "
+                              "jumps");
+    for (int k = 0; k < 2; k++)
+        if (settings_has(s, pulls[k]))
+            return settings_wrong(s, "bodies",
+                                  "%s acts between particles and the box, not "
+                                  "on bodies: leave one of them out",
+                                  pulls[k]);
+    if (settings_has(s, "particles.bed") &&
+        settings_has(s, "particles.bed.file"))
+        return settings_wrong(s, "bodies",
+                              "a bed that settles around bodies is not kept in "
+                              "a file: leave particles.bed.file out");
+    return 0;
+}
+
 int case_bodies_check(const struct settings *s)
 {
     if (!settings_has(s, "bodies")) return 0;
     int code = check_mesh(s);
 
-    if (settings_has(s, "particles") && code == 0)
-        return settings_wrong(s, "bodies",
-                              "there are bodies or particles, not both yet");
+    if (settings_has(s, "particles") && code == 0) code = check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
+    if (code == 0) code = check_springs(s);
     return code != 0 ? code : check_blocks(s);
 }

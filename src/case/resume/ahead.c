@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/resume/ahead.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,7 +145,9 @@ static int interrupted(struct ahead *a, struct bed_settling *b)
 
 int ahead_settle(struct ahead *a, struct bed_settling *b, enum bed_moment when)
 {
-    if (when == BED_BEGINS) a->due = clock_now() + least_time;
+    const double every = settings_real(a->settings, "output.checkpoint");
+
+    if (when == BED_BEGINS) a->due = clock_now() + fmin(least_time, every);
     if (when == BED_BEGINS) return has_bed(a) ? load(a, b) : 0;
     if (interrupt_arrived()) return interrupted(a, b);
     const int asked = interrupt_asks_to_save();

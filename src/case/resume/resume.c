@@ -19,6 +19,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "case/case_steps.h"
 #include "case/resume/ahead.h"
 #include "case/resume/bed_cache.h"
 #include "case/resume/case_copy.h"
@@ -117,6 +118,20 @@ static int is_other(const struct resume *r, const char *path)
     return other;
 }
 
+/* Of the state that was found; non-zero after a message. */
+static int is_after_end(const struct resume *r)
+{
+    const double t = state_file_number(r->found, "/t");
+    const double end = settings_real(r->settings, "output.end");
+
+    if (t <= end + 0.5 * case_steps_length(r->settings)) return 0;
+    fprintf(stderr,
+            "winnow: output.end is %g s, and the run in %s is at t = %g s "
+            "already: it goes on to a later end only\n",
+            end, folder_name(r->folder), t);
+    return 1;
+}
+
 /* Finds what the run goes on from: a state of this case or, if there is none, a
  * bed of this case that settles. Non-zero after a message. */
 static int find(struct resume *r)
@@ -124,7 +139,8 @@ static int find(struct resume *r)
     int damaged;
 
     r->found = find_whole(r, &damaged);
-    if (r->found != NULL && !is_other(r, NULL)) return is_other(r, r->path);
+    if (r->found != NULL && !is_other(r, NULL))
+        return is_other(r, r->path) || is_after_end(r);
     if (ahead_find(r->ahead)) {
         const int other = ahead_is_other(r->ahead, 1);
         state_file_free(r->found);
@@ -253,11 +269,11 @@ static int after_step(void *memory)
 }
 
 /* The state as it is now, unless the last step broke down or was cut short. */
-static int end(void *memory)
+static int end(void *memory, int broke_down)
 {
     struct resume *const r = memory;
     if (r->image.bytes == NULL) return 0;
-    return r->sampled == r->sim->steps ? save(r) : write_copy(r);
+    return !broke_down && r->sampled == r->sim->steps ? save(r) : write_copy(r);
 }
 
 const struct saver resume_saver = {.name = "resume",

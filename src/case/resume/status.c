@@ -44,21 +44,6 @@ struct found {
     double t;
 };
 
-/* Of the run, or of a bed that settles. */
-static double time_of(struct state_file *f)
-{
-    struct state *const s = state_file_state(f);
-    char *const bed = state_file_text(f, RESUME_SETTLING);
-    const int settles = strcmp(bed, "yes") == 0;
-    double t = 0.0;
-
-    if (settles) state_begin(s, "settling");
-    if (strcmp(bed, "no") != 0) state_real(s, settles ? "time" : "t", "s", &t);
-    if (settles) state_end(s);
-    free(bed);
-    return t;
-}
-
 static int open_state(const char *dir, const char *name, struct found *f)
 {
     char *const path = file_join(dir, name);
@@ -66,7 +51,7 @@ static int open_state(const char *dir, const char *name, struct found *f)
 
     f->file = state_file_open(path, &why);
     if (f->file != NULL)
-        f->t = time_of(f->file);
+        f->t = state_file_number(f->file, "/t");
     else if (why != NULL)
         printf("%-11s %s: %s\n", name, "cannot be used", why);
     free(path);
@@ -168,6 +153,13 @@ static void print_what_next(const char *dir, const struct found *f, int done)
 /* A word of a command as a shell reads it. */
 static void print_quoted(const char *text)
 {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
+                                "UVWXYZ0123456789_./,=+-";
+
+    if (text[strspn(text, plain)] == '\0') {
+        fputs(text, stdout);
+        return;
+    }
     putchar('\'');
     for (; *text != '\0'; text++)
         if (*text == '\'')
@@ -205,7 +197,7 @@ static int print_ahead(const char *dir)
     print_holder(dir);
     if (strcmp(bed, "yes") == 0)
         printf("%-11s its bed settles, at t = %g s; the run has not begun\n",
-               "reached", f.t);
+               "reached", state_file_number(f.file, "/settling/time"));
     else
         line("reached", "the run has not begun");
     print_beginning(dir, f.file);

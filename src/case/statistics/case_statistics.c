@@ -2,10 +2,12 @@
 #include "case/statistics/case_statistics.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/alloc.h"
 #include "case/case_steps.h"
+#include "case/check_line.h"
 #include "case/history_sums.h"
 #include "case/statistics/grain_series.h"
 #include "case/statistics/layers.h"
@@ -37,6 +39,14 @@ static int axis_of(const double g[3])
     return axis;
 }
 
+/* A run may be resumed with a later end, so this is no error. */
+static int begins_after_end(const struct settings *s)
+{
+    return settings_has(s, group) &&
+           settings_real(s, "output.statistics.from") >=
+               settings_real(s, "output.end");
+}
+
 static void *create(const struct settings *s, const struct simulation *sim,
                     struct folder *folder, int *failed)
 {
@@ -51,6 +61,11 @@ static void *create(const struct settings *s, const struct simulation *sim,
     self->columns = columns;
     self->n_scalars = STATISTICS_SCALARS - (sim->fluid == NULL);
     self->from = settings_real(s, "output.statistics.from");
+    if (begins_after_end(s) && !settings_quiet(s))
+        fprintf(stderr,
+                "the statistics begin at %g s, after the end at %g s: they "
+                "have no samples, unless the run goes on later\n",
+                self->from, settings_real(s, "output.end"));
     self->plateau = settings_real(s, "output.statistics.plateau");
     self->blocks = settings_int(s, "output.statistics.blocks");
     self->dt = (double)case_steps_between_rows(s) * sim->dt;
@@ -67,7 +82,9 @@ static void *create(const struct settings *s, const struct simulation *sim,
             (int)fmin(settings_real(s, "output.statistics.lags") / self->dt,
                       self->rows / 2.0) +
             1;
-        self->grains = grain_series_create(sim->particles->n, self->rows);
+        /* Of a run that is resumed there are none yet. */
+        self->grains =
+            grain_series_create(sim->particles->capacity, self->rows);
     }
     return self;
 }
@@ -165,18 +182,15 @@ static const struct key keys[] = {
      "integral times are means over ends beyond this", "EW18 31", ""},
     KEY_END};
 
-static int check(const struct settings *s)
+static void print(const struct settings *s, const struct case_scales *k)
 {
-    if (!settings_has(s, group)) return 0;
-    if (settings_real(s, "output.statistics.from") <
-        settings_real(s, "output.end"))
-        return 0;
-    return settings_wrong(s, "output.statistics.from",
-                          "the run ends at %g s, before the first sample",
-                          settings_real(s, "output.end"));
+    (void)k;
+    if (begins_after_end(s))
+        check_line("statistics", settings_real(s, "output.statistics.from"),
+                   "s", "they begin after the end: there are no samples");
 }
 
-const struct case_part case_statistics_part = {.keys = keys, .check = check};
+const struct case_part case_statistics_part = {.keys = keys, .print = print};
 
 const struct recorder_part case_statistics_output = {.create = create,
                                                      .free = release,

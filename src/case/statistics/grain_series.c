@@ -59,7 +59,9 @@ void grain_series_add(struct grain_series *g, const struct simulation *sim)
 void grain_series_state(struct grain_series *g, struct state *s)
 {
     state_count(s, "grain_rows", &g->n_rows, g->rows);
-    state_reals(s, "C_d", "-", g->Cd, g->n, g->rows);
+    if (g->n_rows > 0)
+        state_reals_of(s, "C_d", "-", g->Cd, (size_t)g->rows * sizeof *g->Cd,
+                       g->n, g->n_rows);
     state_reals(s, "Re_p", "-", g->Re, g->n, 1);
     state_reals(s, "eps_f", "-", g->eps, g->n, 1);
 }

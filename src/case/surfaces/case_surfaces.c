@@ -15,7 +15,7 @@
 #include "dem/surfaces/stl.h"
 
 static const char list[] = "particles.surfaces",
-                  driven[] = "particles.prescribed";
+                  prescribed[] = "particles.prescribed";
 
 static struct motion motion_of(const struct settings *s, const char *of, int i)
 {
@@ -104,7 +104,7 @@ int case_surfaces_count(const struct settings *s)
 
 int case_surfaces_count_prescribed(const struct settings *s)
 {
-    return settings_length(s, driven);
+    return settings_length(s, prescribed);
 }
 
 struct surface *case_surfaces_create(const struct settings *s, int *code)
@@ -142,8 +142,8 @@ case_surfaces_create_prescribed(const struct settings *s)
     struct prescribed_particle *const made =
         alloc_zeroed((size_t)n, sizeof *made);
     for (int i = 0; i < n; i++) {
-        made[i].id = settings_item_int(s, driven, i, "id");
-        made[i].motion = motion_of(s, driven, i);
+        made[i].id = settings_item_int(s, prescribed, i, "id");
+        made[i].motion = motion_of(s, prescribed, i);
     }
     return made;
 }
@@ -241,17 +241,18 @@ static int check_motion(const struct settings *s, const char *of, int i)
 
 static int check_driven(const struct settings *s, int i)
 {
-    const int id = settings_item_int(s, driven, i, "id");
+    const int id = settings_item_int(s, prescribed, i, "id");
 
     for (int k = 0; k < i; k++)
-        if (settings_item_int(s, driven, k, "id") == id)
-            return settings_wrong(s, driven, "particle %d is given twice", id);
-    const struct motion m = motion_of(s, driven, i);
+        if (settings_item_int(s, prescribed, k, "id") == id)
+            return settings_wrong(s, prescribed, "particle %d is given twice",
+                                  id);
+    const struct motion m = motion_of(s, prescribed, i);
     if (vector_length(m.spin) > 0.0 &&
-        !settings_item_has(s, driven, i, "centre"))
+        !settings_item_has(s, prescribed, i, "centre"))
         return settings_wrong(
-            s, driven, "particle %d has a spin: it asks for a centre", id);
-    return check_motion(s, driven, i);
+            s, prescribed, "particle %d has a spin: it asks for a centre", id);
+    return check_motion(s, prescribed, i);
 }
 
 /* Forces that need no touching know the walls of the box only. */
@@ -280,7 +281,7 @@ int case_surfaces_check(const struct settings *s)
         if (code == 0) code = check_plane(s, i);
         if (code == 0) code = check_motion(s, list, i);
     }
-    for (int i = 0; i < settings_length(s, driven) && code == 0; i++)
+    for (int i = 0; i < settings_length(s, prescribed) && code == 0; i++)
         code = check_driven(s, i);
     return code;
 }

@@ -11,7 +11,8 @@
  *
  * lap u of a cell from its faces as in momentum.c, (1/V) sum (S/d) (u_N - u);
  * at a boundary u_N is the velocity there, which on a slip wall and an outlet
- * has the tangential part of u.
+ * has the tangential part of u. Where links are oblique to their faces the rest
+ * of S is added as there (deferred_correction.c), from the slopes of u.
  */
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
@@ -20,11 +21,13 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "coupling/coupling.h"
 
 struct viscous_stress {
     double *force; /* [N/m^3] div tau, 3 a cell */
     double *u_b;   /* [m/s] at the boundary, 3 a face */
+    double *slope; /* [1/s] of u, 9 a cell; NULL where no link is oblique */
     double *at;    /* [N/m^3] interpolated to the particles, 3 each */
 };
 
@@ -37,6 +40,7 @@ static void *viscous_stress_create(struct simulation *sim,
     (void)parameters;
     self->force = alloc_doubles(3 * m->n_cells);
     self->u_b = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    if (m->oblique) self->slope = alloc_doubles(9 * m->n_cells);
     self->at = alloc_doubles(3 * sim->particles->capacity);
     return self;
 }
@@ -46,6 +50,7 @@ static void viscous_stress_free(void *memory)
     struct viscous_stress *const self = memory;
     free(self->force);
     free(self->u_b);
+    free(self->slope);
     free(self->at);
     free(self);
 }
@@ -57,6 +62,31 @@ static double link(const struct mesh *m, int f)
 
     return (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
            (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
+}
+
+/* Adds mu grad u . (S - d S.S / S.d), linear between the cells. */
+static void add_oblique(struct viscous_stress *self, const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct velocity_gradient_scheme *const s =
+        fl->options.velocity_gradient;
+
+    (s != NULL ? s : velocity_gradient_schemes[0])
+        ->fill(m, fl->u, self->u_b, self->slope);
+    for (int f = 0; f < m->n_internal; f++) {
+        const int o = m->owner[f], n = m->neighbour[f];
+        double rest[3];
+        mesh_oblique_part(m, f, rest);
+        for (int k = 0; k < 3; k++) {
+            const double pull =
+                fl->options.mu *
+                (m->w[f] * vector_dot(&self->slope[9 * o + 3 * k], rest) +
+                 (1.0 - m->w[f]) *
+                     vector_dot(&self->slope[9 * n + 3 * k], rest)); /* [N] */
+            self->force[3 * o + k] += pull / m->V[o];
+            self->force[3 * n + k] -= pull / m->V[n];
+        }
+    }
 }
 
 /* div tau [N/m^3] of all cells. */
@@ -80,6 +110,7 @@ static void divergence(struct viscous_stress *self, const struct fluid *fl)
             if (inner) force[3 * n + k] -= pull / m->V[n];
         }
     }
+    if (self->slope != NULL) add_oblique(self, fl);
 }
 
 static void viscous_stress_before_particles(void *memory,

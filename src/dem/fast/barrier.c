@@ -12,7 +12,7 @@
  * spins for about the duration of its part of a step before it sleeps. */
 static const double patience = 2e-4; /* [s] */
 
-enum { LOOKS = 50 }; /* [-] iterations between two readings of the clock */
+enum { POLLS = 50 }; /* [-] iterations between two readings of the clock */
 
 struct barrier {
     atomic_int here;  /* [-] threads that wait */
@@ -57,7 +57,7 @@ static int is_over(struct barrier *b, int round)
     const double begin = clock_now();
 
     do {
-        for (int look = 0; look < LOOKS; look++)
+        for (int poll = 0; poll < POLLS; poll++)
             if (atomic_load_explicit(&b->round, memory_order_acquire) != round)
                 return 1;
         thrd_yield();

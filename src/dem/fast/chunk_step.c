@@ -7,8 +7,9 @@
 #include "dem/fast/drag_rows.h"
 
 /* Those that move as prescribed; what they do and gain comes from outside. */
-static void steer(const struct neighbours *nb, struct chunk *own, int begin,
-                  int end, double (*load)[8], const struct step_parameters *by)
+static void set_prescribed(const struct neighbours *nb, struct chunk *own,
+                           int begin, int end, double (*load)[8],
+                           const struct step_parameters *by)
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
     own->energy.driven +=
@@ -23,7 +24,7 @@ static void advance(const struct neighbours *nb, struct chunk *own, int begin,
 {
     double(*const load)[8] = own->load + (begin - own->begin);
 
-    steer(nb, own, begin, end, load, by);
+    set_prescribed(nb, own, begin, end, load, by);
     if (nb->bodies->implicit_drag == NULL)
         bodies_advance(nb->bodies, begin, end, load, by->kick, by->drift,
                        own->max_speed_now);

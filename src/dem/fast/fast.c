@@ -9,9 +9,10 @@
 #include "dem/fast/budget.h"
 #include "dem/fast/fast_internal.h"
 
-/* The contacts are chosen with a margin of at least d / MARGIN_PARTS: the
- * optimum is flat. */
-enum { SKIN_PARTS = 6, MARGIN_PARTS = 600 };
+/* The skin is d / SKIN_PARTS, and down to d / THINNEST_SKIN in a periodic box
+ * that has no room for that; the contacts are chosen with a margin of at least
+ * d / MARGIN_PARTS. The optima are flat. */
+enum { SKIN_PARTS = 3, THINNEST_SKIN = 6, MARGIN_PARTS = 600 };
 
 static const char *unknown(const struct dem_options *o)
 {
@@ -21,7 +22,13 @@ static const char *unknown(const struct dem_options *o)
 
 static double skin_of(const struct dem_options *o, double mean)
 {
-    return o->skin > 0.0 ? o->skin : mean / SKIN_PARTS;
+    double skin = mean / SKIN_PARTS;
+
+    for (int k = 0; k < 3; k++) {
+        const double room = 0.5 * (o->hi[k] - o->lo[k]) - mean - dem_range(o);
+        if (o->periodic[k]) skin = fmin(skin, fmax(room, mean / THINNEST_SKIN));
+    }
+    return o->skin > 0.0 ? o->skin : skin;
 }
 
 /* Selects the variant of the contact loop (contact_loops.h). */
@@ -184,7 +191,7 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
 
 static const struct key skin_keys[] = {
     {"particles.skin", KEY_REAL, "m", "auto | > 0", "auto",
-     "margin of the neighbour list beyond touching", "LS 5.15", ""},
+     "margin of the neighbour list beyond touching; auto: d/3", "LS 5.15", ""},
     KEY_END};
 
 const struct dem_method fast_verlet = {

@@ -187,7 +187,7 @@ static void force_at_start(struct dem *dem)
 
 /* Driven particles keep the velocity of a whole step through both of Heun's
  * halves, and so end where they should; dt = 0: the velocity of that time. */
-static void steer(struct dem *dem, int k, double dt)
+static void set_prescribed(struct dem *dem, int k, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
 
@@ -213,7 +213,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         const double closer = 2.0 * neighbours_speed(nb) * dt;
         if (r->used + closer > r->margin) choose_contacts(dem, r, closer);
         if (r->margin < 0.0) return k;
-        steer(dem, k, dt);
+        set_prescribed(dem, k, dt);
         force_at_start(dem);
         compute_loads(dem, 0.5 * dt);
         predict(dem, dt);
@@ -224,7 +224,7 @@ static int heun_steps(struct dem *dem, int steps, struct contact_margin *r)
         neighbours_barrier(nb);
         r->used += fmax(closer, 2.0 * neighbours_speed(nb) * dt);
     }
-    steer(dem, steps, 0.0);
+    set_prescribed(dem, steps, 0.0);
     return steps;
 }
 

@@ -13,17 +13,95 @@
 
 static const char atoms[] = "ITEM: ATOMS";
 
-/* The first sign that is neither a blank nor of a remark, or 0. */
+/* The line is "9240 atoms", with which the head of a data file begins. */
+static int counts_atoms(const char *line)
+{
+    long n;
+    char word[8];
+
+    return sscanf(line, "%ld %7s", &n, word) == 2 && strcmp(word, "atoms") == 0;
+}
+
+/* By the first line that is neither empty nor a remark. */
 int grain_table_is(const char *path)
 {
     FILE *const f = input_wrong(path) == NULL ? fopen(path, "r") : NULL;
-    int c = 0, remark = 0;
+    char line[256] = "";
+    size_t at = 0;
 
     if (f == NULL) return 0;
-    while ((c = fgetc(f)) != EOF && (remark || isspace(c) || c == '#'))
-        remark = c == '#' || (remark && c != '\n');
+    while (fgets(line, sizeof line, f) != NULL) {
+        at = strspn(line, " \t\r\n");
+        if (line[at] != '\0' && line[at] != '#') break;
+        line[at = 0] = '\0';
+    }
     fclose(f);
-    return isalpha(c) || c == '"';
+    return isalpha((unsigned char)line[at]) || line[at] == '"' ||
+           counts_atoms(line);
+}
+
+/* The line in `text` that begins with this word, or NULL. */
+static char *line_of(char *text, const char *word)
+{
+    const size_t n = strlen(word);
+
+    for (char *at = text; at != NULL; at = strchr(at, '\n')) {
+        at += *at == '\n';
+        if (strncmp(at, word, n) == 0 && !isalpha((unsigned char)at[n]))
+            return at;
+    }
+    return NULL;
+}
+
+static int is_data(const char *text)
+{
+    for (const char *at = text; at != NULL; at = strchr(at, '\n')) {
+        at += *at == '\n';
+        if (counts_atoms(at)) return line_of((char *)text, "Atoms") != NULL;
+        if (isalpha((unsigned char)*at) && at != text) return 0;
+    }
+    return 0;
+}
+
+static int words_of_line(const char *at)
+{
+    int n = 0;
+
+    for (; *at != '\0' && *at != '\n'; n++) {
+        at += strcspn(at, " \t\r\n");
+        at += strspn(at, " \t\r");
+    }
+    return n;
+}
+
+/* The section "Atoms" of a data file as a table with names; its style is
+ * sphere: the row has 7 numbers, or 10 with those of the periods. NULL after
+ * filling `wrong`. */
+static char *atoms_of(char *text, char wrong[CSV_WRONG])
+{
+    static const char *const names = "id type diameter density x y z",
+                             *const periods = " ix iy iz";
+    char style[32] = "", *rows = line_of(text, "Atoms"), *end = rows;
+
+    sscanf(rows, "Atoms # %31s", style);
+    rows = strchr(rows, '\n');
+    while (rows != NULL && isspace((unsigned char)*rows))
+        rows++;
+    const int n = rows == NULL ? 0 : words_of_line(rows);
+    if (n < 7 || (style[0] != '\0' && strcmp(style, "sphere") != 0)) {
+        snprintf(wrong, CSV_WRONG,
+                 "expected atoms of the style sphere (id type diameter density "
+                 "x y z), found %s%s",
+                 style[0] != '\0' ? "the style " : "fewer numbers in a row",
+                 style);
+        return NULL;
+    }
+    for (end = rows; *end != '\0' && !isalpha((unsigned char)*end);)
+        end += strcspn(end, "\n") + (strchr(end, '\n') != NULL);
+    *end = '\0';
+    char *const table = alloc_zeroed(strlen(rows) + 64, 1);
+    sprintf(table, "%s%s\n%s", names, n == 10 ? periods : "", rows);
+    return table;
 }
 
 /* Of a dump the names and rows of its last snapshot; else the text itself. */
@@ -97,10 +175,15 @@ struct insertion_sphere *grain_table_read(const char *path, long *n)
     size_t length;
     struct insertion_sphere *list = NULL;
     struct csv t;
-    char *const text = input_text(path, &length, &why);
+    char *text = input_text(path, &length, &why);
 
     *n = 0;
     snprintf(wrong, sizeof wrong, "%s", why);
+    if (text != NULL && is_data(text)) {
+        char *const table = atoms_of(text, wrong);
+        free(text);
+        text = table;
+    }
     if (text != NULL && csv_parse(&t, table_of(text), wrong) == 0) {
         list = spheres_of(&t, wrong);
         *n = list != NULL ? t.n_rows : 0;

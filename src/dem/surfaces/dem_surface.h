@@ -10,6 +10,8 @@ struct dem_surface {
     double impulse[3]; /* [N s] force over time */
     double angular[3]; /* [N m s] torque about the centre of its motion */
     double work;       /* [J] that it did on the particles */
+    double force[3];   /* [N] at the end of the last run */
+    double t;          /* [s] the time of the motions */
     struct pose pose;  /* where it is */
 };
 struct dem_surface dem_surface(const struct dem *dem, int k);

@@ -8,15 +8,14 @@
 
 int motion_is_any(const struct motion *m)
 {
-    return vector_dot(m->velocity, m->velocity) > 0.0 ||
+    return m->carrier != NULL || vector_dot(m->velocity, m->velocity) > 0.0 ||
            vector_dot(m->spin, m->spin) > 0.0 ||
            (vector_dot(m->amplitude, m->amplitude) > 0.0 && m->frequency > 0.0);
 }
 
 int motion_is_on(const struct motion *m, double t)
 {
-    return motion_is_any(m) && t >= m->from &&
-           (m->until == 0.0 || t < m->until);
+    return t >= m->from && (m->until == 0.0 || t < m->until);
 }
 
 /* How long it has moved. */
@@ -43,8 +42,17 @@ static void turn_about(const double spin[3], double s, double Q[3][3])
                       (1.0 - cos(a)) * e[i] * e[j];
 }
 
+static struct pose carried_pose(const struct carrier *by, double t)
+{
+    struct pose p = by->pose;
+
+    vector_along(by->pose.centre, t - by->t, p.velocity, p.centre);
+    return p;
+}
+
 struct pose motion_pose(const struct motion *m, double t)
 {
+    if (m->carrier != NULL) return carried_pose(m->carrier, t);
     const double s = moved(m, t), w = 2.0 * M_PI * m->frequency;
     const int on = motion_is_on(m, t);
     struct pose p;
@@ -63,6 +71,9 @@ struct pose motion_pose(const struct motion *m, double t)
 
 double motion_speed(const struct motion *m, double reach)
 {
+    if (m->carrier != NULL)
+        return vector_length(m->carrier->pose.velocity) +
+               vector_length(m->carrier->pose.spin) * reach;
     return vector_length(m->velocity) +
            2.0 * M_PI * m->frequency * vector_length(m->amplitude) +
            vector_length(m->spin) * reach;

@@ -11,15 +11,6 @@
 #ifndef DEM_SURFACES_MOTION_H
 #define DEM_SURFACES_MOTION_H
 
-struct motion {
-    double from, until;  /* [s] at rest before and after; until 0: no end */
-    double velocity[3];  /* [m/s] v */
-    double amplitude[3]; /* [m] A */
-    double frequency;    /* [Hz] f */
-    double centre[3];    /* [m] c_0, a point of the axis at time `from` */
-    double spin[3];      /* [rad/s] omega */
-};
-
 /* A rigid body at one moment. */
 struct pose {
     double start[3];       /* [m] c_0 */
@@ -29,9 +20,27 @@ struct pose {
     double spin[3];        /* [rad/s] */
 };
 
+/* A body whose motion is computed elsewhere while the particles move: its pose
+ * at time t, from which it goes on with its velocity. */
+struct carrier {
+    struct pose pose;
+    double t; /* [s] */
+};
+
+struct motion {
+    const struct carrier *carrier; /* borrowed; NULL: as the following say */
+    double from, until;  /* [s] at rest before and after; until 0: no end */
+    double velocity[3];  /* [m/s] v */
+    double amplitude[3]; /* [m] A */
+    double frequency;    /* [Hz] f */
+    double centre[3];    /* [m] c_0, a point of the axis at time `from` */
+    double spin[3];      /* [rad/s] omega */
+};
+
 struct pose motion_pose(const struct motion *m, double t);
 
-/* 1 if it ever moves; 1 if it moves at time t. */
+/* 1 if it ever moves; 1 if t is within its times, also where all velocities are
+ * 0: a prescribed particle is then held. */
 int motion_is_any(const struct motion *m);
 int motion_is_on(const struct motion *m, double t);
 

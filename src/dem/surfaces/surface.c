@@ -50,6 +50,22 @@ static struct surface_hit meet_cylinder(const struct surface *s,
     return h;
 }
 
+static struct surface_hit meet_sphere(const struct surface *s,
+                                      const double y[3])
+{
+    static const double any[3] = {0.0, 1.0, 0.0};
+    struct surface_hit h;
+    double out[3];
+
+    vector_between(y, s->point, out);
+    const double r = vector_length(out);
+    for (int k = 0; k < 3; k++)
+        h.n[k] = r > 0.0 ? out[k] / r : any[k];
+    h.r = r - s->radius;
+    vector_along(y, -h.r, h.n, h.q);
+    return h;
+}
+
 /* A centre in the triangle itself has no side: it is given one. */
 static struct surface_hit meet_triangle(const double corner[3][3],
                                         const double y[3])
@@ -75,6 +91,8 @@ struct surface_hit surface_nearest(const struct surface *s, int face,
         return meet_plane(s, y);
     case SURFACE_CYLINDER:
         return meet_cylinder(s, y);
+    case SURFACE_SPHERE:
+        return meet_sphere(s, y);
     default:
         return meet_triangle((const double(*)[3])s->triangles->corner[face], y);
     }
@@ -107,6 +125,7 @@ double surface_reach(const struct surface *s, const double lo[3],
     const int own = s->shape == SURFACE_TRIANGLES;
     double far[3];
 
+    if (s->shape == SURFACE_SPHERE) return s->radius;
     for (int k = 0; k < 3; k++) {
         const double from = own ? s->triangles->lo[k] : lo[k];
         const double to = own ? s->triangles->hi[k] : hi[k];
@@ -122,9 +141,10 @@ int surface_wrong(const struct surface *s)
 
     if (s->shape == SURFACE_TRIANGLES)
         what = s->triangles == NULL ? "it has no triangles" : NULL;
-    else if (fabs(vector_length(s->normal) - 1.0) > 1e-9)
+    else if (s->shape != SURFACE_SPHERE &&
+             fabs(vector_length(s->normal) - 1.0) > 1e-9)
         what = "its normal or axis has no direction";
-    else if (s->shape == SURFACE_CYLINDER && !(s->radius > 0.0))
+    else if (s->shape != SURFACE_PLANE && !(s->radius > 0.0))
         what = "its radius is not > 0";
     if (what != NULL)
         fprintf(stderr, "winnow: surface \"%s\": %s\n", s->name, what);

@@ -1,9 +1,10 @@
 /* surface.h -- a wall that is not one of the box.
  * Chapter "Walls".
  *
- * The solid of a plane lies behind it, that of a cylinder around or in it: a
- * sphere whose centre is in the solid is pushed out. Triangles have two sides
- * and no thickness; the force points to the side of the centre.
+ * The solid of a plane lies behind it, that of a cylinder around or in it, that
+ * of a sphere in it: a particle whose centre is in the solid is pushed out.
+ * Triangles have two sides and no thickness; the force points to the side of
+ * the centre.
  */
 #ifndef DEM_SURFACES_SURFACE_H
 #define DEM_SURFACES_SURFACE_H
@@ -12,17 +13,23 @@
 #include "dem/surfaces/motion.h"
 #include "dem/surfaces/triangles.h"
 
-enum surface_shape { SURFACE_PLANE, SURFACE_CYLINDER, SURFACE_TRIANGLES };
-extern const struct model *const surface_shapes[]; /* ended by NULL */
+enum surface_shape {
+    SURFACE_PLANE,
+    SURFACE_CYLINDER,
+    SURFACE_TRIANGLES,
+    SURFACE_SPHERE
+};
+/* What a case can choose, ended by NULL; a sphere is a body (src/resolved). */
+extern const struct model *const surface_shapes[];
 
 struct surface {
     const char *name; /* borrowed */
     enum surface_shape shape;
-    int material;                      /* [-] number of it */
-    double point[3];                   /* [m] on the plane, or on the axis */
-    double normal[3];                  /* [-] out of the solid; or the axis */
-    double radius;                     /* [m] of the cylinder */
-    int inside;                        /* [-] 1: particles are within it */
+    int material;     /* [-] number of it */
+    double point[3];  /* [m] on the plane, on the axis; or centre */
+    double normal[3]; /* [-] out of the solid; or the axis */
+    double radius;    /* [m] of cylinder, sphere */
+    int inside;       /* [-] 1: particles are within it */
     const struct triangles *triangles; /* borrowed */
     struct motion motion;              /* the places above are of time 0 */
 };

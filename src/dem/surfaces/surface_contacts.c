@@ -168,6 +168,7 @@ static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
     for (int k = 0; k < 3; k++) {
         impulse[k] -= dt * load[k];
         angular[k] -= dt * torque[k];
+        c->received[t->surface].force[k] -= load[k];
     }
     c->received[t->surface].work += dt * vector_dot(load, t->v);
 }
@@ -226,6 +227,8 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     two.velocity = c->velocity;
     two.material = c->material;
     two.own_inverse_mass = NULL; /* put_spheres has regarded it */
+    for (int a = 0; a < scene->n; a++)
+        memset(c->received[a].force, 0, sizeof c->received[a].force);
     chunk_begin_budget(&c->pairs.energy);
     if (n > 0) {
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);

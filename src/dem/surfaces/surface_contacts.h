@@ -36,6 +36,7 @@ struct surface_received {
     double impulse[3]; /* [N s] */
     double angular[3]; /* [N m s] about the centre of its motion */
     double work;       /* [J] that it did on the particles */
+    double force[3];   /* [N] when the loads were last computed */
 };
 
 struct surface_contacts {

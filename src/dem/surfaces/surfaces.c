@@ -9,6 +9,19 @@
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
 
+/* Of any point of them in the box [m/s]. */
+static double highest_speed(const struct surface_scene *scene)
+{
+    double speed = 0.0;
+
+    for (int k = 0; k < scene->n; k++) {
+        const struct surface *const one = &scene->surface[k];
+        const double reach = surface_reach(one, scene->box->lo, scene->box->hi);
+        speed = fmax(speed, motion_speed(&one->motion, reach));
+    }
+    return speed;
+}
+
 struct surfaces *surfaces_create(const struct surface *list, int n,
                                  const struct box_domain *box, int count)
 {
@@ -19,10 +32,9 @@ struct surfaces *surfaces_create(const struct surface *list, int n,
     sf->chunk = alloc_zeroed((size_t)count, sizeof *sf->chunk);
     for (int s = 0; s < count; s++)
         surface_contacts_init(&sf->chunk[s], &sf->scene);
-    for (int k = 0; k < n; k++) {
-        const double reach = surface_reach(&list[k], box->lo, box->hi);
-        sf->speed = fmax(sf->speed, motion_speed(&list[k].motion, reach));
-    }
+    sf->speed = highest_speed(&sf->scene);
+    for (int k = 0; k < n; k++)
+        sf->carried |= list[k].motion.carrier != NULL;
     return sf;
 }
 
@@ -50,7 +62,14 @@ void surfaces_move(struct surfaces *sf, int s, double t)
 double surfaces_moved(const struct surfaces *sf, int s)
 {
     const struct surface_contacts *const c = &sf->chunk[s];
-    return sf->speed * fabs(c->time - c->built_time);
+    double way[3], farthest = sf->speed * fabs(c->time - c->built_time);
+
+    for (int k = 0; k < sf->scene.n; k++) {
+        if (sf->scene.surface[k].motion.carrier == NULL) continue;
+        vector_between(c->pose[k].centre, c->built[k].centre, way);
+        farthest = fmax(farthest, vector_length(way));
+    }
+    return farthest;
 }
 
 void surfaces_save_history(struct surfaces *sf, int s,
@@ -243,10 +262,24 @@ void surfaces_restore_history(struct surfaces *sf,
     surface_contacts_save(&sf->chunk[0].saved, one);
 }
 
+/* Between two runs a carrier may have changed its velocity, or come back into a
+ * periodic box. */
+static void take_carriers(struct surfaces *sf)
+{
+    sf->speed = highest_speed(&sf->scene);
+    for (int s = 0; s < sf->n_chunks; s++)
+        for (int k = 0; k < sf->scene.n; k++) {
+            const struct motion *const m = &sf->scene.surface[k].motion;
+            if (m->carrier != NULL)
+                sf->chunk[s].pose[k] = motion_pose(m, sf->chunk[s].time);
+        }
+}
+
 void surfaces_begin_run(struct surfaces *sf)
 {
     for (int s = 0; s < sf->n_chunks; s++)
         sf->chunk[s].pairs.max_overlap = 0.0;
+    if (sf->carried) take_carriers(sf);
 }
 
 int surfaces_contacts(const struct surfaces *sf)
@@ -293,6 +326,7 @@ struct surface_received surfaces_received(const struct surfaces *sf,
         for (int k = 0; k < 3; k++) {
             sum.impulse[k] += a->impulse[k];
             sum.angular[k] += a->angular[k];
+            sum.force[k] += a->force[k];
         }
         sum.work += a->work;
     }

@@ -15,6 +15,7 @@ struct surfaces {
     struct surface_contacts *chunk;
     int n_chunks;       /* [-] chunks */
     double speed;       /* [m/s] no point of a surface in the box is faster */
+    int carried;        /* [-] 1: one of them has a carrier (motion.h) */
     int *index_of_id;   /* [-] index of each id after a sort, or -1 */
     int index_capacity; /* [-] that there is room for in `where` */
 };

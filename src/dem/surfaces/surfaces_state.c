@@ -50,7 +50,8 @@ static void histories_state(struct surface_histories *f, const char *name,
     state_end(s);
 }
 
-/* The places of the surfaces follow from the time. */
+/* The places of the surfaces follow from the time, but for those that others
+ * carry. */
 static void set_poses(struct surface_contacts *c,
                       const struct surface_scene *scene)
 {
@@ -77,14 +78,24 @@ static void contacts_state(struct surface_contacts *c, int n, struct state *s)
     chunk_energy_state(&c->pairs.energy, s);
 }
 
+static void carried_state(struct surface_contacts *c, int n, struct state *s)
+{
+    state_reals_of(s, "centre_at_rebuild", "m", c->built->centre,
+                   sizeof *c->built, n, 3);
+    state_reals_of(s, "force", "N", c->received->force, sizeof *c->received, n,
+                   3);
+}
+
 void surfaces_state(struct surfaces *sf, struct state *s)
 {
     state_begin(s, "surfaces");
     for (int k = 0; k < sf->n_chunks; k++) {
+        struct surface_contacts *const c = &sf->chunk[k];
         state_begin_number(s, "chunk", k);
-        contacts_state(&sf->chunk[k], sf->scene.n, s);
+        contacts_state(c, sf->scene.n, s);
+        if (s->loading) set_poses(c, &sf->scene);
+        if (sf->carried) carried_state(c, sf->scene.n, s);
         state_end(s);
-        if (s->loading) set_poses(&sf->chunk[k], &sf->scene);
     }
     state_end(s);
 }

@@ -105,7 +105,7 @@ static int find_periods(struct mesh *m, struct poly_raw *r, const char *dir)
  * the same face on the neighbour's side: itself, or its partner, which is a
  * period away. */
 static void set_inner(struct mesh *m, const struct poly_raw *r, int to, int f,
-                      int far, int lap)
+                      int far, int crossing)
 {
     const int a = r->owner[f];
     const int b = far == f ? r->neighbour[f] : r->owner[far];
@@ -124,7 +124,8 @@ static void set_inner(struct mesh *m, const struct poly_raw *r, int to, int f,
     m->owner[to] = r->number[turned ? b : a];
     m->neighbour[to] = r->number[turned ? a : b];
     m->w[to] = turned ? 1.0 - w : w;
-    if (m->periodic_index != NULL) m->periodic_index[to] = turned ? -lap : lap;
+    if (m->periodic_index != NULL)
+        m->periodic_index[to] = turned ? -crossing : crossing;
     for (int k = 0; k < 3; k++) {
         m->S[3 * to + k] = turned ? -S[k] : S[k];
         m->d[3 * to + k] = turned ? -d[k] : d[k];
@@ -152,7 +153,7 @@ static int joins(const struct poly_raw *r, int f, int far)
 
 /* An inner face of the mesh: two faces of the files, or one of them twice. */
 struct join {
-    int f, far, lap;
+    int f, far, crossing;
 };
 
 /* The inner faces of the files and the cyclic pairs; returns how many. With
@@ -205,7 +206,7 @@ static void set_inner_faces(struct mesh *m, const struct poly_raw *r)
 
     for (int i = 0; i < n; i++) {
         const struct join *const one = &list[order[i]];
-        set_inner(m, r, i, one->f, one->far, one->lap);
+        set_inner(m, r, i, one->f, one->far, one->crossing);
     }
     free(list);
     free(least);

@@ -15,9 +15,6 @@
 #include "mesh/mesh_form.h"
 #include "mesh/poly/sheared.h"
 
-static const char *const names[3][2] = {
-    {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
-
 /* The point at a corner of the cells. */
 static int point_at(const int n[3], int i, int j, int k)
 {
@@ -88,8 +85,8 @@ static void end_faces(struct poly_raw *r, const struct box *b, int k, int upper)
     const int *const n = b->n, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
     int at[3];
 
-    snprintf(part->name, sizeof part->name, "%s", names[k][upper]);
-    snprintf(part->other, sizeof part->other, "%s", names[k][!upper]);
+    snprintf(part->name, sizeof part->name, "%s", mesh_sides[2 * k + upper]);
+    snprintf(part->other, sizeof part->other, "%s", mesh_sides[2 * k + !upper]);
     snprintf(part->type, sizeof part->type, "%s",
              b->periodic[k] ? "cyclic" : "patch");
     part->first = r->n_faces;

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <hdf5.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -309,6 +310,17 @@ char *state_file_text(struct state_file *f, const char *name)
     H5Tclose(type);
     H5Dclose(at);
     return text;
+}
+
+double state_file_number(struct state_file *f, const char *path)
+{
+    const hid_t at = H5Dopen2(f->file, path, H5P_DEFAULT);
+    double x = NAN;
+
+    if (at < 0) return NAN;
+    H5Dread(at, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &x);
+    H5Dclose(at);
+    return x;
 }
 
 int state_file_all_visited(const struct state_file *f)

@@ -51,6 +51,10 @@ struct state_file *state_file_open(const char *path, const char **why);
 /* A text as a new string, "" if the file has none of that name. */
 char *state_file_text(struct state_file *f, const char *name);
 
+/* A single number "/t", which is not counted as visited; nan if there is none.
+ */
+double state_file_number(struct state_file *f, const char *path);
+
 /* Non-zero after a message if the file has arrays that were not visited. */
 int state_file_all_visited(const struct state_file *f);
 

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/contacts/contact_list.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/box_domain.h"
+#include "dem/fast/fast_internal.h"
+#include "dem/link_cells.h"
+#include "dem/materials.h"
+#include "dem/surfaces/surfaces.h"
+
+static void *longer(void *old, int used, int room, size_t size)
+{
+    void *const made = alloc_zeroed((size_t)room, size);
+
+    if (used > 0) memcpy(made, old, (size_t)used * size);
+    free(old);
+    return made;
+}
+
+static void reserve(struct contact_list *c)
+{
+    if (c->n < c->room) return;
+    c->room = 2 * c->room + 1024;
+    c->x = longer(c->x, 6 * c->n, 6 * c->room, sizeof *c->x);
+    c->force = longer(c->force, c->n, c->room, sizeof *c->force);
+    c->depth = longer(c->depth, c->n, c->room, sizeof *c->depth);
+    c->ids = longer(c->ids, 2 * c->n, 2 * c->room, sizeof *c->ids);
+    c->corner = longer(c->corner, 2 * c->n, 2 * c->room, sizeof *c->corner);
+    c->end = longer(c->end, c->n, c->room, sizeof *c->end);
+    c->index = longer(c->index, 2 * c->n, 2 * c->room, sizeof *c->index);
+}
+
+/* Of particle i with another, or with a wall that has a number below 0. */
+struct meeting {
+    int i, j;           /* [-] */
+    int pair;           /* [-] of materials */
+    double d[3];        /* [m] from the centre to the other, or to the wall */
+    double depth, R, m; /* [m], R* [m], m* [kg] */
+};
+
+static void add(struct contact_list *c, const struct meeting *a)
+{
+    const struct particles *const ps = c->sim->particles;
+    const double x[3] = {ps->x[a->i], ps->y[a->i], ps->z[a->i]};
+    const struct contact_law *const law = dem_created_with(c->sim->dem)->law;
+
+    reserve(c);
+    memcpy(&c->x[6 * c->n], x, sizeof x);
+    vector_along(x, 1.0, a->d, &c->x[6 * c->n + 3]);
+    c->depth[c->n] = a->depth;
+    c->force[c->n] =
+        law->respond(&c->constants[a->pair], a->depth, a->R, a->m).elastic;
+    c->index[2 * c->n] = a->i;
+    c->index[2 * c->n + 1] = a->j;
+    c->ids[2 * c->n] = ps->id[a->i];
+    c->ids[2 * c->n + 1] = a->j < 0 ? a->j : ps->id[a->j];
+    c->corner[2 * c->n] = 2 * c->n;
+    c->corner[2 * c->n + 1] = 2 * c->n + 1;
+    c->end[c->n] = 2 * c->n + 2;
+    c->n++;
+}
+
+static int material_of(const struct particles *ps, int i)
+{
+    return ps->material != NULL ? ps->material[i] : 0;
+}
+
+static int pair_of(const struct contact_list *c, int a, int b)
+{
+    return a * materials_count(c->sim->materials) + b;
+}
+
+static void add_pair(struct contact_list *c, int i, int j, const double x[3])
+{
+    const struct particles *const ps = c->sim->particles;
+    const double y[3] = {ps->x[j], ps->y[j], ps->z[j]};
+    const double R[2] = {0.5 * ps->d[i], 0.5 * ps->d[j]};
+    struct meeting a = {i,
+                        j,
+                        pair_of(c, material_of(ps, i), material_of(ps, j)),
+                        {0.0},
+                        0.0,
+                        R[0] * R[1] / (R[0] + R[1]),
+                        ps->m[i] * ps->m[j] / (ps->m[i] + ps->m[j])};
+
+    for (int k = 0; k < 3; k++)
+        a.d[k] = box_domain_nearest(&c->box, k, y[k] - x[k]);
+    a.depth = R[0] + R[1] - vector_length(a.d);
+    if (a.depth > 0.0) add(c, &a);
+}
+
+/* With something flat of this material, at `gap` from the centre. */
+static void add_flat(struct contact_list *c, int i, int number, int material,
+                     const double d[3], double gap)
+{
+    const struct particles *const ps = c->sim->particles;
+    const double R = 0.5 * ps->d[i];
+    const struct meeting a = {i,
+                              number,
+                              pair_of(c, material_of(ps, i), material),
+                              {d[0], d[1], d[2]},
+                              R - gap,
+                              R,
+                              ps->m[i]};
+
+    if (gap < R) add(c, &a);
+}
+
+static void add_walls(struct contact_list *c, int i, const double x[3])
+{
+    const struct materials *const all = c->sim->materials;
+
+    for (int w = 0; w < 6; w++) {
+        const double gap = box_domain_gap(&c->box, w, x);
+        double d[3] = {0.0, 0.0, 0.0};
+        d[w / 2] = w % 2 ? gap : -gap;
+        if (!c->box.periodic[w / 2])
+            add_flat(c, i, -1 - w, all != NULL ? all->wall : 0, d, gap);
+    }
+}
+
+/* Only the fast method knows surfaces. */
+static void add_surfaces(struct contact_list *c)
+{
+    if (dem_created_with(c->sim->dem)->n_surfaces == 0) return;
+    const struct surfaces *const all =
+        fast_of(c->sim->dem)->neighbours->surfaces;
+
+    for (int s = 0; s < all->n_chunks; s++) {
+        const struct surface_contact_points *const t = &all->chunk[s].touches;
+        for (int q = 0; q < t->n; q++) {
+            const struct surface_contact_point *const at = &t->list[q];
+            const double d[3] = {-at->r * at->n[0], -at->r * at->n[1],
+                                 -at->r * at->n[2]};
+            add_flat(c, at->owner, -7 - at->surface,
+                     all->scene.surface[at->surface].material, d, at->r);
+        }
+    }
+}
+
+/* A particle is compared with those that were put into the cells before it. */
+void contact_list_find(struct contact_list *c)
+{
+    const struct particles *const ps = c->sim->particles;
+    double widest = 0.0;
+    int near[LINK_CELLS_AROUND];
+
+    c->n = 0;
+    for (int i = 0; i < ps->n; i++)
+        widest = ps->d[i] > widest ? ps->d[i] : widest;
+    link_cells_clear(c->cells, widest > 0.0 ? widest : 1.0);
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        const int n = link_cells_around(c->cells, x, near);
+        for (int k = 0; k < n; k++)
+            for (int j = c->cells->head[near[k]]; j >= 0; j = c->cells->next[j])
+                add_pair(c, i, j, x);
+        add_walls(c, i, x);
+        link_cells_add(c->cells, i, x);
+    }
+    add_surfaces(c);
+}
+
+struct contact_list *contact_list_create(const struct simulation *sim)
+{
+    struct contact_list *const c = alloc_zeroed(1, sizeof *c);
+    const struct dem_options *const o = dem_created_with(sim->dem);
+    const int n = materials_count(sim->materials);
+
+    c->sim = sim;
+    c->box = box_domain_of(o->lo, o->hi, o->periodic);
+    c->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *c->constants);
+    materials_table(o->law, &o->material, o->materials, c->constants);
+    c->cells = link_cells_create(sim->particles->capacity, &c->box);
+    reserve(c);
+    return c;
+}
+
+void contact_list_free(struct contact_list *c)
+{
+    if (c == NULL) return;
+    link_cells_free(c->cells);
+    free(c->constants);
+    free(c->x);
+    free(c->force);
+    free(c->depth);
+    free(c->ids);
+    free(c->corner);
+    free(c->end);
+    free(c->index);
+    free(c);
+}

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* case_engine.c -- the keys of the distributed engine, and what `check` says of
+ * it.  Chapter "Past one machine". */
+#include "case/case_part.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case/case_cost.h"
+#include "case/case_memory.h"
+#include "case/case_mesh.h"
+#include "case/check_line.h"
+#include "distributed/refusal.h"
+
+static const struct key engine_keys[] = {
+    {"engine", KEY_NAME, "", "one | distributed", "one",
+     "one: this machine; distributed: several processes, by build/winnow-mpi",
+     "", ""},
+    {"ranks", KEY_COUNTS, "-", ">= 1", "",
+     "processes in x, y, z; left out: as many as there are, side by side "
+     "across gravity",
+     "", ""},
+    {"layers", KEY_INT, "-", ">= 1, <= 16", "",
+     "layers of neighbours' cells around those of a rank; left out: as many as "
+     "the schemes read",
+     "", ""},
+    KEY_END};
+
+static int is_distributed(const struct settings *s)
+{
+    return strcmp(settings_text(s, "engine"), "distributed") == 0;
+}
+
+static int check(const struct settings *s)
+{
+    return is_distributed(s) ? refusal_engine(s) : 0;
+}
+
+/* Measured on one core with a settled bed of 9240 spheres: LAMMPS' steps of the
+ * particles take 4.3 times as long as ours, and PETSc's of the fluid 4.3 times.
+ * [byte] of a rank: what was measured of LAMMPS and PETSc, beside our own
+ * arrays; libraries; and the record of the first rank. */
+static const double slower = 4.3;
+static const double per_particle = 1100.0, per_cell = 2200.0, libraries = 100e6;
+
+static void print(const struct settings *s, const struct case_scales *k)
+{
+    if (!is_distributed(s)) return;
+    const double one = case_cost_seconds(s);
+    const double first = case_memory_bytes(s);
+
+    puts("Distributed engine");
+    check_line("time on one core", one, "s", "about, by build/winnow");
+    check_line("time of one rank", slower * one, "s",
+               "about, by build/winnow-mpi");
+    check_line("ranks for each thread replaced", slower, "-",
+               "below that it only pays where one machine has too little "
+               "memory");
+    check_line(
+        "memory of one rank",
+        1e-6 * (per_particle * k->particles + per_cell * k->cells + libraries),
+        "MB", "about; of N ranks a part each, and their layers");
+    check_line("memory of the record", 1e-6 * first, "MB",
+               "about, on the first rank besides");
+}
+
+const struct case_part case_engine_part = {
+    .keys = engine_keys, .check_any = check, .print = print};

@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* export.c -- particles and walls as a deck that LAMMPS runs.
+ * Chapter "Past one machine".
+ *
+ *     winnow export CASE --to lammps -o DIR
+ *
+ * DIR/in.lammps and DIR/data.lammps; fluid and drag are left out. */
+#include "case/command.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/file.h"
+#include "case/build.h"
+#include "case/particle_options.h"
+#include "case/case_materials.h"
+#include "case/case_steps.h"
+#include "coupling/simulation.h"
+#include "distributed/refusal.h"
+#include "distributed/words.h"
+
+static void put_line(void *to, const char *line)
+{
+    fprintf(to, "%s\n", line);
+}
+
+static double mean_diameter(const struct particles *ps)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < ps->n; i++)
+        sum += ps->d[i];
+    return ps->n > 0 ? sum / ps->n : 0.0;
+}
+
+/* The type of a sphere; 1 where all are of one material. */
+static int type_of(const struct particles *ps, int i)
+{
+    return ps->material != NULL ? ps->material[i] + 1 : 1;
+}
+
+static void put_data(FILE *f, const struct words *w, const struct particles *ps)
+{
+    fprintf(f, "# written by winnow export\n\n%d atoms\n%d atom types\n", ps->n,
+            w->materials);
+    for (int k = 0; k < 3; k++)
+        fprintf(f, "%.17g %.17g %clo %chi\n", w->lo[k], w->hi[k], 'x' + k,
+                'x' + k);
+    fprintf(f, "\nAtoms # sphere: id type diameter density x y z\n\n");
+    for (int i = 0; i < ps->n; i++)
+        fprintf(f, "%d %d %.17g %.17g %.17g %.17g %.17g\n", ps->id[i] + 1,
+                type_of(ps, i), ps->d[i], ps->m[i] / particles_volume(ps, i),
+                ps->x[i], ps->y[i], ps->z[i]);
+    fprintf(f, "\nVelocities # v, omega\n\n");
+    for (int i = 0; i < ps->n; i++)
+        fprintf(f, "%d %.17g %.17g %.17g %.17g %.17g %.17g\n", ps->id[i] + 1,
+                ps->vx[i], ps->vy[i], ps->vz[i], ps->wx[i], ps->wy[i],
+                ps->wz[i]);
+}
+
+/* All steps are one run: LAMMPS of 2021 applies the polynomial of the dashpots
+ * of walls again at the start of every further one. */
+static void put_deck(FILE *f, const struct settings *s, const struct words *w,
+                     const double g[3])
+{
+    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double steps = (double)case_steps_until_end(s) * case_steps_within(s);
+
+    fprintf(f,
+            "# %s\n# particles and walls of %s, written by winnow export; "
+            "without the fluid\n"
+            "# one run only: LAMMPS up to 2022 changes the dashpots of "
+            "walls in a second one\n",
+            settings_text(s, "title"), settings_file(s));
+    words_begin(w, put_line, f);
+    fprintf(f, "read_data data.lammps\n");
+    words_contacts(w, put_line, f);
+    if (size > 0.0)
+        fprintf(f, "fix gravity all gravity %.17g vector %.17g %.17g %.17g\n",
+                size, g[0] / size, g[1] / size, g[2] / size);
+    fprintf(f,
+            "fix move all nve/sphere\n"
+            "thermo_style custom step time atoms ke\nthermo 1000\n"
+            "dump all all custom %.0f dump.lammps id type diameter x y z vx "
+            "vy vz\n"
+            "dump_modify all sort id format float %%.17g\nrun %.0f\n",
+            fmax(1.0, steps), steps);
+}
+
+/* Writes one of the two files; non-zero after a message. */
+static int write_file(const char *dir, const char *name,
+                      const struct settings *s, const struct words *w,
+                      const struct simulation *sim, int data)
+{
+    char *const path = file_join(dir, name);
+    FILE *const f = fopen(path, "w");
+    int failed = f == NULL;
+
+    if (f != NULL && data) put_data(f, w, sim->particles);
+    if (f != NULL && !data) put_deck(f, s, w, sim->gravity);
+    if (f != NULL) failed = ferror(f) | (fclose(f) != 0);
+    if (failed)
+        perror(path);
+    else
+        printf("%s\n", path);
+    free(path);
+    return failed;
+}
+
+static int export_case(const struct settings *s, const char *dir)
+{
+    int code;
+    struct simulation *const sim = build_simulation(s, &code);
+
+    if (sim == NULL) return code;
+    const struct words w = words_of(s, mean_diameter(sim->particles));
+    particle_options_gravity(s, sim->gravity);
+    if (file_make_dirs(dir) != 0 ||
+        write_file(dir, "data.lammps", s, &w, sim, 1) != 0 ||
+        write_file(dir, "in.lammps", s, &w, sim, 0) != 0)
+        code = 4;
+    build_free(sim);
+    return code;
+}
+
+static int act(const struct command_line *l)
+{
+    int code;
+
+    if (!l->to || strcmp(l->words[1], "lammps") != 0) {
+        fprintf(stderr, "winnow: export knows one program: --to lammps\n");
+        return 2;
+    }
+    struct settings *const s = command_settings(l, &code);
+    if (s != NULL) code = refusal_export(s);
+    if (s != NULL && code == 0)
+        code = export_case(s, l->dir != NULL ? l->dir : "out/export");
+    settings_free(s);
+    return code;
+}
+
+const struct command export_command = {
+    "export",
+    "CASE --to lammps [-o DIR] [-s path.to.key=value]...",
+    "particles and walls as a deck that LAMMPS runs, DIR/in.lammps and "
+    "DIR/data.lammps",
+    "ost",
+    2,
+    2,
+    act};

@@ -1,0 +1,25 @@
+/* engine.h -- what the first rank asks of all ranks.
+ * Chapter "Past one machine".
+ *
+ * The first rank runs the program as on one machine; its simulation is the
+ * record. Where that would start, step, be written or saved, it asks all ranks
+ * (itself, too) to do so with their parts. The others wait for what they are
+ * asked.
+ */
+#ifndef DISTRIBUTED_RANKS_ENGINE_H
+#define DISTRIBUTED_RANKS_ENGINE_H
+
+#include "case/recorder_part.h"
+#include "coupling/processes.h"
+
+extern const struct processes_engine engine_of_ranks;
+extern const struct recorder_part engine_summary;
+
+/* Serves until the first rank stops; returns its exit code. The words are those
+ * of the command line. */
+int engine_serve(int argc, char **argv);
+
+/* Called by the first rank at its end. */
+void engine_stop(int code);
+
+#endif

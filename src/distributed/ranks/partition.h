@@ -1,0 +1,61 @@
+/* partition.h -- which cells of a box belong to which rank.
+ * Chapter "Past one machine".
+ *
+ * The box is cut by planes into P[0] P[1] P[2] smaller ones; rank r has its own
+ * cells and `layers` layers of its neighbours' around them, as a mesh of its
+ * own, which has slip walls where it is cut off. Across a periodic end the
+ * layers are those of the other end.
+ */
+#ifndef DISTRIBUTED_RANKS_PARTITION_H
+#define DISTRIBUTED_RANKS_PARTITION_H
+
+#include "mesh/mesh.h"
+
+/* In cells; a direction that is not cut has no layers. */
+struct extent {
+    int first[3], own[3]; /* own cells: from first on */
+    int at[3], n[3];      /* with the layers; at may be negative */
+};
+
+struct partition {
+    int rank, size, layers;
+    int P[3];        /* [-] parts in each direction */
+    int N[3];        /* [-] cells of the whole box */
+    int periodic[3]; /* [-] */
+    double size_m[3];
+    int *cut[3]; /* [-] P + 1 planes, counted in cells */
+    struct extent here;
+};
+
+/* How the box is cut: P parts, or where these are 0 as many as there are ranks,
+ * across `down` first, the direction of gravity, last. weight[k] [-] is what
+ * each slab of cells of direction k costs. 0, or 2 after a message. */
+int partition_init(struct partition *p, const struct box_spec *box,
+                   const int P[3], int down, int rank, int size, int layers);
+void partition_cut(struct partition *p, const double *const weight[3]);
+void partition_release(struct partition *p);
+
+/* The cells of a rank. */
+struct extent partition_extent(const struct partition *p, int rank);
+
+/* The number of a cell of the whole box, and the rank that owns it, from its
+ * place in the extent e; local: its number in the mesh of that rank. */
+int partition_whole(const struct partition *p, const struct extent *e,
+                    int cell);
+int partition_owner(const struct partition *p, int whole, int *local);
+
+/* 1 if the cell of the extent is its own. */
+int partition_is_own(const struct extent *e, int cell);
+
+/* The mesh of this rank, where it stands in the box; cut[i] tells of patch i
+ * whether it is cut off there. */
+struct mesh *partition_mesh(const struct partition *p, int cut[6]);
+
+/* Of each cell the face above and below it in each direction, 3 a cell; -1
+ * where that is another cell's, or is cut off. */
+struct face_places {
+    int *up, *down;
+};
+struct face_places partition_faces(const struct mesh *m, const int cut[6]);
+
+#endif

@@ -1,0 +1,28 @@
+/* smoothing.h -- averaging over the cells of all ranks.
+ * Chapter "Past one machine".
+ *
+ * A particle counts in the cell of its centre, which may be one of the layers:
+ * the sums of the layers go to their owners. The diffusion is the series of
+ * exp(-T L) (linear/chebyshev.h), for it needs no sum over all cells: each
+ * product with L reads one layer of neighbours.
+ */
+#ifndef DISTRIBUTED_RANKS_SMOOTHING_H
+#define DISTRIBUTED_RANKS_SMOOTHING_H
+
+#include "averaging/averaging_method.h"
+#include "distributed/ranks/halo.h"
+
+/* The context of the method, which averaging_options.parts is. */
+struct smoothing {
+    struct halo *h;
+    const struct mesh *mesh;
+    double bandwidth; /* [m] 0: no diffusion */
+    double tolerance; /* [-] of the series */
+    /* Called with what was gathered [unit of the field], m a particle. */
+    void (*gathered)(void *to, int m, const double *q);
+    void *to;
+};
+
+extern const struct averaging_method smoothing_method;
+
+#endif

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* spheres_report.c -- contacts, speeds and lost spheres of all ranks. */
+#include "distributed/ranks/spheres_internal.h"
+
+#include <math.h>
+#include <string.h>
+
+#define LAMMPS_LIB_MPI
+#include <lammps/library.h>
+
+#include "dem/dem_internal.h"
+
+/* The overlap with the walls of the box, over the diameter. */
+static double wall_overlap(const struct spheres *q, const double *x, double R)
+{
+    double deepest = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        if (q->w.periodic[k]) continue;
+        deepest = fmax(deepest, R - (x[k] - q->w.lo[k]));
+        deepest = fmax(deepest, R - (q->w.hi[k] - x[k]));
+    }
+    return 0.5 * deepest / R;
+}
+
+/* Touching pairs, half of each at either end, and the deepest overlap, at the
+ * end of a run: LAMMPS itself does not record it. */
+static void measure_contacts(struct spheres *q, double *contacts,
+                             double *deepest)
+{
+    enum { NEIGHBOUR = 0x3FFFFFFF }; /* without LAMMPS' bits of bonds */
+    double **const x = spheres_rows(q, "x");
+    const double *const R = lammps_extract_atom(q->lammps, "radius");
+    const int own = spheres_count(q);
+    const int list = lammps_find_pair_neighlist(q->lammps, "granular", 1, 0, 0);
+
+    for (int e = 0; e < own; e++) {
+        const double alone = wall_overlap(q, x[e], R[e]);
+        *deepest = fmax(*deepest, alone);
+        *contacts += alone > 0.0;
+    }
+    const int n = list < 0 ? 0 : lammps_neighlist_num_elements(q->lammps, list);
+    for (int e = 0; e < n; e++) {
+        int i, many, *others;
+        lammps_neighlist_element_neighbors(q->lammps, list, e, &i, &many,
+                                           &others);
+        for (int k = 0; k < many; k++) {
+            const int j = others[k] & NEIGHBOUR;
+            const double a = x[i][0] - x[j][0], b = x[i][1] - x[j][1],
+                         c = x[i][2] - x[j][2], R2 = R[i] + R[j];
+            const double rr = a * a + b * b + c * c;
+            if (rr >= R2 * R2) continue;
+            *deepest = fmax(*deepest, (R2 - sqrt(rr)) / R2);
+            *contacts += j < own ? 1.0 : 0.5;
+        }
+    }
+}
+
+/* Within the cells of this rank and their layers. */
+static int is_inside(const struct spheres *q, const double *x)
+{
+    const struct partition *const p = q->p;
+    int in = 1;
+
+    for (int k = 0; k < 3; k++) {
+        const double width = p->size_m[k] / p->N[k];
+        const double lo = width * p->here.at[k];
+        if (p->periodic[k] && p->P[k] == 1)
+            in &= isfinite(x[k]);
+        else
+            in &= x[k] >= lo && x[k] <= lo + width * p->here.n[k];
+    }
+    return in;
+}
+
+enum { SUMS = 6, MAXIMA = 5 };
+
+/* Sums and maxima over the ranks; a sphere is lost if LAMMPS has it no more, or
+ * outside the box, where there are no cells. */
+void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
+{
+    const struct particles *const ps = q->dem->ps;
+    double sum[SUMS] = {spheres_count(q), 0, 0, 0, 0, untaken};
+    double most[MAXIMA] = {0.0, 0.0, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    measure_contacts(q, &sum[4], &most[0]);
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        const double vv = ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
+                          ps->vz[i] * ps->vz[i];
+        const double ww = ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
+                          ps->wz[i] * ps->wz[i];
+        sum[2] += 0.5 * ps->m[i] * vv;
+        sum[3] += 0.05 * ps->m[i] * ps->d[i] * ps->d[i] * ww;
+        most[1] = fmax(most[1], sqrt(vv));
+        if (is_inside(q, x)) {
+            sum[1] += ps->id[i];
+            continue;
+        }
+        sum[0] -= 1.0;
+        memcpy(most + 2, x, sizeof x);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, sum, SUMS, MPI_DOUBLE, MPI_SUM, q->comm);
+    MPI_Allreduce(MPI_IN_PLACE, most, MAXIMA, MPI_DOUBLE, MPI_MAX, q->comm);
+    r->translation = sum[2];
+    r->rotation = sum[3];
+    r->contacts = (int)sum[4];
+    r->max_overlap = most[0];
+    r->max_speed = most[1];
+    r->lost = (int)(q->all - (long)sum[0] + (long)sum[5]);
+    r->lost_id = r->lost == 1 ? (int)(q->id_sum - (long)sum[1]) : -1;
+    for (int k = 0; k < 3; k++)
+        r->lost_at[k] = isfinite(most[2 + k]) ? most[2 + k] : (double)NAN;
+}

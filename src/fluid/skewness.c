@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fluid/skewness.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "linear/face_loops.h"
+#include "fluid/momentum_system.h"
+#include "fluid/piso.h"
+#include "fluid/pressure_system.h"
+#include "fluid/time_levels.h"
+
+double *skewness_of(const struct mesh *m)
+{
+    if (!m->skewed) return NULL;
+    double *const off = alloc_doubles(3 * m->n_faces);
+
+    for (int f = 0; f < m->n_faces; f++)
+        mesh_off_middle(m, f, &off[3 * f]);
+    return off;
+}
+
+/* off . grad x of a face inside, linear between the cells; per: numbers of
+ * slope a cell. */
+static inline double between(const struct fluid *fl, const double *slope,
+                             int per, int f, int o, int n)
+{
+    const double w = fl->mesh->w[f], *const off = &fl->geometry->off[3 * f];
+
+    return w * vector_dot(&slope[per * o], off) +
+           (1.0 - w) * vector_dot(&slope[per * n], off);
+}
+
+FACE_KERNEL inner_pressure(int f, int o, int n, const struct fluid *fl)
+{
+    fl->p_face[f] += between(fl, fl->grad_p, 3, f, o, n) -
+                     vector_dot(fl->mean_gradient, &fl->geometry->off[3 * f]);
+}
+
+void skewness_add_pressures(struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+
+    FOR_EACH_FACE(fl->faces, 12, inner_pressure, fl);
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) continue;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const off = &fl->geometry->off[3 * f];
+            fl->p_face[f] += vector_dot(&fl->grad_p[3 * m->owner[f]], off) -
+                             vector_dot(fl->mean_gradient, off);
+        }
+    }
+}
+
+/* The time derivative at the face contains the old flux as it is: the share of
+ * the term that the other forces bring is 1 - m_f c_f, which is all of it in a
+ * steady flow, for any step. */
+FACE_KERNEL inner_flux(int f, int o, int n, const struct fluid *fl)
+{
+    const struct pressure_system *const pressure = fl->pressure;
+    const double *const slope = fl->momentum->velocity_gradient;
+    const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
+    const double eps = w * fl->eps[o] + (1.0 - w) * fl->eps[n];
+    double per_flux =
+        (1.0 - w) * pressure->per_flux[o] + w * pressure->per_flux[n];
+    double flux = 0.0;
+
+    if (fl->levels->ddt_older != NULL)
+        per_flux += (1.0 - w) * pressure_older_per_flux(fl, o) +
+                    w * pressure_older_per_flux(fl, n);
+    for (int k = 0; k < 3; k++)
+        flux += S[k] * between(fl, slope + 3 * k, 9, f, o, n);
+    fl->phi[f] += (1.0 - pressure->m_face[f] * per_flux) * eps * flux;
+}
+
+void skewness_add_fluxes(struct fluid *fl)
+{
+    FOR_EACH_FACE(fl->faces, 24, inner_flux, fl);
+}
+
+/* The share of linear in the weights of a scheme of two cells [-]. */
+static double linear_share(const struct fluid *fl, int f, double upwind)
+{
+    const double w = fl->mesh->w[f];
+
+    return (upwind - fl->momentum->owner_weight[f]) / (upwind - w);
+}
+
+/* The term of component k for a scheme that looks upstream, at most as much of
+ * it as the scheme takes of the slope along the link. */
+static double upstream(const struct fluid *fl, const double *u, int f, int with,
+                       int k)
+{
+    const struct mesh *const m = fl->mesh;
+    const int o = m->owner[f], n = m->neighbour[f];
+    const double sign = with ? 1.0 : -1.0;
+    const double *const slope =
+        &fl->momentum->velocity_gradient[9 * (with ? o : n) + 3 * k];
+    const double reach = with ? 1.0 - m->w[f] : m->w[f];
+    const double rise = sign * vector_dot(slope, &m->d[3 * f]);
+    const double taken = fl->options.convection->deferred(
+        sign * (u[3 * n + k] - u[3 * o + k]), rise, reach);
+    const double share = rise != 0.0 ? taken / (reach * rise) : 0.0;
+
+    return fmax(0.0, fmin(share, 1.0)) *
+           vector_dot(slope, &fl->geometry->off[3 * f]);
+}
+
+void skewness_add_convection(struct fluid *fl, const double *u)
+{
+    const struct mesh *const m = fl->mesh;
+    const double *const slope = fl->momentum->velocity_gradient;
+    double *const b = fl->momentum->b;
+
+    for (int f = 0; f < m->n_internal; f++) {
+        const int o = m->owner[f], n = m->neighbour[f];
+        const double phi = fl->levels->convecting_flux[f];
+        const int with = phi >= 0.0; /* from owner to neighbour */
+        for (int k = 0; k < 3; k++) {
+            const double term =
+                fl->options.convection->deferred != NULL
+                    ? upstream(fl, u, f, with, k)
+                    : linear_share(fl, f, with) *
+                          between(fl, slope + 3 * k, 9, f, o, n);
+            const double force = -fl->options.rho * phi * term; /* [N] */
+            b[3 * o + k] += force;
+            b[3 * n + k] -= force;
+        }
+    }
+}

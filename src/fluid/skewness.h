@@ -1,0 +1,31 @@
+/* skewness.h -- faces whose middle the link of their cells misses.
+ * Chapter "The flow, verified".
+ *
+ * The value linear between two cells is that where their link crosses the face.
+ * On tetrahedra the middle of the face is off that point, by a vector off, and
+ * what a sum over faces needs is the value there:
+ *
+ *   x_f = w x_P + (1 - w) x_N + off . grad x
+ *
+ * Without the second term the gradient of a linear field is wrong on the finest
+ * mesh, too. The terms are taken from the gradients known so far.
+ */
+#ifndef FLUID_SKEWNESS_H
+#define FLUID_SKEWNESS_H
+
+#include "fluid/fluid.h"
+
+/* off of each face [m], 3 each, of a boundary face the part of the link along
+ * the face; NULL, which the functions below are not called with, for a mesh
+ * without. */
+double *skewness_of(const struct mesh *m);
+
+/* Adds the term to p_face, from the gradients of the linear values. */
+void skewness_add_pressures(struct fluid *fl);
+
+/* Adds it to the fluxes without the pressure; to the convection of the momentum
+ * equation, as far as the scheme is of second order. */
+void skewness_add_fluxes(struct fluid *fl);
+void skewness_add_convection(struct fluid *fl, const double *u);
+
+#endif

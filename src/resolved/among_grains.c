@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/among_grains.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "averaging/averaging.h"
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/box_domain.h"
+#include "resolved/body_motion.h"
+#include "resolved/body_surface.h"
+
+/* Particle steps between two of a body: so few that the springs of all grains
+ * around it do not throw it back and forth. */
+enum { STEPS_TOGETHER = 5 };
+
+static void take_pose(struct solid_bodies *b, int i, double t)
+{
+    const struct particles *const ps = b->ps;
+    struct carrier *const c = &b->among->carrier[i];
+
+    c->t = t;
+    c->pose.centre[0] = ps->x[i], c->pose.centre[1] = ps->y[i];
+    c->pose.centre[2] = ps->z[i];
+    c->pose.velocity[0] = ps->vx[i], c->pose.velocity[1] = ps->vy[i];
+    c->pose.velocity[2] = ps->vz[i];
+    c->pose.spin[0] = ps->wx[i], c->pose.spin[1] = ps->wy[i];
+    c->pose.spin[2] = ps->wz[i];
+}
+
+/* At rest until the run begins, though it may begin with a velocity: the bed
+ * settles before. */
+static void place(struct solid_bodies *b, int i)
+{
+    struct pose *const p = &b->among->carrier[i].pose;
+
+    take_pose(b, i, 0.0);
+    memset(p->velocity, 0, sizeof p->velocity);
+    memset(p->spin, 0, sizeof p->spin);
+    memcpy(p->start, p->centre, sizeof p->start);
+    for (int k = 0; k < 3; k++)
+        p->rotation[k][k] = 1.0;
+}
+
+void among_grains_create(struct solid_bodies *b, int first)
+{
+    const size_t n = (size_t)b->ps->n;
+    struct among_grains *const g = b->among = alloc_zeroed(1, sizeof *g);
+
+    g->first = first;
+    g->carrier = alloc_zeroed(n, sizeof *g->carrier);
+    g->surface = alloc_zeroed(n, sizeof *g->surface);
+    g->impulse = alloc_zeroed(n, sizeof *g->impulse);
+    g->angular = alloc_zeroed(n, sizeof *g->angular);
+    g->pushed = alloc_zeroed(n, sizeof *g->pushed);
+    g->held = alloc_doubles(3 * b->ps->n);
+    for (int i = 0; i < b->ps->n; i++) {
+        place(b, i);
+        g->surface[i] = body_surface(b, i);
+        g->surface[i].motion.carrier = &g->carrier[i];
+    }
+}
+
+void among_grains_free(struct among_grains *g, int n)
+{
+    if (g == NULL) return;
+    for (int i = 0; i < n; i++)
+        body_surface_release(&g->surface[i]);
+    mirrors_free(g->mirrors);
+    free(g->carrier);
+    free(g->surface);
+    free(g->impulse);
+    free(g->angular);
+    free(g->pushed);
+    free(g->held);
+    free(g);
+}
+
+void among_grains_begin(struct solid_bodies *b, struct simulation *sim)
+{
+    struct among_grains *const g = b->among;
+
+    g->grains = sim->dem;
+    for (int i = 0; i < b->ps->n; i++)
+        take_pose(b, i, 0.0);
+    if (sim->averaging == NULL) return;
+    g->mirrors = mirrors_create(sim->mesh);
+    averaging_set_wall(sim->averaging, mirrors_wall(g->mirrors));
+    mirrors_update(g->mirrors, b);
+}
+
+void among_grains_set_forces(struct solid_bodies *b, double dt)
+{
+    struct particles *const ps = b->ps;
+    struct among_grains *const g = b->among;
+
+    body_motion_set_forces(b, dt);
+    for (int i = 0; i < ps->n; i++) {
+        const double e[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+        memcpy(&g->held[3 * i], e, sizeof e);
+        memset(g->pushed[i], 0, sizeof g->pushed[i]);
+    }
+}
+
+/* What the grains gave body i in a time dt [s] of a step of the fluid that
+ * takes `step` [s]: a force for its own motion, and a change of its spin. */
+static void take_push(struct solid_bodies *b, int i, double dt, double step)
+{
+    struct among_grains *const g = b->among;
+    struct particles *const ps = b->ps;
+    const struct dem_surface now = dem_surface(g->grains, g->first + i);
+    double *const e[3] = {&ps->ex[i], &ps->ey[i], &ps->ez[i]};
+    double turn[3];
+
+    for (int k = 0; k < 3; k++) {
+        const double J = now.impulse[k] - g->impulse[i][k];
+        turn[k] = now.angular[k] - g->angular[i][k];
+        g->impulse[i][k] = now.impulse[k];
+        g->angular[i][k] = now.angular[k];
+        g->pushed[i][k] += J / step;
+        if (b->motion[i] == BODY_FREE || b->motion[i] == BODY_SPRING)
+            *e[k] = g->held[3 * i + k] + J / dt;
+    }
+    body_motion_add_spin(b, i, turn);
+}
+
+/* 1 if a body has come back into the box at its other end. */
+static int follow(struct solid_bodies *b, double t)
+{
+    const struct box_domain box =
+        box_domain_of(b->contacts.lo, b->contacts.hi, b->contacts.periodic);
+    int jumped = 0;
+
+    for (int i = 0; i < b->ps->n; i++) {
+        const double *const c = b->among->carrier[i].pose.centre;
+        const double old[3] = {c[0], c[1], c[2]};
+        take_pose(b, i, t);
+        for (int k = 0; k < 3; k++)
+            jumped |= box.periodic[k] &&
+                      fabs(c[k] - old[k]) > 0.5 * (box.hi[k] - box.lo[k]);
+    }
+    return jumped;
+}
+
+/* Of several runs the deepest overlap and all rebuilds. */
+static void add_report(struct dem_report *all, const struct dem_report *one)
+{
+    const struct dem_report before = *all;
+
+    *all = *one;
+    all->steps += before.steps;
+    all->rebuilds += before.rebuilds;
+    all->max_overlap = fmax(one->max_overlap, before.max_overlap);
+}
+
+int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps)
+{
+    const double step = sim->dt / sim->dem_steps;
+    struct dem_report all = {0};
+    int failed = 0;
+
+    for (int done = 0; done < steps && !failed;) {
+        const int n =
+            steps - done < STEPS_TOGETHER ? steps - done : STEPS_TOGETHER;
+        struct dem_report one;
+        failed = dem_run(sim->dem, n, &one);
+        add_report(&all, &one);
+        for (int i = 0; i < b->ps->n; i++)
+            take_push(b, i, n * step, sim->dt);
+        if (!failed && b->moves) failed = body_motion_run(b, n, step);
+        const double t =
+            b->ps->n > 0 ? dem_surface(sim->dem, b->among->first).t : 0.0;
+        if (follow(b, t)) dem_changed(sim->dem);
+        done += n;
+    }
+    sim->dem_report = all;
+    return failed;
+}
+
+void among_grains_end(struct solid_bodies *b)
+{
+    if (b->moves) b->dt_marked = 0.0;
+    if (b->moves && b->among->mirrors != NULL)
+        mirrors_update(b->among->mirrors, b);
+}
+
+/* The last kick of a run gives the share `first` of it to the next run
+ * (integrators.h). */
+void among_grains_add_momentum(const struct solid_bodies *b, double total[3])
+{
+    const struct dem_options *const o = dem_created_with(b->among->grains);
+
+    for (int i = 0; i < b->ps->n; i++) {
+        if (b->motion[i] != BODY_FREE) continue;
+        const struct dem_surface s =
+            dem_surface(b->among->grains, b->among->first + i);
+        for (int k = 0; k < 3; k++)
+            total[k] -= o->integrator->first * o->step * s.force[k];
+    }
+}
+
+int among_grains_has_room(const struct solid_bodies *b, const double x[3],
+                          double R)
+{
+    const struct box_domain box =
+        box_domain_of(b->contacts.lo, b->contacts.hi, b->contacts.periodic);
+
+    for (int i = 0; i < b->ps->n; i++) {
+        const double at[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
+        double r[3];
+        for (int k = 0; k < 3; k++)
+            r[k] = box_domain_nearest(&box, k, x[k] - at[k]);
+        if (body_shape_distance(&b->shape[i], r) < R) return 0;
+    }
+    return 1;
+}
+
+void among_grains_state(struct solid_bodies *b, struct state *s)
+{
+    struct among_grains *const g = b->among;
+    const int n = b->ps->n;
+
+    state_reals(s, "impulse_of_grains", "N s", g->impulse[0], n, 3);
+    state_reals(s, "angular_of_grains", "N m s", g->angular[0], n, 3);
+    state_reals(s, "force_of_grains", "N", g->pushed[0], n, 3);
+    state_reals_of(s, "time", "s", &g->carrier->t, sizeof *g->carrier, n, 1);
+    if (!s->loading || s->failed) return;
+    for (int i = 0; i < n; i++)
+        take_pose(b, i, g->carrier[i].t);
+    if (g->mirrors != NULL) mirrors_update(g->mirrors, b);
+}

@@ -1,0 +1,59 @@
+/* among_grains.h -- bodies in a bed of particles that are not resolved.
+ * Chapter "Resolving the grains" [LS section 5.5].
+ *
+ * For the particles a body is a moving wall (dem/surfaces), which goes on with
+ * its velocity for a few particle steps. What they pushed meanwhile moves it,
+ * together with the force of the fluid, which is spread evenly over the step:
+ *
+ *   fluid; particles and bodies in turn; averaging; the next step
+ *
+ * The fluid fraction is that of the particles alone, and 1 in a body, whose
+ * surface is a wall to the averaging (mirrors.h).
+ */
+#ifndef RESOLVED_AMONG_GRAINS_H
+#define RESOLVED_AMONG_GRAINS_H
+
+#include "coupling/simulation.h"
+#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surface.h"
+#include "resolved/mirrors.h"
+#include "resolved/solid_bodies.h"
+
+struct among_grains {
+    struct carrier *carrier; /* one a body */
+    struct surface *surface; /* one a body */
+    int first;               /* [-] number of the first one in the dem */
+    double (*impulse)[3];    /* [N s] on each since the run began, so far */
+    double (*angular)[3];    /* [N m s] */
+    double (*pushed)[3];     /* [N] mean force of the grains in the last step */
+    double *held;            /* [N] that of fluid and weight in it, 3 a body */
+    const struct dem *grains;  /* borrowed, once they are there */
+    struct mirrors *mirrors;   /* NULL: nothing is averaged */
+    struct averaging *average; /* borrowed */
+};
+
+/* Their surfaces, before there are particles; `first`: the number of other
+ * surfaces. Called once all bodies have been added. */
+void among_grains_create(struct solid_bodies *b, int first);
+void among_grains_free(struct among_grains *g, int n);
+
+/* The particles, the fluid and the averaging are there. */
+void among_grains_begin(struct solid_bodies *b, struct simulation *sim);
+
+/* The hooks of the effect: before the particles move, while they do, and
+ * afterwards. */
+void among_grains_set_forces(struct solid_bodies *b, double dt);
+int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps);
+void among_grains_end(struct solid_bodies *b);
+
+/* Adds what the last kick of the particles has not yet got of their loads
+ * [N s]. */
+void among_grains_add_momentum(const struct solid_bodies *b, double total[3]);
+
+/* 1 if a sphere of radius R [m] around x [m] overlaps no body. */
+int among_grains_has_room(const struct solid_bodies *b, const double x[3],
+                          double R);
+
+void among_grains_state(struct solid_bodies *b, struct state *s);
+
+#endif

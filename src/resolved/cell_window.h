@@ -1,0 +1,25 @@
+/* cell_window.h -- the cells of a box around a point.
+ * Chapter "Resolving the grains".
+ *
+ * The mesh is a box of equal cells. In a periodic direction the indices go on
+ * beyond its ends.
+ */
+#ifndef RESOLVED_CELL_WINDOW_H
+#define RESOLVED_CELL_WINDOW_H
+
+#include "mesh/mesh.h"
+
+struct cell_window {
+    int first[3], last[3]; /* [-] of each direction */
+};
+
+/* The cells with a part within `extent` [m] of x [m], and one more layer; each
+ * cell at most once. */
+struct cell_window cell_window_around(const struct mesh *m, const double x[3],
+                                      const double extent[3]);
+
+/* The cell at these indices, and how far its centre is from x [m]. */
+int cell_window_cell(const struct mesh *m, const int at[3], const double x[3],
+                     double r[3]);
+
+#endif

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/surroundings.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/statistics/filter.h"
+#include "base/vector.h"
+#include "coupling/drag_laws/coefficient.h"
+#include "resolved/cell_window.h"
+#include "resolved/mark.h"
+
+struct surroundings_filter {
+    const struct solid_bodies *b;
+    const struct fluid *fl;
+    double width; /* [m] */
+    double *chi;  /* [-] fluid fraction of each cell of the mesh */
+    /* Of the cells in a cube: */
+    double *V, *share, *u; /* [m^3], chi, [m/s] 3 */
+    int *box;              /* 0: all are in the one box */
+};
+
+struct surroundings_filter *surroundings_create(const struct solid_bodies *b,
+                                                const struct fluid *fl,
+                                                double width)
+{
+    struct surroundings_filter *const f = alloc_zeroed(1, sizeof *f);
+    const int cells = fl->mesh->n_cells;
+
+    f->b = b;
+    f->fl = fl;
+    f->width = width;
+    f->chi = alloc_doubles(cells);
+    f->V = alloc_doubles(cells);
+    f->share = alloc_doubles(cells);
+    f->u = alloc_doubles(3 * cells);
+    f->box = alloc_ints(cells);
+    return f;
+}
+
+void surroundings_free(struct surroundings_filter *f)
+{
+    if (f == NULL) return;
+    free(f->chi);
+    free(f->V);
+    free(f->share);
+    free(f->u);
+    free(f->box);
+    free(f);
+}
+
+static void take_solid(struct surroundings_filter *f, int i)
+{
+    const struct mesh *const m = f->fl->mesh;
+    const struct particles *const ps = f->b->ps;
+    const struct body_shape *const shape = &f->b->shape[i];
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    double extent[3], r[3];
+    int at[3];
+
+    body_shape_extent(shape, extent);
+    const struct cell_window w = cell_window_around(m, x, extent);
+    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
+        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
+            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
+                const int c = cell_window_cell(m, at, x, r);
+                const double s = body_shape_distance(shape, r);
+                f->chi[c] = fmax(f->chi[c] - mark_fraction(m, c, s), 0.0);
+            }
+}
+
+void surroundings_bind(struct surroundings_filter *f)
+{
+    for (int c = 0; c < f->fl->mesh->n_cells; c++)
+        f->chi[c] = 1.0;
+    for (int i = 0; i < f->b->ps->n; i++)
+        take_solid(f, i);
+}
+
+/* Copies the cells whose centres are in the cube around x; returns how many. */
+static int collect(struct surroundings_filter *f, const double x[3])
+{
+    const double half = 0.5 * f->width, extent[3] = {half, half, half};
+    const struct mesh *const m = f->fl->mesh;
+    const struct cell_window w = cell_window_around(m, x, extent);
+    double r[3];
+    int at[3], n = 0;
+
+    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
+        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
+            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
+                const int c = cell_window_cell(m, at, x, r);
+                if (fabs(r[0]) > half || fabs(r[1]) > half || fabs(r[2]) > half)
+                    continue;
+                f->V[n] = m->V[c];
+                f->share[n] = f->chi[c];
+                memcpy(&f->u[3 * n++], &f->fl->u[3 * c], 3 * sizeof *f->u);
+            }
+    return n;
+}
+
+struct surroundings surroundings_of(struct surroundings_filter *f, int i)
+{
+    const struct particles *const ps = f->b->ps;
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, d = ps->d[i];
+    struct surroundings s = {.eps = 1.0};
+
+    filter_boxes(collect(f, x), f->V, f->share, f->box, 3, f->u, 1, s.u,
+                 &s.eps);
+    const double slip[3] = {s.u[0] - ps->vx[i], s.u[1] - ps->vy[i],
+                            s.u[2] - ps->vz[i]};
+    const double w = vector_length(slip);
+
+    s.Re = coefficient_reynolds(s.eps, f->b->rho, f->fl->options.mu, d, w);
+    if (w > 0.0 && s.eps > 0.0)
+        s.Cd = coefficient_of_force(vector_dot(&f->b->force[3 * i], slip) / w,
+                                    f->b->rho, d, s.eps, w);
+    return s;
+}
