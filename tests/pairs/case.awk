@@ -101,14 +101,15 @@ function material(density) {
         (on("rolling") ? " rolling_friction = 0.1;" : "")
 }
 
-function put_bodies() {
+function put_bodies(    where) { # above the particles, where there are any
+    where = letter != "f" ? 0.83 : is("bodies", "cylinder") ? 0.4 : 0.5
     put("bodies = {")
     if ("body_method" in v) put("  method = \"" v["body_method"] "\";")
     if (is("bodies", "cylinder"))
-        put("  cylinders = ({ position = " at(0.5, 0.4, 0.5) "; diameter = 0.005;" \
+        put("  cylinders = ({ position = " at(0.5, where, 0.5) "; diameter = " (letter != "f" ? "0.003" : "0.005") ";" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
     else
-        put("  spheres = ({ position = " at(0.5, 0.5, 0.5) "; diameter = 0.0047;" \
+        put("  spheres = ({ position = " at(0.5, where, 0.5) "; diameter = 0.0047;" \
             (is("bodies", "fixed") ? " motion = \"fixed\";" : \
              is("bodies", "free") ? " density = 2500;" : \
              " motion = \"prescribed\"; velocity = [0.1, 0.2, -0.1]; spin = [0.0, 1.0, 0.0];") " });")
