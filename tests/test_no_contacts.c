@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles that do not meet: particles.list = "none". Asks for a model by name:
- * needs src/dem/no_contacts */
+/* Particles that do not meet: particles.list = "none", a model asked for by its
+ * name: needs src/dem/no_contacts */
 #include <omp.h>
 #include <stdlib.h>
 
