@@ -17,10 +17,12 @@ awk '
     }
     /^the case as it stands: / {
         rest = $0; sub(/^[^:]*: /, "", rest); standing = rest + 0
-        error = rest; sub(/^.*error /, "", error); sub(/:.*/, "", error)
+        error = "is good for " rest; sub(/is good for .*error /, "is good for ", error)
+        if (rest ~ /compared with/) error = "is what the others are compared with"
+        sub(/:.*/, "", error)
     }
     function put(    i, text) {
-        printf "%s%s\n", name, standing ? ": the case as it stands is good for " error : ""
+        printf "%s%s\n", name, standing ? ": the case as it stands " error : ""
         for (i = 1; i <= 3; i++) {
             text = ""
             if (cost[i] && standing) text = sprintf(", %.2f of its time", cost[i] / standing)

@@ -16,7 +16,7 @@ awk -F ' *[|] *' '
         rows++
         for (i = 2; i < NF; i++) {
             cell[rows, i] = $i
-            if (length($i) > wide[i]) wide[i] = length($i)
+            if (length($i) > wide[i] && $i !~ /^exit code/) wide[i] = length($i)
         }
         if (NF > columns) columns = NF
         next

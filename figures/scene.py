@@ -14,12 +14,12 @@ import xml.etree.ElementTree as ET
 
 from vtkmodules import vtkRenderingFreeType  # noqa: F401  (writes)
 from vtkmodules import vtkRenderingOpenGL2  # noqa: F401  (draws)
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator, vtkGlyph3D
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper,
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction,
+                                         vtkPolyDataMapper,
                                          vtkRenderer, vtkRenderWindow,
                                          vtkTextActor, vtkWindowToImageFilter)
 
@@ -55,15 +55,16 @@ def spheres(points, shown, number):
     glyph.SetInputArrayToProcess(3, 0, 0, 0, "shown")
     glyph.SetScaleModeToScaleByScalar()
     glyph.SetColorModeToColorByScalar()
-    colours = vtkLookupTable()
-    colours.SetHueRange(0.60, 0.02)
-    colours.SetSaturationRange(0.55, 0.9)
-    colours.SetValueRange(0.75, 0.9)
-    colours.Build()
+    top = float(number) if shown == "speed" else 1.0
+    colours = vtkColorTransferFunction()  # viridis: lighter is larger
+    for k, (r, g, b) in enumerate(((0.267, 0.005, 0.329), (0.229, 0.322, 0.546),
+                                   (0.128, 0.567, 0.551), (0.369, 0.789, 0.383),
+                                   (0.993, 0.906, 0.144))):
+        colours.AddRGBPoint(0.25 * top * k, r, g, b)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(glyph.GetOutputPort())
     mapper.SetLookupTable(colours)
-    mapper.SetScalarRange(0.0, float(number) if shown == "speed" else 1.0)
+    mapper.SetScalarRange(0.0, top)
     actor = vtkActor()
     actor.SetMapper(mapper)
     return actor

@@ -85,16 +85,19 @@ def scale(mapper):
     """The bar that says which shade is which speed."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(mapper.GetLookupTable())
-    bar.SetTitle("speed [m/s]")
+    bar.SetTitle("m/s")
     bar.SetNumberOfLabels(4)
     bar.SetLabelFormat("%.1f")
+    bar.UnconstrainedFontSizeOn()
     bar.SetPosition(0.02, 0.3)
-    bar.SetWidth(0.1)
+    bar.SetWidth(0.09)
     bar.SetHeight(0.4)
     for words in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         words.SetColor(0.2, 0.2, 0.2)
         words.ShadowOff()
         words.ItalicOff()
+        words.BoldOff()
+        words.SetFontSize(18)
     return bar
 
 

@@ -33,7 +33,8 @@ air='fluid = { density = 1.2; viscosity = 1.8e-5; step = 2e-4;
 grains='grains = { density = 1000; stiffness = 100; restitution = 0.9;
     friction = 0.3; rolling_friction = 0.05; };'
 
-# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory.
+# The past of BDF2, averaging by diffusion, a settled bed, forces with a memory,
+# statistics of each grain.
 cat >coupled.cfg <<END
 title = "a bed in air";
 $box
@@ -47,7 +48,8 @@ effects = { gravity = [0.0, -9.81, 0.0]; pressure_gradient = {};
     energy_budget = {}; };
 output = { end = 0.015; every = 0.0015; animation = true;
     profiles = ( { field = "eps_f"; height = 0.003; from = 0.005; } );
-    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } ); };
+    probes = ( { field = "p"; position = [0.006, 0.012, 0.003]; } );
+    statistics = { from = 0.005; blocks = 2; lags = 0.002; }; contacts = true; };
 END
 
 # Who comes and goes, moving walls, a prescribed particle, random places.
@@ -218,6 +220,7 @@ kill_once() {
 }
 
 kill=0
+[ $# -lt 4 ] || kill=$((seed - 1)) # other ways to stop, too
 names="coupled fed cells linked flow"
 [ "$kills" -eq 1 ] || names="$names settling"
 for name in ${4:-$names}; do
@@ -232,6 +235,14 @@ for name in ${4:-$names}; do
         kill_once
     done
 done
+# Prints the sum and ends.
+finish() {
+    [ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
+    echo "$((resumed + refused)) kills: $resumed runs have the same bits, $refused say why not"
+    exit 0
+}
+[ $# -lt 4 ] || finish
+
 # --- what a folder says, and a bed that was settled before ---------------------
 
 # check WHAT COMMAND...: the command succeeds.
@@ -267,6 +278,10 @@ check "a changed key is refused with both values" says \
     "$winnow" run flow.cfg -o was --resume -s fluid.density=2.5
 check "another case is refused" says 'is .* in this case, and not set in that' \
     "$winnow" run linked.cfg -o was --resume
+check "a run on a mesh" short cells.cfg -o mesh -s output.end=0.0025
+echo >>dual/points
+check "another mesh is refused" says 'mesh.polymesh is crc32' \
+    "$winnow" run cells.cfg -o mesh --resume
 check "nothing to resume is said" says 'nothing to resume in empty' \
     "$winnow" run flow.cfg -o empty --resume
 check "a second state" short flow.cfg -o was --resume -s output.end=0.006
@@ -320,5 +335,4 @@ check "or with another key" says 'settled in' \
 check "but for other output" says 'was settled before' \
     "$winnow" run wide.cfg -o bed3 -s output.end=0.002
 
-[ $failed -eq 0 ] || { echo "$failed of $kill kills failed" && exit 1; }
-echo "$kill kills: $resumed runs have the same bits, $refused say why not"
+finish

@@ -6,12 +6,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "dem/bed.h"
+#include "dem/bed_settling.h"
 #include "dem/population/bed_file.h"
 #include "dem/population/sizes.h"
 
 #include "facts.h"
 #include "capture.h"
+#include "kept.h"
 
 /* A temporary file that does not exist yet. */
 static void temporary(char path[64])
@@ -386,9 +387,106 @@ START_TEST(lattice_begins_where_gravity_points)
 }
 END_TEST
 
+/* Stops the settling before look number `stop`, and saves the bed. */
+struct stopper {
+    struct kept *kept;
+    int looks, stop;
+};
+
+static int stop_settling(void *memory, struct bed_settling *b,
+                         enum bed_moment when)
+{
+    struct stopper *const s = memory;
+
+    if (when == BED_BEGINS && s->kept->n > 0)
+        bed_settling_state(b, kept_load(s->kept));
+    if (when != BED_MOVES || s->looks++ != s->stop) return 0;
+    bed_settling_state(b, &s->kept->state);
+    return 130;
+}
+
+/* Stopped before this look, and let go on. */
+static void assert_goes_on(struct bed_options *bed, int stop,
+                           const struct particles *whole,
+                           const struct bed_report *made_whole)
+{
+    struct stopper s = {kept_create(), 0, stop};
+    struct bed_keeper keeper = {&s, stop_settling};
+    const struct dem_options o = small_box();
+    struct particles *const half = particles_create(bed->count);
+    struct dem *const dem = dem_create(half, &o);
+    struct bed_report r;
+
+    bed->keeper = &keeper;
+    ck_assert_int_eq(bed_create(NULL, half, dem, bed, &o, &r), BED_STOPPED);
+    ck_assert_int_eq(r.stopped, 130);
+    dem_free(dem);
+    particles_free(half);
+    s.stop = -1;
+    struct particles *const ps = made(NULL, bed, &r, 50);
+    ck_assert_int_eq((int)r.steps, (int)made_whole->steps);
+    ck_assert_double_eq(r.kinetic, made_whole->kinetic);
+    ck_assert(same(whole, ps));
+    particles_free(ps);
+    kept_free(s.kept);
+}
+
+/* Of two sizes, so that masses are added; stopped on the way with the material
+ * that dissipates, and in the last look, which has the real one. */
+START_TEST(a_bed_that_is_stopped_settles_on_to_the_same_bits)
+{
+    struct sizes *const sizes = two_sizes();
+    struct bed_options bed = small_bed();
+    struct stopper s = {kept_create(), 0, -1};
+    const struct bed_keeper nobody = {&s, stop_settling};
+    struct bed_report r;
+
+    bed.count = 40;
+    bed.sizes = sizes;
+    bed.quantile = sizes_quantile;
+    bed.diameter = sizes_moment(sizes, 1);
+    bed.keeper = &nobody;
+    struct particles *const whole = made(NULL, &bed, &r, 50);
+    assert_goes_on(&bed, 60, whole, &r);
+    assert_goes_on(&bed, s.looks - 1, whole, &r);
+    kept_free(s.kept);
+    particles_free(whole);
+    sizes_free(sizes);
+}
+END_TEST
+
+/* Any digit of a number makes another bed, which may be possible. */
+START_TEST(a_bed_file_with_another_digit_is_refused)
+{
+    struct bed_options bed = small_bed();
+    const struct dem_options o = small_box();
+    struct bed_report r;
+    char path[64], said[CAPTURE_TEXT];
+
+    bed.settle = 0.0;
+    temporary(path);
+    particles_free(made(path, &bed, &r, 0));
+    FILE *const f = fopen(path, "r+");
+    fseek(f, -400, SEEK_END); /* in the last particles */
+    int c = fgetc(f);
+    while (c < '1' || c > '8')
+        c = fgetc(f);
+    fseek(f, -1, SEEK_CUR);
+    fputc(c + 1, f);
+    fclose(f);
+    struct capture capture = capture_begin(2);
+    ck_assert_int_eq(load(path, &bed, &o), BED_REFUSED);
+    capture_end(&capture, said);
+    ck_assert_msg(strstr(said, path) != NULL, "%s", said);
+    unlink(path);
+}
+END_TEST
+
 FACTS("bed")
 {
     tcase_set_timeout(facts, 60);
+    FACT(a_bed_that_is_stopped_settles_on_to_the_same_bits);
+    FACT(a_bed_file_with_another_digit_is_refused);
     FACT(bed_settles_to_a_poured_packing);
     FACT(bed_stays_at_rest_when_the_run_begins);
     FACT(bed_follows_from_its_seed);

@@ -142,6 +142,22 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
 }
 END_TEST
 
+/* A quote, a backslash and an end of line, as the summary writes them. */
+START_TEST(texts_of_a_summary_are_those_that_were_written)
+{
+    char dir[64];
+
+    scratch_make(dir);
+    const char *const path = scratch_path(dir, "summary.json");
+    scratch_write(path,
+                  "{\n  \"exit_reason\": \"a \\\"b\\\" \\\\u\\u000ac\"\n}\n");
+    char *const text = results_text(path, "exit_reason");
+    ck_assert_str_eq(text, "a \"b\" \\u\nc");
+    free(text);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* A history of v = 10 t, cut in its last row. */
 static struct curve taken(const char *text)
 {
@@ -287,6 +303,7 @@ FACTS("study")
     FACT(richardson_finds_the_order_and_the_limit);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
+    FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
     FACT(a_formula_is_computed_as_one_writes_it);
     FACT(xs11_4_1_is_a_truth_in_time);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 2: spring and dashpot.
  *
- * The impact of step 1 took no time. Here it takes some: while the grain
- * overlaps the floor by delta = R - y (2.1), a spring and a dashpot push it,
+ * In step 1 an impact took no time. Now it has a duration: while the grain
+ * overlaps the floor by delta = R - y (2.1), a spring and a dashpot act on it,
  *
  *     F_n = k delta - eta v_n                                    (2.4) [LS 4.4]
  *

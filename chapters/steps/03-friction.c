@@ -2,14 +2,14 @@
 /* Step 3: friction and spin.
  *
  * The grain of step 2 is thrown along the floor. Where the surfaces slip, with
- * v_t (2.2), a second spring of length xi is drawn, and together with its
- * dashpot it pulls along the floor,
+ * v_t (2.2), a second spring is stretched by xi, and together with its dashpot
+ * it exerts a force along the floor,
  *
  *     F_t = -k_t xi - eta_t v_t,   dxi/dt = v_t,   |F_t| <= mu |F_n|
  *
- * (2.8) [LS 4.8]. Where Coulomb's cap cuts the force, the spring gives way. F_t
- * moves the grain and turns it by its lever l, I dw/dt = l F_t, I = 2/5 m R^2
- * (2.11). An impact that slides to its end takes 7/2 mu (1 + e) v_n of slip.
+ * (2.8) [LS 4.8]. Where Coulomb's law limits the force, xi is reduced. F_t also
+ * turns the grain by its lever l, I dw/dt = l F_t, I = 2/5 m R^2 (2.11). An
+ * impact that slides to its end reduces the slip by 7/2 mu (1 + e) v_n.
  *
  *     build/steps/03-friction [END]     END [s] is the time at which it ends
  */
@@ -37,8 +37,8 @@ static double F_n, F_t;            /* [N] force of the floor, up and along x */
 static double path[MOST][3]; /* x, y, angle */
 static int n_path;
 
-/* (2.1)-(2.4), (2.8). The two springs swing alike if both k_t / k and
- * eta_t / eta are 2/7 (2.10). */
+/* (2.1)-(2.4), (2.8). The two springs have the same period if both k_t / k
+ * and eta_t / eta are 2/7 (2.10). */
 static void contact(void)
 {
     const double k_t = 2.0 / 7.0 * k, eta_t = 2.0 / 7.0 * eta;
@@ -146,5 +146,5 @@ int main(int argc, char **argv)
 }
 
 /* To try: throw the grain with backspin, w = 2000 rad/s. Where does it go? Then
- * raise mu to 1. The spring now gives back a part of the slip: the surface of a
- * superball. */
+ * raise mu to 1. The spring now reverses a part of the slip, as with a bouncing
+ * ball of rubber. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 4: many grains and a grid of cells.
  *
- * 200 grains fall into a box. Each contact is that of step 3, and pushes both
+ * 200 grains fall into a box. Each contact is that of step 3, and acts on both
  * partners with opposite forces (2.1)-(2.4), (2.8). Grains are put into cells
  * at least a diameter wide: one can only touch those of its own cell and of the
- * eight around it. To look at all pairs would take long. */
+ * eight around it. To test all pairs would take long. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,8 +21,8 @@ static double w[N + 1], Fx[N + 1], Fy[N + 1], M[N + 1], zeta;
 static double xi[N][N + 3]; /* [m] springs of pairs, and of three walls */
 static int first[NX][NY], next[N], looked;
 
-/* What j does to i; dx, dy [m] lead from j to i. Behind a wall lies a heavy
- * grain of the same radius that touches it. */
+/* The force of j on i; dx, dy [m] lead from j to i. A wall is a heavy grain of
+ * the same radius that lies behind it and touches it. */
 static void contact(int i, int j, double dx, double dy, double *xi_ij)
 {
     const double r = sqrt(dx * dx + dy * dy), nx = dx / r, ny = dy / r;
@@ -146,5 +146,5 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: let the grid have cells twice as wide. What do the numbers say, and
- * what the clock? What goes wrong in cells narrower than a diameter? */
+/* To try: let the grid have cells twice as wide. How do the numbers change, and
+ * how the time? What goes wrong in cells narrower than a diameter? */

@@ -2,9 +2,9 @@
 /* Step 5: a heap.
  *
  * A column of grains collapses on a row of grains that do not move. The springs
- * along the contacts (2.8) keep what the grains have slipped, and so a heap is
- * left. The slope of a triangle is its mean height over the mean distance from
- * its middle. At rest the floor bears the weight. */
+ * along the contacts (2.8) store the slip of the grains, and so a heap remains.
+ * The slope of a triangle is its mean height over the mean distance from its
+ * middle. At rest the floor bears the weight. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,11 +4,10 @@
  * A puff of smoke spreads in air at rest. Space is now a mesh of cells, each
  * with one value c, and between two neighbours smoke flows from more to less:
  *
- *     dc/dt = D laplacian c                                        [SX15 5a,
- * 5c]
+ *     dc/dt = D laplacian c                                    [SX15 5a, 5c]
  *
  * What leaves a cell enters its neighbour, and nothing leaves through a wall,
- * so the sum over the cells stays what it is. After the time t one full cell
+ * so the sum over the cells is constant. After the time t one full cell
  * has become a Gaussian of the bandwidth b = sqrt(4 D t) (8.9) [SX15 6], and
  * the mean square distance from its middle has grown by 4 D t.
  */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 7: advection.
  *
- * The air of step 6 moves, and takes the smoke along:
+ * The air of step 6 moves, and convects the smoke:
  *
  *     dc/dt + div(u c) = D laplacian c                                [LS 3.13]
  *
  * The velocity is known at the faces: its normal component there is the volume
- * that passes, per area. What c does it carry? That of the cell which it comes
- * from: the share s of (5.9) is 1 or 0, upwind. It never overshoots, but it
+ * that passes, per area. Which c does the flux have? That of the cell which it
+ * comes from: s of (5.9) is 1 or 0, upwind. It never overshoots, but it
  * smears: the mean square distance along x grows not by 2 D t alone but by
  * u dx (1 - u dt / dx) t more. The middle moves by u t.
  */

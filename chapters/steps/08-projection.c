@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 8: projection.
  *
- * What is diffused and carried is now the velocity, in a box whose lid moves:
+ * Now the velocity itself is diffused and convected, in a box whose lid moves:
  *
  *     du/dt + u . grad u = nu laplacian u - grad p / rho_f,   div u = 0
  *
@@ -63,7 +63,7 @@ static void predict(void)
         }
 }
 
-/* Each p is set to what its equation gives, and half as far again beyond. */
+/* Each p is changed by one and a half times what its equation requires. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)

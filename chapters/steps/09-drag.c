@@ -2,15 +2,15 @@
 /* Step 9: drag on one grain.
  *
  * A grain sinks through the box of step 8, which is now filled with a liquid
- * and has no lid. The liquid pushes the grain with
+ * and has no lid. The force of the liquid on the grain is
  *
  *     f = k (u_f - u_p),   k = 3 pi mu d (1 + 0.15 Re^0.687)     (10.1) (9.4)
  *
  * [SN33], where u_f is the velocity of the liquid in the cell of the grain and
- * Re = rho_f d |u_f - u_p| / mu (9.2). What the grain gets, the liquid loses:
- * -f goes to the faces of the same cell, by the same shares with which u_f was
- * taken from them. After a while the slip is that at which drag carries weight
- * less buoyancy:
+ * Re = rho_f d |u_f - u_p| / mu (9.2). The reaction acts on the liquid:
+ * -f is distributed to the faces of the same cell, with the same weights with
+ * which u_f was taken from them. After a while the slip is that at which drag
+ * carries weight less buoyancy:
  *
  *     slip = tau g (1 - rho_f / rho_s),   tau = m / k                     (9.5)
  */
@@ -80,7 +80,7 @@ static void predict(void)
         }
 }
 
-/* Each p is set to what its equation gives, and half as far again beyond. */
+/* Each p is changed by one and a half times what its equation requires. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)

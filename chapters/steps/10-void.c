@@ -3,13 +3,13 @@
  *
  * Air is blown through 300 grains that do not move, in a slot little deeper
  * than one of them. A cell of the mesh holds some grains and the air between
- * them, and eps is the part that is air. The oldest way to find it gives a
- * grain wholly to the cell that its centre is in, the particle-centroid method:
+ * them, and eps is the part that is air. The oldest method counts a grain
+ * wholly in the cell of its centre, the particle-centroid method:
  *
  *     eps = 1 - sum V_p / V_c                                (8.6) [XS11 3.1]
  *
  * With eps the equations of step 8 become the averaged ones of a fluid that
- * shares its room with grains. The velocity between the grains is u, and the
+ * shares the space with grains. The velocity between the grains is u, and the
  * volume that passes, per area and time, is q = eps u:
  *
  *     div q = 0                                               (5.7) [XS11 2.7]
@@ -19,8 +19,8 @@
  * the grains is a hundred times as much. K is their drag over the volume of the
  * cell and the velocity (10.2), for each grain by the law of Syamlal and
  * O'Brien (9.11)-(9.14) [Syamlal87]. It acts on the velocity at the end of the
- * step, and may be as large as it likes. Faces carry what comes from upwind, as
- * in step 7.
+ * step, so that the step is stable for any K. Convection is upwind, as in
+ * step 7.
  */
 #include <math.h>
 #include <stdio.h>

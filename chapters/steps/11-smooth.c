@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Step 11: diffusion of the void fraction.
  *
- * In step 10 a cell has two grains or three by chance, and the mesh decides
- * which eps the air has. Here the solids of each cell spread into a Gaussian of
- * the bandwidth bw, a length of the grains and not of the mesh. That is step 6,
- * in a time T that is none, but an area:
+ * In step 10 a cell has two grains or three by chance, so that eps depends on
+ * the mesh. Here the solids of each cell are spread into a Gaussian of the
+ * bandwidth bw, which depends on the grains and not on the mesh. This is step
+ * 6 in a pseudo-time T, whose unit is that of an area:
  *
  *     d eps_s / dT = laplacian eps_s   up to   T = bw^2 / 4       (8.8), (8.9)
  *
- * [SX15 5a, 6]. The drag spreads in the same way. And eps and u at a grain are
- * means with the same weights, that is, diffused as well (8.3): then the grains
- * get what the air loses (8.4). All else is step 10.
+ * [SX15 5a, 6]. The drag is spread in the same way. And eps and u at a grain
+ * are means with the same weights, that is, diffused as well (8.3): then the
+ * grains gain what the air loses (8.4). All else is as in step 10.
  */
 #include <math.h>
 #include <stdio.h>

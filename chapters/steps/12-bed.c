@@ -5,11 +5,11 @@
  *   1. averaging gives eps, the flux of the solids s = eps_s u_s, and the drag
  *      on the air per volume, K u - F with F = sum k u_p / V_c          (10.2)
  *   2. the air moves, and of air and grains div(q + s) = 0 (5.7) [XS11 2.7]
- *   3. the grains get the drag back, k (u_f - u_p) (10.1), and the share of the
- *      pressure that belongs to their volume, -V_p grad p                (5.3)
+ *   3. the force on a grain is the drag k (u_f - u_p) (10.1), and the force of
+ *      the pressure on its volume, -V_p grad p                           (5.3)
  *   4. the grains move, in many steps of their own, for contacts are short.
- * Both ways go by the same weights, so that no momentum is lost (8.4). Once the
- * air carries the bed, its pressure drop swings about weight over ground. */
+ * Both directions use the same weights, so that momentum is conserved (8.4).
+ * Once the air carries the bed, the pressure drop varies about its weight. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

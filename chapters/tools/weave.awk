@@ -80,7 +80,8 @@ function caption(line,    mark, n, words, i, out) {
     out = mark
     n = split(image, words, / +/)
     for (i = 1; i <= n; i++) {
-        if (length(out) + 1 + length(words[i]) > 80) { print out; out = words[i] }
+        if (length(out) + 1 + length(words[i]) > 80 &&
+            words[i] !~ /^([-+*#>]|[0-9]+[.)])$/) { print out; out = words[i] }
         else out = out " " words[i]
     }
     print out

@@ -50,9 +50,14 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
     const struct finding *const f = &o->variant[v].of[m];
     char text[NUMBER_LENGTH];
 
-    fprintf(out, "%s%s, error ", number_rounded(o->variant[v].cost, 3, text),
+    fprintf(out, "%s%s, ", number_rounded(o->variant[v].cost, 3, text),
             unit(o->plan));
-    fprintf(out, "%s %%", number_rounded(100.0 * f->error, 3, text));
+    if (!isfinite(f->error)) { /* the finest has no other to be compared with */
+        fprintf(out, "which the others are compared with: %s",
+                o->variant[v].label);
+        return;
+    }
+    fprintf(out, "error %s %%", number_rounded(100.0 * f->error, 3, text));
     if (f->doubt > 0.0)
         fprintf(out, " +- %s %%", number_rounded(100.0 * f->doubt, 2, text));
     fprintf(out, ": %s", o->variant[v].label);
@@ -90,10 +95,11 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
         const char *words;
     } share[] = {{0.5, "half of that buys "}, {2.0, "twice of that buys "}};
 
-    if (v < 0 || !isfinite(o->variant[v].of[m].error)) return;
+    if (v < 0 || !isfinite(o->variant[v].cost)) return;
     fputs("- the case as it stands: ", out);
     put_variant(o, v, m, out);
     fputc('\n', out);
+    if (!isfinite(o->variant[v].of[m].error)) return;
     for (int i = 0, told = v; i < 2; i++) {
         const int other = best_for(o, m, share[i].of * o->variant[v].cost);
         if (other < 0 || other == told) continue;

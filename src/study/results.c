@@ -150,18 +150,22 @@ double results_number(const char *summary, const char *path)
 }
 
 /* The text up to the closing quote; what stood behind a backslash as it is, and
- * a character by its number (summary.h has them below a blank) as a blank. */
+ * a character that is given by its number, \u000a, as that. */
 static char *unquoted(const char *at)
 {
     char *const text = alloc_zeroed(strlen(at) + 1, 1);
 
     for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
-        const int numbered = at[0] == '\\' && at[1] == 'u' && strlen(at) > 5;
-        if (numbered)
-            at += 5;
-        else if (*at == '\\' && at[1] != '\0')
-            at++;
-        text[n++] = (char)(numbered ? ' ' : *at);
+        const int escaped = *at == '\\' && at[1] != '\0';
+        char number[5] = "";
+
+        at += escaped;
+        if (escaped && *at == 'u' && strlen(at) > 4) {
+            memcpy(number, at + 1, 4);
+            at += 4;
+            text[n++] = (char)strtol(number, NULL, 16);
+        } else
+            text[n++] = *at;
     }
     return text;
 }

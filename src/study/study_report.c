@@ -188,7 +188,9 @@ static char *reason_of(const struct run *r)
     free(text);
     free(summary);
     free(log);
-    return reason != NULL ? reason : strdup("its log.txt says nothing");
+    if (reason == NULL) return strdup("its log.txt says nothing");
+    reason[strcspn(reason, "\n")] = '\0'; /* then follows what to try */
+    return reason;
 }
 
 static void put_variant(const struct outcomes *o, const struct outcome *v,

@@ -153,6 +153,13 @@ static void print_what_next(const char *dir, const struct found *f, int done)
 /* A word of a command as a shell reads it. */
 static void print_quoted(const char *text)
 {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRST"
+                                "UVWXYZ0123456789_./,=+-";
+
+    if (text[strspn(text, plain)] == '\0') {
+        fputs(text, stdout);
+        return;
+    }
     putchar('\'');
     for (; *text != '\0'; text++)
         if (*text == '\'')

@@ -82,7 +82,9 @@ static void *create(const struct settings *s, const struct simulation *sim,
             (int)fmin(settings_real(s, "output.statistics.lags") / self->dt,
                       self->rows / 2.0) +
             1;
-        self->grains = grain_series_create(sim->particles->n, self->rows);
+        /* Of a run that is resumed there are none yet. */
+        self->grains =
+            grain_series_create(sim->particles->capacity, self->rows);
     }
     return self;
 }
