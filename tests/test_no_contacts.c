@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles that do not meet: particles.list = "none". */
+/* Particles that do not meet: particles.list = "none", a model asked for by its
+ * name: needs src/dem/no_contacts */
 #include <omp.h>
 #include <stdlib.h>
 
