@@ -193,21 +193,23 @@ static void put_labels(const struct plan *p, int m, FILE *out)
     fputs(" font ',12' noenhanced offset 0,-0.5\n", out);
 }
 
-/* The range of an axis and its marks: decades, or 1, 2, 5 of each where there
- * are few of them. */
+/* The range of an axis and its marks: decades; 1, 2, 5 of each where there are
+ * few of them; more where the range is narrow. */
 static void put_range(const char *axis, double low, double high, FILE *out)
 {
-    static const int marks[] = {1, 2, 5};
+    static const char *const marks[] = {"1", "2", "5",   "1.2", "1.5",
+                                        "3", "4", "2.5", "6",   "8"};
     const int first = number_clamped(floor(log10(low)), -300, 300);
     const int last = number_clamped(ceil(log10(high)), -300, 300);
     const int every = last - first > 8 ? 2 : 1;
+    const int n = high < 6.0 * low ? 10 : last - first <= 3 ? 3 : 1;
     const char *between = "";
 
     fprintf(out, "set %srange [%.4g:%.4g]\nset %stics (", axis, low, high,
             axis);
     for (int d = first; d <= last; d += every)
-        for (int i = 0; i < (last - first <= 3 ? 3 : 1); i++) {
-            fprintf(out, "%s%de%d", between, marks[i], d);
+        for (int i = 0; i < n; i++) {
+            fprintf(out, "%s%se%d", between, marks[i], d);
             between = ", ";
         }
     fputs(")\n", out);
@@ -220,14 +222,14 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const of = &o->variant[v];
         if (!is_shown(of, m)) continue;
-        const double at[2] = {of->cost, 100.0 * of->of[m].error};
-        for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], at[k]);
-            high[k] = fmax(high[k], at[k]);
-        }
+        const struct finding *const f = &of->of[m];
+        low[0] = fmin(low[0], of->cost);
+        high[0] = fmax(high[0], of->cost);
+        low[1] = fmin(low[1], 100.0 * f->error);
+        high[1] = fmax(high[1], 100.0 * (f->error + 2.0 * f->doubt));
     }
     put_range("x", low[0] / 1.3, 1.6 * high[0], out);
-    put_range("y", low[1] / 2.0, 2.5 * high[1], out);
+    put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
 /* One line of the plot command: its points, with error bars where there are
