@@ -106,12 +106,16 @@ no_part() { # FOLDER
     [ -z "$parts" ] || { echo "left: $parts" && return 1; }
 }
 
-ends_at_once() { # SIGNAL CASE: before the run began, and leaves nothing
+ends_at_once() { # SIGNAL CASE: before the run began; a bed on its way to rest is kept
+    rm -rf early
     signalled "$1" 0.3 "$2" -o early/out --quiet
     cat said
     echo "exit code $code"
+    kept=
+    grep -q "while the bed settled" said && kept="checkpoint.ahead manifest.txt"
+    left=$(cd early/out 2>/dev/null && echo *)
     [ $code -eq 130 ] && [ "$(wc -l <said)" -eq 1 ] && grep -q interrupted said &&
-        ! [ -e early/out ]
+        [ "$left" = "$kept" ]
 }
 echo "signals:"
 for number in INT TERM HUP; do
@@ -186,7 +190,7 @@ files() { (cd "$1" && find . ! -type d | sed 's,^\./,,' | LC_ALL=C sort); }
 of_one_run() { # FOLDER
     [ -d "$1" ] || return 0
     (files "$1" | sed 's/\.partial$//' | grep -vxF -f "$1/manifest.txt" |
-        grep -vx 'manifest.txt\|notes.txt') && echo "not listed" && return 1
+        grep -vx 'manifest.txt\|notes.txt\|checkpoint.ahead') && echo "not listed" && return 1
     [ -e "$1/summary.json" ] || return 0
     if grep -q '"exit_reason": "done"' "$1/summary.json"; then
         for of in tiny other bed; do
@@ -237,7 +241,7 @@ fact input_found_wrong_while_building_leaves_no_folder wrong_input
 settling_first() {
     cp -r other before
     signalled TERM 0.3 settling.cfg -o before --quiet
-    [ $code -eq 130 ] && diff -r other before
+    [ $code -eq 130 ] && diff -r -x checkpoint.ahead other before
 }
 fact run_that_ends_before_it_begins_leaves_the_old_one_whole settling_first
 in_the_way() {

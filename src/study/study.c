@@ -77,9 +77,11 @@ static int report(const struct plan *p, int n, const struct run *runs)
                        study_report_variants(&o) != 0 ||
                        study_report_picture(&o) != 0;
 
-    if (!failed) study_report_advice(&o, stdout);
+    if (!failed && !p->quiet) {
+        study_report_advice(&o, stdout);
+        printf("see %s/study.md, study.csv and study.svg\n", p->dir);
+    }
     outcomes_free(&o);
-    if (!failed) printf("see %s/study.md, study.csv and study.svg\n", p->dir);
     return failed ? NOT_WRITTEN : 0;
 }
 

@@ -3,7 +3,7 @@
 # coarse averaging, with a Gaussian, and with a random part of the drag. A run that
 # is done is not made again, so that what was interrupted goes on.
 #
-#   sh tests/validate/agitation.sh build/winnow [liquid|choices|kernels|gas ...]
+#   sh tests/validate/agitation.sh build/winnow [liquid|treatments|choices|kernels|gas ...]
 #
 # liquid takes about five minutes for each Reynolds number of RE (4 6 8 11), choices
 # and kernels half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
@@ -165,6 +165,27 @@ END
     } >$figures/23-choices.txt
 }
 
+# Two ways of giving the drag to the fluid, with two steps each, at Re_in = 4.
+treatments() {
+    common="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0]"
+    common="$common -s particles.grains.stiffness=5e4 -s output.end=80.0"
+    common="$common -s output.statistics.from=20.0"
+    short="-s fluid.step=3e-3 -s particles.step=3e-4"
+    # shellcheck disable=SC2086
+    for way in explicit semi-implicit; do
+        run $way cases/ew18-liquid.cfg $common -s exchange.treatment=$way
+        run $way-short cases/ew18-liquid.cfg $common $short -s exchange.treatment=$way
+    done
+    {
+        made treatments
+        echo "# treatment, step, $columns"
+        for way in explicit semi-implicit; do
+            row $way $way 1e-2
+            row $way-short $way 3e-3
+        done
+    } >$figures/23-treatments.txt
+}
+
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
 kernels() {
     scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]"
@@ -219,5 +240,5 @@ gas() {
     done
 }
 
-[ $# -gt 0 ] || set -- liquid choices kernels gas
+[ $# -gt 0 ] || set -- liquid treatments choices kernels gas
 for part in "$@"; do $part; done

@@ -50,7 +50,7 @@ void grain_series_add(struct grain_series *g, const struct simulation *sim)
         g->Re[id] = coefficient_reynolds(eps, o->rho, o->mu, d, w);
         g->Cd[(long)id * g->rows + g->n_rows] =
             w > 0.0
-                ? coefficient_of_force(cp->k[i] * w / eps, o->rho, d, eps, w)
+                ? coefficient_of_force(cp->rate[i] * w / eps, o->rho, d, eps, w)
                 : 0.0;
     }
     g->n_rows++;

@@ -109,11 +109,6 @@ const unsigned char *halo_own(const struct halo *h)
     return h->own;
 }
 
-int halo_cells(const struct halo *h)
-{
-    return h->n;
-}
-
 double halo_largest(const struct halo *h, double x)
 {
     MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_MAX, h->comm);

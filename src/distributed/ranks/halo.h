@@ -27,7 +27,6 @@ void halo_refresh_faces(struct halo *h, const struct face_places *places,
 
 /* 1 if the cell is this rank's own, 0 if it is a copy. */
 const unsigned char *halo_own(const struct halo *h);
-int halo_cells(const struct halo *h);
 
 double halo_largest(const struct halo *h, double x);
 void halo_sum(const struct halo *h, int n, double *x);
