@@ -189,7 +189,7 @@ close the_air_carries_the_weight_of_the_bed \
 ./12-bed 0.2 >12-short.out
 bed moving diffusion 1000 "((0.0, 0.0), (0.05, 1.0))" 0.2 -9.81
 close and_it_does_so_in_winnow "$(number 12-short.out 'mean pressure drop')" \
-    "$(sed -n 's/^pressure drop \([0-9.]*\) Pa.*/\1/p' moving.out)" 0.05
+    "$(sed -n 's/.*"mean_pressure_drop": \([^,]*\),.*/\1/p' moving/summary.json)" 0.05
 
 if [ $failed -gt 0 ]; then
     echo "$failed facts of the twelve steps do not hold"
