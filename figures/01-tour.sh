@@ -5,7 +5,7 @@
 #   sh figures/01-tour.sh out/mueller-bed >figures/01-tour-run.txt
 set -eu
 echo "# slow"
-echo "# sh figures/01-tour.sh $1, after make run on one core"
+echo "# sh figures/01-tour.sh $1, after make run"
 awk -F'[:,]' '
     { gsub(/[ "]/, "") }
     /seconds:[{]/ { inside = 1; next }
