@@ -390,6 +390,11 @@ fact random_drag_goes_from_one_reynolds_number_up 2 "Re_high is below Re_low" \
     "$winnow" check tiny.cfg -s effects.stochastic_drag.sigma_low=1.0 \
     -s effects.stochastic_drag.sigma_high=1.0 -s effects.stochastic_drag.time=1.0 \
     -s effects.stochastic_drag.Re_low=5.0
+fact whole_drag_takes_the_place_of_the_pressure_gradient 2 \
+    "effects.whole_drag takes the place of effects.pressure_gradient: leave one out" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s "effects.whole_drag={}"
+fact what_excludes_another_key_says_so 0 "; not with effects.pressure_gradient" \
+    "$winnow" list keys effects
 "$winnow" run tiny.cfg -o rand --quiet -s effects.stochastic_drag.sigma_low=9.0 \
     -s effects.stochastic_drag.sigma_high=9.0 \
     -s effects.stochastic_drag.time=0.01 >/dev/null 2>&1

@@ -31,6 +31,18 @@ static void print_source(const char *source)
     putchar('\n');
 }
 
+/* "; needs fluid averaging; not with effects.x" of "fluid averaging !effects.x"
+ */
+static void print_needs(const char *needs)
+{
+    const char *const not = strchr(needs, '!');
+    const int length = not != NULL ? (int)(not -needs) : (int)strlen(needs);
+
+    if (length > 0)
+        printf("; needs %.*s", not != NULL ? length - 1 : length, needs);
+    if (not != NULL) printf("; not with %s", not +1);
+}
+
 static void print_key(const struct key *key, const char *indent)
 {
     char expected[SCHEMA_TEXT], value[SCHEMA_TEXT];
@@ -43,7 +55,7 @@ static void print_key(const struct key *key, const char *indent)
         schema_default(key, value);
         printf("; default %s", value);
     }
-    if (key->needs[0] != '\0') printf("; needs %s", key->needs);
+    print_needs(key->needs);
     printf("\n%s    %s", indent, key->what);
     print_source(key->source);
 }
