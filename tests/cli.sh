@@ -208,6 +208,12 @@ fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
 fact list_shows_no_keys_of_other_parts 1 "" only_its_own
+fact list_shows_the_keys_of_a_group_in_a_part 0 "effects.stochastic_drag.sigma_low = " \
+    "$winnow" list keys effects.stochastic_drag
+fact list_shows_the_keys_of_a_side 0 "fluid.<patch>.inlet = a number" \
+    "$winnow" list keys fluid.bottom
+fact misspelt_group_finds_the_one_meant 2 "did you mean effects.stochastic_drag?" \
+    "$winnow" list keys effects.stochastic
 fact misspelt_part_finds_the_one_meant 2 "did you mean averaging?" \
     "$winnow" list keys averging
 fact explain_prints_the_formula 0 "  Re = rho_f d u_r / mu" "$winnow" explain XS11:2.12
