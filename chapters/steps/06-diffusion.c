@@ -86,8 +86,10 @@ static void write_svg(FILE *file)
     for (int i = 0; i < NX * NY; i++)
         top = fmax(top, c[i % NX][i / NX]);
     fprintf(file,
-            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n",
-            10 * NX, 10 * NY);
+            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n"
+            "<text x='5' y='%d'>width %g mm; white: c = 0, black: c = "
+            "%.2g</text>\n",
+            10 * NX, 10 * NY + 24, 10 * NY + 18, 1e3 * NX * dx, top);
     for (int i = 0; i < NX; i++)
         for (int j = 0; j < NY; j++) {
             const int grey = (int)(255.0 * (1.0 - c[i][j] / top));

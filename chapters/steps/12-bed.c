@@ -319,9 +319,9 @@ int main(int argc, char **argv)
             "<svg xmlns='http://www.w3.org/2000/svg' width='900' "
             "viewBox='-1 -65 99 94' fill='blue' stroke-width='0.1' "
             "font-size='3' font-family='sans-serif'>\n"
-            "<text x='1' y='10'>pressure drop, and weight</text>\n"
+            "<text x='1' y='10'>pressure drop; line: weight, %.0f Pa</text>\n"
             "<path d='M0 8V28H96M0 %gH96' fill='none' stroke='black'/>\n",
-            28.0 - 0.12 * weight);
+            weight, 28.0 - 0.12 * weight);
     for (int n = 1; n <= n_steps; n++) {
         double drop = 0.0;
         U = fmin(n * dt / 0.05, 1.0);
