@@ -58,6 +58,7 @@ END
     printf '# Notation\n\n| symbol | code | meaning |\n| --- | --- | --- |\n%s\n' \
         '| $g$ | `g` | gravity |' >chapters/notation.md
     printf '## part\nspeed = 4.429 [m/s]\n\n## other\nspeed = 7\n' >figures/fall.txt
+    printf '| a | b |\n| --- | --- |\n| 1 | 2 |\n' >figures/map.txt
     echo '# 1 Solutions' >chapters/solutions/01-fall-solutions.md
     cat >chapters/01-fall.md <<'END'
 # 1 Fall
@@ -75,6 +76,10 @@ From (1.1) it is <!-- number figures/fall.txt speed %.1f -->0<!-- --> m/s.
 <!-- output figures/fall.txt part -->
 
 <!-- tests tests/test_fall.c -->
+
+<!-- table figures/map.txt -->
+
+The end.
 
 ```text
 <!-- code src/none.c this is text -->
@@ -95,6 +100,12 @@ fact a_listing_is_the_definition_with_its_comment 0 "/* Speed after" cat $chapte
 fact a_number_goes_through_its_format 0 "%.1f -->4.4<!-- -->" cat $chapter
 fact only_the_part_is_put_out 1 "" grep "speed = 7" $chapter
 fact names_of_tests_are_listed 0 "limits_are_right" cat $chapter
+fact a_table_stands_in_no_fence 0 "-->||| a | b ||| --- | --- ||| 1 | 2 |||The end." sh -c "tr '\n' '|' <$chapter"
+edit 's/| 2 |/| 3 |/' figures/map.txt
+fact a_changed_table_is_shown 1 "+| 1 | 3 |" weave check
+fact and_is_refreshed 0 "wove $chapter" weave
+fact and_then_the_old_one_is_gone 1 "" grep "| 1 | 2 |" $chapter
+fresh
 edit 's/0\.5)/0.6)/' src/base/fall.c
 fact a_changed_exponent_names_the_chapter 1 "$chapter is not what the source says" weave check
 fact a_changed_exponent_is_shown 1 "+    return pow(2.0 * g * h, 0.6)" weave check
@@ -218,7 +229,7 @@ fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
     sh -c "echo x.html | awk -f '$tools/pages.awk'"
 if command -v pandoc >/dev/null; then
     fresh
-    fact the_book_is_rendered 0 "book: 9 pages" sh "$tools/book.sh" out
+    fact the_book_is_rendered 0 "book: 10 pages" sh "$tools/book.sh" out
     fact equations_have_a_place 0 'id="eq-1-1"' cat out/01-fall.html
     fact they_are_linked_to 0 'href="01-fall.html#eq-1-1">(1.1)</a>' cat out/01-fall.html
     fact those_of_the_papers_lead_to_the_table 0 'href="equations.html#xs11-2-11"' cat out/01-fall.html

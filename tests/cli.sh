@@ -208,6 +208,12 @@ fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
 fact list_shows_no_keys_of_other_parts 1 "" only_its_own
+fact list_shows_the_keys_of_a_group_in_a_part 0 "effects.stochastic_drag.sigma_low = " \
+    "$winnow" list keys effects.stochastic_drag
+fact list_shows_the_keys_of_a_side 0 "fluid.<patch>.inlet = a number" \
+    "$winnow" list keys fluid.bottom
+fact misspelt_group_finds_the_one_meant 2 "did you mean effects.stochastic_drag?" \
+    "$winnow" list keys effects.stochastic
 fact misspelt_part_finds_the_one_meant 2 "did you mean averaging?" \
     "$winnow" list keys averging
 fact explain_prints_the_formula 0 "  Re = rho_f d u_r / mu" "$winnow" explain XS11:2.12
@@ -390,6 +396,11 @@ fact random_drag_goes_from_one_reynolds_number_up 2 "Re_high is below Re_low" \
     "$winnow" check tiny.cfg -s effects.stochastic_drag.sigma_low=1.0 \
     -s effects.stochastic_drag.sigma_high=1.0 -s effects.stochastic_drag.time=1.0 \
     -s effects.stochastic_drag.Re_low=5.0
+fact whole_drag_takes_the_place_of_the_pressure_gradient 2 \
+    "effects.whole_drag takes the place of effects.pressure_gradient: leave one out" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s "effects.whole_drag={}"
+fact what_excludes_another_key_says_so 0 "; not with effects.pressure_gradient" \
+    "$winnow" list keys effects
 "$winnow" run tiny.cfg -o rand --quiet -s effects.stochastic_drag.sigma_low=9.0 \
     -s effects.stochastic_drag.sigma_high=9.0 \
     -s effects.stochastic_drag.time=0.01 >/dev/null 2>&1

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "resolved/body_turn.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
@@ -53,7 +54,10 @@ void solid_bodies_free(struct solid_bodies *b)
     if (b == NULL) return;
     if (b->among != NULL) b->free_among(b);
     dem_free(b->dem);
+    for (int i = 0; i < b->ps->n; i++)
+        body_outline_free(b->shape[i].outline);
     particles_free(b->ps);
+    free(b->turn);
     free(b->shape);
     free(b->motion);
     free(b->mass);
@@ -96,6 +100,8 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
     b->shape[i] = *shape;
     b->motion[i] = motion;
+    if (shape->kind == BODY_OUTLINE && b->turn == NULL)
+        b->turn = alloc_doubles(4 * b->ps->capacity);
     b->volume[i] = V;
     b->mass[i] = b->ps->m[i];
     if (motion != BODY_FREE) b->ps->m[i] = immovable;
@@ -117,6 +123,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     int free = 0;
 
     fl->immersed = &b->hooks;
+    if (b->turn != NULL) body_turn_begin(b);
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
@@ -146,6 +153,8 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     if (b->dem != NULL) dem_state(b->dem, s);
     state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
     state_reals(s, "spin_before", "rad/s", b->w_old, n, 3);
+    state_reals(s, "orientation", "-", b->turn, n, 4);
+    if (s->loading && b->turn != NULL) body_turn_load(b);
     state_reals(s, "force", "N", b->force, n, 3);
     state_reals(s, "torque", "N m", b->torque, n, 3);
     if (b->by_fraction)

@@ -28,6 +28,7 @@ struct solid_bodies {
     struct particles *ps; /* the bodies: centres, velocities, masses */
     int springs, blocks,
         moves;       /* [-] on springs; no spheres; 1: not all fixed */
+    double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
     struct body_shape *shape;
@@ -62,7 +63,7 @@ solid_bodies_create(int n, int cells, double rho,
 void solid_bodies_free(struct solid_bodies *b);
 
 /* One more body at rest at x [m]; the density [kg/m^3] is that of a free one.
- * Returns its number. */
+ * An outline is freed with the bodies. Returns its number. */
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
