@@ -105,6 +105,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: let e be 1, so that nothing is lost. Does the grain come back to its
- * height? Then take y = R out of the impact. In which direction does the height
- * go now, and how does that depend on dt? */
+/* To try: let e be 1 and dt 1e-3 s, and go on to 10 s. The grain gains energy
+ * from bounce to bounce. Take y = R out of the impact, and it does not. Why?
+ * How does the gain depend on dt? */

@@ -145,6 +145,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: throw the grain with backspin, w = 2000 rad/s. Where does it go? Then
- * raise mu to 1. The spring now reverses a part of the slip, as with a bouncing
- * ball of rubber. */
+/* To try: throw it with backspin, w = 5000.0 before the loop, and see where it
+ * is after 0.3 s and 0.6 s (with MOST 200). Then raise mu to 1: the spring
+ * reverses a part of the slip, as with a bouncing ball of rubber. */

@@ -147,4 +147,4 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: the second number is friction, as in 05-heap 0.5 0. What stands? */
+/* To try: 05-heap 0.5 0 has no friction. Which slope is left, and why any? */

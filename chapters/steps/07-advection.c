@@ -144,4 +144,5 @@ int main(int argc, char **argv)
 }
 
 /* To try: let the face carry the mean of the two cells, the linear scheme with
- * s = 1/2. Is the mean square now right? Then take D = 0 with both schemes. */
+ * s = 1/2. Is the mean square right now? (An explicit step takes u^2 dt t away
+ * from it.) Then take D = 0 with both schemes. Which results are impossible? */

@@ -214,6 +214,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: make the box as deep as it is wide. Why does the grain sink at
- * another speed, though its slip is the same? Then let go of it close to a
- * wall. */
+/* To try: make the box as deep as it is wide, depth = 24e-3. Why does the grain
+ * sink at another speed, though its slip is nearly the same? Then let go of it
+ * close to a wall, x[0] = 0.05 * NX * dx. */

@@ -98,8 +98,9 @@ static void average(void)
     ring(resist);
 }
 
-/* The q without p, and how much it follows p. Half of the way through a face
- * lies in each of its cells, and so 1 / m is the mean of both (6.6). */
+/* Predicts q without p, and finds the mobility m, by which q follows p. Half of
+ * the way through a face lies in each of its cells: 1 / m is their mean (6.6).
+ */
 static void predict(void)
 {
     static field old[2];
@@ -202,7 +203,7 @@ static void write_svg(FILE *file)
             "viewBox='-1 -41 40 46' fill='blue' stroke-width='0.1' "
             "font-size='2' font-family='sans-serif'>\n"
             "<text x='3' y='3'>16 mm wide</text>\n"
-            "<text x='19' y='3'>pressure, to %.3g Pa</text>\n",
+            "<text x='18' y='3'>pressure, to %.3g Pa</text>\n",
             row(1));
     for (int c = W; c < W * (NY + 1) && h * (c / W) <= 40.0; c++)
         if (c % W > 0 && c % W <= NX)
@@ -246,5 +247,5 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: take finer cells, dx = 1 mm and twice as many each way. What is the
- * lowest eps now, and what does that mean? */
+/* To try: take finer cells, dx = 1 mm and twice as many each way. What are the
+ * lowest eps and the pressure drop now? How many grains are in a cell? */
