@@ -187,6 +187,10 @@ fact list_shows_every_key 0 "effects.gravity" "$winnow" list keys
 fact misspelt_kind_finds_the_one_meant 2 "did you mean drag?" "$winnow" list darg
 fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
+fact eval_knows_every_drag_law_by_its_name 0 "F = 13.6169545181 [-]" \
+    "$winnow" eval drag:rong eps_f=0.62 Re=37
+fact explain_knows_a_drag_law 0 "winnow eval drag:rong, with eps_f" \
+    "$winnow" explain drag:rong
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
 # Without particles the fluid has all of the room: 1.5 m/s in cells of 0.25 m, the
