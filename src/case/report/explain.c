@@ -5,6 +5,7 @@
 #include "case/command.h"
 #include "case/model_choice.h"
 #include "case/report/equation_index.h"
+#include "case/report/list.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -96,15 +97,37 @@ int explain_case(const struct settings *s)
     return 0;
 }
 
-/* A word is a key, a function, or else the file of a case. */
+/* The models of that name, or that this function computes; how many. */
+static int explain_models(const char *word)
+{
+    struct model m;
+    int n = 0;
+
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++) {
+            if (strcmp(m.name, word) != 0 && strcmp(m.function, word) != 0)
+                continue;
+            printf("%s %s: chosen by %s, computed by %s\n", (*k)->name, m.name,
+                   (*k)->key, m.function);
+            list_model(&m);
+            n++;
+        }
+    return n;
+}
+
+/* A word is a key, a model, a function, or else the file of a case. */
 static int act(const struct command_line *l)
 {
     const char *const word = l->words[0];
     int code;
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
-    if (equation_index_is_function(word) && access(word, F_OK) != 0)
-        return equation_index_explain_function(word);
+    if (access(word, F_OK) != 0) {
+        const int n = explain_models(word);
+        if (n > 0 && !equation_index_has_function(word)) return 0;
+        if (equation_index_is_function(word))
+            return equation_index_explain_function(word);
+    }
 
     struct settings *const s = command_settings(l, &code);
 
@@ -115,10 +138,10 @@ static int act(const struct command_line *l)
 
 const struct command command_explain = {
     "explain",
-    "CASE [-s path.to.key=value]... | KEY | FUNCTION",
+    "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION",
     "the equations that a case switches on, and what it leaves off; or where "
-    "an equation is computed, tested and explained; or what a function "
-    "computes",
+    "an equation is computed, tested and explained; or what a model or a "
+    "function computes",
     "s",
     1,
     1,
