@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
+#include "resolved/body_exit.h"
 #include "resolved/cell_window.h"
 
 const double mark_firmness = 1e3;
@@ -85,7 +86,9 @@ static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (f >= m->n_internal) {
-            if (b->motion[i] != BODY_FIXED) return 1;
+            if (b->motion[i] != BODY_FIXED &&
+                !body_exit_is_open(b->exit, &m->S[3 * f]))
+                return 1;
             continue;
         }
         const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
