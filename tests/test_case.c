@@ -434,12 +434,12 @@ END_TEST
 START_TEST(every_key_has_one_row)
 {
     const struct key *tables[CASE_FILE_TABLES];
-    const struct key *key;
 
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
-        for (int j = 0; j < i; j++)
-            ck_assert_str_ne(schema_at(tables, j)->path, key->path);
+    SCHEMA_EACH (key, tables)
+        SCHEMA_EACH (other, tables)
+            if (other != key && strcmp(other->path, key->path) == 0)
+                ck_abort_msg("%s has two rows", key->path);
 }
 END_TEST
 
@@ -447,7 +447,6 @@ START_TEST(list_shows_every_model_and_key)
 {
     struct capture c = capture_begin(1);
     const struct key *tables[CASE_FILE_TABLES];
-    const struct key *key;
     struct model m;
 
     list_kinds();
@@ -464,7 +463,7 @@ START_TEST(list_shows_every_model_and_key)
     ck_assert_int_eq(list_models("keys"), 0);
     capture_end(&c, said);
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (key, tables) {
         ck_assert_ptr_nonnull(strstr(said, key->path));
         ck_assert_ptr_nonnull(strstr(said, key->what));
     }

@@ -184,10 +184,17 @@ static int is_foreign(const struct folder *f, const char *name)
 
     if (!is_ours(name) || manifest_has(&f->old, name)) return 0;
     if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
-    fprintf(stderr,
-            "winnow: %s/%s is in the way: no run that %s tells of has written "
-            "it; move it away, or choose another folder with -o\n",
-            f->dir, name, manifest);
+    if (f->fresh)
+        fprintf(stderr,
+                "winnow: %s is not there, the list of the files of a run: "
+                "without it %s/%s may be another program's; move it away, or "
+                "choose another folder with -o\n",
+                f->path, f->dir, name);
+    else
+        fprintf(stderr,
+                "winnow: %s/%s is in the way: no run that %s tells of has "
+                "written it; move it away, or choose another folder with -o\n",
+                f->dir, name, manifest);
     return 1;
 }
 

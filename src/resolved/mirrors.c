@@ -183,20 +183,18 @@ static void each_cell(struct mirrors *all, const struct solid_bodies *b, int i,
 
     body_shape_extent(&b->shape[i], extent);
     const struct cell_window w = cell_window_around(all->mesh, x, extent);
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(all->mesh, at, x, r);
-                const double s = body_shape_distance(&b->shape[i], r);
-                if (s > 0.0) continue;
-                make_room(all);
-                if (close)
-                    all->closed[c] = 1;
-                else if (all->closed[c] == 1) {
-                    all->closed[c] = 2; /* one mirror, of the first body */
-                    add_mirror(all, c, &b->shape[i], x, r, s);
-                }
-            }
+    CELL_WINDOW_EACH (at, w) {
+        const int c = cell_window_cell(all->mesh, at, x, r);
+        const double s = body_shape_distance(&b->shape[i], r);
+        if (s > 0.0) continue;
+        make_room(all);
+        if (close)
+            all->closed[c] = 1;
+        else if (all->closed[c] == 1) {
+            all->closed[c] = 2; /* one mirror, of the first body */
+            add_mirror(all, c, &b->shape[i], x, r, s);
+        }
+    }
 }
 
 void mirrors_update(struct mirrors *m, const struct solid_bodies *b)

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/explain.h"
 
+#include "case/case_file.h"
 #include "case/case_materials.h"
 #include "case/command.h"
 #include "case/model_choice.h"
 #include "case/report/equation_index.h"
+#include "case/report/list.h"
+#include "case/schema.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -96,13 +99,34 @@ int explain_case(const struct settings *s)
     return 0;
 }
 
-/* A word is a key, a function, or else the file of a case. */
+/* The rows of a key of a case, and the models between which it chooses. */
+static int explain_case_key(const char *key)
+{
+    const int code = list_keys(key);
+
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        if (strcmp((*k)->key, key) == 0) list_models((*k)->name);
+    return code;
+}
+
+static int is_case_key(const char *word)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    return schema_find(tables, word) != NULL;
+}
+
+/* A word is the key of an equation, a function, a key of a case, or else the
+ * file of a case. */
 static int act(const struct command_line *l)
 {
     const char *const word = l->words[0];
     int code;
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
+    if (is_case_key(word) && access(word, F_OK) != 0)
+        return explain_case_key(word);
     if (equation_index_is_function(word) && access(word, F_OK) != 0)
         return equation_index_explain_function(word);
 
@@ -117,8 +141,8 @@ const struct command command_explain = {
     "explain",
     "CASE [-s path.to.key=value]... | KEY | FUNCTION",
     "the equations that a case switches on, and what it leaves off; or where "
-    "an equation is computed, tested and explained; or what a function "
-    "computes",
+    "the equation of a key is computed, tested and explained; or what a key of "
+    "a case means; or what a function computes",
     "s",
     1,
     1,

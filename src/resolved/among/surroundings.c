@@ -62,13 +62,11 @@ static void take_solid(struct surroundings_filter *f, int i)
 
     body_shape_extent(shape, extent);
     const struct cell_window w = cell_window_around(m, x, extent);
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                const double s = body_shape_distance(shape, r);
-                f->chi[c] = fmax(f->chi[c] - mark_fraction(m, c, s), 0.0);
-            }
+    CELL_WINDOW_EACH (at, w) {
+        const int c = cell_window_cell(m, at, x, r);
+        const double s = body_shape_distance(shape, r);
+        f->chi[c] = fmax(f->chi[c] - mark_fraction(m, c, s), 0.0);
+    }
 }
 
 void surroundings_bind(struct surroundings_filter *f)
@@ -88,16 +86,14 @@ static int collect(struct surroundings_filter *f, const double x[3])
     double r[3];
     int at[3], n = 0;
 
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                if (fabs(r[0]) > half || fabs(r[1]) > half || fabs(r[2]) > half)
-                    continue;
-                f->V[n] = m->V[c];
-                f->share[n] = f->chi[c];
-                memcpy(&f->u[3 * n++], &f->fl->u[3 * c], 3 * sizeof *f->u);
-            }
+    CELL_WINDOW_EACH (at, w) {
+        const int c = cell_window_cell(m, at, x, r);
+        if (fabs(r[0]) > half || fabs(r[1]) > half || fabs(r[2]) > half)
+            continue;
+        f->V[n] = m->V[c];
+        f->share[n] = f->chi[c];
+        memcpy(&f->u[3 * n++], &f->fl->u[3 * c], 3 * sizeof *f->u);
+    }
     return n;
 }
 
