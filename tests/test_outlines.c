@@ -73,31 +73,100 @@ START_TEST(ew18_4_a_box_of_triangles_has_the_distance_of_a_box)
 }
 END_TEST
 
-/* A deep notch: where the nearest place is an edge or a corner that leads
- * inward, the normal of one triangle alone may have the wrong side. Two boxes
- * with a gap are one surface of two parts. */
+/* Twenty triangles of an icosahedron, each edge halved `times` times, on a
+ * sphere of volume V. */
+static int put_sphere(double (*t)[3][3], int times, double V)
+{
+    const double g = 0.5 * (1.0 + sqrt(5.0));
+    const double x[12][3] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                             {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                             {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+    static const int of[20][3] = {
+        {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+        {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+        {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+        {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+    int n = 20;
+    double volume = 0.0;
+
+    for (int f = 0; f < 20; f++)
+        for (int v = 0; v < 3; v++)
+            memcpy(t[f][v], x[of[f][v]], sizeof x[0]);
+    for (int l = 0; l < times; l++, n *= 4)
+        for (int f = n - 1; f >= 0; f--) {
+            double a[3][3], m[3][3];
+            memcpy(a, t[f], sizeof a);
+            for (int v = 0; v < 3; v++)
+                for (int k = 0; k < 3; k++) /* the same from either side */
+                    m[v][k] = 0.5 * (a[v][k] + a[(v + 1) % 3][k]);
+            for (int v = 0; v < 3; v++) {
+                memcpy(t[4 * f + v][0], a[v], sizeof a[v]);
+                memcpy(t[4 * f + v][1], m[v], sizeof a[v]);
+                memcpy(t[4 * f + v][2], m[(v + 2) % 3], sizeof a[v]);
+            }
+            memcpy(t[4 * f + 3], m, sizeof m);
+        }
+    for (int c = 0; c < 3 * n; c++) {
+        double *const y = t[c / 3][c % 3], length = vector_length(y);
+        for (int k = 0; k < 3; k++)
+            y[k] /= length;
+    }
+    for (int f = 0; f < n; f++) {
+        double area[3];
+        vector_cross(t[f][1], t[f][2], area);
+        volume += vector_dot(t[f][0], area) / 6.0;
+    }
+    for (int c = 0; c < 9 * n; c++)
+        t[c / 9][c / 3 % 3][c % 3] *= cbrt(V / volume);
+    return n;
+}
+
+/* Solid angle of a triangle from x over 4 pi. */
+static double angle_of(const double t[3][3], const double x[3])
+{
+    double a[3], b[3], c[3], area[3];
+
+    vector_between(t[0], x, a);
+    vector_between(t[1], x, b);
+    vector_between(t[2], x, c);
+    vector_cross(b, c, area);
+    const double la = vector_length(a), lb = vector_length(b),
+                 lc = vector_length(c);
+    return atan2(vector_dot(a, area), la * lb * lc + vector_dot(a, b) * lc +
+                                          vector_dot(a, c) * lb +
+                                          vector_dot(b, c) * la) /
+           (2.0 * M_PI);
+}
+
+/* A star of 80 triangles with sharp points and deep notches: most nearest
+ * places are edges and corners, where the normal of a triangle alone has the
+ * wrong side. The solid angle of the whole surface is 4 pi inside and 0
+ * outside. */
 START_TEST(ew18_4_inside_and_outside_are_right_beside_any_corner)
 {
-    double t[24][3][3];
-    const double c[2][3] = {{-0.3, 0.0, 0.0}, {0.3, 0.05, 0.0}};
+    double t[80][3][3];
     const char *trouble;
-    const struct body_shape box = body_shape_box(size);
+    int n = put_sphere(t, 1, 1.0), within = 0;
 
-    put_box(t, c[0]);
-    put_box(&t[12], c[1]);
-    struct body_outline *const o = closed_surface_create(24, t, &trouble);
+    for (int c = 0; c < 3 * n; c++) {
+        double *const x = t[c / 3][c % 3];
+        const double some = fabs(37.1 * x[0] + 53.7 * x[1] + 91.3 * x[2]);
+        const double R = (0.12 + 0.38 * fmod(some, 1.0)) / vector_length(x);
+        for (int k = 0; k < 3; k++)
+            x[k] *= R;
+    }
+    struct body_outline *const o = closed_surface_create(n, t, &trouble);
     ck_assert_ptr_nonnull(o);
     for (int i = 0; i < 4000; i++) {
-        double x[3], y[3], r[2][3];
+        double x[3], y[3], around = 0.0;
         point(i, x);
-        vector_along(x, -1.0, o->centre, y);
-        for (int k = 0; k < 2; k++)
-            vector_between(x, c[k], r[k]);
-        ck_assert_double_eq_tol(o->distance(o, y),
-                                fmin(body_shape_distance(&box, r[0]),
-                                     body_shape_distance(&box, r[1])),
-                                1e-14);
+        vector_between(x, o->centre, y);
+        for (int f = 0; f < n; f++)
+            around += angle_of((const double(*)[3])t[f], x);
+        ck_assert_int_eq(o->distance(o, y) < 0.0, around > 0.5);
+        within += around > 0.5;
     }
+    ck_assert_int_ge(within, 200);
     body_outline_free(o);
 }
 END_TEST
@@ -216,54 +285,6 @@ END_TEST
 
 /* --- in the fluid ----------------------------------------------------------
  */
-
-/* Twenty triangles of an icosahedron, each edge halved `times` times, on a
- * sphere of volume V. */
-static int put_sphere(double (*t)[3][3], int times, double V)
-{
-    const double g = 0.5 * (1.0 + sqrt(5.0));
-    const double x[12][3] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                             {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                             {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    static const int of[20][3] = {
-        {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-        {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-        {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-        {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-    int n = 20;
-    double volume = 0.0;
-
-    for (int f = 0; f < 20; f++)
-        for (int v = 0; v < 3; v++)
-            memcpy(t[f][v], x[of[f][v]], sizeof x[0]);
-    for (int l = 0; l < times; l++, n *= 4)
-        for (int f = n - 1; f >= 0; f--) {
-            double a[3][3], m[3][3];
-            memcpy(a, t[f], sizeof a);
-            for (int v = 0; v < 3; v++)
-                for (int k = 0; k < 3; k++) /* the same from either side */
-                    m[v][k] = 0.5 * (a[v][k] + a[(v + 1) % 3][k]);
-            for (int v = 0; v < 3; v++) {
-                memcpy(t[4 * f + v][0], a[v], sizeof a[v]);
-                memcpy(t[4 * f + v][1], m[v], sizeof a[v]);
-                memcpy(t[4 * f + v][2], m[(v + 2) % 3], sizeof a[v]);
-            }
-            memcpy(t[4 * f + 3], m, sizeof m);
-        }
-    for (int c = 0; c < 3 * n; c++) {
-        double *const y = t[c / 3][c % 3], length = vector_length(y);
-        for (int k = 0; k < 3; k++)
-            y[k] /= length;
-    }
-    for (int f = 0; f < n; f++) {
-        double area[3];
-        vector_cross(t[f][1], t[f][2], area);
-        volume += vector_dot(t[f][0], area) / 6.0;
-    }
-    for (int c = 0; c < 9 * n; c++)
-        t[c / 9][c / 3 % 3][c % 3] *= cbrt(V / volume);
-    return n;
-}
 
 /* A periodic cube with one fixed body and a mean gradient: the mean flow after
  * a while [m/s]. */

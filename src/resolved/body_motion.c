@@ -7,6 +7,7 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/block_contacts.h"
+#include "resolved/body_exit.h"
 #include "resolved/body_turn.h"
 #include "resolved/squeeze_film.h"
 
@@ -202,6 +203,7 @@ void body_motion_add_spin(struct solid_bodies *b, int i,
 
 void body_motion_set_forces(struct solid_bodies *b, double dt)
 {
+    if (b->exit != NULL) body_exit_look(b);
     for (int i = 0; i < b->ps->n; i++) {
         set_forces(b, i, dt);
         if (b->shape[i].kind == BODY_OUTLINE)

@@ -9,6 +9,7 @@
 #include "base/statistics/filter.h"
 #include "base/vector.h"
 #include "coupling/drag_laws/coefficient.h"
+#include "resolved/body_cells.h"
 #include "resolved/cell_window.h"
 #include "resolved/mark.h"
 
@@ -51,22 +52,12 @@ void surroundings_free(struct surroundings_filter *f)
     free(f);
 }
 
-static void take_solid(struct surroundings_filter *f, int i)
+static void take_solid(void *by, int i, int c, const double r[3], double s)
 {
-    const struct mesh *const m = f->fl->mesh;
-    const struct particles *const ps = f->b->ps;
-    const struct body_shape *const shape = &f->b->shape[i];
-    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-    double extent[3], r[3];
-    int at[3];
+    struct surroundings_filter *const f = by;
 
-    body_shape_extent(shape, extent);
-    const struct cell_window w = cell_window_around(m, x, extent);
-    CELL_WINDOW_EACH (at, w) {
-        const int c = cell_window_cell(m, at, x, r);
-        const double s = body_shape_distance(shape, r);
-        f->chi[c] = fmax(f->chi[c] - mark_fraction(m, c, s), 0.0);
-    }
+    (void)i, (void)r;
+    f->chi[c] = fmax(f->chi[c] - mark_fraction(f->fl->mesh, c, s), 0.0);
 }
 
 void surroundings_bind(struct surroundings_filter *f)
@@ -74,7 +65,7 @@ void surroundings_bind(struct surroundings_filter *f)
     for (int c = 0; c < f->fl->mesh->n_cells; c++)
         f->chi[c] = 1.0;
     for (int i = 0; i < f->b->ps->n; i++)
-        take_solid(f, i);
+        body_cells_each(f->b, f->fl->mesh, i, take_solid, f);
 }
 
 /* Copies the cells whose centres are in the cube around x; returns how many. */
