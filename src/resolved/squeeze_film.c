@@ -8,6 +8,8 @@
 #include "dem/box_domain.h"
 #include "resolved/body_gaps.h"
 
+const double squeeze_film_cells = 0.75;
+
 double squeeze_film_coefficient(double mu, double R_star, double z,
                                 double z_min, double reach)
 {

@@ -25,6 +25,7 @@
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
 #include "resolved/body_numbers.h"
+#include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -199,7 +200,7 @@ static struct squeeze_film gaps(const struct settings *s)
         .mu = settings_real(s, "fluid.viscosity"),
         .z_min = settings_real(s, "bodies.roughness") * R,
         .reach = settings_bool(s, "bodies.lubrication")
-                     ? 2.0 * fmax(h[0], fmax(h[1], h[2]))
+                     ? squeeze_film_cells * fmax(h[0], fmax(h[1], h[2]))
                      : 0.0};
 }
 

@@ -124,7 +124,7 @@ const struct key case_bodies_keys[] = {
     {"bodies.friction", KEY_REAL, "-", ">= 0", "0.15",
      "Coulomb's coefficient of friction", "LS 4.8", ""},
     {"bodies.lubrication", KEY_BOOL, "", "", "true",
-     "the fluid that is squeezed out of gaps narrower than two cells", "Cox67",
+     "the fluid that is squeezed out of gaps narrower than a cell", "Cox67",
      ""},
     {"bodies.roughness", KEY_REAL, "-", "> 0, < 1", "1e-3",
      "height of the asperities over the smallest radius, where two surfaces "
