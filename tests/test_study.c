@@ -129,15 +129,14 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
     char dir[64];
 
     scratch_make(dir);
-    const char *const path = scratch_path(dir, "summary.json");
-    scratch_write(path, summary);
-    ck_assert_double_eq(results_number(path, "steps"), 12.0);
-    ck_assert_double_eq(results_number(path, "seconds.cfd"), 0.25);
-    ck_assert_double_eq(results_number(path, "seconds.steps"), 3.0);
-    ck_assert_double_eq(results_number(path, "worst.overlap"), 1e-3);
-    ck_assert_double_nan(results_number(path, "exit_code"));
-    ck_assert_double_nan(results_number(path, "cfd"));
-    ck_assert_double_nan(results_number(path, "case"));
+    scratch_write(scratch_path(dir, "summary.json"), summary);
+    ck_assert_double_eq(results_number(dir, "steps"), 12.0);
+    ck_assert_double_eq(results_number(dir, "seconds.cfd"), 0.25);
+    ck_assert_double_eq(results_number(dir, "seconds.steps"), 3.0);
+    ck_assert_double_eq(results_number(dir, "worst.overlap"), 1e-3);
+    ck_assert_double_nan(results_number(dir, "exit_code"));
+    ck_assert_double_nan(results_number(dir, "cfd"));
+    ck_assert_double_nan(results_number(dir, "case"));
     scratch_clear(dir);
 }
 END_TEST
@@ -148,10 +147,9 @@ START_TEST(texts_of_a_summary_are_those_that_were_written)
     char dir[64];
 
     scratch_make(dir);
-    const char *const path = scratch_path(dir, "summary.json");
-    scratch_write(path,
+    scratch_write(scratch_path(dir, "summary.json"),
                   "{\n  \"exit_reason\": \"a \\\"b\\\" \\\\u\\u000ac\"\n}\n");
-    char *const text = results_text(path, "exit_reason");
+    char *const text = results_text(dir, "exit_reason");
     ck_assert_str_eq(text, "a \"b\" \\u\nc");
     free(text);
     scratch_clear(dir);

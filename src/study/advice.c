@@ -41,7 +41,7 @@ static int best_for(const struct outcomes *o, int m, double most)
 
 static const char *unit(const struct plan *p)
 {
-    return strcmp(p->cost.name, PLAN_COST) == 0 ? " s" : "";
+    return plan_cost_is_processor(p) ? " s" : "";
 }
 
 /* "0.42 s, error 0.8 %, fluid.step=1e-3". */

@@ -63,7 +63,7 @@ static int split(const char *text, char separator, char ***parts)
     return n;
 }
 
-static void release(int n, char **texts)
+void choices_free_texts(int n, char **texts)
 {
     for (int i = 0; i < n; i++)
         free(texts[i]);
@@ -82,7 +82,7 @@ static int fill_entry(struct choice *c, int i, const char *entry)
         c->value[i * c->n_keys + k] = text;
         wrong |= text[0] == '\0';
     }
-    release(n, value);
+    choices_free_texts(n, value);
     return wrong;
 }
 
@@ -119,8 +119,8 @@ static int is_entry_twice(const struct choice *c)
 
 static void choice_free(struct choice *c)
 {
-    release(c->n_keys, c->key);
-    if (c->value != NULL) release(c->n * c->n_keys, c->value);
+    choices_free_texts(c->n_keys, c->key);
+    if (c->value != NULL) choices_free_texts(c->n * c->n_keys, c->value);
 }
 
 int choices_add(struct choices *c, const char *text)
@@ -141,7 +141,7 @@ int choices_add(struct choices *c, const char *text)
               "a comma, between values of keys that change together a colon";
     else if (is_entry_twice(&one))
         why = "a value is there twice";
-    release(one.n, entry);
+    choices_free_texts(one.n, entry);
     for (int k = 0; k < one.n_keys && why == NULL; k++)
         if (is_known(c, one.key[k])) why = "the key was given before";
     if (why != NULL) {

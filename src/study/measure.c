@@ -256,17 +256,16 @@ static struct curve from_table(const struct measure *m,
 
 struct curve measure_take(const struct measure *m, const char *folder)
 {
-    char *const path = file_join(folder, m->file);
     struct curve found = {0};
 
     if (strcmp(m->file, "summary.json") == 0) {
-        const double value = results_number(path, m->name);
-        if (isfinite(value)) found = point(NAN, value, 0.0);
-    } else {
-        struct results_table *const t = results_table_read(path);
-        if (t != NULL) found = from_table(m, t);
-        results_table_free(t);
+        const double value = results_number(folder, m->name);
+        return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
+    char *const path = file_join(folder, m->file);
+    struct results_table *const t = results_table_read(path);
+    if (t != NULL) found = from_table(m, t);
+    results_table_free(t);
     free(path);
     return found;
 }
