@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "coupling/replacement.h"
 
 enum {
@@ -133,16 +134,21 @@ static void check_payment(struct simulation *sim, const double charged[3],
 {
     const struct fluid *const fl = sim->fluid;
     const double *const field = sim->coupling->field;
-    double off = 0.0;
+    const double *const V =
+        sim->processes != NULL ? sim->processes->V : sim->mesh->V;
+    double sum[4] = {0.0, 0.0, 0.0, scale}, off = 0.0;
 
     for (int k = 0; k < 3; k++) {
         double paid = 0.0;
         for (int c = 0; c < sim->mesh->n_cells; c++)
-            paid += sim->mesh->V[c] * sim->dt *
+            paid += V[c] * sim->dt *
                     (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
-        off = fmax(off, fabs(paid - charged[k]));
+        sum[k] = paid - charged[k];
     }
-    sim->coupling->report.exchange_residual = scale > 0.0 ? off / scale : 0.0;
+    processes_sum(sim, 4, sum);
+    for (int k = 0; k < 3; k++)
+        off = fmax(off, fabs(sum[k]));
+    sim->coupling->report.exchange_residual = sum[3] > 0.0 ? off / sum[3] : 0.0;
 }
 
 /* The fluid has received the unpaid impulse of removed particles. */

@@ -64,8 +64,7 @@ void transfer_solids_velocity(const struct simulation *sim)
 
     if (cp == NULL || !cp->options.two_way ||
         sim->fluid->options.continuity == CONTINUITY_MIXTURE)
-        return;                         /* which has averaged them */
-    if (sim->processes != NULL) return; /* which have done so */
+        return; /* which has averaged them */
     for (int i = 0; i < ps->n; i++) {
         const double V = volume(ps, i);
         cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */

@@ -53,7 +53,7 @@ BEGIN {
     choice("cm", "substeps", "auto 1 3 1000")
     choice("cm", "model", "A B")
     choice("c", "coupling", "two-way one-way")
-    choice("cm", "pressure_gradient", "off on")
+    choice("cm", "pressure_gradient", "off on whole")
     choice("cm", "viscous_stress", "off on")
     choice("cm", "virtual_mass", "off half none")
     choice("cm", "basset", "off on")
