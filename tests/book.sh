@@ -199,15 +199,30 @@ if command -v git >/dev/null; then
     fact a_slow_transcript_without_its_revision_is_named 0 "that it does not name" age
     sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
     fact a_slow_transcript_tells_its_revision 0 \
-        "# slow, made at $(git rev-parse --short HEAD): 10 s" head -1 figures/late.txt
+        "# slow, made at $(git rev-parse --short HEAD) in 0 s: 10 s" head -1 figures/late.txt
     git_here commit -am two
     age >said
     fact it_is_not_old_if_nothing_that_it_depends_on_changed 0 "" cmp said /dev/null
     echo 2 >cases/late.cfg
     fact it_is_old_if_a_file_that_its_command_names_changed 0 "has changed" age
     sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
-    fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+: 10 s" \
+    fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+ in 0 s: 10 s" \
         head -1 figures/late.txt
+    git_here add . && git_here commit -m three
+    printf '# slow\n$ cat figures/room.c cases/late.cfg\n' >figures/late.txt
+    mkdir -p src/dem src/base src/fluid
+    echo '#include "dem/a.h"' >figures/room.c
+    echo '#include "base/b.h"' >src/dem/a.h
+    touch src/base/b.h src/fluid/c.h
+    git_here add . && git_here commit -m four
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    echo 'int a;' >src/fluid/c.h
+    printf '# a comment\n2\n' >cases/late.cfg
+    printf '/* Why. */\n' >src/base/b.h
+    age >said
+    fact neither_comments_nor_other_rooms_make_a_transcript_old 0 "" cmp said /dev/null
+    echo 'int b;' >src/base/b.h
+    fact a_room_that_its_program_reaches_does 0 "has changed" age
 fi
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \

@@ -90,6 +90,7 @@ energy_budget energy_budget_effect {}
 electrostatic cohesion_electrostatic {range=1e-3;} particles.grains.charge=1e-13
 van_der_waals cohesion_van_der_waals {hamaker=1e-19;range=1e-5;}
 capillary cohesion_capillary {tension=0.01;range=5e-5;}
+whole_drag whole_drag_effect {}
 stochastic_drag stochastic_drag_effect {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication lubrication_effect {roughness=1e-6;range=1e-4;}
 EOF

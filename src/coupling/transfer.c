@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "coupling/replacement.h"
 
 enum {
@@ -87,7 +88,6 @@ void transfer_solids_velocity(const struct simulation *sim)
     struct coupling *const cp = sim->coupling;
 
     if (cp == NULL || !cp->options.two_way || needs_velocity(sim)) return;
-    if (sim->processes != NULL) return; /* which have done so */
     for (int i = 0; i < ps->n; i++) {
         const double V = volume(ps, i);
         cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */
@@ -211,16 +211,21 @@ static void check_payment(struct simulation *sim, const double charged[3],
 {
     const struct fluid *const fl = sim->fluid;
     const double *const field = sim->coupling->field;
-    double off = 0.0;
+    const double *const V =
+        sim->processes != NULL ? sim->processes->V : sim->mesh->V;
+    double sum[4] = {0.0, 0.0, 0.0, scale}, off = 0.0;
 
     for (int k = 0; k < 3; k++) {
         double paid = 0.0;
         for (int c = 0; c < sim->mesh->n_cells; c++)
-            paid += sim->mesh->V[c] * sim->dt *
+            paid += V[c] * sim->dt *
                     (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
-        off = fmax(off, fabs(paid - charged[k]));
+        sum[k] = paid - charged[k];
     }
-    sim->coupling->report.exchange_residual = scale > 0.0 ? off / scale : 0.0;
+    processes_sum(sim, 4, sum);
+    for (int k = 0; k < 3; k++)
+        off = fmax(off, fabs(sum[k]));
+    sim->coupling->report.exchange_residual = sum[3] > 0.0 ? off / sum[3] : 0.0;
 }
 
 /* The fluid has received the unpaid impulse of removed particles. */
