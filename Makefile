@@ -186,6 +186,9 @@ $B/winnow-mpi: $(MPI_OBJ) $B/ranks/models.o $B/tests/winnow_main.o $B/libwinnow.
 	@echo "link $@"
 	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs petsc liblammps) $(LIBS)
 -include $(MPI_OBJ:.o=.d)
+$B/tests/ranks/%.o: STD += $(filter-out -D_FORTIFY_SOURCE=2,$(MPI_CFLAGS))
+$B/tests/ranks/%: $B/tests/ranks/%.o $B/libwinnow.a
+	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs liblammps) $(LIBS)
 
 tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a

@@ -185,6 +185,8 @@ fact list_shows_the_keys_of_a_model 0 "averaging.bandwidth = a number > 0 [m]" \
     "$winnow" list averaging
 fact list_shows_every_key 0 "effects.gravity" "$winnow" list keys
 fact misspelt_kind_finds_the_one_meant 2 "did you mean drag?" "$winnow" list darg
+fact without_viscosity_every_estimate_is_a_number 1 "" \
+    sh -c "'$winnow' check tiny.cfg -s fluid.viscosity=0 | grep nan"
 fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_knows_every_drag_law_by_its_name 0 "F = 13.6169545181 [-]" \
@@ -223,6 +225,11 @@ fact misspelt_part_finds_the_one_meant 2 "did you mean averaging?" \
 fact explain_prints_the_formula 0 "  Re = rho_f d u_r / mu" "$winnow" explain XS11:2.12
 fact explain_leads_from_a_function_to_its_equations 0 \
     "XS11 2.14: its limits at small and large Re" "$winnow" explain drag_terminal_ratio
+fact explain_leads_from_a_model_to_its_function_and_keys 0 \
+    "averaging pcm: chosen by averaging.method, computed by pcm_spread" \
+    "$winnow" explain pcm
+fact explain_leads_from_the_function_of_a_model_to_it 0 \
+    "drag haider-levenspiel: chosen by exchange.drag" "$winnow" explain haider_levenspiel
 fact misspelt_function_finds_the_one_meant 2 "did you mean drag_reynolds?" \
     "$winnow" explain drag_reynold
 fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \

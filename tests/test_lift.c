@@ -210,6 +210,28 @@ START_TEST(torque_takes_the_spin_to_that_of_the_fluid)
 }
 END_TEST
 
+/* Without viscosity lift and torque are the limit of a small one, and none is
+ * not a number: Mei's law at large Re, 0.45 for Magnus's, no torque. */
+START_TEST(ls_5_6_lifts_have_their_limit_without_viscosity)
+{
+    const double rho = 1.2, d = 1e-3, least = 1e-300;
+    const double w[3] = {0.3, -0.1, 0.2}, turn[3] = {10.0, 20.0, -10.0};
+    double at_0[3], limit[3];
+
+    saffman_lift(rho, 0.0, d, w, turn, at_0);
+    saffman_lift(rho, least, d, w, turn, limit);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(at_0[k] / limit[k], 1.0, 1e-12);
+    spin_lift(rho, 0.0, d, w, turn, at_0);
+    spin_lift(rho, least, d, w, turn, limit);
+    for (int k = 0; k < 3; k++)
+        ck_assert_double_eq_tol(at_0[k] / limit[k], 1.0, 1e-12);
+    ck_assert_double_eq(spin_decay_rate(rho, 0.0, d, 1000.0, 5.0), 0.0);
+    saffman_lift(rho, 0.0, d, (double[3]){0.0}, turn, at_0);
+    ck_assert_double_eq(at_0[0], 0.0);
+}
+END_TEST
+
 /* --- the path of a spinning ball ------------------------------------------ */
 
 /* How far off it is [m] after T in so many steps. */
@@ -263,5 +285,6 @@ FACTS("lift")
     FACT_FOR_EACH(ls_5_7_backspin_lifts_and_the_fluids_own_turn_does_not, 2);
     FACT(torque_is_pi_mu_d_cubed_in_slow_rotation);
     FACT_FOR_EACH(torque_takes_the_spin_to_that_of_the_fluid, 2);
+    FACT(ls_5_6_lifts_have_their_limit_without_viscosity);
     FACT(ls_5_7_a_spinning_ball_flies_a_curve_of_order_one);
 }

@@ -3,6 +3,7 @@
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/study.sh. */
 #include "study/choices.h"
+#include "study/curve.h"
 #include "study/measure.h"
 #include "study/plan.h"
 #include "study/results.h"
@@ -90,6 +91,38 @@ START_TEST(richardson_finds_the_order_and_the_limit)
     ck_assert_double_eq_tol(statistics_order(1.0, 0.7, 0.5, 0.7 / 8.0), 3.0,
                             1e-14);
     ck_assert_double_nan(statistics_richardson(h, 0.5)); /* they part */
+}
+END_TEST
+
+/* A curve of two points; its errors are `error`. */
+static struct curve line_of(double low, double high, double error)
+{
+    struct curve c = curve_create(2);
+
+    c.x[1] = 1.0;
+    c.value[0] = low;
+    c.value[1] = high;
+    c.error[0] = c.error[1] = error;
+    return c;
+}
+
+/* Changes of (4, 8) and (1, 2) have the ratio 4, the order 2 if sizes halve; if
+ * the second is back, or within the errors, there is no order. */
+START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
+{
+    static const double h[3] = {4.0, 2.0, 1.0};
+    struct curve of[] = {line_of(0.0, 0.0, 0.0), line_of(4.0, 8.0, 0.0),
+                         line_of(5.0, 10.0, 0.0), line_of(3.0, 6.0, 0.0),
+                         line_of(5.0, 10.0, 1.0)};
+
+    ck_assert_double_eq_tol(
+        statistics_richardson(h, curve_changes(&of[0], &of[1], &of[2])), 2.0,
+        1e-12); /* bisected */
+    ck_assert_double_eq_tol(curve_changes(&of[0], &of[1], &of[3]), -4.0, 1e-14);
+    ck_assert_double_nan(statistics_richardson(h, -4.0));
+    ck_assert_double_nan(curve_changes(&of[0], &of[1], &of[4]));
+    for (int i = 0; i < 5; i++)
+        curve_free(&of[i]);
 }
 END_TEST
 
@@ -299,6 +332,7 @@ FACTS("study")
     FACT(values_split_at_top_level_commas_and_keys_cross);
     FACT(sizes_fall_from_coarse_to_fine);
     FACT(richardson_finds_the_order_and_the_limit);
+    FACT(changes_that_turn_back_or_are_chance_have_no_order);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);

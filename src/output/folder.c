@@ -64,7 +64,11 @@ static const char *const ours[] = {"./summary.json",
                                    "./case.cfg",
                                    "case/*",
                                    "./checkpoint",
-                                   "./checkpoint.before"};
+                                   "./checkpoint.before",
+                                   "./checkpoint.cells.?",
+                                   "./checkpoint.grains.?",
+                                   "fluid/fluid_*.pvtr",
+                                   "particles/particles_*.pvtp"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]

@@ -104,14 +104,24 @@ static int is_known(const struct choices *c, const char *key)
     return 0;
 }
 
+/* 1 if two texts are the same, or the same number. */
+static int is_same(const char *a, const char *b)
+{
+    char *end_a, *end_b;
+    const double x = strtod(a, &end_a), y = strtod(b, &end_b);
+
+    return strcmp(a, b) == 0 || (end_a > a && end_b > b && *end_a == '\0' &&
+                                 *end_b == '\0' && x == y);
+}
+
 static int is_entry_twice(const struct choice *c)
 {
     for (int i = 0; i < c->n; i++)
         for (int j = 0; j < i; j++) {
             int same = 1;
             for (int k = 0; k < c->n_keys; k++)
-                same &= strcmp(c->value[i * c->n_keys + k],
-                               c->value[j * c->n_keys + k]) == 0;
+                same &= is_same(c->value[i * c->n_keys + k],
+                                c->value[j * c->n_keys + k]);
             if (same) return 1;
         }
     return 0;

@@ -34,7 +34,10 @@ static int accept(struct reader *r, char c)
 
 static double in_brackets(struct reader *r)
 {
-    if (!accept(r, '(')) r->wrong = 1;
+    if (!accept(r, '(')) {
+        r->wrong = 1;
+        return NAN;
+    }
     const double value = sum(r);
     if (!accept(r, ')')) r->wrong = 1;
     return value;

@@ -171,6 +171,7 @@ static void compare(const struct outcomes *o, int v, int m)
 {
     struct finding *const f = &o->variant[v].of[m];
     double square = 0.0, truths = 0.0, values = 0.0, doubts = 0.0, one = NAN;
+    double own = 0.0;
     int n = 0;
 
     for (int i = 0; i < f->found.n; i++) {
@@ -179,6 +180,7 @@ static void compare(const struct outcomes *o, int v, int m)
         const double q_0 = truth_at(o, v, m, f->found.x[i], &doubt);
 
         values += q * q;
+        own += f->found.error[i] * f->found.error[i];
         if (!isfinite(q_0)) continue;
         square += (q - q_0) * (q - q_0);
         truths += q_0 * q_0;
@@ -192,7 +194,7 @@ static void compare(const struct outcomes *o, int v, int m)
                                  : sqrt(values / f->found.n);
     f->truth = single || n == 0 ? one : sqrt(truths / n);
     f->error = n > 0 && truths > 0.0 ? sqrt(square / truths) : NAN;
-    f->doubt = n > 0 && truths > 0.0 ? sqrt(doubts / truths) : NAN;
+    f->doubt = sqrt(n > 0 && truths > 0.0 ? doubts / truths : own / values);
     if (o->plan->truth[m].kind == TRUTH_FINEST && finest(o, v) == v)
         f->error = NAN; /* the truth itself */
 }
@@ -210,6 +212,7 @@ static void take_order(const struct outcomes *o, int v, int m)
     const struct finding *const coarse =
         &o->variant[choices_with(c, v, o->axis, entry - 1)].of[m];
     if (!outcome_is_resolved(f) || !outcome_is_resolved(coarse)) return;
+    if (outcome_is_chance(f, coarse)) return;
     f->order = statistics_order(choices_size(&c->of[o->axis], entry - 1),
                                 coarse->error,
                                 choices_size(&c->of[o->axis], entry), f->error);
@@ -261,4 +264,11 @@ int outcome_is_surely(const struct finding *f, int sign, double limit)
 {
     return sign < 0 ? f->error + 2.0 * f->doubt <= limit
                     : f->error - 2.0 * f->doubt > limit;
+}
+
+int outcome_is_chance(const struct finding *a, const struct finding *b)
+{
+    const double doubt = hypot(a->doubt, b->doubt);
+
+    return doubt > 0.0 && fabs(a->error - b->error) <= 2.0 * doubt;
 }

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VARIANTS = 10000 };
+enum { MOST_RUNS = 10000 };
 
 static int wrong(const char *what, const char *why)
 {
@@ -118,7 +118,7 @@ static int check_threads(const struct plan *p)
         if (text == NULL) return 0;
         const long n = strtol(text, &end, 10);
         if (*end != '\0' || n < 1 || n > 1024)
-            return wrong(PLAN_THREADS "=", "asks for numbers from 1 to 1024");
+            return wrong(PLAN_THREADS, " asks for numbers from 1 to 1024");
     }
     return 0;
 }
@@ -135,8 +135,9 @@ static int add_choices(struct plan *p)
         p->words.jobs = choices_value(&p->choices, 0, PLAN_THREADS) != NULL
                             ? 1
                             : omp_get_num_procs();
-    return n <= MOST_VARIANTS ? check_threads(p)
-                              : wrong("", "more than 10000 variants");
+    if ((double)n * p->words.seeds * p->words.times > MOST_RUNS)
+        return wrong("", "more than 10000 runs");
+    return check_threads(p);
 }
 
 static int check_truth(const struct plan *p, const struct truth *t)

@@ -3,6 +3,7 @@
 
 #include "study/results.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,6 +40,12 @@ static int read_table(struct truth *t)
     return n > 0 ? 2 : 4;
 }
 
+double truth_value(const struct truth *t, double x)
+{
+    return t->kind == TRUTH_TABLE ? curve_at(&t->table, x, NULL)
+                                  : t->function->value(t->of, x);
+}
+
 int truth_parse(struct truth *t, const char *text)
 {
     static const char *const words[] = {"finest", "extrapolated", "none"};
@@ -55,7 +62,15 @@ int truth_parse(struct truth *t, const char *text)
         if (truth_functions[i]->is_meant(text))
             t->function = truth_functions[i];
     if (t->function != NULL) t->of = t->function->create(text);
-    return t->of != NULL ? 0 : 2;
+    if (t->of == NULL) return 2;
+    const double one = truth_value(t, 0.3), other = truth_value(t, 0.7);
+    if (isfinite(one) && one != 0.0) return 0;
+    if (isfinite(other) && other != 0.0) return 0;
+    fprintf(stderr,
+            "winnow: study: truth %s: is %g everywhere, and no error is "
+            "relative to that\n",
+            text, one);
+    return 2;
 }
 
 void truth_free(struct truth *t)
@@ -64,10 +79,4 @@ void truth_free(struct truth *t)
     curve_free(&t->table);
     free(t->text);
     *t = (struct truth){0};
-}
-
-double truth_value(const struct truth *t, double x)
-{
-    return t->kind == TRUTH_TABLE ? curve_at(&t->table, x, NULL)
-                                  : t->function->value(t->of, x);
 }

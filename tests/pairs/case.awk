@@ -275,7 +275,11 @@ function put_averaging(    b) {
     put("};")
 }
 
-function put_exchange(    i) {
+# The laws that are no choice of their own, one after the other.
+function put_exchange(    i, n) {
+    n = split("di-felice di-felice-printed huilin-gidaspow hill-koch-ladd tenneti " \
+        "rong cello dallavalle haider-levenspiel", word, " ")
+    if (is("drag", "another")) v["drag"] = word[1 + n_cases % n]
     split("drag treatment slip_integration model coupling", word, " ")
     put("exchange = {")
     for (i = 1; i <= 5; i++) put("  " word[i] " = \"" v[word[i]] "\";")

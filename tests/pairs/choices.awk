@@ -48,7 +48,7 @@ BEGIN {
     choice("cm", "steps", "1 3")
     choice("cm", "cap", "off 0.6")
     choice("cm", "interpolation", "nearest linear same")
-    choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann beetstra")
+    choice("cm", "drag", "syamlal-obrien gidaspow schiller-naumann beetstra another")
     choice("cm", "treatment", "semi-implicit explicit")
     choice("cm", "slip_integration", "frozen exponential")
     choice("cm", "substeps", "auto 1 3 1000")

@@ -5,9 +5,8 @@
 #
 #   sh tests/validate/agitation.sh build/winnow [liquid|treatments|choices|kernels|gas ...]
 #
-# liquid takes about five minutes for each Reynolds number of RE (4 6 8 11), choices
-# and kernels half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
-# EW18's GK-2, some hours). END=60 in the environment ends each run at 60, to try
+# liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
+# choices and kernels half an hour, gas three quarters of one. END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
@@ -226,30 +225,41 @@ kernels() {
     } >$figures/23-kernels.txt
 }
 
-# Figs. 19 and 20.
+# Figs. 18 to 20: coarse, with a Gaussian on cells of one diameter, with a random
+# part, with Di Felice's own law; and with two cells a diameter (EW18's GK-2).
 gas() {
-    cells="-s mesh.cells=[${GAS:-10,50,10}]"
     sigma="-s effects.stochastic_drag.sigma_low=43.9 -s effects.stochastic_drag.Re_low=16.54"
     sigma="$sigma -s effects.stochastic_drag.sigma_high=16.0 -s effects.stochastic_drag.Re_high=28.0"
     sigma="$sigma -s effects.stochastic_drag.linear=true -s effects.stochastic_drag.time=1.0"
+    case=cases/ew18-gas.cfg fine="-s mesh.cells=[20,100,20]"
+    ways="cube gauss random di-felice gauss-2 random-2"
     # shellcheck disable=SC2086
     {
-        run gas cases/ew18-gas.cfg $cells
-        run gas-random cases/ew18-gas.cfg $cells $sigma
-        run gas-1994 cases/ew18-gas.cfg $cells -s exchange.drag=di-felice
+        run gas-cube $case -s mesh.cells=[6,30,6] \
+            -s 'averaging={method="cube";interpolation="linear";}'
+        run gas-gauss $case
+        run gas-random $case $sigma
+        run gas-di-felice $case -s exchange.drag=di-felice
+        run gas-gauss-2 $case $fine
+        run gas-random-2 $case $fine $sigma
     }
     {
         made gas
-        echo "# way $columns"
-        row gas printed
-        row gas-random printed+random
-        row gas-1994 di-felice
+        echo "# bed way $columns"
+        for way in $ways; do row gas-$way gas $way; done
     } >$figures/23-gas.txt
+    {
+        numbers 1 2 <$figures/23-gas.txt
+        for way in $ways; do
+            echo "## swing-$way"
+            echo "height = $(value gas-$way bed_height deviation) [-]"
+        done
+    } >$figures/23-gas-numbers.txt
     for file in series profile; do
         {
             made gas
-            for name in gas gas-random gas-1994; do
-                block $name $file "$([ $file = series ] && echo 5 || echo 1)"
+            for way in $ways; do
+                block gas-$way $file "$([ $file = series ] && echo 5 || echo 1)"
             done
         } >$figures/23-gas-$file.txt
     done

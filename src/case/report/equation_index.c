@@ -157,6 +157,15 @@ static int list_document(const char *document)
     return 0;
 }
 
+int equation_index_has_function(const char *name)
+{
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++)
+        if (r->kind == EQUATION_INDEX_FUNCTION && strcmp(r->name, name) == 0)
+            return 1;
+    return 0;
+}
+
 /* Where a function stands, and the equations that it computes. */
 int equation_index_explain_function(const char *name)
 {

@@ -60,8 +60,10 @@ static void print_key(const struct key *key, const char *indent)
     print_source(key->source);
 }
 
-static void print_keys_of(const struct model *m)
+void list_model(const struct model *m)
 {
+    printf("    %s: %s", m->name, m->what);
+    print_source(m->equations);
     for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
         for (const struct key *k = m->keys[t]; k->path != NULL; k++)
             print_key(k, "        ");
@@ -135,11 +137,8 @@ int list_models(const char *name)
     if (strcmp(name, "keys") == 0) return list_keys(NULL);
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
-    for (int i = 0; kind->model(i, &m); i++) {
-        printf("    %s: %s", m.name, m.what);
-        print_source(m.equations);
-        print_keys_of(&m);
-    }
+    for (int i = 0; kind->model(i, &m); i++)
+        list_model(&m);
     return 0;
 }
 
