@@ -16,7 +16,7 @@ awk '
         return rest
     }
     function cell(i) {
-        if (!found[i]) return "none"
+        if (!found[i]) return stands ~ /compared/ ? "none but itself" : "none"
         return words[i] (standing ? sprintf("; %.2f", found[i] / standing) : "")
     }
     function put() {

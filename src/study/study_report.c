@@ -191,7 +191,10 @@ static char *reason_of(const struct run *r)
 static void put_variant(const struct outcomes *o, const struct outcome *v,
                         FILE *out)
 {
-    fprintf(out, "| %s | ", v->label);
+    fputs("| ", out);
+    for (const char *at = v->label; *at != '\0'; at++)
+        fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
+    fputs(" | ", out);
     put_rounded(out, v->seconds);
     if (!plan_cost_is_processor(o->plan)) {
         fputs(" | ", out);
