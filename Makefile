@@ -80,10 +80,11 @@ facts: $(TESTS:=.facts)
 # Without a process for each fact, which doubles what a small one takes.
 SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 # Under sanitizers these take longest, and check-slow runs them.
-LONG := $(patsubst %,$B/tests/test_%,$B/tests/test_%,attraction attraction averaging body_methods boundary \
-        contact_loop contiguous_faces face_jump grid hard_beds hard_cases \
-        images_poly inlets manufactured motion neighbours reference_loop \
-        resolved rolling surfaces verified wall_images)
+LONG := $(patsubst %,$B/tests/test_%,attraction averaging bed bodies_among_grains \
+        body_gaps body_methods body_places boundary contact_loop contiguous_faces \
+        face_jump grid hard_beds hard_cases images_poly inlets manufactured motion \
+        neighbours outlines reference_loop replacement resolved rolling seams \
+        surfaces tetrahedra verified wall_images)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
@@ -186,6 +187,9 @@ $B/winnow-mpi: $(MPI_OBJ) $B/ranks/models.o $B/tests/winnow_main.o $B/libwinnow.
 	@echo "link $@"
 	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs petsc liblammps) $(LIBS)
 -include $(MPI_OBJ:.o=.d)
+$B/tests/ranks/%.o: STD += $(filter-out -D_FORTIFY_SOURCE=2,$(MPI_CFLAGS))
+$B/tests/ranks/%: $B/tests/ranks/%.o $B/libwinnow.a
+	@mpicc $(OPT) -fopenmp -o $@ $^ $$(pkg-config --libs liblammps) $(LIBS)
 
 tests: $(TESTS)
 $B/winnow: $B/src/main.o $B/libwinnow.a

@@ -2,7 +2,7 @@
 /* An even bed, a fine lattice of points, in the cone and tube of
  * cases/tapered-bed.cfg: the lowest and the highest of what is to be 1 in each
  * cell, and the root mean square of the error. The bell is twice as wide, which
- * makes it about the same Gaussian (Chapter 8).
+ * makes it about the same Gaussian (the chapter on averaging).
  *
  *     sh figures/program.sh 21-even
  */

@@ -1,4 +1,4 @@
-# The scenes of chapter 22 with and without what they show, from
+# The scenes of the chapter on further forces with and without what they show, from
 # figures/22-forces.txt and figures/22-scenes.txt.
 load "figures/style.gp"
 set terminal svg size 900,760 dynamic font "sans,13" background "#ffffff"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The cases of chapter 22 with and without what they show.
+# The cases of the chapter on further forces with and without what they show.
 #
 #   22-forces.sh history|shear|spin|rebound|bead|turn|cloud
 #

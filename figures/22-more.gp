@@ -1,4 +1,4 @@
-# The bead, the spin and the cloud of chapter 22, from figures/22-scenes.txt.
+# The bead, the spin and the cloud of the chapter on further forces, from figures/22-scenes.txt.
 load "figures/style.gp"
 set terminal svg size 900,330 dynamic font "sans,13" background "#ffffff"
 set output "figures/22-more.svg"

@@ -27,6 +27,7 @@ done
 [ $# = 0 ] || shift
 # shellcheck disable=SC2046,SC2086 # one word a file
 ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O2 -fopenmp \
-    -Isrc -o "$work/program" "$program" $changed "$library" ${LIBS:-} -lconfig \
+    -Isrc -Itests -o "$work/program" "$program" $changed "$library" ${LIBS:-} \
+    $(grep -q '"facts.h"' "$program" && pkg-config --libs check) -lconfig \
     -lgsl -lgslcblas $(pkg-config --libs hdf5 2>/dev/null || echo -lhdf5) -lz -lm
 "$work/program" "$@"

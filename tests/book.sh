@@ -58,6 +58,7 @@ END
     printf '# Notation\n\n| symbol | code | meaning |\n| --- | --- | --- |\n%s\n' \
         '| $g$ | `g` | gravity |' >chapters/notation.md
     printf '## part\nspeed = 4.429 [m/s]\n\n## other\nspeed = 7\n' >figures/fall.txt
+    printf '| a | b |\n| --- | --- |\n| 1 | 2 |\n' >figures/map.txt
     echo '# 1 Solutions' >chapters/solutions/01-fall-solutions.md
     cat >chapters/01-fall.md <<'END'
 # 1 Fall
@@ -75,6 +76,10 @@ From (1.1) it is <!-- number figures/fall.txt speed %.1f -->0<!-- --> m/s.
 <!-- output figures/fall.txt part -->
 
 <!-- tests tests/test_fall.c -->
+
+<!-- table figures/map.txt -->
+
+The end.
 
 ```text
 <!-- code src/none.c this is text -->
@@ -95,6 +100,12 @@ fact a_listing_is_the_definition_with_its_comment 0 "/* Speed after" cat $chapte
 fact a_number_goes_through_its_format 0 "%.1f -->4.4<!-- -->" cat $chapter
 fact only_the_part_is_put_out 1 "" grep "speed = 7" $chapter
 fact names_of_tests_are_listed 0 "limits_are_right" cat $chapter
+fact a_table_stands_in_no_fence 0 "-->||| a | b ||| --- | --- ||| 1 | 2 |||The end." sh -c "tr '\n' '|' <$chapter"
+edit 's/| 2 |/| 3 |/' figures/map.txt
+fact a_changed_table_is_shown 1 "+| 1 | 3 |" weave check
+fact and_is_refreshed 0 "wove $chapter" weave
+fact and_then_the_old_one_is_gone 1 "" grep "| 1 | 2 |" $chapter
+fresh
 edit 's/0\.5)/0.6)/' src/base/fall.c
 fact a_changed_exponent_names_the_chapter 1 "$chapter is not what the source says" weave check
 fact a_changed_exponent_is_shown 1 "+    return pow(2.0 * g * h, 0.6)" weave check
@@ -188,22 +199,37 @@ if command -v git >/dev/null; then
     fact a_slow_transcript_without_its_revision_is_named 0 "that it does not name" age
     sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
     fact a_slow_transcript_tells_its_revision 0 \
-        "# slow, made at $(git rev-parse --short HEAD): 10 s" head -1 figures/late.txt
+        "# slow, made at $(git rev-parse --short HEAD) in 0 s: 10 s" head -1 figures/late.txt
     git_here commit -am two
     age >said
     fact it_is_not_old_if_nothing_that_it_depends_on_changed 0 "" cmp said /dev/null
     echo 2 >cases/late.cfg
     fact it_is_old_if_a_file_that_its_command_names_changed 0 "has changed" age
     sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
-    fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+: 10 s" \
+    fact what_is_made_with_changes_says_so 0 "$(git rev-parse --short HEAD)+ in 0 s: 10 s" \
         head -1 figures/late.txt
+    git_here add . && git_here commit -m three
+    printf '# slow\n$ cat figures/room.c cases/late.cfg\n' >figures/late.txt
+    mkdir -p src/dem src/base src/fluid
+    echo '#include "dem/a.h"' >figures/room.c
+    echo '#include "base/b.h"' >src/dem/a.h
+    touch src/base/b.h src/fluid/c.h
+    git_here add . && git_here commit -m four
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    echo 'int a;' >src/fluid/c.h
+    printf '# a comment\n2\n' >cases/late.cfg
+    printf '/* Why. */\n' >src/base/b.h
+    age >said
+    fact neither_comments_nor_other_rooms_make_a_transcript_old 0 "" cmp said /dev/null
+    echo 'int b;' >src/base/b.h
+    fact a_room_that_its_program_reaches_does 0 "has changed" age
 fi
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
     sh -c "echo x.html | awk -f '$tools/pages.awk'"
 if command -v pandoc >/dev/null; then
     fresh
-    fact the_book_is_rendered 0 "book: 9 pages" sh "$tools/book.sh" out
+    fact the_book_is_rendered 0 "book: 10 pages" sh "$tools/book.sh" out
     fact equations_have_a_place 0 'id="eq-1-1"' cat out/01-fall.html
     fact they_are_linked_to 0 'href="01-fall.html#eq-1-1">(1.1)</a>' cat out/01-fall.html
     fact those_of_the_papers_lead_to_the_table 0 'href="equations.html#xs11-2-11"' cat out/01-fall.html

@@ -185,8 +185,14 @@ fact list_shows_the_keys_of_a_model 0 "averaging.bandwidth = a number > 0 [m]" \
     "$winnow" list averaging
 fact list_shows_every_key 0 "effects.gravity" "$winnow" list keys
 fact misspelt_kind_finds_the_one_meant 2 "did you mean drag?" "$winnow" list darg
+fact without_viscosity_every_estimate_is_a_number 1 "" \
+    sh -c "'$winnow' check tiny.cfg -s fluid.viscosity=0 | grep nan"
 fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
+fact eval_knows_every_drag_law_by_its_name 0 "F = 13.6169545181 [-]" \
+    "$winnow" eval drag:rong eps_f=0.62 Re=37
+fact explain_knows_a_drag_law 0 "winnow eval drag:rong, with eps_f" \
+    "$winnow" explain drag:rong
 fact eval_asks_for_what_is_missing 2 "Re is missing" \
     "$winnow" eval XS11:2.13 eps_f=0.5
 # Without particles the fluid has all of the room: 1.5 m/s in cells of 0.25 m, the
@@ -208,11 +214,22 @@ fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
 fact list_shows_no_keys_of_other_parts 1 "" only_its_own
+fact list_shows_the_keys_of_a_group_in_a_part 0 "effects.stochastic_drag.sigma_low = " \
+    "$winnow" list keys effects.stochastic_drag
+fact list_shows_the_keys_of_a_side 0 "fluid.<patch>.inlet = a number" \
+    "$winnow" list keys fluid.bottom
+fact misspelt_group_finds_the_one_meant 2 "did you mean effects.stochastic_drag?" \
+    "$winnow" list keys effects.stochastic
 fact misspelt_part_finds_the_one_meant 2 "did you mean averaging?" \
     "$winnow" list keys averging
 fact explain_prints_the_formula 0 "  Re = rho_f d u_r / mu" "$winnow" explain XS11:2.12
 fact explain_leads_from_a_function_to_its_equations 0 \
     "XS11 2.14: its limits at small and large Re" "$winnow" explain drag_terminal_ratio
+fact explain_leads_from_a_model_to_its_function_and_keys 0 \
+    "averaging pcm: chosen by averaging.method, computed by pcm_spread" \
+    "$winnow" explain pcm
+fact explain_leads_from_the_function_of_a_model_to_it 0 \
+    "drag haider-levenspiel: chosen by exchange.drag" "$winnow" explain haider_levenspiel
 fact misspelt_function_finds_the_one_meant 2 "did you mean drag_reynolds?" \
     "$winnow" explain drag_reynold
 fact explain_names_the_function 0 "src/coupling/drag.c                drag_terminal_ratio" \
@@ -395,6 +412,13 @@ fact random_drag_goes_from_one_reynolds_number_up 2 "Re_high is below Re_low" \
     "$winnow" check tiny.cfg -s effects.stochastic_drag.sigma_low=1.0 \
     -s effects.stochastic_drag.sigma_high=1.0 -s effects.stochastic_drag.time=1.0 \
     -s effects.stochastic_drag.Re_low=5.0
+fact whole_drag_takes_the_place_of_the_pressure_gradient 2 \
+    "effects.whole_drag takes the place of effects.pressure_gradient: leave one out" \
+    "$winnow" check "$top/cases/small-bed.cfg" -s "effects.whole_drag={}"
+fact what_excludes_another_key_says_so 0 "; not with effects.pressure_gradient" \
+    "$winnow" explain effects.whole_drag
+fact explain_names_the_models_of_a_key 0 "gidaspow: .* Wen and Yu" \
+    "$winnow" explain exchange.drag
 "$winnow" run tiny.cfg -o rand --quiet -s effects.stochastic_drag.sigma_low=9.0 \
     -s effects.stochastic_drag.sigma_high=9.0 \
     -s effects.stochastic_drag.time=0.01 >/dev/null 2>&1

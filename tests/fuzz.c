@@ -22,14 +22,16 @@ enum { SCENES = 400 };
 /* One more option -s with a key that there is. */
 static void change_setting(struct scene *s, gsl_rng *r)
 {
-    const struct key *tables[CASE_FILE_TABLES], *key;
+    const struct key *tables[CASE_FILE_TABLES], *key = NULL;
     char option[1024], path[SCHEMA_TEXT];
     int n = 0;
 
     case_file_tables(tables);
-    while (schema_at(tables, n) != NULL)
+    SCHEMA_EACH (k, tables)
         n++;
-    key = schema_at(tables, (int)mutate_below(r, (size_t)n));
+    n = (int)mutate_below(r, (size_t)n);
+    SCHEMA_EACH (k, tables)
+        if (n-- == 0) key = k;
     snprintf(path, sizeof path, "%s", key->path);
     for (char *p; (p = strstr(path, "<patch>")) != NULL;)
         memcpy(p, "top    ", 7), memmove(p + 3, p + 7, strlen(p + 7) + 1);

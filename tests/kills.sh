@@ -277,6 +277,14 @@ check "the folder has the case" short was/case.cfg -o again
 check "which gives the same bits" cmp was/history.csv again/history.csv
 check "status of what is done" says 'ended *done' "$winnow" status was
 check "and what goes further" says 'go further.*--resume' "$winnow" status was
+cp -r was foreign
+short linked.cfg -o other -s output.end=1e-4 2>said
+cp other/checkpoint foreign/checkpoint
+check "status of a folder with the checkpoint of another case" \
+    says 'not taken *checkpoint is of another case' "$winnow" status foreign
+rm foreign/manifest.txt
+check "a lost list of files is named" says 'foreign/manifest.txt is not there' \
+    "$winnow" run flow.cfg -o foreign --resume
 check "status of nothing" says 'not the folder of a run' "$winnow" status .
 check "a changed key is refused with both values" says \
     'fluid.density is 2.5 in this case, and 1.2 in that of' \

@@ -6,6 +6,7 @@
 set -u
 build=$(cd "${1:-build}" && pwd)
 winnow=$build/winnow
+top=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 # The programs write beside themselves: here, and not over a reader's pictures.
@@ -190,6 +191,20 @@ close the_air_carries_the_weight_of_the_bed \
 bed moving diffusion 1000 "((0.0, 0.0), (0.05, 1.0))" 0.2 -9.81
 close and_it_does_so_in_winnow "$(number 12-short.out 'mean pressure drop')" \
     "$(sed -n 's/.*"mean_pressure_drop": \([^,]*\),.*/\1/p' moving/summary.json)" 0.05
+
+# What a reader is promised: short programs, and pictures with a scale.
+for program in "$top"/chapters/steps/*.c; do
+    name=$(basename "$program" .c)
+    most=150
+    [ "${name%%-*}" -lt 09 ] 2>/dev/null || most=350
+    lines=$(wc -l <"$program")
+    if [ "$lines" -ge 60 ] && [ "$lines" -le $most ] && grep -q '<text.*m\(m\|/s\|]\)' "$name.svg"; then
+        facts=$((facts + 1)) && echo "    ${name}_is_short_and_its_picture_has_a_scale"
+    else
+        echo "FAILED $name: $lines lines of at most $most, or a picture without a scale"
+        failed=$((failed + 1))
+    fi
+done
 
 if [ $failed -gt 0 ]; then
     echo "$failed facts of the twelve steps do not hold"

@@ -24,6 +24,7 @@ struct scene {
     enum continuity continuity;
     int pressure_gradient, substeps, one_way;
     int model_b;
+    int whole_drag;      /* without pressure_gradient */
     double virtual_mass; /* [-] C; 0: the effect is off */
     int viscous_stress;
     double basset; /* [-] tolerance of the kernel; 0: the effect is off */
@@ -197,6 +198,7 @@ static inline struct simulation *build(const struct scene *s)
     sim->effects = alloc_zeroed(8, sizeof *sim->effects);
     if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
+    if (s->whole_drag) add_effect(sim, effects_named("whole_drag"), NULL);
     if (s->virtual_mass > 0.0)
         add_effect(sim, effects_named("virtual_mass"), &s->virtual_mass);
     if (s->viscous_stress)

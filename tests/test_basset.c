@@ -2,10 +2,8 @@
 /* Basset's history force. */
 #include "coupling/effects/basset.h"
 
-#include <complex.h>
-
 #include "facts.h"
-#include "suspension.h"
+#include "orders.h"
 
 /* --- the kernel --------------------------------------------------------- */
 
@@ -40,21 +38,6 @@ END_TEST
 
 /* --- settling from rest -------------------------------------------------- */
 
-/* exp(x^2) erfc(x) = (2/sqrt(pi)) int_0^inf exp(-s^2 - 2 x s) ds, Re x > 0, by
- * Simpson's rule. */
-static double complex scaled_erfc(double complex x)
-{
-    const int n = 2000;
-    const double h = 8.0 / n;
-    double complex sum = 1.0;
-
-    for (int i = 1; i <= n; i++) {
-        const double s = i * h;
-        sum += (i == n ? 1.0 : i % 2 ? 4.0 : 2.0) * cexp(-s * s - 2.0 * x * s);
-    }
-    return M_2_SQRTPI * sum * h / 3.0;
-}
-
 /* v/v_t of a sphere let go at rest, with drag after Stokes, added mass and
  * history; time over T = (2 a^2/9 nu) (ratio + 1/2). Roots of z^2 + B z + 1. */
 static double exact(double ratio, double t)
@@ -63,8 +46,8 @@ static double exact(double ratio, double t)
     const double complex root = csqrt(B * B - 4.0);
     const double complex z1 = 0.5 * (-B + root), z2 = 0.5 * (-B - root);
 
-    return creal(1.0 + (z2 * scaled_erfc(-z1 * sqrt(t)) -
-                        z1 * scaled_erfc(-z2 * sqrt(t))) /
+    return creal(1.0 + (z2 * orders_scaled_erfc(-z1 * sqrt(t)) -
+                        z1 * orders_scaled_erfc(-z2 * sqrt(t))) /
                            (z1 - z2));
 }
 

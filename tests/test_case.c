@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "averaging/averaging.h"
+#include "coupling/drag.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
+#include "dem/contact.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/report/report.h"
@@ -429,17 +432,42 @@ START_TEST(every_descriptor_of_every_kind_is_complete)
 }
 END_TEST
 
+/* A law that lacks one of its functions would not be refused, but called. */
+START_TEST(every_law_and_method_has_its_functions)
+{
+    for (int i = 0; contact_laws[i] != NULL; i++) {
+        const struct contact_law *const law = contact_laws[i];
+        ck_assert_msg(law->constants != NULL && law->duration != NULL &&
+                          law->wave_time != NULL && law->respond != NULL &&
+                          law->stored > 0.0 && law->stored <= 1.0,
+                      "%s", law->name);
+    }
+    for (int i = 0; drag_laws[i] != NULL; i++) {
+        const struct drag_law *const law = drag_laws[i];
+        ck_assert_msg(law->resistance != NULL && law->eps_min < law->eps_max &&
+                          law->Re_min < law->Re_max,
+                      "%s", law->name);
+    }
+    for (int i = 0; averaging_methods[i] != NULL; i++) {
+        const struct averaging_method *const a = averaging_methods[i];
+        ck_assert_msg(a->create != NULL && a->free != NULL &&
+                          a->spread != NULL && a->gather != NULL,
+                      "%s", a->name);
+    }
+}
+END_TEST
+
 /* Every key that a model reads is in the tables, and has a row once: a second
  * one would never be found. */
 START_TEST(every_key_has_one_row)
 {
     const struct key *tables[CASE_FILE_TABLES];
-    const struct key *key;
 
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++)
-        for (int j = 0; j < i; j++)
-            ck_assert_str_ne(schema_at(tables, j)->path, key->path);
+    SCHEMA_EACH (key, tables)
+        SCHEMA_EACH (other, tables)
+            if (other != key && strcmp(other->path, key->path) == 0)
+                ck_abort_msg("%s has two rows", key->path);
 }
 END_TEST
 
@@ -447,7 +475,6 @@ START_TEST(list_shows_every_model_and_key)
 {
     struct capture c = capture_begin(1);
     const struct key *tables[CASE_FILE_TABLES];
-    const struct key *key;
     struct model m;
 
     list_kinds();
@@ -464,7 +491,7 @@ START_TEST(list_shows_every_model_and_key)
     ck_assert_int_eq(list_models("keys"), 0);
     capture_end(&c, said);
     case_file_tables(tables);
-    for (int i = 0; (key = schema_at(tables, i)) != NULL; i++) {
+    SCHEMA_EACH (key, tables) {
         ck_assert_ptr_nonnull(strstr(said, key->path));
         ck_assert_ptr_nonnull(strstr(said, key->what));
     }
@@ -520,6 +547,7 @@ FACTS("scene")
     FACT(empty_bed_and_missing_inlet_are_allowed);
     FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
     FACT(every_descriptor_of_every_kind_is_complete);
+    FACT(every_law_and_method_has_its_functions);
     FACT(every_key_has_one_row);
     FACT(list_shows_every_model_and_key);
 }

@@ -4,6 +4,7 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,19 +72,36 @@ END_TEST
 /* At rest the slip-independent part remains: V_p 0.75 23.04 mu eps_f/(V_r d^2)
  * for Syamlal-O'Brien, which for one sphere is 0.96 of Stokes' 18 mu / d^2. Of
  * that all laws have 0.96, too, whose C_d is DallaValle's, and huilin-gidaspow
- * lacks the weight of the packed bed, 1/2 - atan(52.5) / pi. */
+ * lacks the weight of the packed bed, 1/2 - atan(52.5) / pi. Of a law that is
+ * not named here the limit is only known to lie within a tenth of Stokes'. */
+static int stokes_limit_is_right(const char *law, double ratio)
+{
+    static const char *const own = " syamlal-obrien rong dallavalle ",
+                             *const stokes =
+                                 " gidaspow schiller-naumann di-felice "
+                                 "di-felice-printed beetstra hill-koch-ladd "
+                                 "tenneti cello haider-levenspiel ";
+    char word[64];
+
+    snprintf(word, sizeof word, " %s ", law);
+    const double expect = strstr(own, word) != NULL      ? 0.96
+                          : strstr(stokes, word) != NULL ? 1.0
+                          : strcmp(law, "huilin-gidaspow") == 0
+                              ? atan(52.5) / M_PI + 0.5
+                              : 0.0;
+    return fabs(ratio - expect) < 1e-12 ||
+           (expect == 0.0 && fabs(ratio - 1.0) < 0.1);
+}
+
 START_TEST(drag_is_finite_for_a_particle_at_rest_and_alone)
 {
     for (int k = 0; drag_laws[k] != NULL; k++) {
         const struct drag_law *const law = drag_laws[k];
         const double alone = law->resistance(1.0, air_rho, air_mu, 1e-3, 0.0);
         const double stokes = 18.0 * air_mu / 1e-6;
-        const char *const own = "syamlal-obrien rong dallavalle";
-        const double expect = strstr(own, law->name) != NULL ? 0.96
-                              : strncmp(law->name, "huilin", 6) == 0
-                                  ? atan(52.5) / M_PI + 0.5
-                                  : 1.0;
-        ck_assert_double_eq_tol(alone / stokes, expect, 1e-12);
+
+        ck_assert_msg(stokes_limit_is_right(law->name, alone / stokes),
+                      "%s: %g of Stokes' law", law->name, alone / stokes);
         ck_assert(isfinite(law->resistance(0.4, air_rho, air_mu, 1e-3, 0.0)));
     }
 }

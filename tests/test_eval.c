@@ -109,6 +109,19 @@ static const struct {
     {"EW18:A.5", "eps=0.6 rho_f=1.2 mu=1.8e-5 d=1e-3 u_r=1.1", "F",
      3.850849518733467e-06, "N"},
     {"EW18:A.6", "eps=0.6 Re=30", "g", 17.83890413310544, "-"},
+    {"drag:syamlal-obrien", "eps_f=0.62 Re=37", "F", 16.0109637809333, "-"},
+    {"drag:gidaspow", "eps_f=0.62 Re=37", "F", 17.5959648514279, "-"},
+    {"drag:schiller-naumann", "eps_f=0.62 Re=37", "F", 5.62786175064033, "-"},
+    {"drag:di-felice", "eps_f=0.62 Re=37", "F", 12.0089064358692, "-"},
+    {"drag:di-felice-printed", "eps_f=0.62 Re=37", "F", 19.3692039288213, "-"},
+    {"drag:beetstra", "eps_f=0.62 Re=37", "F", 17.4972424289779, "-"},
+    {"drag:huilin-gidaspow", "eps_f=0.62 Re=37", "F", 17.5851243502401, "-"},
+    {"drag:hill-koch-ladd", "eps_f=0.62 Re=37", "F", 14.5717882666598, "-"},
+    {"drag:tenneti", "eps_f=0.62 Re=37", "F", 15.7721490043907, "-"},
+    {"drag:rong", "eps_f=0.62 Re=37", "F", 13.6169545181118, "-"},
+    {"drag:cello", "eps_f=0.62 Re=37", "F", 16.45211616736, "-"},
+    {"drag:dallavalle", "eps_f=0.62 Re=37", "F", 6.28007191856053, "-"},
+    {"drag:haider-levenspiel", "eps_f=0.62 Re=37", "F", 5.71378251957274, "-"},
 };
 
 START_TEST(every_equation_has_its_independent_value)

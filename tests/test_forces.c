@@ -39,6 +39,35 @@ static void let_go(struct simulation *sim, double u)
     coupling_start(sim);
 }
 
+/* A sphere of the fluid's density that only the effect of its name acts on,
+ * apart from the steps: the field is the test's. */
+static struct scene held(double virtual_mass)
+{
+    struct scene s = inviscid(1.0);
+
+    s.averaging = "pcm";
+    s.pressure_gradient = 0;
+    s.virtual_mass = virtual_mass;
+    s.viscous_stress = virtual_mass == 0.0;
+    s.mu = 0.7;
+    return s;
+}
+
+/* The held force [N] of the first effect on the sphere where the cell is. */
+static const double *force_in(struct simulation *sim, int cell)
+{
+    const double *const at = &sim->mesh->centre[3 * cell];
+    const struct effect_state *const e = &sim->effects[0];
+
+    sim->particles->x[0] = at[0];
+    sim->particles->y[0] = at[1];
+    sim->particles->z[0] = at[2];
+    averaging_bind(sim->averaging);
+    memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
+    e->effect->before_particles(e->memory, sim);
+    return sim->held_force;
+}
+
 /* (rho_s + rho/2) dv/dt = (rho_s - rho) g from rest: light spheres rise with
  * up to 2 g, not with 9 g. The drag of 10 steps, 0.44 of the dynamic pressure,
  * comes to 3 C_d v^2/(4 d (ratio + 1/2)) t, below 1e-5 of v after 1e-4 s. */
@@ -87,13 +116,12 @@ END_TEST
  * there. */
 START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
 {
-    struct scene s = inviscid(1.0);
-    s.averaging = "pcm";
-    s.pressure_gradient = 0;
+    const struct scene s = held(0.5);
     struct simulation *const sim = build(&s);
     const struct mesh *const m = sim->mesh;
     const double c = 3.0, dx = s.size / s.cells;
     const int host = m->n_cells / 2 + s.cells / 2;
+    const double *force = NULL;
 
     for (int i = 0; i < 2; i++) { /* twice, so that the field has an earlier
                                      level, which is the same */
@@ -103,17 +131,12 @@ START_TEST(ls_5_3_a_converging_stream_accelerates_what_is_in_it)
             sim->fluid->phi[f] =
                 c * m->S[3 * f] *
                 (m->centre[3 * m->owner[f]] + 0.5 * m->d[3 * f]);
-        memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
-        sim->particles->x[0] = m->centre[3 * host];
-        sim->particles->y[0] = m->centre[3 * host + 1];
-        sim->particles->z[0] = m->centre[3 * host + 2];
-        averaging_bind(sim->averaging);
-        sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
+        force = force_in(sim, host);
         sim->steps = 1;
     }
     const double V = particles_volume(sim->particles, 0);
     ck_assert_double_gt(m->centre[3 * host], 2.0 * dx);
-    ck_assert_double_eq_tol(sim->held_force[0] / (0.5 * s.rho * V),
+    ck_assert_double_eq_tol(force[0] / (0.5 * s.rho * V),
                             c * c * m->centre[3 * host], 1e-12);
     discard(sim);
 }
@@ -149,16 +172,23 @@ START_TEST(ls_5_3_virtual_mass_and_model_b_keep_total_momentum)
 }
 END_TEST
 
+/* The stress alone acts on the sphere in the centre of a cell, along one axis,
+ * by the volume times this gradient [Pa/m]. */
+static void is_pushed_along(struct simulation *sim, int cell, int axis,
+                            double gradient, double tolerance)
+{
+    const double *const force = force_in(sim, cell);
+    const double f = particles_volume(sim->particles, 0) * gradient;
+
+    ck_assert_double_eq_tol(force[axis], f, tolerance * f);
+    ck_assert_double_lt(fabs(force[1 - axis]), tolerance * f);
+}
+
 /* u_x = a y^2 between the centres: lap u = 2 a in every cell but those at the
  * ends, wherever the sphere is. */
 START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
 {
-    struct scene s = inviscid(1.0);
-    s.averaging = "pcm";
-    s.pressure_gradient = 0;
-    s.virtual_mass = 0.0;
-    s.viscous_stress = 1;
-    s.mu = 0.7;
+    const struct scene s = held(0.0);
     struct simulation *const sim = build(&s);
     const struct mesh *const m = sim->mesh;
     const int host = m->n_cells / 2 + s.cells / 2 * s.cells + s.cells / 2;
@@ -168,15 +198,7 @@ START_TEST(ls_5_1_the_stress_of_a_parabola_pushes_by_the_volume)
         sim->fluid->u[3 * c] = a * gsl_pow_2(m->centre[3 * c + 1]);
         sim->fluid->u[3 * c + 1] = -5.0 * m->centre[3 * c]; /* shear: none */
     }
-    sim->particles->x[0] = m->centre[3 * host];
-    sim->particles->y[0] = m->centre[3 * host + 1];
-    sim->particles->z[0] = m->centre[3 * host + 2];
-    averaging_bind(sim->averaging);
-    memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
-    sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
-    const double f = particles_volume(sim->particles, 0) * s.mu * 2.0 * a;
-    ck_assert_double_eq_tol(sim->held_force[0], f, 1e-10 * f);
-    ck_assert_double_lt(fabs(sim->held_force[1]), 1e-10 * f);
+    is_pushed_along(sim, host, 0, s.mu * 2.0 * a, 1e-10);
     discard(sim);
 }
 END_TEST
@@ -186,30 +208,17 @@ END_TEST
  * it. */
 START_TEST(ls_5_1_oblique_links_do_not_change_the_stress_of_a_parabola)
 {
-    struct scene s = inviscid(1.0);
-    s.averaging = "pcm";
-    s.pressure_gradient = 0;
-    s.virtual_mass = 0.0;
-    s.viscous_stress = 1;
-    s.mu = 0.7;
+    struct scene s = held(0.0);
     s.shear = 0.5;
     struct simulation *const sim = build(&s);
     const struct mesh *const m = sim->mesh;
-    const double at[3] = {0.65 * s.size, 0.55 * s.size, 0.55 * s.size};
-    const int host = mesh_cell_at(m, at[0], at[1], at[2]);
+    const int host =
+        mesh_cell_at(m, 0.65 * s.size, 0.55 * s.size, 0.55 * s.size);
     const double a = 3.0;
 
     for (int c = 0; c < m->n_cells; c++)
         sim->fluid->u[3 * c + 1] = a * gsl_pow_2(m->centre[3 * c]);
-    sim->particles->x[0] = m->centre[3 * host];
-    sim->particles->y[0] = m->centre[3 * host + 1];
-    sim->particles->z[0] = m->centre[3 * host + 2];
-    averaging_bind(sim->averaging);
-    memset(sim->held_force, 0, 3 * sizeof *sim->held_force);
-    sim->effects[0].effect->before_particles(sim->effects[0].memory, sim);
-    const double f = particles_volume(sim->particles, 0) * s.mu * 2.0 * a;
-    ck_assert_double_eq_tol(sim->held_force[1], f, 1e-9 * f);
-    ck_assert_double_lt(fabs(sim->held_force[0]), 1e-9 * f);
+    is_pushed_along(sim, host, 1, s.mu * 2.0 * a, 1e-9);
     discard(sim);
 }
 END_TEST
@@ -218,11 +227,7 @@ END_TEST
  * fluid in its place, rho V du/dt, to the tolerance of the predictor. */
 START_TEST(ls_5_1_a_sphere_is_slowed_like_the_fluid_in_its_place)
 {
-    struct scene s = inviscid(1.0);
-    s.averaging = "pcm";
-    s.pressure_gradient = 0;
-    s.virtual_mass = 0.0;
-    s.viscous_stress = 1;
+    struct scene s = held(0.0);
     s.mu = 10.0;
     struct simulation *const sim = build(&s);
     const struct mesh *const m = sim->mesh;

@@ -29,6 +29,19 @@ static void tear_down(void)
     scratch_clear(dir);
 }
 
+/* The spheres that the dumps and the data files here hold. */
+static void are_the_two(const struct insertion_sphere *list, long n)
+{
+    ck_assert_ptr_nonnull(list);
+    ck_assert_int_eq(n, 2);
+    ck_assert_double_eq(list[0].x[0], 1.0);
+    ck_assert_double_eq(list[0].x[1], 2.0);
+    ck_assert_double_eq(list[0].x[2], 3.0);
+    ck_assert_double_eq(list[0].d, 0.5);
+    ck_assert_double_eq(list[1].x[1], 5.0);
+    ck_assert_double_eq(list[1].d, 1.0);
+}
+
 /* Two snapshots of LIGGGHTS, the columns in its order; the second one counts,
  * and its radius is half a diameter. */
 START_TEST(the_last_snapshot_of_a_dump_is_read)
@@ -43,13 +56,7 @@ START_TEST(the_last_snapshot_of_a_dump_is_read)
     ck_assert_int_eq(grain_table_is(path), 1);
     struct insertion_sphere *const list = insertion_read(path, &n);
 
-    ck_assert_int_eq(n, 2);
-    ck_assert_double_eq(list[0].x[0], 1.0);
-    ck_assert_double_eq(list[0].x[1], 2.0);
-    ck_assert_double_eq(list[0].x[2], 3.0);
-    ck_assert_double_eq(list[0].d, 0.5);
-    ck_assert_double_eq(list[1].x[1], 5.0);
-    ck_assert_double_eq(list[1].d, 1.0);
+    are_the_two(list, n);
     free(list);
 }
 END_TEST
@@ -91,13 +98,7 @@ START_TEST(a_data_file_has_its_spheres_in_the_section_of_atoms)
         const char *const path = file_of(text);
         ck_assert_int_eq(grain_table_is(path), 1);
         struct insertion_sphere *const list = insertion_read(path, &n);
-        ck_assert_ptr_nonnull(list);
-        ck_assert_int_eq(n, 2);
-        ck_assert_double_eq(list[0].x[0], 1.0);
-        ck_assert_double_eq(list[0].x[2], 3.0);
-        ck_assert_double_eq(list[0].d, 0.5);
-        ck_assert_double_eq(list[1].x[1], 5.0);
-        ck_assert_double_eq(list[1].d, 1.0);
+        are_the_two(list, n);
         free(list);
     }
 }

@@ -3,6 +3,7 @@
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/study.sh. */
 #include "study/choices.h"
+#include "study/curve.h"
 #include "study/measure.h"
 #include "study/plan.h"
 #include "study/results.h"
@@ -93,6 +94,38 @@ START_TEST(richardson_finds_the_order_and_the_limit)
 }
 END_TEST
 
+/* A curve of two points; its errors are `error`. */
+static struct curve line_of(double low, double high, double error)
+{
+    struct curve c = curve_create(2);
+
+    c.x[1] = 1.0;
+    c.value[0] = low;
+    c.value[1] = high;
+    c.error[0] = c.error[1] = error;
+    return c;
+}
+
+/* Changes of (4, 8) and (1, 2) have the ratio 4, the order 2 if sizes halve; if
+ * the second is back, or within the errors, there is no order. */
+START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
+{
+    static const double h[3] = {4.0, 2.0, 1.0};
+    struct curve of[] = {line_of(0.0, 0.0, 0.0), line_of(4.0, 8.0, 0.0),
+                         line_of(5.0, 10.0, 0.0), line_of(3.0, 6.0, 0.0),
+                         line_of(5.0, 10.0, 1.0)};
+
+    ck_assert_double_eq_tol(
+        statistics_richardson(h, curve_changes(&of[0], &of[1], &of[2])), 2.0,
+        1e-12); /* bisected */
+    ck_assert_double_eq_tol(curve_changes(&of[0], &of[1], &of[3]), -4.0, 1e-14);
+    ck_assert_double_nan(statistics_richardson(h, -4.0));
+    ck_assert_double_nan(curve_changes(&of[0], &of[1], &of[4]));
+    for (int i = 0; i < 5; i++)
+        curve_free(&of[i]);
+}
+END_TEST
+
 /* x_k = phi x_k-1 + noise: neighbours are alike, and the mean of n is as
  * uncertain as that of n (1 - phi) / (1 + phi) independent samples, 1/19 of
  * them for phi = 0.9. The error of an error from a few dozen blocks is some
@@ -129,15 +162,14 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
     char dir[64];
 
     scratch_make(dir);
-    const char *const path = scratch_path(dir, "summary.json");
-    scratch_write(path, summary);
-    ck_assert_double_eq(results_number(path, "steps"), 12.0);
-    ck_assert_double_eq(results_number(path, "seconds.cfd"), 0.25);
-    ck_assert_double_eq(results_number(path, "seconds.steps"), 3.0);
-    ck_assert_double_eq(results_number(path, "worst.overlap"), 1e-3);
-    ck_assert_double_nan(results_number(path, "exit_code"));
-    ck_assert_double_nan(results_number(path, "cfd"));
-    ck_assert_double_nan(results_number(path, "case"));
+    scratch_write(scratch_path(dir, "summary.json"), summary);
+    ck_assert_double_eq(results_number(dir, "steps"), 12.0);
+    ck_assert_double_eq(results_number(dir, "seconds.cfd"), 0.25);
+    ck_assert_double_eq(results_number(dir, "seconds.steps"), 3.0);
+    ck_assert_double_eq(results_number(dir, "worst.overlap"), 1e-3);
+    ck_assert_double_nan(results_number(dir, "exit_code"));
+    ck_assert_double_nan(results_number(dir, "cfd"));
+    ck_assert_double_nan(results_number(dir, "case"));
     scratch_clear(dir);
 }
 END_TEST
@@ -148,10 +180,9 @@ START_TEST(texts_of_a_summary_are_those_that_were_written)
     char dir[64];
 
     scratch_make(dir);
-    const char *const path = scratch_path(dir, "summary.json");
-    scratch_write(path,
+    scratch_write(scratch_path(dir, "summary.json"),
                   "{\n  \"exit_reason\": \"a \\\"b\\\" \\\\u\\u000ac\"\n}\n");
-    char *const text = results_text(path, "exit_reason");
+    char *const text = results_text(dir, "exit_reason");
     ck_assert_str_eq(text, "a \"b\" \\u\nc");
     free(text);
     scratch_clear(dir);
@@ -301,6 +332,7 @@ FACTS("study")
     FACT(values_split_at_top_level_commas_and_keys_cross);
     FACT(sizes_fall_from_coarse_to_fine);
     FACT(richardson_finds_the_order_and_the_limit);
+    FACT(changes_that_turn_back_or_are_chance_have_no_order);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);

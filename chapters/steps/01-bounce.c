@@ -57,11 +57,14 @@ static void write_svg(FILE *file, double t_end)
                   "height='380' font-family='sans-serif' font-size='14'>\n"
                   "<rect width='560' height='380' fill='white'/>\n"
                   "<path d='M50 20V340H550' fill='none' stroke='black'/>\n"
-                  "<text x='56' y='32'>height of the centre</text>\n"
-                  "<text x='2' y='32'>22 mm</text>\n");
+                  "<text x='56' y='16'>height of the centre [mm]</text>\n"
+                  "<text x='24' y='54'>20</text>\n"
+                  "<text x='24' y='199'>10</text>\n"
+                  "<text x='32' y='345'>0</text>\n"
+                  "<path d='M46 49H550M46 194H550' stroke='#ccc'/>\n");
     fprintf(file,
-            "<text x='490' y='332'>time</text>\n"
-            "<text x='510' y='360'>%g s</text>\n",
+            "<text x='280' y='360'>time [s]</text>\n"
+            "<text x='46' y='360'>0</text><text x='530' y='360'>%g</text>\n",
             t_end);
     fprintf(file, "<polyline fill='none' stroke='#1f5fa8' stroke-width='2' "
                   "points='");
@@ -102,6 +105,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: let e be 1, so that nothing is lost. Does the grain come back to its
- * height? Then take y = R out of the impact. In which direction does the height
- * go now, and how does that depend on dt? */
+/* To try: let e be 1 and dt 1e-3 s, and go on to 10 s. The grain gains energy
+ * from bounce to bounce. Take y = R out of the impact, and it does not. Why?
+ * How does the gain depend on dt? */

@@ -75,10 +75,13 @@ static void write_svg(FILE *file)
                   "height='380' font-family='sans-serif' font-size='14'>\n"
                   "<rect width='560' height='380' fill='white'/>\n"
                   "<path d='M50 20V360M50 300H550' stroke='black'/>\n"
-                  "<text x='56' y='32'>force of the floor</text>\n"
-                  "<text x='2' y='32'>7 mN</text>\n"
-                  "<text x='480' y='292'>overlap</text>\n"
-                  "<text x='500' y='320'>0.06 mm</text>\n");
+                  "<text x='56' y='16'>force of the floor [mN]</text>\n"
+                  "<text x='32' y='105'>5</text><text x='32' y='305'>0</text>\n"
+                  "<text x='250' y='340'>overlap [um]</text>\n"
+                  "<text x='210' y='320'>20</text><text x='376' y='320'>40"
+                  "</text><text x='542' y='320'>60</text>\n"
+                  "<path d='M46 100H550M217 20V304M383 20V304M550 20V304' "
+                  "stroke='#ccc'/>\n");
     fprintf(file, "<polyline fill='none' stroke='#1f5fa8' stroke-width='2' "
                   "points='");
     for (int a = 0; a < n_path; a++)
@@ -128,5 +131,5 @@ int main(int argc, char **argv)
 }
 
 /* To try: make the step longer, 1e-5 s, then 5e-5 s and 1e-4 s. How many steps
- * does a contact need before e is right to a per cent? What happens when the
- * step is longer than t_c / pi? */
+ * does a contact need before e is right to a per cent? Then take 2e-4 s: a step
+ * longer than 2 t_c / pi throws the grain higher than it was. */

@@ -42,7 +42,6 @@ static int n_path;
 static void contact(void)
 {
     const double k_t = 2.0 / 7.0 * k, eta_t = 2.0 / 7.0 * eta;
-
     delta = R - y;
     l = R - 0.5 * delta;
     v_t = vx + l * w;
@@ -62,7 +61,6 @@ static void kick(double time)
     w += l * F_t / (0.4 * m * R * R) * time;
 }
 
-/* Opens the file PROGRAM + ending; the files lie beside the program. */
 static FILE *create(const char *program, const char *ending)
 {
     char name[1000];
@@ -86,12 +84,15 @@ static void write_vtk(FILE *file)
     fclose(file);
 }
 
-/* The grain every 4 ms, with a radius that turns with it; in millimetres. */
+/* The grain every 4 ms, with a radius that turns with it; in millimetres. The
+ * bar is 10 mm long. */
 static void write_svg(FILE *file)
 {
     fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='852' "
                   "height='120' viewBox='-1 -9 71 10' stroke='#1f5fa8' "
-                  "stroke-width='0.1'>\n<path d='M-2 0H71' fill='none'/>\n");
+                  "stroke-width='0.1'>\n<path d='M-2 0H71M58 -7H68'/>\n"
+                  "<text x='61' y='-7.4' font-size='1.5' stroke='none' "
+                  "font-family='sans-serif'>10 mm</text>\n");
     for (int a = 0; a < n_path; a++)
         fprintf(file,
                 "<g transform='translate(%.2f %.2f) rotate(%.0f)'>"
@@ -120,7 +121,6 @@ int main(int argc, char **argv)
         angle += w * dt;
         contact();
         kick(0.5 * dt);
-
         if (delta > 0.0 && v_before == 0.0) { /* the impact begins */
             v_before = vy;
             slip_before = v_t;
@@ -145,6 +145,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: throw the grain with backspin, w = 2000 rad/s. Where does it go? Then
- * raise mu to 1. The spring now reverses a part of the slip, as with a bouncing
- * ball of rubber. */
+/* To try: throw it with backspin, w = 5000.0 before the loop, and see where it
+ * is after 0.3 s and 0.6 s (with MOST 200). Then raise mu to 1: the spring
+ * reverses a part of the slip, as with a bouncing ball of rubber. */

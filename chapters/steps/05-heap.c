@@ -14,7 +14,6 @@ static const double pi = 3.14159265358979323846, g = 9.81; /* [m/s^2] */
 static const double k = 100.0, k_t = 2.0 / 7.0 * 100.0;    /* [N/m] (2.10) */
 static const double e = 0.7;                               /* [-] restitution */
 static const double width = 1.5e-3, dt = 1e-5; /* [m] of a cell, [s] */
-
 /* Entry N is the walls, the first grains are the floor: they do not move. */
 static double R[N + 1], m[N + 1], x[N + 1], y[N + 1], vx[N + 1], vy[N + 1];
 static double w[N + 1], Fx[N + 1], Fy[N + 1], M[N + 1], zeta, mu;
@@ -107,7 +106,8 @@ static void write_vtk(FILE *file)
 static void write_svg(FILE *file)
 {
     fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='900' "
-                  "viewBox='0 -15 75 16' stroke='black' stroke-width='0.1'>\n");
+                  "viewBox='0 -15 75 16' stroke='black' stroke-width='0.1'>\n"
+                  "<text x='58' y='-13' font-size='2'>width 75 mm</text>\n");
     for (int i = 0; i < N; i++)
         fprintf(file, "<circle cx='%.2f' cy='%.2f' r='%.2f' fill='%s'/>\n",
                 1e3 * x[i], -1e3 * y[i], 1e3 * R[i],
@@ -147,4 +147,4 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: the second number is friction, as in 05-heap 0.5 0. What stands? */
+/* To try: 05-heap 0.5 0 has no friction. Which slope is left, and why any? */

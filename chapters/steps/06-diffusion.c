@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { NX = 41, NY = 41 }; /* cells */
+enum { NX = 41, NY = 41, I = NX / 2, J = NY / 2 }; /* cells, and the full one */
 
 static const double pi = 3.14159265358979323846;
 static const double D = 1.5e-5; /* [m^2/s] diffusivity */
@@ -86,8 +86,10 @@ static void write_svg(FILE *file)
     for (int i = 0; i < NX * NY; i++)
         top = fmax(top, c[i % NX][i / NX]);
     fprintf(file,
-            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n",
-            10 * NX, 10 * NY);
+            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n"
+            "<text x='5' y='%d'>width %g mm; white: c = 0, black: c = "
+            "%.2g</text>\n",
+            10 * NX, 10 * NY + 24, 10 * NY + 18, 1e3 * NX * dx, top);
     for (int i = 0; i < NX; i++)
         for (int j = 0; j < NY; j++) {
             const int grey = (int)(255.0 * (1.0 - c[i][j] / top));
@@ -106,24 +108,25 @@ int main(int argc, char **argv)
     const double b = sqrt(4.0 * D * t_end);
     double sum = 0.0, square = 0.0;
 
-    c[NX / 2][NY / 2] = 1.0;
+    c[I][J] = 1.0;
     for (int n = 0; n < lround(t_end / dt); n++)
         step();
     for (int i = 0; i < NX; i++)
         for (int j = 0; j < NY; j++) {
-            const double x = (i - NX / 2) * dx, y = (j - NY / 2) * dx;
+            const double x = (i - I) * dx, y = (j - J) * dx;
             sum += c[i][j];
             square += c[i][j] * (x * x + y * y);
         }
     printf("t = %g s: sum = %.12g\n", t_end, sum);
     printf("mean square distance = %.6g m^2, exact %.6g\n", square / sum,
            4.0 * D * t_end);
-    printf("highest value = %.5g, Gaussian %.5g with b = %.6g m\n",
-           c[NX / 2][NY / 2], dx * dx / (pi * b * b), b);
+    printf("highest value = %.5g, Gaussian %.5g with b = %.6g m\n", c[I][J],
+           dx * dx / (pi * b * b), b);
     write_vtk(create(argv[0], ".vtk"));
     write_svg(create(argv[0], ".svg"));
     return 0;
 }
 
 /* To try: let dt be 0.07 s. Why does the chessboard appear, and why is its
- * limit dx^2 / (4 D)? Put the puff into a corner: what is b there? */
+ * limit dx^2 / (4 D)? Put the puff into a corner, I = 0 and J = 0: by which
+ * factor is the highest value larger, and why? */

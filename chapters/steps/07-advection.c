@@ -88,8 +88,10 @@ static void write_svg(FILE *file, double t)
     for (int i = 0; i < NX * NY; i++)
         top = fmax(top, c[i % NX][i / NX]);
     fprintf(file,
-            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n",
-            10 * NX, 10 * NY);
+            "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d'>\n"
+            "<text x='5' y='%d'>width %g mm; white: c = 0, black: c = "
+            "%.2g</text>\n",
+            10 * NX, 10 * NY + 24, 10 * NY + 18, 1e3 * NX * dx, top);
     for (int i = 0; i < NX; i++)
         for (int j = 0; j < NY; j++) {
             const int grey = (int)(255.0 * (1.0 - c[i][j] / top));
@@ -142,4 +144,5 @@ int main(int argc, char **argv)
 }
 
 /* To try: let the face carry the mean of the two cells, the linear scheme with
- * s = 1/2. Is the mean square now right? Then take D = 0 with both schemes. */
+ * s = 1/2. Is the mean square right now? (An explicit step takes u^2 dt t away
+ * from it.) Then take D = 0 with both schemes. Which results are impossible? */

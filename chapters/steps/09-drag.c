@@ -62,7 +62,7 @@ static double change(const double *f, int c, const double a[2])
     return sum * dt / (dx * dx);
 }
 
-/* The u without p. That along a face is the mean of the four around it. */
+/* Predicts u without p. The velocity along a face is the mean of four. */
 static void predict(void)
 {
     static field old[2];
@@ -156,11 +156,13 @@ static void write_vtk(FILE *file)
 }
 
 /* The box in cells. A stroke for each cell, thick where it begins, three cells
- * long for 1 cm/s; then the grain and its path. */
+ * long for 0.01 m/s; then the grain and its path. */
 static void write_svg(FILE *file, int n_steps)
 {
     fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='400' "
-                  "viewBox='0 -33 17 33.5' fill='#1f5fa8' stroke-width='0.1'>\n"
+                  "viewBox='0 -33 17 36' fill='#1f5fa8' stroke-width='0.1' "
+                  "font-size='0.8'>\n<text x='0.5' y='0.7'>24 mm wide</text>\n"
+                  "<text x='0.5' y='1.9'>3 cells long: 0.01 m/s</text>\n"
                   "<path d='M0.5-32.5V-0.5H16.5V-32.5z' fill='none' "
                   "stroke='black'/>\n");
     for (int c = W; c < W * (NY + 1); c++) {
@@ -212,6 +214,6 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: make the box as deep as it is wide. Why does the grain sink at
- * another speed, though its slip is the same? Then let go of it close to a
- * wall. */
+/* To try: make the box as deep as it is wide, depth = 24e-3. Why does the grain
+ * sink at another speed, though its slip is nearly the same? Then let go of it
+ * close to a wall, x[0] = 0.05 * NX * dx. */

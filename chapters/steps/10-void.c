@@ -98,8 +98,9 @@ static void average(void)
     ring(resist);
 }
 
-/* The q without p, and how much it follows p. Half of the way through a face
- * lies in each of its cells, and so 1 / m is the mean of both (6.6). */
+/* Predicts q without p, and finds the mobility m, by which q follows p. Half of
+ * the way through a face lies in each of its cells: 1 / m is their mean (6.6).
+ */
 static void predict(void)
 {
     static field old[2];
@@ -196,22 +197,27 @@ static void write_vtk(FILE *file)
  * the pressure against height. */
 static void write_svg(FILE *file)
 {
-    fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='600' "
-                  "viewBox='-1 -41 40 46' fill='blue' stroke-width='0.1' "
-                  "font-size='2' font-family='sans-serif'>\n"
-                  "<text x='26' y='3'>pressure</text>\n");
-    for (int c = W; c < W * 21; c++)
+    const double h = 1e3 * dx; /* [mm] */
+    fprintf(file,
+            "<svg xmlns='http://www.w3.org/2000/svg' width='600' "
+            "viewBox='-1 -41 40 46' fill='blue' stroke-width='0.1' "
+            "font-size='2' font-family='sans-serif'>\n"
+            "<text x='3' y='3'>16 mm wide</text>\n"
+            "<text x='18' y='3'>pressure, to %.3g Pa</text>\n",
+            row(1));
+    for (int c = W; c < W * (NY + 1) && h * (c / W) <= 40.0; c++)
         if (c % W > 0 && c % W <= NX)
-            fprintf(file, "<path d='M%d %dh2v2h-2z' opacity='%.2f'/>\n",
-                    2 * (c % W - 1), -2 * (c / W), 1.0 - eps[c]);
+            fprintf(file, "<path d='M%g %gh%gv%gh-%gz' opacity='%.2f'/>\n",
+                    h * (c % W - 1), -h * (c / W), h, h, h, 1.0 - eps[c]);
     fprintf(file, "<g fill='none' stroke='black'>\n"
                   "<path d='M0-40V0H16V-40M19-40V0H39'/>\n");
     for (int a = 0; a < N; a++)
         fprintf(file, "<circle cx='%.2f' cy='%.2f' r='0.55'/>\n", 1e3 * x[0][a],
                 -1e3 * x[1][a]);
     fprintf(file, "<polyline stroke='red' stroke-width='0.3' points='");
-    for (int j = 1; j <= 20; j++)
-        fprintf(file, "%.2f,%d ", 19.0 + 18.0 * row(j) / row(1), 1 - 2 * j);
+    for (int j = 1; h * j <= 40.0; j++)
+        fprintf(file, "%.2f,%.2f ", 19.0 + 18.0 * row(j) / row(1),
+                h * (0.5 - j));
     fprintf(file, "'/></g>\n</svg>\n");
     fclose(file);
 }
@@ -241,5 +247,5 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: take finer cells, dx = 1 mm and twice as many each way. What is the
- * lowest eps now, and what does that mean? */
+/* To try: take finer cells, dx = 1 mm and twice as many each way. What are the
+ * lowest eps and the pressure drop now? How many grains are in a cell? */

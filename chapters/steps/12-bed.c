@@ -131,8 +131,8 @@ static void average(void)
         resist[c] = (rho_f / dt + resist[c] / eps[c]) / eps[c];
 }
 
-/* The q without p, of air and grains together until correct(), and how much it
- * follows p. Half of the way lies in each cell: 1 / m is the mean (6.6). */
+/* Predicts q without p, of air and grains together until correct(), and finds
+ * the mobility m. Half of the way lies in each cell: 1 / m is a mean (6.6). */
 static void predict(void)
 {
     static field old[2];
@@ -319,9 +319,9 @@ int main(int argc, char **argv)
             "<svg xmlns='http://www.w3.org/2000/svg' width='900' "
             "viewBox='-1 -65 99 94' fill='blue' stroke-width='0.1' "
             "font-size='3' font-family='sans-serif'>\n"
-            "<text x='1' y='10'>pressure drop, and weight</text>\n"
+            "<text y='10'>16 mm wide; pressure drop, weight %.0f Pa</text>\n"
             "<path d='M0 8V28H96M0 %gH96' fill='none' stroke='black'/>\n",
-            28.0 - 0.12 * weight);
+            weight, 28.0 - 0.12 * weight);
     for (int n = 1; n <= n_steps; n++) {
         double drop = 0.0;
         U = fmin(n * dt / 0.05, 1.0);
@@ -346,5 +346,5 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: let the air come with 0.4 m/s. Does it carry the bed? Then leave F
- * out, and then the share of the pressure: what carries the bed now? */
+/* To try: let the air come with 0.4 m/s: is the bed carried? Then leave the
+ * share of the pressure out of push_grains(): which force has no reaction? */

@@ -23,10 +23,6 @@ text() {
 
 results() {
     step sh "$tools/transcript.sh" -w "$winnow" check figures/*.txt
-    sh "$tools/transcript.sh" age figures/*.txt | awk -F: '
-        { late = late "\n    " $1 }
-        END { if (NR) print "note: slow results made before the last change of " \
-                  "what they show (make figures):" late }'
 }
 
 solutions() {

@@ -5,6 +5,7 @@
 #
 # Those that were made from what is there now are skipped, so that a run that was
 # interrupted goes on where it stopped; figures that are named are made anyway.
+# What took the least processor time the last time comes first.
 # The table has a line for each transcript: how many of its numbers changed, and
 # the largest change of one, relative to its size. A command that ends with an
 # error leaves its transcript as it was. SECONDS_EACH limits what one may take.
@@ -72,9 +73,9 @@ draw() { # file
 
 chosen=$*
 if [ -z "$chosen" ]; then
-    for file in figures/*.txt; do
-        [ -z "$(transcript age "$file")" ] || chosen="$chosen $file"
-    done
+    chosen=$(transcript age figures/*.txt | cut -d: -f1 | while read -r file; do
+        echo "$(sed -n '1s/^# slow, made at [^ :]* in \([0-9]*\) s.*/\1/p;1q' "$file") $file"
+    done | awk '{ print NF == 2 ? $1 : 1e6, $NF }' | sort -n | cut -d' ' -f2)
 fi
 # shellcheck disable=SC2086 # one word a file
 set -- $chosen

@@ -5,7 +5,8 @@
 # Headings and equations are numbered as the file is, every reference leads to
 # an equation or a source that exists, every link to a file, every name in the
 # notation to the source; formulas hold no blank line and are displayed on lines
-# of their own. Says what is wrong as file:line, and ends in 1.
+# of their own, in chapters with a number. Chapters are cited by their titles,
+# because their numbers move. Says what is wrong as file:line, and ends in 1.
 
 function wrong(message) {
     print FILENAME ":" FNR ": " message >"/dev/stderr"
@@ -47,6 +48,10 @@ function links(s,    to, folder) {
     }
 }
 
+function titles(s) {
+    if (s ~ /[Cc]hapters? [0-9]/) wrong("a chapter is cited by its title")
+}
+
 FNR == 1 {
     shut = ""
     formula = 0
@@ -61,6 +66,7 @@ FNR == 1 {
 
 !chapter {
     if (FILENAME ~ /\.[ch]$/) sources($0)
+    titles($0)
     next
 }
 
@@ -86,6 +92,9 @@ shut != "" {
 
 line ~ /\$\$/ {
     if (line !~ /^\$\$$/) wrong("$$ does not stand alone on its line")
+    if (formula && numbered == tags && number && FILENAME !~ /solutions/)
+        wrong("a displayed formula without \\tag")
+    numbered = tags
     formula = !formula
     next
 }
@@ -113,6 +122,8 @@ match(line, /\\tag[{][^}]*[}]/) {
     sources(line)
     equations(line " ")
     links(line)
+    titles(line)
+    if (line ~ /[^ ] ##+ /) wrong("a heading within a line")
     while (FILENAME ~ /references/ && match(line, /<a id="[^"]*/)) {
         known[substr(line, RSTART + 7, RLENGTH - 7)] = 1
         line = substr(line, RSTART + RLENGTH)

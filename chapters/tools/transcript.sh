@@ -10,18 +10,21 @@
 # their size, because two processors may differ in the last digits.
 #
 # A file that begins with "# slow" is compared only if it is the only one. Its
-# first line keeps the revision it was made at: "# slow, made at 1234abc: reason",
-# with a "+" after the revision if what it depends on was changed since then. age
-# names the slow ones that were made before the last change of what they depend
-# on: the source, and the files that their commands name.
+# first line keeps the revision it was made at and the processor time that it
+# took: "# slow, made at 1234abc in 12 s: reason", with a "+" after the revision if
+# what it depends on was changed since then. age names the slow ones whose numbers
+# may have moved: the code of the rooms that their programs reach, or the files
+# that their commands name, is another than at that revision. Comments and layout
+# do not count.
 set -u
 winnow=build/winnow
 [ "${1:-}" = -w ] && winnow=$2 && shift 2
 mode=write
 case ${1:-} in check | age) mode=$1 && shift ;; esac
 PATH=$(cd "$(dirname "$winnow")" && pwd):$PATH
-new=$(mktemp)
-trap 'rm -f "$new"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+new=$work/new
 failed=0
 
 # The first reading notes which parts have a command of their own. Of those that
@@ -74,27 +77,98 @@ same() {
 
 slow() { head -1 "$1" | grep -q '^# slow'; }
 
-# What a transcript depends on: the source, the files that its commands name but
-# for pictures, which they make, and the program whose name program.sh is given.
-depends() {
-    echo src
-    sed -n 's/^\$ //p' "$1" | sed 's|program\.sh \([^ ]*\)|program.sh figures/\1.c|' |
-        grep -oE '(figures|cases|chapters/tools|tests/bench)/[A-Za-z0-9_.-]+' |
+# The files that a text names but for pictures, which commands make.
+named() {
+    sed 's|program\.sh \([^ ]*\)|program.sh figures/\1.c|' "$@" |
+        grep -oE '(figures|cases|chapters/tools|tests|tests/bench)/[A-Za-z0-9_.-]+\.[a-z]+' |
         grep -v -E '\.(svg|png)$' | sort -u
+}
+
+# Rooms of src that programs reach, through the rooms that these include.
+reached() { # program.c...
+    headers=$(cat "$@" | sed -n 's|^#include "\(\.\./tests/\)\{0,1\}\([a-z_]*\.h\)".*|tests/\2|p')
+    {
+        # shellcheck disable=SC2086 # one word a file
+        grep -rhoE '^#include "[a-z]+/' "$@" $headers 2>/dev/null | sed 's|.*"|: |; s|/$||'
+        grep -roE '^#include "[a-z]+/' src |
+            sed 's|^src/\([a-z]*\)/.*"\([a-z]*\)/$|\1 \2|' | sort -u
+    } | awk '
+        $1 == ":" { room[$2] = 1; next }
+        { from[++n] = $1; to[n] = $2 }
+        END {
+            do {
+                more = 0
+                for (i = 1; i <= n; i++)
+                    if (from[i] in room && !(to[i] in room)) more = room[to[i]] = 1
+            } while (more)
+            for (r in room) print "src/" r
+        }'
+    echo "$headers"
+}
+
+# What a transcript depends on: the files that its commands and their scripts name,
+# and of the source the rooms that its programs reach. The whole program has all
+# but the rooms aside that nothing names.
+depends() {
+    commands=$(sed -n 's/^\$ //p' "$1")
+    files=$(echo "$commands" | named)
+    scripts=$(echo "$files" | grep '\.sh$' | grep -v -E '/(program|run|last)\.sh$')
+    # shellcheck disable=SC2086,SC2046 # one word a file
+    [ -z "$scripts" ] || files=$(printf '%s\n' $files $(named $scripts) | sort -u)
+    echo "$files"
+    if [ -n "$scripts" ] || echo "$commands" | grep -qE '(^|[ /|])winnow '; then
+        # shellcheck disable=SC2086
+        text=$commands$(cat $scripts /dev/null)
+        echo src ':!src/distributed'
+        echo "$text" | grep -q study || echo ':!src/study'
+        # shellcheck disable=SC2086
+        grep -qsE '^bodies|resolved|distance' $(echo "$files" | grep '^cases/.*cfg$') \
+            /dev/null || echo ':!src/resolved'
+    else
+        # shellcheck disable=SC2046
+        reached $(echo "$files" | grep '\.c$')
+    fi
 }
 
 made_at() { sed -n '1s/^# slow, made at \([0-9a-f]*+\{0,1\}\).*/\1/p' "$1"; }
 
-# unchanged FILE REVISION: what the file depends on is what it was then.
-unchanged() {
-    # shellcheck disable=SC2046 # one word a file
-    git diff --quiet "$2" -- $(depends "$1") 2>/dev/null
+# The code in a text, without comments and layout.
+code() { # name <text
+    case $1 in
+    *.c | *.h) ${CC:-gcc} -fpreprocessed -dD -E -P - 2>/dev/null ;;
+    *.txt) cat ;;
+    *) sed '/^ *#/d' ;;
+    esac | tr -d '[:space:]' | cksum
 }
 
-stamp() {
+# unchanged FILE REVISION: the code of what the file depends on is what it was then.
+unchanged() {
+    # shellcheck disable=SC2046 # one word a file
+    git diff --name-only "$2" -- $(depends "$1") >"$work/names" 2>/dev/null || return
+    while read -r name; do
+        known=$work/$2.$(echo "$name" | tr / +) # several transcripts ask for the same file
+        [ -e "$known" ] || same_code "$2" "$name" >"$known"
+        [ "$(cat "$known")" = same ] || return 1
+    done <"$work/names"
+}
+
+same_code() { # revision name
+    [ -f "$2" ] &&
+        [ "$(git show "$1:$2" 2>/dev/null | code "$2")" = "$(code "$2" <"$2")" ] && echo same
+}
+
+stamp() { # old new seconds
     revision=$(git rev-parse --short HEAD 2>/dev/null) || return
     unchanged "$1" HEAD || revision=$revision+
-    sed -i "1s/^# slow\(, made at [0-9a-f]*+\{0,1\}\)\{0,1\}/# slow, made at $revision/" "$2"
+    sed -i "1s/^# slow\(, made at [0-9a-f]*+\{0,1\}\)\{0,1\}\( in [0-9]* s\)\{0,1\}/# slow, made at $revision in $3 s/" "$2"
+}
+
+# Sets seconds to the processor time of all that was run so far. (In a pipe or in
+# $(...), times would be that of another shell.)
+count_seconds() {
+    times >"$work/times"
+    seconds=$(awk 'NR == 2 { gsub(/[ms]/, " "); print int($1 * 60 + $2 + $3 * 60 + $4 + 0.5) }' \
+        "$work/times")
 }
 
 age() {
@@ -113,8 +187,11 @@ for file in "$@"; do
         continue
     fi
     [ $# -gt 1 ] && slow "$file" && continue
+    count_seconds
+    before=$seconds
     replay "$file" >"$new"
-    [ $mode = check ] || ! slow "$file" || stamp "$file" "$new"
+    count_seconds
+    [ $mode = check ] || ! slow "$file" || stamp "$file" "$new" $((seconds - before))
     if same "$file" "$new"; then
         :
     elif [ $mode = check ]; then

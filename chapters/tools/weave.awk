@@ -9,6 +9,8 @@
 #   <!-- output figures/drag.txt -->                 a text file, whole
 #   <!-- output figures/drag.txt part -->            its part under "## part"
 #   <!-- tests tests/test_drag.c -->                 the facts that a file shows
+# or, of a text file with lines | a | b |, the table below it:
+#   <!-- table figures/map.txt -->
 # and a number within a line, never at its beginning:
 #   about <!-- number figures/drag.txt u_mf %.2f -->0.88<!-- --> m/s
 # Figures of a chapter are numbered: below a paragraph that is an image stands one that
@@ -54,6 +56,22 @@ function skip(    mark) {
     if ((getline held) <= 0) ended = 1
 }
 
+# Passes over a table, and the empty line before it; the line after it is kept.
+function skip_table(    any) {
+    any = getline held
+    if (any > 0 && held == "") any = getline held
+    while (any > 0 && held ~ /^[|]/) any = getline held
+    if (any <= 0) ended = 1
+}
+
+# The lines of a file that belong to a table.
+function table(file,    k, text) {
+    for (k = 1; k <= lines[file]; k++)
+        if (source[file, k] ~ /^[|]/) text = text source[file, k] "\n"
+    if (text == "") wrong("no table in " file)
+    return text
+}
+
 function directive(line,    words, n, text, mark) {
     mark = line
     gsub(/^<!-- | -->$/, "", mark)
@@ -64,6 +82,11 @@ function directive(line,    words, n, text, mark) {
     if (words[1] == "tests") text = show_tests(words[2])
     if (words[1] == "code" && places) sub(words[2], "&:" place, line)
     print line
+    if (words[1] == "table") {
+        skip_table()
+        printf "\n%s%s", table(words[2]), ended || held == "" ? "" : "\n"
+        return
+    }
     skip()
     fence(words[1] == "code" ? "c" : words[2] ~ /patch$/ ? "diff" : "text", text)
 }
@@ -122,12 +145,12 @@ FNR == 1 { chaptered = FILENAME ~ /[0-9][0-9]-[a-z0-9-]*[.]md$/ && FILENAME !~ /
             match(line, /^(`+|~+)/)
             shut = substr(line, 1, RLENGTH)
             print line
-        } else if (line ~ /^<!-- (code|output|tests) [^ ].* -->$/) {
+        } else if (line ~ /^<!-- (code|output|tests|table) [^ ].* -->$/) {
             directive(line)
             if (ended) break
             line = held
             continue
-        } else if (line ~ /^<!-- (code|output|tests)/) {
+        } else if (line ~ /^<!-- (code|output|tests|table)/) {
             wrong("a directive stands alone on its line")
             print line
         } else {

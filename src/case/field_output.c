@@ -3,12 +3,12 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
+#include "coupling/processes.h"
 #include "output/vtk.h"
-
-enum { MOST_ARRAYS = 16 }; /* [-] of the fluid in a file */
 
 struct field_output {
     const struct mesh *mesh;
@@ -62,9 +62,12 @@ struct field_output *field_output_create(const struct simulation *sim,
         p->cells = create_cells(p);
     if (sim->fluid != NULL)
         p->fluid = field_output_series(folder, "fluid",
-                                       p->cells != NULL ? "vtu" : "vtr");
+                                       sim->processes != NULL ? "pvtr"
+                                       : p->cells != NULL     ? "vtu"
+                                                              : "vtr");
     if (sim->particles != NULL)
-        p->particles = field_output_series(folder, "particles", "vtp");
+        p->particles = field_output_series(
+            folder, "particles", sim->processes != NULL ? "pvtp" : "vtp");
     if ((sim->fluid == NULL || p->fluid != NULL) &&
         (sim->particles == NULL || p->particles != NULL))
         return p;
@@ -98,7 +101,7 @@ static int add_effects(const struct simulation *sim, int n,
         struct effect_field f[EFFECT_FIELDS];
         const int more =
             e->fields == NULL ? 0 : e->fields(sim->effects[i].memory, f);
-        for (int k = 0; k < more && n < MOST_ARRAYS; k++)
+        for (int k = 0; k < more && n < FIELD_OUTPUT_ARRAYS; k++)
             arrays[n++] = (struct vtk_array){.name = f[k].name,
                                              .components = f[k].components,
                                              .values = f[k].values,
@@ -107,34 +110,47 @@ static int add_effects(const struct simulation *sim, int n,
     return n;
 }
 
-static int add_fluid(struct field_output *p, const struct snapshot *s)
+int field_output_of_fluid(const struct simulation *sim,
+                          const struct snapshot *s,
+                          struct vtk_array arrays[FIELD_OUTPUT_ARRAYS])
 {
-    struct vtk_array arrays[MOST_ARRAYS] = {
-        {.name = "void_fraction", .components = 1, .values = s->eps},
-        {.name = "velocity", .components = 3, .values = s->u, .single = 1},
-        {.name = "pressure", .components = 1, .values = s->p, .single = 1}};
     int n = 3;
 
+    arrays[0] = (struct vtk_array){
+        .name = "void_fraction", .components = 1, .values = s->eps};
+    arrays[1] = (struct vtk_array){
+        .name = "velocity", .components = 3, .values = s->u, .single = 1};
+    arrays[2] = (struct vtk_array){
+        .name = "pressure", .components = 1, .values = s->p, .single = 1};
     if (s->u_s != NULL)
         arrays[n++] = (struct vtk_array){.name = "solid_velocity",
                                          .components = 3,
                                          .values = s->u_s,
                                          .single = 1};
-    n = add_effects(p->sim, n, arrays);
+    return add_effects(sim, n, arrays);
+}
+
+static int add_fluid(struct field_output *p, const struct snapshot *s)
+{
+    struct processes *const others = p->sim->processes;
+    struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
+    const int n = field_output_of_fluid(p->sim, s, arrays);
     const char *const path = next_of(p, p->fluid);
+
     if (path == NULL) return 1;
     const int failed =
-        p->cells != NULL
+        others != NULL ? others->write(others, path, s)
+        : p->cells != NULL
             ? vtk_write_cells(p->writer, path, p->grid, p->cells, s->t, n,
                               arrays)
             : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
     return failed != 0 || series_add(p->fluid, s->t) != 0;
 }
 
-static int add_particles(struct field_output *p, const struct snapshot *s)
+int field_output_of_particles(const struct snapshot *s,
+                              struct vtk_array arrays[FIELD_OUTPUT_ARRAYS])
 {
-    const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
-    struct vtk_array arrays[5 + SNAPSHOT_FIELDS] = {
+    const struct vtk_array own[5] = {
         {.name = "diameter", .components = 1, .values = s->d, .single = 1},
         {.name = "velocity",
          .components = 3,
@@ -148,17 +164,29 @@ static int add_particles(struct field_output *p, const struct snapshot *s)
         {.name = "material", .components = 1, .ints = s->material}};
 
     int n = s->material != NULL ? 5 : 4;
+    memcpy(arrays, own, sizeof own);
     for (int i = 0; i < s->n_more; i++)
         arrays[n++] = (struct vtk_array){.name = s->more[i]->name,
                                          .components = s->more[i]->components,
                                          .values = s->value[i],
                                          .single = 1};
+    return n;
+}
+
+static int add_particles(struct field_output *p, const struct snapshot *s)
+{
+    struct processes *const others = p->sim->processes;
+    const double *const x[3] = {s->x[0], s->x[1], s->x[2]};
+    struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
+    const int n = field_output_of_particles(s, arrays);
     const char *const path = next_of(p, p->particles);
 
-    return path == NULL ||
-           vtk_write_particles(p->writer, path, s->n, x, s->t, n, arrays) !=
-               0 ||
-           series_add(p->particles, s->t) != 0;
+    if (path == NULL) return 1;
+    const int failed =
+        others != NULL
+            ? others->write(others, path, s)
+            : vtk_write_particles(p->writer, path, s->n, x, s->t, n, arrays);
+    return failed != 0 || series_add(p->particles, s->t) != 0;
 }
 
 int field_output_add(struct field_output *p, const struct snapshot *s)

@@ -5,6 +5,7 @@
 #include "coupling/simulation.h"
 #include "output/folder.h"
 #include "output/series.h"
+#include "output/vtk_array.h"
 #include "case/snapshot.h"
 
 struct field_output;
@@ -17,6 +18,14 @@ void field_output_free(struct field_output *p);
 /* The collection NAME.pvd and a folder for its files; NULL after a message. */
 struct series *field_output_series(struct folder *f, const char *name,
                                    const char *suffix);
+
+/* What the files contain besides cells and centres; return how many arrays. */
+enum { FIELD_OUTPUT_ARRAYS = 16 };
+int field_output_of_fluid(const struct simulation *sim,
+                          const struct snapshot *s,
+                          struct vtk_array arrays[FIELD_OUTPUT_ARRAYS]);
+int field_output_of_particles(const struct snapshot *s,
+                              struct vtk_array arrays[FIELD_OUTPUT_ARRAYS]);
 
 /* Non-zero after a message. */
 int field_output_add(struct field_output *p, const struct snapshot *s);

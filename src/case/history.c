@@ -5,6 +5,7 @@
 
 #include "case/history_sums.h"
 #include "coupling/coupling.h"
+#include "coupling/processes.h"
 #include "coupling/replacement.h"
 #include "dem/energy.h"
 #include "dem/population.h"
@@ -20,7 +21,13 @@
 
 VALUE(now, sim->t)
 VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
-VALUE(fluid_energy, fluid_kinetic_energy(sim->fluid))
+
+static double fluid_energy(const struct simulation *sim)
+{
+    double sum = fluid_kinetic_energy(sim->fluid);
+    processes_sum(sim, 1, &sum);
+    return sum;
+}
 
 /* Component k of a sum over all [N s]. */
 static double component(const struct simulation *sim, int k,

@@ -4,26 +4,43 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
+#include "coupling/processes.h"
+
 /* Of kind: what enters by its own pressure is an inlet. */
-static const struct patch *patch_of(const struct fluid *fl,
+static const struct patch *patch_of(const struct simulation *sim,
                                     enum boundary_kind kind, const char *name)
 {
-    const struct boundary *const b = fl->options.boundaries;
+    const struct mesh *const m = sim->fluid->mesh;
+    const struct boundary *const b = sim->fluid->options.boundaries;
+    int i = 0;
 
-    for (int i = 0; i < fl->mesh->n_patches; i++)
-        if ((b[i].enters ? BOUNDARY_INLET : b[i].kind) == kind)
-            return &fl->mesh->patches[i];
-    return mesh_patch(fl->mesh, name);
+    while (i < m->n_patches &&
+           (b[i].enters ? BOUNDARY_INLET : b[i].kind) != kind)
+        i++;
+    i = -processes_largest(sim, -i); /* a part need not have one there */
+    return i < m->n_patches ? &m->patches[i] : mesh_patch(m, name);
+}
+
+static double mean_pressure(const struct simulation *sim, const struct patch *p)
+{
+    const struct mesh *const m = sim->fluid->mesh;
+    double mean = fluid_patch_pressure(sim->fluid, p), part[2] = {0.0, 0.0};
+
+    if (sim->processes == NULL) return mean;
+    for (int f = p->first; f < p->first + p->n; f++)
+        part[1] += fabs(m->S[3 * f] + m->S[3 * f + 1] + m->S[3 * f + 2]);
+    part[0] = mean * part[1];
+    processes_sum(sim, 2, part);
+    return part[0] / part[1];
 }
 
 double history_pressure_drop(const struct simulation *sim)
 {
-    const struct fluid *const fl = sim->fluid;
-    const struct patch *const in = patch_of(fl, BOUNDARY_INLET, "bottom");
-    const struct patch *const out = patch_of(fl, BOUNDARY_OUTLET, "top");
+    const struct patch *const in = patch_of(sim, BOUNDARY_INLET, "bottom");
+    const struct patch *const out = patch_of(sim, BOUNDARY_OUTLET, "top");
 
     if (in == NULL || out == NULL) return 0.0;
-    return fluid_patch_pressure(fl, in) - fluid_patch_pressure(fl, out);
+    return mean_pressure(sim, in) - mean_pressure(sim, out);
 }
 
 /* Extent along gravity over the volume: one over the (mean) section. */
@@ -53,6 +70,7 @@ double history_bed_weight(const struct simulation *sim)
 
     for (int i = 0; i < sim->particles->n; i++)
         mass += sim->particles->m[i];
+    processes_sum(sim, 1, &mass);
     return mass * g * section;
 }
 
@@ -64,6 +82,7 @@ double history_buoyant_weight(const struct simulation *sim)
 
     for (int i = 0; i < ps->n; i++)
         volume += M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+    processes_sum(sim, 1, &volume);
     return history_bed_weight(sim) -
            sim->fluid->options.rho * volume * g * section;
 }
@@ -76,6 +95,7 @@ double history_particle_energy(const struct simulation *sim)
     for (int i = 0; i < ps->n; i++)
         sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
                            ps->vz[i] * ps->vz[i]);
+    processes_sum(sim, 1, &sum);
     return 0.5 * sum;
 }
 
@@ -89,7 +109,17 @@ double history_spin_energy(const struct simulation *sim)
         sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
                (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
                 ps->wz[i] * ps->wz[i]);
+    processes_sum(sim, 1, &sum);
     return 0.5 * sum;
+}
+
+/* All particles. */
+static double count(const struct simulation *sim)
+{
+    double n = sim->particles->n;
+
+    processes_sum(sim, 1, &n);
+    return n;
 }
 
 /* A third of their mean square about the mean. */
@@ -97,25 +127,30 @@ double history_granular_temperature(const struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
     const double *const v[3] = {ps->vx, ps->vy, ps->vz};
+    const double n = count(sim);
     double sum = 0.0;
 
-    if (ps->n == 0) return 0.0;
+    if (n == 0.0) return 0.0;
     for (int k = 0; k < 3; k++) {
         double mean = 0.0;
         for (int i = 0; i < ps->n; i++)
-            mean += v[k][i] / ps->n;
+            mean += v[k][i] / n;
+        processes_sum(sim, 1, &mean);
         for (int i = 0; i < ps->n; i++)
             sum += (v[k][i] - mean) * (v[k][i] - mean);
     }
-    return sum / (3.0 * ps->n);
+    processes_sum(sim, 1, &sum);
+    return sum / (3.0 * n);
 }
 
 double history_mean_height(const struct simulation *sim)
 {
+    const double n = count(sim);
     double sum = 0.0;
 
     for (int i = 0; i < sim->particles->n; i++)
-        sum += sim->particles->y[i] / sim->particles->n;
+        sum += sim->particles->y[i] / n;
+    processes_sum(sim, 1, &sum);
     return sum;
 }
 
@@ -125,9 +160,11 @@ double history_mean_fall(const struct simulation *sim)
     const struct particles *const ps = sim->particles;
     const double *const g = sim->gravity;
     const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double n = count(sim);
     double sum = 0.0;
 
     for (int i = 0; i < ps->n; i++)
         sum += ps->vx[i] * g[0] + ps->vy[i] * g[1] + ps->vz[i] * g[2];
-    return size > 0.0 && ps->n > 0 ? sum / (size * ps->n) : 0.0;
+    processes_sum(sim, 1, &sum);
+    return size > 0.0 && n > 0.0 ? sum / (size * n) : 0.0;
 }

@@ -32,6 +32,7 @@ void recorder_free(struct recorder *r)
     profiles_free(r->lines);
     probes_free(r->probes);
     second_half_free(r->second_half);
+    if (r->whole != r->snapshot) snapshot_free(r->whole);
     snapshot_free(r->snapshot);
     free(r);
 }
@@ -78,11 +79,11 @@ static int add_row(struct recorder *r)
 /* The present state as a picture (picture.h). */
 static struct picture picture_of(const struct recorder *r)
 {
-    const struct snapshot *const s = r->snapshot;
+    const struct snapshot *const s = r->whole;
 
     return (struct picture){.title = settings_text(r->settings, "title"),
                             .time = s->t,
-                            .mesh = r->sim->mesh,
+                            .mesh = r->seen->mesh,
                             .eps = s->eps,
                             .u = s->u,
                             .p = s->p,
@@ -105,22 +106,30 @@ static int add_fields(struct recorder *r)
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
+void recorder_look(struct recorder *r)
+{
+    struct processes *const others = r->sim->processes;
+
+    snapshot_take(r->snapshot, r->sim);
+    if (r->whole != r->snapshot) others->gather(others, r->snapshot, r->whole);
+}
+
 int recorder_sample(struct recorder *r)
 {
     const long step = r->sim->steps;
 
     update_extremes(r);
-    if (r->sim->processes != NULL &&
-        (step % r->row_every == 0 || step % r->picture_every == 0))
-        r->sim->processes->collect(r->sim->processes, PROCESSES_FIELDS);
     if (step % r->row_every == 0) {
-        snapshot_take(r->snapshot, r->sim);
+        recorder_look(r);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
+        processes_join(r->sim, PROCESSES_ROW);
         second_half_add(r->second_half);
-        if (add_row(r) != 0 || probes_add(r->probes) != 0) return 1;
+        const int failed = add_row(r);
+        processes_join(r->sim, PROCESSES_ROW_DONE);
+        if (failed || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
-    snapshot_take(r->snapshot, r->sim);
+    recorder_look(r);
     return add_fields(r);
 }
 
@@ -148,6 +157,18 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
+static double cells_of(const struct simulation *sim)
+{
+    return sim->processes != NULL ? sim->processes->cells : sim->mesh->n_cells;
+}
+
+static double particles_of(const struct simulation *sim)
+{
+    return sim->particles == NULL   ? 0.0
+           : sim->processes != NULL ? sim->processes->particles
+                                    : sim->particles->n;
+}
+
 static double rate(double amount, double seconds)
 {
     return seconds > 0.0 ? amount / seconds : 0.0;
@@ -160,12 +181,12 @@ static void write_speed(struct summary *f, const struct recorder *r)
     if (sim->particles != NULL)
         summary_number(
             f, "particle_steps_per_second",
-            rate((double)sim->steps * sim->dem_steps * sim->particles->n,
+            rate((double)sim->steps * sim->dem_steps * particles_of(sim),
                  sim->seconds.dem));
     if (sim->fluid != NULL)
         summary_number(
             f, "cell_steps_per_second",
-            rate((double)sim->steps * sim->mesh->n_cells, sim->seconds.cfd));
+            rate((double)sim->steps * cells_of(sim), sim->seconds.cfd));
 }
 
 static void write_residuals(struct summary *f, const struct recorder *r)
@@ -224,9 +245,8 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
         summary_count(f, "seed",
                       settings_int(r->settings, "particles.bed.seed"));
     summary_count(f, "threads", omp_get_max_threads());
-    summary_count(f, "cells", sim->mesh->n_cells);
-    summary_count(f, "particles",
-                  sim->particles != NULL ? sim->particles->n : 0);
+    summary_count(f, "cells", (long)cells_of(sim));
+    summary_count(f, "particles", (long)particles_of(sim));
     write_life(f, r);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
@@ -304,7 +324,7 @@ static int create_parts(struct recorder *r)
         r->animation = animation_create(folder);
         if (r->animation == NULL) return 1;
     }
-    r->probes = probes_create(r->settings, sim, r->snapshot, folder);
+    r->probes = probes_create(r->settings, r->seen, r->whole, folder);
     return r->probes == NULL;
 }
 
@@ -321,9 +341,14 @@ struct recorder *recorder_create(const struct settings *s,
     r->eps_lowest = 1.0;
     r->picture_every = case_steps_between(s, "output.every");
     r->row_every = case_steps_between_rows(s);
-    r->snapshot = snapshot_create(sim);
+    r->snapshot = r->whole = snapshot_create(sim);
+    r->seen = sim;
+    if (sim->processes != NULL && sim->processes->whole != NULL) {
+        r->seen = sim->processes->whole;
+        r->whole = snapshot_create(r->seen);
+    }
     r->second_half = second_half_create(sim, settings_real(s, "output.end"));
-    r->lines = profiles_create(s, sim, r->snapshot);
+    r->lines = profiles_create(s, r->seen, r->whole);
     if (r->lines != NULL && begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
         if (!resume)
@@ -342,7 +367,8 @@ static int draw_picture(const struct recorder *r)
     const struct picture p = picture_of(r);
     const char *const dir = folder_name(r->folder);
 
-    if (settings_bool(r->settings, "output.picture")) {
+    if (settings_bool(r->settings, "output.picture") &&
+        (r->seen != r->sim || r->sim->processes == NULL)) {
         if (picture_write(r->folder, &p) != 0) return 1;
         if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
     }

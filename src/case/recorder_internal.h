@@ -17,14 +17,16 @@ enum { MOST_COLUMNS = 128 };
 struct recorder {
     const struct settings *settings;
     const struct simulation *sim;
-    struct folder *folder; /* borrowed */
-    double began;          /* [s] wall clock */
-    double ended;          /* [s] the same; 0 while the run goes on */
+    const struct simulation *seen; /* the whole of it, or what is drawn */
+    struct folder *folder;         /* borrowed */
+    double began;                  /* [s] wall clock */
+    double ended;                  /* [s] the same; 0 while the run goes on */
     int n_columns; /* [-] of the table; those of effects follow the others */
     int n_own;     /* [-] the others */
     const struct history_column *column[MOST_COLUMNS];
     struct table *history;
     struct snapshot *snapshot;
+    struct snapshot *whole; /* of what is drawn; the same on one machine */
     struct field_output *pictures;
     struct animation *animation;     /* NULL: off */
     struct recorder_part_list parts; /* what folders add */
@@ -37,5 +39,8 @@ struct recorder {
     double eps_lowest;
     long capped_steps;
 };
+
+/* Takes the snapshots. */
+void recorder_look(struct recorder *r);
 
 #endif

@@ -3,6 +3,7 @@
 #include "case/recorder_internal.h"
 
 #include "base/clock.h"
+#include "coupling/processes.h"
 
 static void sums_state(struct recorder *r, struct state *s)
 {
@@ -26,7 +27,10 @@ void recorder_state(struct recorder *r, struct state *s)
     state_begin(s, "recorder");
     sums_state(r, s);
     second_half_state(r->second_half, s);
-    snapshot_state(r->snapshot, r->sim->mesh, s);
+    if (r->sim->processes == NULL)
+        snapshot_state(r->snapshot, r->sim->mesh, s);
+    else if (s->loading)
+        recorder_look(r);
     profiles_state(r->lines, s);
     table_state(r->history, s);
     probes_state(r->probes, s);

@@ -233,14 +233,14 @@ static struct simulation *build(const struct run *run, int *code)
 
     interrupt_watch_begin(&b.watch, leave, &b);
     struct simulation *const sim =
-        run->resumes ? build_to_resume(s, code)
-                     : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
+        processes_engines[0] != NULL
+            ? processes_engines[0]->build(s, run->options->dir, run->resumes,
+                                          code)
+        : run->resumes
+            ? build_to_resume(s, code)
+            : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
     interrupt_watch_end(&b.watch);
-    if (sim == NULL || processes_engines[0] == NULL) return sim;
-    sim->processes = processes_engines[0]->create(s, sim, code);
-    if (sim->processes != NULL) return sim;
-    build_free(sim);
-    return NULL;
+    return sim;
 }
 
 /* Whether this program can compute the case; else 2, after a message. */

@@ -17,14 +17,6 @@ static const char placeholder[] = "<patch>";
 
 enum { SCHEMA_WORDS = 1024 }; /* room for all names of a kind */
 
-const struct key *schema_at(const struct key *const *tables, int i)
-{
-    for (; *tables != NULL; tables++)
-        for (const struct key *k = *tables; k->path != NULL; k++)
-            if (i-- == 0) return k;
-    return NULL;
-}
-
 static int is_patch(const char *name, size_t length)
 {
     for (int i = 0; schema_patches[i] != NULL; i++)
@@ -68,6 +60,18 @@ const char *schema_member(const struct key *key, const char *group)
     if (dot == NULL) return group[0] == '\0' ? key->path : NULL;
     snprintf(parent, sizeof parent, "%.*s", (int)(dot - key->path), key->path);
     return matches(parent, group) ? dot + 1 : NULL;
+}
+
+int schema_is_within(const struct key *key, const char *path)
+{
+    char part[SCHEMA_TEXT];
+
+    for (size_t n = 0; n < strlen(key->path); n++) {
+        n += strcspn(key->path + n, ".");
+        snprintf(part, sizeof part, "%.*s", (int)n, key->path);
+        if (matches(part, path)) return 1;
+    }
+    return 0;
 }
 
 /* The conditions and words of a row; where it has none, the names of the models

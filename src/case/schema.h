@@ -28,16 +28,18 @@ int schema_knows(const struct key *const *tables, const char *path);
 
 /* Walks over the rows of all tables. */
 #define SCHEMA_EACH(found, tables)                                             \
-    for (const struct key *const *table_ = (tables); *table_ != NULL;          \
-         table_++)                                                             \
-        for (const struct key *found = *table_; found->path != NULL; found++)
-
-/* The i-th row over all tables, or NULL after the last. */
-const struct key *schema_at(const struct key *const *tables, int i);
+    for (const struct key *const *found##_table = (tables);                    \
+         *found##_table != NULL; found##_table++)                              \
+        for (const struct key *found = *found##_table; found->path != NULL;    \
+             found++)
 
 /* The name of a row within its group if the row is a direct member of the
  * group, else NULL. The group "" is the whole case. */
 const char *schema_member(const struct key *key, const char *group);
+
+/* 1 if the row is that of the path or stands in the group of that path, at any
+ * depth. */
+int schema_is_within(const struct key *key, const char *path);
 
 /* 1 if the name, or one of a row's words, is allowed. */
 int schema_allow_number(const struct key *key, double value);

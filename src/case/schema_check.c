@@ -269,7 +269,8 @@ static int has_one_of(const config_setting_t *s, char *groups)
     return found;
 }
 
-/* The first of the groups a row needs that the case does not have. */
+/* The first of the groups a row needs that the case does not have, or that it
+ * excludes, as "!group", and that the case has. */
 static int unmet(const struct key *key, const config_setting_t *s)
 {
     const char *rest = key->needs;
@@ -277,7 +278,12 @@ static int unmet(const struct key *key, const config_setting_t *s)
     int used;
 
     for (; sscanf(rest, "%255s%n", group, &used) == 1; rest += used)
-        if (!has_one_of(s, group)) /* which leaves the first of them */
+        if (group[0] == '!') {
+            if (has_one_of(s, group + 1))
+                return source_wrong(s,
+                                    "%s takes the place of %s: leave one out",
+                                    key->path, group + 1);
+        } else if (!has_one_of(s, group)) /* which leaves the first of them */
             return source_wrong(s, "%s needs %s, which the case does not have",
                                 key->path, group);
     return 0;

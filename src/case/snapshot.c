@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "coupling/processes.h"
 #include "coupling/transfer.h"
 
 static void create_particles(struct snapshot *s, int capacity)
@@ -193,6 +194,7 @@ void snapshot_state(struct snapshot *s, const struct mesh *mesh,
 
 void snapshot_take(struct snapshot *s, const struct simulation *sim)
 {
+    processes_join(sim, PROCESSES_LOOK);
     s->t = sim->t;
     if (s->u_s != NULL) transfer_solids_velocity(sim);
     if (sim->fluid != NULL) take_fluid(s, sim->fluid);

@@ -74,14 +74,14 @@ int coupling_start(struct simulation *sim)
     const struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
 
-    if (sim->processes != NULL) return sim->processes->start(sim->processes);
+    processes_join(sim, PROCESSES_START);
     if (cp == NULL) return 0;
     for (int i = 0; i < ps->n; i++) {
         cp->u_mean[3 * i] = ps->vx[i];
         cp->u_mean[3 * i + 1] = ps->vy[i];
         cp->u_mean[3 * i + 2] = ps->vz[i];
     }
-    if (transfer_average(sim) != 0) return 1;
+    if (processes_largest(sim, transfer_average(sim)) != 0) return 1;
     fluid_reset_eps_history(sim->fluid);
     transfer_fluid(sim); /* u_f, for the slip in the first k */
     transfer_drag_terms(sim);
@@ -224,7 +224,7 @@ int coupling_step(struct simulation *sim)
     double clock = clock_now();
     int failed = 0;
 
-    if (sim->processes != NULL) return sim->processes->step(sim->processes);
+    processes_join(sim, PROCESSES_STEP);
     if (sim->population != NULL) failed = insert_and_remove(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
@@ -255,7 +255,7 @@ int coupling_step(struct simulation *sim)
     if (!failed) failed = move_others(sim);
     if (!failed) finish_step(sim);
     clock_add(&sim->seconds.exchange, &clock);
-    return failed;
+    return processes_largest(sim, failed);
 }
 
 /* The field of the last step is what the next one is checked against. */
@@ -344,6 +344,7 @@ void coupling_unpaid_impulse(const struct simulation *sim, double owed[3])
         owed[i % 3] += sim->coupling->unpaid_impulse[i];
     for (int k = 0; k < 3 && sim->coupling->replacement != NULL; k++)
         owed[k] += sim->coupling->replacement->unpaid_sum[k];
+    processes_sum(sim, 3, owed);
 }
 
 void coupling_total_momentum(const struct simulation *sim, double total[3])
@@ -358,6 +359,7 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
         total[1] += ps->m[i] * ps->vy[i];
         total[2] += ps->m[i] * ps->vz[i];
     }
+    processes_sum(sim, 3, total);
     coupling_unpaid_impulse(sim, owed);
     for (int k = 0; k < 3; k++)
         total[k] -= owed[k];

@@ -2,31 +2,49 @@
  * Chapter "Past one machine".
  *
  * Each process has a part of the cells and the particles there as a simulation
- * of its own. The whole simulation, which only the first process has, is the
- * record: what is written, saved and loaded. Its pointer to these is NULL on
- * one machine.
+ * of its own, and no process has the whole one. The first runs the program;
+ * where it begins something that all do with their parts, it says so. A
+ * simulation that is whole has NULL for these.
  */
 #ifndef COUPLING_PROCESSES_H
 #define COUPLING_PROCESSES_H
 
-#include "base/state.h"
+#include "coupling/simulation.h"
 
-struct simulation;
 struct settings;
+struct snapshot;
 
-enum processes_extent {
-    PROCESSES_FIELDS, /* what output is made of */
-    PROCESSES_ALL     /* and what the next step depends on */
+/* What all do together: coupling_start, coupling_step, snapshot_take, and the
+ * numbers of a row, for which only the own cells of a part count until they are
+ * done. */
+enum processes_order {
+    PROCESSES_START,
+    PROCESSES_STEP,
+    PROCESSES_LOOK,
+    PROCESSES_ROW,
+    PROCESSES_ROW_DONE
 };
 
 struct processes {
-    /* The same as coupling_start and coupling_step. */
-    int (*start)(struct processes *self);
-    int (*step)(struct processes *self);
-    /* Brings the record up to date. */
-    void (*collect)(struct processes *self, enum processes_extent extent);
-    /* Visits what only the processes have; after loading, hands the record out
-     * to them. */
+    double cells, particles; /* [-] of all parts */
+    const double *V; /* [m^3] of this part's cells; 0 of those that are copies
+                        of another's */
+    /* What is drawn of the whole: its box, and with particles if they are.
+     * NULL: nothing is. */
+    const struct simulation *whole;
+    /* The others begin the same. */
+    void (*join)(struct processes *self, enum processes_order order);
+    /* Over all parts: sums of n numbers, and the largest of a number. */
+    void (*sum)(struct processes *self, int n, double *x);
+    int (*largest)(struct processes *self, int x);
+    /* Writes fields or particles to the path, a piece a process. Non-zero after
+     * a message. */
+    int (*write)(struct processes *self, const char *path,
+                 const struct snapshot *s);
+    /* Copies what is drawn to the first process. */
+    void (*gather)(struct processes *self, const struct snapshot *part,
+                   struct snapshot *whole);
+    /* Visits all parts instead of the particles and the fields. */
     void (*state)(struct processes *self, struct state *s);
     void (*free)(struct processes *self);
 };
@@ -36,12 +54,30 @@ struct processes_engine {
     const char *name;
     /* Whether it can compute the case; else 2, after a message. */
     int (*check)(const struct settings *s);
-    /* NULL after a message, with the exit code. All is borrowed. */
-    struct processes *(*create)(const struct settings *s,
-                                struct simulation *whole, int *code);
+    /* The part of the first process, before the first step, or to be loaded
+     * from the folder. NULL after a message, with the exit code. */
+    struct simulation *(*build)(const struct settings *s, const char *dir,
+                                int resumes, int *code);
 };
 
 /* All of them, ended by NULL: there is one, or none. */
 extern const struct processes_engine *const processes_engines[];
+
+static inline void processes_join(const struct simulation *sim,
+                                  enum processes_order order)
+{
+    if (sim->processes != NULL) sim->processes->join(sim->processes, order);
+}
+
+static inline void processes_sum(const struct simulation *sim, int n, double *x)
+{
+    if (sim->processes != NULL) sim->processes->sum(sim->processes, n, x);
+}
+
+static inline int processes_largest(const struct simulation *sim, int x)
+{
+    return sim->processes == NULL ? x
+                                  : sim->processes->largest(sim->processes, x);
+}
 
 #endif

@@ -35,23 +35,27 @@ static void effects_state(struct simulation *sim, struct state *s)
     state_end(s);
 }
 
-/* The particles are visited first: their number gives that of other rows. What
- * the averaging keeps follows from them. */
-int simulation_state(struct simulation *sim, struct state *s)
+/* The particles are visited first: their number gives that of other rows. */
+static void visit_fields(struct simulation *sim, struct state *s)
 {
-    if (sim->processes != NULL && !s->loading)
-        sim->processes->collect(sim->processes, PROCESSES_ALL);
-    state_real(s, "t", "s", &sim->t);
-    state_long(s, "steps", "-", &sim->steps);
-    seconds_state(&sim->seconds, s);
     if (sim->particles != NULL) particles_state(sim->particles, s);
     if (sim->dem != NULL) dem_state(sim->dem, s);
     if (sim->fluid != NULL) fluid_state(sim->fluid, s);
     coupling_state(sim, s);
+}
+
+/* What the averaging keeps follows from the particles. */
+int simulation_state(struct simulation *sim, struct state *s)
+{
+    state_real(s, "t", "s", &sim->t);
+    state_long(s, "steps", "-", &sim->steps);
+    seconds_state(&sim->seconds, s);
+    if (sim->processes != NULL)
+        sim->processes->state(sim->processes, s);
+    else
+        visit_fields(sim, s);
     effects_state(sim, s);
     if (s->loading && !s->failed && sim->averaging != NULL)
         s->failed = averaging_bind(sim->averaging) != 0;
-    if (sim->processes != NULL && !s->failed)
-        sim->processes->state(sim->processes, s);
     return s->failed;
 }

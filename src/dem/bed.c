@@ -78,45 +78,42 @@ static struct lattice lattice_of(const struct bed_options *bed,
     return l;
 }
 
-/* The diameters, drawn with numbers of their own, so that jitter and sizes do
- * not depend on each other. */
-static double *draw_sizes(const struct bed_options *bed)
+/* A diameter, drawn with numbers of their own, so that jitter and sizes do not
+ * depend on each other. */
+static double next_size(const struct bed_options *bed, gsl_rng *random)
 {
-    double *const d = alloc_doubles(bed->count);
-    gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
-
-    gsl_rng_set(random, bed->seed);
-    for (int i = 0; i < bed->count; i++)
-        d[i] = bed->sizes == NULL
-                   ? bed->diameter
-                   : bed->quantile(bed->sizes, gsl_rng_uniform(random));
-    gsl_rng_free(random);
-    return d;
+    return bed->sizes == NULL
+               ? bed->diameter
+               : bed->quantile(bed->sizes, gsl_rng_uniform(random));
 }
 
 struct bed_range bed_range(const struct bed_options *bed)
 {
-    double *const d = draw_sizes(bed);
+    gsl_rng *const random = gsl_rng_alloc(gsl_rng_ranlxd1);
     struct bed_range r = {bed->diameter, bed->diameter, 0.0};
 
+    gsl_rng_set(random, bed->seed);
     for (int i = 0; i < bed->count; i++) {
-        r.min = i == 0 ? d[i] : fmin(r.min, d[i]);
-        r.max = i == 0 ? d[i] : fmax(r.max, d[i]);
-        r.volume += M_PI / 6.0 * gsl_pow_3(d[i]);
+        const double d = next_size(bed, random);
+        r.min = i == 0 ? d : fmin(r.min, d);
+        r.max = i == 0 ? d : fmax(r.max, d);
+        r.volume += M_PI / 6.0 * gsl_pow_3(d);
     }
-    free(d);
+    gsl_rng_free(random);
     return r;
 }
 
 /* Sphere after sphere to the sites of the lattice. */
-static void fill_lattice(struct particles *ps, const struct lattice *l,
-                         const double *d, const struct bed_options *bed,
-                         const struct dem_options *dem)
+static void fill_lattice(const struct lattice *l, const struct bed_options *bed,
+                         const struct dem_options *dem, bed_put *put, void *to)
 {
     const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *const sizes = gsl_rng_alloc(gsl_rng_ranlxd1);
     gsl_rng_set(random, bed->seed);
+    gsl_rng_set(sizes, bed->seed);
     for (int i = 0; i < bed->count; i++) {
+        const double d = next_size(bed, sizes);
         int site[3];
         double x[3];
 
@@ -124,20 +121,41 @@ static void fill_lattice(struct particles *ps, const struct lattice *l,
         site[c] = i / l->n[a] % l->n[c];
         site[l->up] = i / l->n[a] / l->n[c];
         for (int k = 0; k < 3; k++) {
-            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double room = bed->jitter * (l->space[k] - d);
             const double shift = room * (gsl_rng_uniform(random) - 0.5);
             const double at = (site[k] + 0.5) * l->space[k] + shift;
             x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        particles_add(ps, x, d[i], bed->density);
+        put(to, i, x, d);
     }
     gsl_rng_free(random);
+    gsl_rng_free(sizes);
+}
+
+/* The bed as if all its spheres were as wide as the widest. */
+static struct bed_options widest_of(const struct bed_options *bed)
+{
+    struct bed_options widest = *bed;
+
+    widest.diameter = bed_range(bed).max;
+    return widest;
+}
+
+int bed_each(const struct bed_options *bed, const struct dem_options *dem,
+             bed_put *put, void *to)
+{
+    const struct bed_options widest = widest_of(bed);
+    const struct lattice l = lattice_of(&widest, dem);
+
+    if (lattice_wrong(&l, &widest, dem)) return 1;
+    fill_lattice(&l, bed, dem, put, to);
+    return 0;
 }
 
 /* The same if some sites have no space: tries site after site until all spheres
  * are placed. Non-zero after a message if there are too few sites. */
 static int fill_room(struct particles *ps, const struct lattice *l,
-                     const double *d, const struct bed_options *bed,
+                     const struct bed_options *bed,
                      const struct dem_options *dem)
 {
     const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
@@ -145,9 +163,12 @@ static int fill_room(struct particles *ps, const struct lattice *l,
     const long layer = (long)l->n[a] * l->n[c];
     const double sites = (double)layer * floor(height / l->space[l->up]);
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng *const sizes = gsl_rng_alloc(gsl_rng_ranlxd1);
     int i = 0;
 
     gsl_rng_set(random, bed->seed);
+    gsl_rng_set(sizes, bed->seed);
+    double d = next_size(bed, sizes);
     for (long q = 0; (double)q < sites && i < bed->count; q++) {
         long site[3];
         double x[3];
@@ -155,16 +176,18 @@ static int fill_room(struct particles *ps, const struct lattice *l,
         site[c] = q / l->n[a] % l->n[c];
         site[l->up] = q / layer;
         for (int k = 0; k < 3; k++) {
-            const double room = bed->jitter * (l->space[k] - d[i]);
+            const double room = bed->jitter * (l->space[k] - d);
             const double shift = room * (gsl_rng_uniform(random) - 0.5);
             const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
             x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        if (!bed->region.has_room(bed->region.state, x, 0.5 * d[i])) continue;
-        particles_add(ps, x, d[i], bed->density);
+        if (!bed->region.has_room(bed->region.state, x, 0.5 * d)) continue;
+        particles_add(ps, x, d, bed->density);
+        d = next_size(bed, sizes);
         i++;
     }
     gsl_rng_free(random);
+    gsl_rng_free(sizes);
     if (i == bed->count) return 0;
     fprintf(stderr,
             "winnow: the bed does not fit: the mesh has room for %d of its %d "
@@ -173,22 +196,33 @@ static int fill_room(struct particles *ps, const struct lattice *l,
     return 1;
 }
 
+/* Where a bed is put. */
+struct filling {
+    struct particles *ps;
+    double density; /* [kg/m^3] */
+};
+
+static void put_one(void *to, int i, const double x[3], double d)
+{
+    const struct filling *const f = to;
+
+    (void)i; /* which is that of the particle */
+    particles_add(f->ps, x, d, f->density);
+}
+
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem)
 {
-    struct bed_options widest = *bed;
+    struct filling f = {ps, bed->density};
+    int wrong;
 
-    widest.diameter = bed_range(bed).max;
-    const struct lattice l = lattice_of(&widest, dem);
-    const int anywhere = bed->region.has_room == NULL;
-    if (anywhere && lattice_wrong(&l, &widest, dem)) return 1;
-    double *const d = draw_sizes(bed);
-    int wrong = 0;
-    if (anywhere)
-        fill_lattice(ps, &l, d, bed, dem);
-    else
-        wrong = fill_room(ps, &l, d, bed, dem);
-    free(d);
+    if (bed->region.has_room == NULL) {
+        wrong = bed_each(bed, dem, put_one, &f);
+    } else {
+        const struct bed_options widest = widest_of(bed);
+        const struct lattice l = lattice_of(&widest, dem);
+        wrong = fill_room(ps, &l, bed, dem);
+    }
     if (wrong || bed->region.start_wrong == NULL) return wrong;
     return bed->region.start_wrong(bed->region.state, ps);
 }

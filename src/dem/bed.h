@@ -102,6 +102,12 @@ struct bed_range bed_range(const struct bed_options *bed);
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 
+/* Calls put for each sphere of the lattice in a box, one after the other, with
+ * its number from 0 on, centre and diameter [m]; non-zero after a message. */
+typedef void bed_put(void *to, int i, const double x[3], double d);
+int bed_each(const struct bed_options *bed, const struct dem_options *dem,
+             bed_put *put, void *to);
+
 /* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
  * negative after a message if there is no room to run in. A
  * bed that is not settled in time is not an error here: see r->settled. */

@@ -40,7 +40,9 @@ static const struct dem_method *method_of(const struct dem_options *o)
 
 int dem_period_wrong(const struct dem_options *o, double widest, double mean)
 {
-    const double skin = method_of(o)->skin(o, mean) + dem_range(o);
+    const struct dem_method *const method = method_of(o);
+    const double gap = method->skin != NULL ? method->skin(o, mean) : 0.0;
+    const double skin = gap + dem_range(o);
 
     for (int k = 0; k < 3; k++)
         if (o->periodic[k] && o->hi[k] - o->lo[k] < 2.0 * (widest + skin)) {

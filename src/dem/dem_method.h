@@ -22,7 +22,7 @@ struct dem_method {
     /* What of the options it does not know, in words; NULL: it knows all. */
     const char *(*unknown)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean
-     * diameter [m]. */
+     * diameter [m]; NULL: 0. */
     double (*skin)(const struct dem_options *o, double mean);
     /* Sets dem->state; non-zero after a message. free releases it. */
     int (*create)(struct dem *dem);

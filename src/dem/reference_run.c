@@ -27,12 +27,6 @@ static const char *unknown(const struct dem_options *o)
     return NULL;
 }
 
-static double no_skin(const struct dem_options *o, double mean)
-{
-    (void)o, (void)mean;
-    return 0.0;
-}
-
 static int create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
@@ -368,7 +362,6 @@ const struct dem_method reference_all_pairs = {
     .equations = "LS 4.1-4.3",
     .function = "reference_forces",
     .unknown = unknown,
-    .skin = no_skin,
     .create = create,
     .free = release,
     .run = run_steps,
@@ -384,7 +377,6 @@ const struct dem_method reference_link_cells = {
     .equations = "LS section 5.2.2",
     .function = "link_cells_around",
     .unknown = unknown,
-    .skin = no_skin,
     .create = create_link_cells,
     .free = release,
     .run = run_steps,

@@ -131,6 +131,16 @@ static void walls(const struct words *w, int a, words_tell *tell, void *to)
                 'x' + k, a + 1, a + 1, text, 'x' + k, w->lo[k], w->hi[k]);
 }
 
+void words_no_walls(const struct words *w, words_tell *tell, void *to)
+{
+    for (int a = 0; a < w->materials; a++) {
+        for (int k = 0; k < 3; k++)
+            if (!w->periodic[k])
+                say(tell, to, "unfix wall_%c_%d", 'x' + k, a + 1);
+        say(tell, to, "group type_%d delete", a + 1);
+    }
+}
+
 void words_contacts(const struct words *w, words_tell *tell, void *to)
 {
     char text[WORDS_LINE];

@@ -43,4 +43,7 @@ void words_begin(const struct words *w, words_tell *tell, void *to);
 void words_box(const struct words *w, words_tell *tell, void *to);
 void words_contacts(const struct words *w, words_tell *tell, void *to);
 
+/* Takes the walls away again. */
+void words_no_walls(const struct words *w, words_tell *tell, void *to);
+
 #endif

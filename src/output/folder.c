@@ -21,8 +21,9 @@ static const char ahead[] = "checkpoint.ahead";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".",      "fluid",      "particles", "surfaces", "picture", "profiles",
-    "frames", "statistics", "walls",     "contacts", "case",    "bodies"};
+    ".",        "fluid",  "particles",  "surfaces",     "picture",
+    "profiles", "frames", "statistics", "walls",        "contacts",
+    "case",     "bodies", "clumps",     "body_surfaces"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -30,6 +31,10 @@ static const char *const ours[] = {"./summary.json",
                                    "./bodies.csv",
                                    "./bodies.pvd",
                                    "bodies/bodies_*.vtp",
+                                   "./clumps.pvd",
+                                   "clumps/clumps_*.vtp",
+                                   "./body_surfaces.pvd",
+                                   "body_surfaces/body_surfaces_*.vtp",
                                    "./forces.csv",
                                    "./walls.pvd",
                                    "./contacts.pvd",
@@ -59,7 +64,11 @@ static const char *const ours[] = {"./summary.json",
                                    "./case.cfg",
                                    "case/*",
                                    "./checkpoint",
-                                   "./checkpoint.before"};
+                                   "./checkpoint.before",
+                                   "./checkpoint.cells.?",
+                                   "./checkpoint.grains.?",
+                                   "fluid/fluid_*.pvtr",
+                                   "particles/particles_*.pvtp"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]
@@ -179,10 +188,17 @@ static int is_foreign(const struct folder *f, const char *name)
 
     if (!is_ours(name) || manifest_has(&f->old, name)) return 0;
     if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
-    fprintf(stderr,
-            "winnow: %s/%s is in the way: no run that %s tells of has written "
-            "it; move it away, or choose another folder with -o\n",
-            f->dir, name, manifest);
+    if (f->fresh)
+        fprintf(stderr,
+                "winnow: %s is not there, the list of the files of a run: "
+                "without it %s/%s may be another program's; move it away, or "
+                "choose another folder with -o\n",
+                f->path, f->dir, name);
+    else
+        fprintf(stderr,
+                "winnow: %s/%s is in the way: no run that %s tells of has "
+                "written it; move it away, or choose another folder with -o\n",
+                f->dir, name, manifest);
     return 1;
 }
 

@@ -43,15 +43,23 @@ static void put_edges(struct vtk_file *f, const struct box *b)
 int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays)
 {
+    static const int at[3] = {0, 0, 0};
+    return vtk_write_box_at(w, path, m, at, time, n_arrays, arrays);
+}
+
+int vtk_write_box_at(struct vtk_writer *w, const char *path,
+                     const struct mesh *m, const int at[3], double time,
+                     int n_arrays, const struct vtk_array *arrays)
+{
     struct vtk_file *const f = w->file;
     const int *const n = m->box.n;
-    char whole[96];
+    char extent[96], whole[128];
 
-    snprintf(whole, sizeof whole, " WholeExtent=\"0 %d 0 %d 0 %d\"", n[0], n[1],
-             n[2]);
+    snprintf(extent, sizeof extent, "Extent=\"%d %d %d %d %d %d\"", at[0],
+             at[0] + n[0], at[1], at[1] + n[1], at[2], at[2] + n[2]);
+    snprintf(whole, sizeof whole, " Whole%s", extent);
     if (vtk_file_begin(f, path, "RectilinearGrid", whole, time) != 0) return 1;
-    fprintf(vtk_file_stream(f), "<Piece Extent=\"0 %d 0 %d 0 %d\">\n", n[0],
-            n[1], n[2]);
+    fprintf(vtk_file_stream(f), "<Piece %s>\n", extent);
     put_edges(f, &m->box);
     vtk_file_section(f, "CellData", m->n_cells, n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");

@@ -25,6 +25,11 @@ void vtk_writer_free(struct vtk_writer *w);
 int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays);
 
+/* The same as a piece of a larger box, from its cell `at` on. */
+int vtk_write_box_at(struct vtk_writer *w, const char *path,
+                     const struct mesh *m, const int at[3], double time,
+                     int n_arrays, const struct vtk_array *arrays);
+
 /* A form of a mesh that is no box: put opens the <Piece> and declares its
  * points and cells. All that are built in, ended by NULL. */
 struct vtk_file;

@@ -1,8 +1,9 @@
-/* block_contacts.h -- free spheres that touch boxes and cylinders.
+/* block_contacts.h -- contacts of bodies that are not all spheres.
  * Chapter "Resolving the grains".
  *
- * All that is asked of the other body is the distance s of the sphere's centre
- * from its surface: with n the gradient of s and the overlap R - s,
+ * A ball (body_gaps.h) of the radius R whose centre is at the distance s < R
+ * from the surface of another body: with n the gradient of s and the overlap R
+ * - s,
  *
  *   F = (k (R - s) - eta v_n) n, not below 0     [LS 4.3, 4.4]
  *
@@ -13,9 +14,8 @@
 
 #include "resolved/solid_bodies.h"
 
-/* Changes the velocities of spheres, and of what they touch if it is on
- * springs, by the forces of a time dt [s]. Returns the deepest overlap over the
- * diameter [-]. */
+/* Changes the velocities of what touches and can move, by the forces of a time
+ * dt [s]. Returns the deepest overlap over the diameter of a ball [-]. */
 double block_contacts_act(struct solid_bodies *b, double dt);
 
 #endif

@@ -4,8 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/block_contacts.h"
+#include "resolved/body_exit.h"
+#include "resolved/body_turn.h"
 #include "resolved/squeeze_film.h"
 
 /* Mass of the fluid that a body displaces [kg]. */
@@ -61,6 +64,30 @@ static void turn(struct solid_bodies *b, int i, double dt)
     }
 }
 
+/* The same with moments G of its own, where the spin also turns the angular
+ * momentum: that of the solid less that of the fluid inside. */
+static void turn_outline(struct solid_bodies *b, int i, double dt)
+{
+    struct particles *const ps = b->ps;
+    const double m_f = displaced(b, i), C_v = b->options.virtual_mass;
+    const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
+    double G[6], gained[3], inside[3], whole[3], gyro[3], J[3];
+
+    body_turn_gyration(b, i, G);
+    vector_between(w, &b->w_old[3 * i], gained);
+    body_turn_times(G, gained, inside);
+    body_turn_times(G, w, whole);
+    vector_cross(w, whole, gyro);
+    for (int k = 0; k < 3; k++) {
+        const double of_fluid =
+            b->angular[3 * i + k] + m_f * (inside[k] + dt * gyro[k]);
+        b->torque[3 * i + k] = of_fluid / dt;
+        b->w_old[3 * i + k] = w[k];
+        J[k] = of_fluid + C_v * m_f * inside[k] - ps->m[i] * dt * gyro[k];
+    }
+    body_motion_add_spin(b, i, J);
+}
+
 static void clear(struct solid_bodies *b)
 {
     const size_t size = 3 * (size_t)b->ps->n * sizeof(double);
@@ -84,6 +111,7 @@ static int drift(struct solid_bodies *b, double dt)
             b->dem_report.lost += *x[k] < o->lo[k] || *x[k] > o->hi[k];
         }
     }
+    if (b->turn != NULL) body_turn_advance(b, dt);
     return b->dem_report.lost > 0;
 }
 
@@ -121,6 +149,7 @@ static int move_once(struct solid_bodies *b, double step)
     const int failed = dem_run(b->dem, 1, &one);
     b->dem_report = one;
     b->dem_report.max_overlap = fmax(deepest, one.max_overlap);
+    if (b->turn != NULL) body_turn_advance(b, step);
     return failed;
 }
 
@@ -146,24 +175,41 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     return failed;
 }
 
+/* The spin that an outline of this mass [kg] gets of an angular impulse. */
+static void spin_of(const struct solid_bodies *b, int i, double m,
+                    const double impulse[3], double gained[3])
+{
+    double G[6];
+
+    body_turn_gyration(b, i, G);
+    vector_solve(G, impulse, gained);
+    for (int k = 0; k < 3; k++)
+        gained[k] /= m;
+}
+
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3])
 {
-    const double per_mass = gyration(b, i);
-    const double I =
-        per_mass * (b->ps->m[i] + b->options.virtual_mass * displaced(b, i));
+    const double m = b->ps->m[i] + b->options.virtual_mass * displaced(b, i);
+    const double I = m * gyration(b, i);
+    double gained[3] = {impulse[0] / I, impulse[1] / I, impulse[2] / I};
 
     if (b->motion[i] != BODY_FREE) return;
-    b->ps->wx[i] += impulse[0] / I;
-    b->ps->wy[i] += impulse[1] / I;
-    b->ps->wz[i] += impulse[2] / I;
+    if (b->shape[i].kind == BODY_OUTLINE) spin_of(b, i, m, impulse, gained);
+    b->ps->wx[i] += gained[0];
+    b->ps->wy[i] += gained[1];
+    b->ps->wz[i] += gained[2];
 }
 
 void body_motion_set_forces(struct solid_bodies *b, double dt)
 {
+    if (b->exit != NULL) body_exit_look(b);
     for (int i = 0; i < b->ps->n; i++) {
         set_forces(b, i, dt);
-        turn(b, i, dt);
+        if (b->shape[i].kind == BODY_OUTLINE)
+            turn_outline(b, i, dt);
+        else
+            turn(b, i, dt);
     }
     clear(b);
 }

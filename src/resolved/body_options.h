@@ -20,7 +20,7 @@ enum body_motion {
 struct squeeze_film {
     double mu;    /* [Pa s] */
     double z_min; /* [m] */
-    double reach; /* [m] two cells; 0: no such force */
+    double reach; /* [m] squeeze_film_cells; 0: no such force */
 };
 
 struct solid_bodies_options {

@@ -28,6 +28,15 @@ struct body_shape body_shape_cylinder(double diameter, double length,
         .axis = {per * axis[0], per * axis[1], per * axis[2]}};
 }
 
+struct body_shape body_shape_outline(struct body_outline *outline)
+{
+    const double *const half = outline->half;
+    return (struct body_shape){.kind = BODY_OUTLINE,
+                               .half = {half[0], half[1], half[2]},
+                               .outline = outline,
+                               .turn = {{1.0}, {0.0, 1.0}, {0.0, 0.0, 1.0}}};
+}
+
 /* How far a point is beyond each of n pairs of parallel or round sides makes
  * its distance from all of them: inside the nearest one counts. */
 static double beyond(int n, const double q[])
@@ -60,6 +69,18 @@ static double distance_of_cylinder(const struct body_shape *c,
     return beyond(2, q);
 }
 
+/* y = Q^T r, in the frame of the body. */
+static double distance_of_outline(const struct body_shape *shape,
+                                  const double r[3])
+{
+    const double(*const Q)[3] = shape->turn;
+    double y[3];
+
+    for (int k = 0; k < 3; k++)
+        y[k] = Q[0][k] * r[0] + Q[1][k] * r[1] + Q[2][k] * r[2];
+    return shape->outline->distance(shape->outline, y);
+}
+
 double body_shape_distance(const struct body_shape *shape, const double r[3])
 {
     switch (shape->kind) {
@@ -67,6 +88,8 @@ double body_shape_distance(const struct body_shape *shape, const double r[3])
         return distance_of_box(shape->half, r);
     case BODY_CYLINDER:
         return distance_of_cylinder(shape, r);
+    case BODY_OUTLINE:
+        return distance_of_outline(shape, r);
     default:
         return vector_length(r) - shape->half[0];
     }
@@ -93,9 +116,12 @@ void body_shape_extent(const struct body_shape *shape, double extent[3])
     const double *const half = shape->half;
 
     for (int k = 0; k < 3; k++) {
-        const double a = shape->axis[k];
+        const double a = shape->axis[k], *const q = shape->turn[k];
         extent[k] =
             shape->kind == BODY_BOX ? half[k]
+            : shape->kind == BODY_OUTLINE
+                ? fabs(q[0]) * half[0] + fabs(q[1]) * half[1] +
+                      fabs(q[2]) * half[2]
             : shape->kind == BODY_CYLINDER
                 ? half[0] * sqrt(fmax(1.0 - a * a, 0.0)) + half[1] * fabs(a)
                 : half[0];
@@ -106,8 +132,27 @@ double body_shape_volume(const struct body_shape *shape)
 {
     const double *const half = shape->half;
 
+    if (shape->kind == BODY_OUTLINE) return shape->outline->volume;
     if (shape->kind == BODY_BOX) return 8.0 * half[0] * half[1] * half[2];
     if (shape->kind == BODY_CYLINDER)
         return 2.0 * M_PI * half[0] * half[0] * half[1];
     return 4.0 / 3.0 * M_PI * half[0] * half[0] * half[0];
+}
+
+int body_shape_balls(const struct body_shape *shape)
+{
+    return shape->kind == BODY_SPHERE    ? 1
+           : shape->kind == BODY_OUTLINE ? shape->outline->n_balls
+                                         : 0;
+}
+
+struct body_ball body_shape_ball(const struct body_shape *shape, int k)
+{
+    struct body_ball b = {.R = shape->half[0]};
+
+    if (shape->kind != BODY_OUTLINE) return b;
+    b.R = shape->outline->ball[k].R;
+    for (int e = 0; e < 3; e++)
+        b.at[e] = vector_dot(shape->turn[e], shape->outline->ball[k].at);
+    return b;
 }

@@ -7,13 +7,17 @@
 #ifndef RESOLVED_BODY_SHAPE_H
 #define RESOLVED_BODY_SHAPE_H
 
-enum body_shape_kind { BODY_SPHERE, BODY_BOX, BODY_CYLINDER };
+#include "resolved/body_outline.h"
+
+enum body_shape_kind { BODY_SPHERE, BODY_BOX, BODY_CYLINDER, BODY_OUTLINE };
 
 struct body_shape {
     enum body_shape_kind kind;
     double half[3]; /* [m] sphere: radius; box: halves of its edges; cylinder:
-                       radius and half of the length */
+                       radius and half of the length; outline: of its box */
     double axis[3]; /* [-] of a cylinder, of length 1 */
+    struct body_outline *outline; /* borrowed; NULL: none of those */
+    double turn[3][3];            /* [-] Q of an outline */
 };
 
 struct body_shape body_shape_sphere(double diameter);
@@ -21,6 +25,8 @@ struct body_shape body_shape_box(const double size[3]);
 /* The axis may have any length but 0. */
 struct body_shape body_shape_cylinder(double diameter, double length,
                                       const double axis[3]);
+/* Not turned yet. */
+struct body_shape body_shape_outline(struct body_outline *outline);
 
 /* Signed distance [m] of the point r [m], seen from the centre of the body. */
 double body_shape_distance(const struct body_shape *shape, const double r[3]);
@@ -33,5 +39,10 @@ void body_shape_normal(const struct body_shape *shape, const double r[3],
 void body_shape_extent(const struct body_shape *shape, double extent[3]);
 
 double body_shape_volume(const struct body_shape *shape); /* [m^3] */
+
+/* How many balls touch others, and ball k: its centre from that of the body, in
+ * the frame of the box. Boxes and cylinders have none. */
+int body_shape_balls(const struct body_shape *shape);
+struct body_ball body_shape_ball(const struct body_shape *shape, int k);
 
 #endif

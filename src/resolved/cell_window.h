@@ -13,6 +13,12 @@ struct cell_window {
     int first[3], last[3]; /* [-] of each direction */
 };
 
+/* Walks over the indices at[3] of its cells, along x fastest. */
+#define CELL_WINDOW_EACH(at, w)                                                \
+    for (at[2] = (w).first[2]; at[2] <= (w).last[2]; at[2]++)                  \
+        for (at[1] = (w).first[1]; at[1] <= (w).last[1]; at[1]++)              \
+            for (at[0] = (w).first[0]; at[0] <= (w).last[0]; at[0]++)
+
 /* The cells with a part within `extent` [m] of x [m], and one more layer; each
  * cell at most once. */
 struct cell_window cell_window_around(const struct mesh *m, const double x[3],

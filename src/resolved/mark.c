@@ -7,7 +7,8 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "resolved/cell_window.h"
+#include "resolved/body_cells.h"
+#include "resolved/body_exit.h"
 
 const double mark_firmness = 1e3;
 
@@ -41,7 +42,7 @@ static double soft(const struct fluid *fl, const struct body_shape *shape,
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         double beyond[3];
-        if (f >= m->n_internal) continue;
+        if (f >= m->n_internal || s > vector_length(&m->d[3 * f])) continue;
         vector_along(r, m->out[a], &m->d[3 * f], beyond);
         const double inside = -body_shape_distance(shape, beyond);
         if (inside > 0.0) sum += exchange(fl, f, c) * inside;
@@ -85,7 +86,9 @@ static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
         const int f = m->cell_face[a];
         if (f >= m->n_internal) {
-            if (b->motion[i] != BODY_FIXED) return 1;
+            if (b->motion[i] != BODY_FIXED &&
+                !body_exit_is_open(b->exit, &m->S[3 * f]))
+                return 1;
             continue;
         }
         const int next = m->owner[f] == c ? m->neighbour[f] : m->owner[f];
@@ -97,22 +100,21 @@ static int is_gap(const struct solid_bodies *b, const struct mesh *m, int c,
     return 0;
 }
 
-/* What body i does in a cell at the distance s of its centre. */
-typedef void in_cell(struct solid_bodies *b, const struct fluid *fl, int i,
-                     int c, const double r[3], double s);
+struct marking {
+    struct solid_bodies *b;
+    const struct fluid *fl;
+};
 
-static void claim(struct solid_bodies *b, const struct fluid *fl, int i, int c,
-                  const double r[3], double s)
+static void claim(void *by, int i, int c, const double r[3], double s)
 {
-    (void)fl, (void)r;
-    if (s <= 0.0) b->body_of[c] = i + 1;
+    (void)r;
+    if (s <= 0.0) ((struct marking *)by)->b->body_of[c] = i + 1;
 }
 
-static void release(struct solid_bodies *b, const struct fluid *fl, int i,
-                    int c, const double r[3], double s)
+static void release(void *by, int i, int c, const double r[3], double s)
 {
-    (void)fl, (void)r, (void)i;
-    if (s <= 0.0) b->body_of[c] = 0;
+    (void)r, (void)i;
+    if (s <= 0.0) ((struct marking *)by)->b->body_of[c] = 0;
 }
 
 double mark_fraction(const struct mesh *m, int c, double s)
@@ -120,9 +122,11 @@ double mark_fraction(const struct mesh *m, int c, double s)
     return fmin(fmax(0.5 - s / cbrt(m->V[c]), 0.0), 1.0);
 }
 
-static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
-                      int c, const double r[3], double s)
+static void hold_cell(void *by, int i, int c, const double r[3], double s)
 {
+    struct solid_bodies *const b = ((struct marking *)by)->b;
+    const struct fluid *const fl = ((struct marking *)by)->fl;
+
     if (b->by_fraction) {
         const double share = mark_fraction(fl->mesh, c, s);
         if (share > 0.0) add_link(b, i, c, share, r);
@@ -131,26 +135,6 @@ static void hold_cell(struct solid_bodies *b, const struct fluid *fl, int i,
         if (hold > 0.0) add_link(b, i, c, hold, r);
     } else if (!is_gap(b, fl->mesh, c, i))
         add_link(b, i, c, firm(fl, c), r);
-}
-
-static void each_cell(struct solid_bodies *b, const struct fluid *fl, int i,
-                      in_cell *act)
-{
-    const struct mesh *const m = fl->mesh;
-    const struct body_shape *const shape = &b->shape[i];
-    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
-    double extent[3], r[3];
-    int at[3];
-
-    body_shape_extent(shape, extent);
-    const struct cell_window w = cell_window_around(m, x, extent);
-
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                act(b, fl, i, c, r, body_shape_distance(shape, r));
-            }
 }
 
 /* The sums over the links of each cell. */
@@ -178,16 +162,18 @@ static void forget(struct solid_bodies *b)
 
 void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
 {
+    struct marking by = {b, fl};
+
     if (b->dt_marked == fl->options.dt) return;
     forget(b);
     for (int i = 0; i < b->ps->n; i++)
-        each_cell(b, fl, i, claim);
+        body_cells_each(b, fl->mesh, i, claim, &by);
     for (int i = 0; i < b->ps->n; i++) {
         b->start[i] = b->n_links;
-        each_cell(b, fl, i, hold_cell);
+        body_cells_each(b, fl->mesh, i, hold_cell, &by);
     }
     for (int i = 0; i < b->ps->n; i++)
-        each_cell(b, fl, i, release);
+        body_cells_each(b, fl->mesh, i, release, &by);
     b->start[b->ps->n] = b->n_links;
     collect(b);
     b->dt_marked = fl->options.dt;

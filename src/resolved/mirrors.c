@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/vector.h"
-#include "resolved/cell_window.h"
+#include "resolved/body_cells.h"
 
 enum { CORNERS = 8 };
 
@@ -173,38 +173,38 @@ static void make_room(struct mirrors *all)
     all->capacity = room;
 }
 
-/* Closes the cells of a body, or gives those that it has closed a mirror. */
-static void each_cell(struct mirrors *all, const struct solid_bodies *b, int i,
-                      int close)
-{
-    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
-    double extent[3], r[3];
-    int at[3];
+struct closing {
+    struct mirrors *all;
+    const struct solid_bodies *b;
+};
 
-    body_shape_extent(&b->shape[i], extent);
-    const struct cell_window w = cell_window_around(all->mesh, x, extent);
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(all->mesh, at, x, r);
-                const double s = body_shape_distance(&b->shape[i], r);
-                if (s > 0.0) continue;
-                make_room(all);
-                if (close)
-                    all->closed[c] = 1;
-                else if (all->closed[c] == 1) {
-                    all->closed[c] = 2; /* one mirror, of the first body */
-                    add_mirror(all, c, &b->shape[i], x, r, s);
-                }
-            }
+static void close_cell(void *by, int i, int c, const double r[3], double s)
+{
+    (void)i, (void)r;
+    if (s <= 0.0) ((struct closing *)by)->all->closed[c] = 1;
+}
+
+/* A closed cell gets one mirror, of the first body around it. */
+static void mirror_cell(void *by, int i, int c, const double r[3], double s)
+{
+    struct mirrors *const all = ((struct closing *)by)->all;
+    const struct solid_bodies *const b = ((struct closing *)by)->b;
+    const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
+
+    if (s > 0.0 || all->closed[c] != 1) return;
+    make_room(all);
+    all->closed[c] = 2;
+    add_mirror(all, c, &b->shape[i], x, r, s);
 }
 
 void mirrors_update(struct mirrors *m, const struct solid_bodies *b)
 {
+    struct closing by = {m, b};
+
     memset(m->closed, 0, (size_t)m->mesh->n_cells);
     m->n = m->stuck = 0;
     for (int i = 0; i < b->ps->n; i++)
-        each_cell(m, b, i, 1);
+        body_cells_each(b, m->mesh, i, close_cell, &by);
     for (int i = 0; i < b->ps->n; i++)
-        each_cell(m, b, i, 0);
+        body_cells_each(b, m->mesh, i, mirror_cell, &by);
 }

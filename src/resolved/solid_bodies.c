@@ -7,11 +7,12 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "resolved/body_exit.h"
+#include "resolved/body_turn.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
 
-/* Mass of a body that no force moves [kg]. */
-static const double immovable = 1e60;
+const double solid_bodies_immovable = 1e60;
 
 static void (*const set_method[])(struct solid_bodies *) = {
     [BODY_METHOD_HOLD] = hold_fluid,
@@ -53,7 +54,11 @@ void solid_bodies_free(struct solid_bodies *b)
     if (b == NULL) return;
     if (b->among != NULL) b->free_among(b);
     dem_free(b->dem);
+    for (int i = 0; i < b->ps->n; i++)
+        body_outline_free(b->shape[i].outline);
     particles_free(b->ps);
+    body_exit_free(b->exit);
+    free(b->turn);
     free(b->shape);
     free(b->motion);
     free(b->mass);
@@ -96,9 +101,11 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 
     b->shape[i] = *shape;
     b->motion[i] = motion;
+    if (shape->kind == BODY_OUTLINE && b->turn == NULL)
+        b->turn = alloc_doubles(4 * b->ps->capacity);
     b->volume[i] = V;
     b->mass[i] = b->ps->m[i];
-    if (motion != BODY_FREE) b->ps->m[i] = immovable;
+    if (motion != BODY_FREE) b->ps->m[i] = solid_bodies_immovable;
     return i;
 }
 
@@ -117,6 +124,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     int free = 0;
 
     fl->immersed = &b->hooks;
+    if (b->turn != NULL) body_turn_begin(b);
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
@@ -128,6 +136,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
     }
+    b->exit = body_exit_create(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which
      * no sphere comes to: block_contacts.h. */
@@ -146,10 +155,13 @@ void solid_bodies_state(struct solid_bodies *b, struct state *s)
     if (b->dem != NULL) dem_state(b->dem, s);
     state_reals(s, "velocity_before", "m/s", b->u_old, n, 3);
     state_reals(s, "spin_before", "rad/s", b->w_old, n, 3);
+    state_reals(s, "orientation", "-", b->turn, n, 4);
+    if (s->loading && b->turn != NULL) body_turn_load(b);
     state_reals(s, "force", "N", b->force, n, 3);
     state_reals(s, "torque", "N m", b->torque, n, 3);
     if (b->by_fraction)
         state_reals(s, "force_per_mass", "m/s^2", b->hold_u, b->cells, 3);
+    if (b->exit != NULL) body_exit_state(b, s);
     if (b->among != NULL) b->visit_among(b, s);
     state_end(s);
     if (s->loading) b->dt_marked = 0.0; /* the links are made anew */

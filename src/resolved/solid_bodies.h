@@ -28,6 +28,7 @@ struct solid_bodies {
     struct particles *ps; /* the bodies: centres, velocities, masses */
     int springs, blocks,
         moves;       /* [-] on springs; no spheres; 1: not all fixed */
+    double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
     struct body_shape *shape;
@@ -37,12 +38,12 @@ struct solid_bodies {
     double *spring; /* [N/m] along each axis, 3 a body; 0: held there */
     double *anchor; /* [m] where the springs are at rest, 3 */
     double *u_old, *w_old;     /* [m/s], [rad/s] a step before, 3 a body */
-    double *impulse, *angular; /* [N s], [N m s] of the friction on the body in
-                                  this step, 3 each */
+    double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
     struct hold_link *link; /* those of body i are link[start[i]] ... */
     int *start, n_links, capacity;
+    struct body_exit *exit;     /* NULL: none can leave (body_exit.h) */
     struct among_grains *among; /* NULL: there are no other particles */
     void (*free_among)(struct solid_bodies *b);
     void (*visit_among)(struct solid_bodies *b, struct state *s);
@@ -54,15 +55,17 @@ struct solid_bodies {
     double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
-/* n bodies at most; the cells of the mesh, the density of the fluid [kg/m^3].
- */
+/* Mass of a body that no force moves [kg]. */
+extern const double solid_bodies_immovable;
+
+/* n bodies at most; cells of the mesh; density of the fluid [kg/m^3]. */
 struct solid_bodies *
 solid_bodies_create(int n, int cells, double rho,
                     const struct solid_bodies_options *options);
 void solid_bodies_free(struct solid_bodies *b);
 
-/* One more body at rest at x [m]; the density [kg/m^3] is that of a free one.
- * Returns its number. */
+/* One more body at rest at x [m], of this density [kg/m^3]. An outline is freed
+ * with the bodies. Returns its number. */
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
@@ -71,8 +74,8 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 void solid_bodies_set_spring(struct solid_bodies *b, int i,
                              const double spring[3]);
 
-/* All are there, and hold the fluid from now on, which is borrowed. Non-zero
- * after a message if they cannot touch. */
+/* All are there, and hold the fluid, which is borrowed, from now on. Non-zero
+ * after a message. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 

@@ -6,6 +6,9 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
+#include "resolved/body_gaps.h"
+
+const double squeeze_film_cells = 0.75;
 
 double squeeze_film_coefficient(double mu, double R_star, double z,
                                 double z_min, double reach)
@@ -93,15 +96,40 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
     }
 }
 
+/* A ball beside a body that is no sphere, or a ball of a clump. */
+static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
+                         double dt)
+{
+    const double speed = vector_dot(g->v, g->n),
+                 R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
+    const double gained =
+        squeeze_film_slow_down(&b->lubrication, R_star, g->m, g->z, speed, dt) -
+        speed;
+    double J[3];
+
+    for (int k = 0; k < 3; k++)
+        J[k] = g->m * gained * g->n[k];
+    body_gaps_push(b, g, J);
+    return 0.0;
+}
+
+static int is_sphere(const struct solid_bodies *b, int i)
+{
+    return b->shape[i].kind == BODY_SPHERE;
+}
+
 void squeeze_film_act(struct solid_bodies *b, double dt)
 {
     const struct dem_options *const o = &b->contacts;
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
 
     for (int i = 0; i < b->ps->n; i++) {
-        for (int j = i + 1; j < b->ps->n; j++)
-            if (b->motion[i] == BODY_FREE || b->motion[j] == BODY_FREE)
+        for (int j = i + 1; j < b->ps->n && is_sphere(b, i); j++)
+            if (is_sphere(b, j) &&
+                (b->motion[i] == BODY_FREE || b->motion[j] == BODY_FREE))
                 act_between(b, &box, i, j, dt);
-        if (b->motion[i] == BODY_FREE) act_at_walls(b, &box, i, dt);
+        if (is_sphere(b, i) && b->motion[i] == BODY_FREE)
+            act_at_walls(b, &box, i, dt);
     }
+    if (b->blocks > 0) body_gaps_each(b, b->lubrication.reach, dt, act_in_gap);
 }

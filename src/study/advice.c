@@ -24,7 +24,8 @@ static int cheapest_within(const struct outcomes *o, int m, double limit)
     return best;
 }
 
-/* The variant with the smallest error that costs no more than `most`. */
+/* The variant with the smallest error that costs no more than `most`; of those
+ * that have it to three digits the cheapest. */
 static int best_for(const struct outcomes *o, int m, double most)
 {
     int best = -1;
@@ -33,7 +34,10 @@ static int best_for(const struct outcomes *o, int m, double most)
         const struct outcome *const out = &o->variant[v];
         if (!out->ended || !(out->cost <= most)) continue;
         if (!isfinite(out->of[m].error)) continue;
-        if (best < 0 || out->of[m].error < o->variant[best].of[m].error)
+        const struct outcome *const so_far = &o->variant[best < 0 ? v : best];
+        const double ratio = out->of[m].error / so_far->of[m].error;
+        if (best < 0 || ratio < 0.999 ||
+            (ratio < 1.001 && out->cost < so_far->cost))
             best = v;
     }
     return best;
@@ -41,7 +45,7 @@ static int best_for(const struct outcomes *o, int m, double most)
 
 static const char *unit(const struct plan *p)
 {
-    return strcmp(p->cost.name, PLAN_COST) == 0 ? " s" : "";
+    return plan_cost_is_processor(p) ? " s" : "";
 }
 
 /* "0.42 s, error 0.8 %, fluid.step=1e-3". */
@@ -63,6 +67,22 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
     fprintf(out, ": %s", o->variant[v].label);
 }
 
+/* Why there is no error of any variant; NULL if there is one. */
+static const char *nothing_known(const struct outcomes *o, int m)
+{
+    int ended = 0, found = 0;
+
+    for (int v = 0; v < o->n; v++) {
+        const struct finding *const f = &o->variant[v].of[m];
+        if (isfinite(f->error)) return NULL;
+        ended += o->variant[v].ended;
+        found += f->found.n > 0;
+    }
+    return ended == 0   ? "no variant has come to its end"
+           : found == 0 ? "the runs have no such measure"
+                        : "where it was measured the truth is unknown, or 0";
+}
+
 static void put_limits(const struct outcomes *o, int m, FILE *out)
 {
     for (int i = 0; i < LIMITS; i++) {
@@ -75,15 +95,6 @@ static void put_limits(const struct outcomes *o, int m, FILE *out)
             fputs("none of these is surely within it", out);
         fputc('\n', out);
     }
-}
-
-/* 1 if chance explains the difference of two errors, up to two standard errors
- * of it. */
-static int is_chance(const struct finding *a, const struct finding *b)
-{
-    const double doubt = sqrt(a->doubt * a->doubt + b->doubt * b->doubt);
-
-    return doubt > 0.0 && fabs(a->error - b->error) <= 2.0 * doubt;
 }
 
 /* What half and twice the cost of the variant that the case itself is buy. */
@@ -106,7 +117,7 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
         told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);
-        if (is_chance(&o->variant[v].of[m], &o->variant[other].of[m]))
+        if (outcome_is_chance(&o->variant[v].of[m], &o->variant[other].of[m]))
             fputs(", no difference that can be told", out);
         fputc('\n', out);
     }
@@ -118,6 +129,11 @@ void study_report_advice(const struct outcomes *o, FILE *out)
         if (o->plan->truth[m].kind == TRUTH_NONE) continue;
         fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
                 o->plan->truth[m].text);
+        const char *const why = nothing_known(o, m);
+        if (why != NULL) {
+            fprintf(out, "- no error is known: %s\n", why);
+            continue;
+        }
         put_limits(o, m, out);
         put_standing(o, m, out);
     }

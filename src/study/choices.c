@@ -63,7 +63,7 @@ static int split(const char *text, char separator, char ***parts)
     return n;
 }
 
-static void release(int n, char **texts)
+void choices_free_texts(int n, char **texts)
 {
     for (int i = 0; i < n; i++)
         free(texts[i]);
@@ -82,7 +82,7 @@ static int fill_entry(struct choice *c, int i, const char *entry)
         c->value[i * c->n_keys + k] = text;
         wrong |= text[0] == '\0';
     }
-    release(n, value);
+    choices_free_texts(n, value);
     return wrong;
 }
 
@@ -104,14 +104,24 @@ static int is_known(const struct choices *c, const char *key)
     return 0;
 }
 
+/* 1 if two texts are the same, or the same number. */
+static int is_same(const char *a, const char *b)
+{
+    char *end_a, *end_b;
+    const double x = strtod(a, &end_a), y = strtod(b, &end_b);
+
+    return strcmp(a, b) == 0 || (end_a > a && end_b > b && *end_a == '\0' &&
+                                 *end_b == '\0' && x == y);
+}
+
 static int is_entry_twice(const struct choice *c)
 {
     for (int i = 0; i < c->n; i++)
         for (int j = 0; j < i; j++) {
             int same = 1;
             for (int k = 0; k < c->n_keys; k++)
-                same &= strcmp(c->value[i * c->n_keys + k],
-                               c->value[j * c->n_keys + k]) == 0;
+                same &= is_same(c->value[i * c->n_keys + k],
+                                c->value[j * c->n_keys + k]);
             if (same) return 1;
         }
     return 0;
@@ -119,8 +129,8 @@ static int is_entry_twice(const struct choice *c)
 
 static void choice_free(struct choice *c)
 {
-    release(c->n_keys, c->key);
-    if (c->value != NULL) release(c->n * c->n_keys, c->value);
+    choices_free_texts(c->n_keys, c->key);
+    if (c->value != NULL) choices_free_texts(c->n * c->n_keys, c->value);
 }
 
 int choices_add(struct choices *c, const char *text)
@@ -141,7 +151,7 @@ int choices_add(struct choices *c, const char *text)
               "a comma, between values of keys that change together a colon";
     else if (is_entry_twice(&one))
         why = "a value is there twice";
-    release(one.n, entry);
+    choices_free_texts(one.n, entry);
     for (int k = 0; k < one.n_keys && why == NULL; k++)
         if (is_known(c, one.key[k])) why = "the key was given before";
     if (why != NULL) {

@@ -38,6 +38,8 @@ int choices_with(const struct choices *c, int variant, int i, int entry);
  * To be freed with its texts. */
 char **choices_overrides(const struct choices *c, int variant, int *n);
 
+void choices_free_texts(int n, char **texts);
+
 /* The value of a key in a variant, or NULL; borrowed. */
 const char *choices_value(const struct choices *c, int variant,
                           const char *key);

@@ -21,19 +21,33 @@ void curve_free(struct curve *c)
     *c = (struct curve){0};
 }
 
-double curve_at(const struct curve *c, double x)
+static double between(const struct curve *c, const double *y, double x)
 {
-    if (c->n == 1) return c->value[0];
-    return c->n > 1 ? statistics_between(c->n, c->x, c->value, x) : NAN;
+    if (c->n == 1) return y[0];
+    return c->n > 1 ? statistics_between(c->n, c->x, y, x) : NAN;
 }
 
-double curve_difference(const struct curve *a, const struct curve *b)
+double curve_at(const struct curve *c, double x, double *error)
 {
-    double sum = 0.0;
+    if (error != NULL) *error = between(c, c->error, x);
+    return between(c, c->value, x);
+}
 
-    for (int i = 0; i < b->n; i++) {
-        const double d = curve_at(a, b->x[i]) - b->value[i];
-        if (isfinite(d)) sum += d * d;
+double curve_changes(const struct curve *a, const struct curve *b,
+                     const struct curve *c)
+{
+    double first = 0.0, last = 0.0, both = 0.0, chance = 0.0;
+
+    for (int i = 0; i < c->n; i++) {
+        double e;
+        const double q = curve_at(b, c->x[i], &e);
+        const double from = q - curve_at(a, c->x[i], NULL);
+        const double to = c->value[i] - q;
+        if (!isfinite(from) || !isfinite(to)) continue;
+        first += from * from;
+        last += to * to;
+        both += from * to;
+        chance += e * e + c->error[i] * c->error[i];
     }
-    return sqrt(sum);
+    return last > 4.0 * chance ? copysign(sqrt(first / last), both) : NAN;
 }

@@ -12,10 +12,15 @@ struct curve curve_create(int n);
 void curve_free(struct curve *c);
 
 /* The value at x, linear between points; that of a single point everywhere. nan
- * beyond the ends, and of a curve without points. */
-double curve_at(const struct curve *c, double x);
+ * beyond the ends, and of a curve without points. *error, unless it is NULL, is
+ * the standard error there. */
+double curve_at(const struct curve *c, double x, double *error);
 
-/* Root of the sum of squared differences at the points of the second. */
-double curve_difference(const struct curve *a, const struct curve *b);
+/* Of three curves, at the points of the last one: the size of the change from
+ * the first to the second over that from the second to the third, sums of
+ * squares under the roots; negative if the second goes the other way. nan if
+ * the last change is no larger than chance explains, two standard errors. */
+double curve_changes(const struct curve *a, const struct curve *b,
+                     const struct curve *c);
 
 #endif

@@ -14,20 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers of summary.json that stand in no group. */
-static const char *const in_summary[] = {"steps",
-                                         "cells",
-                                         "particles",
-                                         "particle_steps_in_a_step",
-                                         "particles_in",
-                                         "particles_out",
-                                         "step",
-                                         "simulated_seconds",
-                                         "peak_memory",
-                                         "particle_steps_per_second",
-                                         "particles_waiting",
-                                         "cell_steps_per_second",
-                                         NULL};
+/* Numbers of summary.json, each with a blank before and behind; of a group that
+ * ends with a point all are taken. */
+static const char in_summary[] =
+    " steps cells particles particle_steps_in_a_step particles_in "
+    "particles_out "
+    "particles_waiting step simulated_seconds peak_memory "
+    "particle_steps_per_second cell_steps_per_second seconds.cfd seconds.dem "
+    "seconds.averaging seconds.exchange seconds.output seconds.total "
+    "seconds.processor worst.mass_residual worst.momentum_residual worst.cfl "
+    "worst.exchange_residual worst.eps_f_lowest worst.steps_with_capped_cells "
+    "worst.overlap second_half. profiles. effects. effect_seconds. bodies. ";
 
 static int refuse(const struct measure *m, const char *why)
 {
@@ -83,20 +80,34 @@ static int numbered(const char *name, const char *word)
                : (int)number;
 }
 
-static int is_in_history(const char *name)
+static const struct history_column *in_history(const char *name)
 {
     const size_t n = strlen(name);
+    const struct history_column *c = history_columns;
 
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (strncmp(c->name, name, n) == 0 && c->name[n] == ' ') return 1;
-    return 0;
+    while (c->name != NULL &&
+           (strncmp(c->name, name, n) != 0 || c->name[n] != ' '))
+        c++;
+    return c->name != NULL ? c : NULL;
+}
+
+/* 1 if a case has what a column of the history needs, as far as it says. */
+static int has_needed(const struct settings *s, int needs)
+{
+    return (!(needs & HISTORY_FLUID) || settings_has(s, "fluid")) &&
+           (!(needs & HISTORY_PARTICLES) || settings_has(s, "particles")) &&
+           (!(needs & HISTORY_COUPLING) || settings_has(s, "exchange"));
 }
 
 static int is_in_summary(const char *name)
 {
-    for (int i = 0; in_summary[i] != NULL; i++)
-        if (strcmp(in_summary[i], name) == 0) return 1;
-    return strchr(name, '.') != NULL;
+    const size_t group = strcspn(name, ".");
+    char one[MEASURE_NAME + 3], all[MEASURE_NAME + 3];
+
+    snprintf(one, sizeof one, " %s ", name);
+    snprintf(all, sizeof all, " %.*s. ", (int)group, name);
+    return strstr(in_summary, one) != NULL ||
+           (name[group] == '.' && strstr(in_summary, all) != NULL);
 }
 
 /* The probe of that field, or -1. */
@@ -109,29 +120,31 @@ static int probe_of(const struct settings *s, const char *field)
     return -1;
 }
 
+/* Offers a word that ends at a blank. */
+static void offer(struct nearest *n, const char *word)
+{
+    char name[MEASURE_NAME];
+
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " "), word);
+    nearest_offer(n, name);
+}
+
 static int unknown(const struct measure *m)
 {
     struct nearest n;
     char why[MEASURE_NAME + 128];
 
     nearest_init(&n, m->name);
-    for (const struct history_column *c = history_columns; c->name != NULL;
-         c++) {
-        char name[MEASURE_NAME];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(c->name, " "),
-                 c->name);
-        nearest_offer(&n, name);
-    }
-    for (int i = 0; in_summary[i] != NULL; i++)
-        nearest_offer(&n, in_summary[i]);
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        offer(&n, c->name);
+    for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
+        offer(&n, ++at);
     const char *const best = nearest_best(&n);
     snprintf(why, sizeof why,
-             best != NULL ? "no column of history.csv or probes.csv is called "
-                            "so, and no number of summary.json; did you mean "
-                            "%s?"
-                          : "no column of history.csv or probes.csv is called "
-                            "so, and no number of summary.json",
-             best);
+             "no column of history.csv or probes.csv is called so, and no "
+             "number of summary.json%s%s%s",
+             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
+             best != NULL ? "?" : "");
     return refuse(m, why);
 }
 
@@ -160,9 +173,12 @@ static int locate(struct measure *m, const struct settings *s)
         snprintf(m->file, MEASURE_NAME, "%.*s", (int)(table + 4 - m->name),
                  m->name);
         memmove(m->name, table + 5, strlen(table + 5) + 1);
-    } else if (is_in_history(m->name))
+    } else if (in_history(m->name) != NULL) {
         strcpy(m->file, "history.csv");
-    else if (is_in_summary(m->name) && m->how == MEASURE_LAST)
+        if (!has_needed(s, in_history(m->name)->needs))
+            return refuse(m, "the case has no such column, for want of a "
+                             "fluid, of particles or of their exchange");
+    } else if (is_in_summary(m->name) && m->how == MEASURE_LAST)
         strcpy(m->file, "summary.json");
     else
         return unknown(m);
@@ -181,7 +197,12 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
         return refuse(m, m->how == MEASURE_LAST
                              ? "expected one number after @, a time [s]"
                              : "expected @FROM or @FROM..TO after the name");
-    return locate(m, s);
+    if (locate(m, s) != 0) return 2;
+    const int in_time = strcmp(m->file, "history.csv") == 0 ||
+                        strcmp(m->file, "probes.csv") == 0;
+    return in_time && m->from > settings_real(s, "output.end")
+               ? refuse(m, "begins after output.end, the end of the run")
+               : 0;
 }
 
 /* --- what was found ------------------------------------------------------- */
@@ -256,17 +277,16 @@ static struct curve from_table(const struct measure *m,
 
 struct curve measure_take(const struct measure *m, const char *folder)
 {
-    char *const path = file_join(folder, m->file);
     struct curve found = {0};
 
     if (strcmp(m->file, "summary.json") == 0) {
-        const double value = results_number(path, m->name);
-        if (isfinite(value)) found = point(NAN, value, 0.0);
-    } else {
-        struct results_table *const t = results_table_read(path);
-        if (t != NULL) found = from_table(m, t);
-        results_table_free(t);
+        const double value = results_number(folder, m->name);
+        return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
+    char *const path = file_join(folder, m->file);
+    struct results_table *const t = results_table_read(path);
+    if (t != NULL) found = from_table(m, t);
+    results_table_free(t);
     free(path);
     return found;
 }

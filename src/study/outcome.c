@@ -19,7 +19,7 @@ static void take_cost(const struct outcomes *o, int v, double *mean,
     const struct plan *const p = o->plan;
 
     *mean = 0.0;
-    for (int k = 0; k < p->seeds; k++) {
+    for (int k = 0; k < p->words.seeds; k++) {
         double least = NAN;
         for (int i = 0; i < o->n_runs; i++) {
             const struct run *const r = &o->run[i];
@@ -28,7 +28,7 @@ static void take_cost(const struct outcomes *o, int v, double *mean,
             if (c.n > 0) least = fmin(least, c.value[0]);
             curve_free(&c);
         }
-        *mean += least / p->seeds;
+        *mean += least / p->words.seeds;
     }
 }
 
@@ -87,14 +87,14 @@ static struct curve mean_of_seeds(const struct outcomes *o, int v,
     return sum;
 }
 
+static const struct measure processor = {
+    .column = -1, .file = "summary.json", .name = PLAN_COST};
+
 static void take_variant(struct outcomes *o, int v)
 {
     const struct plan *const p = o->plan;
     struct outcome *const out = &o->variant[v];
-    struct measure seconds = {.column = -1};
 
-    strcpy(seconds.file, "summary.json");
-    strcpy(seconds.name, PLAN_COST);
     out->label = choices_label(&p->choices, v, -1);
     out->ended = 1;
     for (int i = 0; i < o->n_runs; i++)
@@ -103,7 +103,7 @@ static void take_variant(struct outcomes *o, int v)
             if (out->broken == NULL) out->broken = &o->run[i];
         }
     take_cost(o, v, &out->cost, &p->cost);
-    take_cost(o, v, &out->seconds, &seconds);
+    take_cost(o, v, &out->seconds, &processor);
     for (int m = 0; m < p->n_measures && out->ended; m++)
         out->of[m].found = mean_of_seeds(o, v, &p->measure[m]);
 }
@@ -138,8 +138,7 @@ static struct last_three last_of(const struct outcomes *o, int v, int m)
                       .found;
         l.h[k] = choices_size(axis, entry);
     }
-    l.p = statistics_richardson(l.h, curve_difference(l.c[0], l.c[1]) /
-                                         curve_difference(l.c[1], l.c[2]));
+    l.p = statistics_richardson(l.h, curve_changes(l.c[0], l.c[1], l.c[2]));
     return l;
 }
 
@@ -154,14 +153,17 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
         return truth_value(t, x);
     if (t->kind == TRUTH_FINEST) {
-        const struct curve *const c = &o->variant[finest(o, v)].of[m].found;
-        if (c->n == 1 && finest(o, v) != v) *doubt = c->error[0];
-        return curve_at(c, x);
+        const int last = finest(o, v);
+        return curve_at(&o->variant[last].of[m].found, x,
+                        last == v ? NULL : doubt);
     }
     const struct last_three l = last_of(o, v, m);
-    const double fine = curve_at(l.c[2], x);
-    return fine +
-           (fine - curve_at(l.c[1], x)) / (pow(l.h[1] / l.h[2], l.p) - 1.0);
+    const double more = 1.0 / (pow(l.h[1] / l.h[2], l.p) - 1.0);
+    double of_fine, of_coarse;
+    const double fine = curve_at(l.c[2], x, &of_fine);
+    const double coarse = curve_at(l.c[1], x, &of_coarse);
+    *doubt = hypot((1.0 + more) * of_fine, more * of_coarse);
+    return fine + more * (fine - coarse); /* (25.2) */
 }
 
 /* Compares a variant with the truth where there is one. */
@@ -169,6 +171,7 @@ static void compare(const struct outcomes *o, int v, int m)
 {
     struct finding *const f = &o->variant[v].of[m];
     double square = 0.0, truths = 0.0, values = 0.0, doubts = 0.0, one = NAN;
+    double own = 0.0;
     int n = 0;
 
     for (int i = 0; i < f->found.n; i++) {
@@ -177,6 +180,7 @@ static void compare(const struct outcomes *o, int v, int m)
         const double q_0 = truth_at(o, v, m, f->found.x[i], &doubt);
 
         values += q * q;
+        own += f->found.error[i] * f->found.error[i];
         if (!isfinite(q_0)) continue;
         square += (q - q_0) * (q - q_0);
         truths += q_0 * q_0;
@@ -190,27 +194,30 @@ static void compare(const struct outcomes *o, int v, int m)
                                  : sqrt(values / f->found.n);
     f->truth = single || n == 0 ? one : sqrt(truths / n);
     f->error = n > 0 && truths > 0.0 ? sqrt(square / truths) : NAN;
-    f->doubt = n > 0 && truths > 0.0 ? sqrt(doubts / truths) : NAN;
+    f->doubt = sqrt(n > 0 && truths > 0.0 ? doubts / truths : own / values);
     if (o->plan->truth[m].kind == TRUTH_FINEST && finest(o, v) == v)
         f->error = NAN; /* the truth itself */
 }
 
 /* --- orders --------------------------------------------------------------- */
 
-static void take_order(const struct outcomes *o, int v, int m)
+/* The order from the next coarser variant on its line; nan if one of their
+ * errors, or their difference, may be chance. */
+static double order_of(const struct outcomes *o, int v, int m)
 {
     const struct choices *const c = &o->plan->choices;
-    struct finding *const f = &o->variant[v].of[m];
-
-    f->order = NAN;
     const int entry = o->axis >= 0 ? choices_entry(c, v, o->axis) : 0;
-    if (entry == 0) return;
+
+    if (entry == 0) return NAN;
+    const struct finding *const fine = &o->variant[v].of[m];
     const struct finding *const coarse =
         &o->variant[choices_with(c, v, o->axis, entry - 1)].of[m];
-    if (!outcome_is_resolved(f) || !outcome_is_resolved(coarse)) return;
-    f->order = statistics_order(choices_size(&c->of[o->axis], entry - 1),
-                                coarse->error,
-                                choices_size(&c->of[o->axis], entry), f->error);
+    if (!outcome_is_resolved(fine) || !outcome_is_resolved(coarse) ||
+        outcome_is_chance(fine, coarse))
+        return NAN;
+    return statistics_order(choices_size(&c->of[o->axis], entry - 1),
+                            coarse->error, choices_size(&c->of[o->axis], entry),
+                            fine->error);
 }
 
 struct outcomes outcomes_create(const struct plan *p, int n_runs,
@@ -228,7 +235,7 @@ struct outcomes outcomes_create(const struct plan *p, int n_runs,
         for (int v = 0; v < o.n; v++)
             compare(&o, v, m);
         for (int v = 0; v < o.n; v++)
-            take_order(&o, v, m);
+            o.variant[v].of[m].order = order_of(&o, v, m);
     }
     return o;
 }
@@ -259,4 +266,11 @@ int outcome_is_surely(const struct finding *f, int sign, double limit)
 {
     return sign < 0 ? f->error + 2.0 * f->doubt <= limit
                     : f->error - 2.0 * f->doubt > limit;
+}
+
+int outcome_is_chance(const struct finding *a, const struct finding *b)
+{
+    const double doubt = hypot(a->doubt, b->doubt);
+
+    return doubt > 0.0 && fabs(a->error - b->error) <= 2.0 * doubt;
 }

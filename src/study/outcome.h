@@ -17,8 +17,9 @@ struct finding {
     double value;       /* of one number; of a curve its root mean square */
     double truth;       /* the same of the truth; nan if there is none */
     double error;       /* [-] relative */
-    double doubt;       /* [-] standard error of it, relative to the truth */
-    double order;       /* [-] from the next coarser one on the axis; or nan */
+    double doubt; /* [-] standard error of it, relative to the truth; without
+                     one of the value, relative to that */
+    double order; /* [-] from the next coarser one on the axis; or nan */
 };
 
 struct outcome {
@@ -52,6 +53,10 @@ double outcomes_fitted_order(const struct outcomes *o, int variant, int m);
 /* 1 if the error of the measure is surely below (sign < 0) or above the limit:
  * by more than two standard errors. */
 int outcome_is_surely(const struct finding *f, int sign, double limit);
+
+/* 1 if chance explains the difference of two errors, up to two standard errors
+ * of it. */
+int outcome_is_chance(const struct finding *a, const struct finding *b);
 
 /* 1 if the error is larger than chance explains, two standard errors. */
 int outcome_is_resolved(const struct finding *f);

@@ -6,6 +6,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "output/folder.h"
 #include "study/workers.h"
 
 #include <errno.h>
@@ -29,7 +30,7 @@ struct crew {
     const struct plan *plan;
     int n_runs;
     struct run *run;
-    struct worker *worker; /* plan->jobs of them */
+    struct worker *worker; /* plan->words.jobs of them */
     double began;          /* [s] */
     double done;           /* [s] expected, of the runs ended since then */
     int failed;            /* exit code of the study; 0 so far */
@@ -54,7 +55,7 @@ static void show(const struct crew *c, const struct run *r)
 {
     int ended = 0;
 
-    if (c->plan->quiet) return;
+    if (c->plan->words.quiet) return;
     for (int i = 0; i < c->n_runs; i++)
         ended += c->run[i].code != RUN_TO_DO;
     fprintf(stderr, "%s%d of %d runs", c->on_terminal ? "\r\033[K" : "", ended,
@@ -82,13 +83,13 @@ static int write_identity(const struct run *r, int code)
     return file_commit(f) == 0 ? 0 : NOT_WRITTEN;
 }
 
-/* The end of an earlier run must not pass for that of this one. */
-static void forget(const struct run *r)
+/* Removes a file of the folder of a run. */
+static void forget(const struct run *r, const char *name)
 {
-    char *const summary = file_join(r->folder, "summary.json");
+    char *const path = file_join(r->folder, name);
 
-    remove(summary);
-    free(summary);
+    remove(path);
+    free(path);
 }
 
 /* What a run goes on from, or a bed that settles. */
@@ -109,16 +110,6 @@ static int can_go_on(const struct run *r)
     return found && runs_is_begun(r);
 }
 
-/* Removes the checkpoints of a run that cannot go on from them. */
-static void begin_anew(const struct run *r)
-{
-    for (int i = 0; i < CHECKPOINTS; i++) {
-        char *const path = file_join(r->folder, checkpoints[i]);
-        remove(path);
-        free(path);
-    }
-}
-
 /* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ..., where
  * the threads are no choice. */
 static const char **command(const struct plan *p, const struct run *r,
@@ -128,7 +119,7 @@ static const char **command(const struct plan *p, const struct run *r,
         choices_value(&p->choices, r->variant, PLAN_THREADS);
     const char *const fixed[] = {"winnow",
                                  "run",
-                                 p->case_file,
+                                 p->words.case_file,
                                  "-o",
                                  r->folder,
                                  "-j",
@@ -151,19 +142,18 @@ static const char **command(const struct plan *p, const struct run *r,
  * folder. */
 static int start(struct crew *c, struct worker *w, struct run *r)
 {
-    char *const manifest = file_join(r->folder, "manifest.txt");
-    const pid_t owner = workers_owner(manifest);
+    const long owner = folder_holder(r->folder);
 
-    free(manifest);
     *w = (struct worker){r, 0, 0};
     if (owner != 0) {
-        if (!c->plan->quiet)
+        if (!c->plan->words.quiet)
             fprintf(stderr, "%s is being run by process %ld; waiting for it\n",
-                    r->name, (long)owner);
+                    r->name, owner);
         return 0;
     }
     w->resumed = can_go_on(r);
-    if (!w->resumed) forget(r);
+    /* The end of an earlier run must not pass for that of this one. */
+    if (!w->resumed) forget(r, "summary.json");
     if (write_identity(r, 0) != 0) return NOT_WRITTEN;
     const char **const words = command(c->plan, r, w->resumed);
     char *const log = file_join(r->folder, "log.txt");
@@ -179,7 +169,7 @@ static int start(struct crew *c, struct worker *w, struct run *r)
 
 static int is_going(const struct crew *c, const struct run *r)
 {
-    for (int i = 0; i < c->plan->jobs; i++)
+    for (int i = 0; i < c->plan->words.jobs; i++)
         if (c->worker[i].run == r) return 1;
     return 0;
 }
@@ -222,16 +212,13 @@ static void look_at(struct crew *c, struct worker *w)
         if (code < 0) return;
         const int anew = w->resumed && (code == REFUSED || code == NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};
-        if (anew)
-            begin_anew(r); /* it is still to be done */
-        else
-            take_note(c, r, code);
+        if (!anew) take_note(c, r, code);
+        /* What cannot be gone on from is still to be done. */
+        for (int i = 0; i < CHECKPOINTS && anew; i++)
+            forget(r, checkpoints[i]);
         return;
     }
-    char *const manifest = file_join(r->folder, "manifest.txt");
-    const pid_t owner = workers_owner(manifest);
-    free(manifest);
-    if (owner != 0) return;
+    if (folder_holder(r->folder) != 0) return;
     *w = (struct worker){NULL, 0, 0};
     runs_look(1, r);
     if (r->code != RUN_TO_DO) take_note(c, r, r->code);
@@ -241,7 +228,7 @@ static int working(const struct crew *c)
 {
     int n = 0;
 
-    for (int i = 0; i < c->plan->jobs; i++)
+    for (int i = 0; i < c->plan->words.jobs; i++)
         n += c->worker[i].run != NULL;
     return n;
 }
@@ -249,7 +236,7 @@ static int working(const struct crew *c)
 /* Tells the processes to end, once; those of a former study are left alone. */
 static void stop(struct crew *c)
 {
-    for (int i = 0; i < c->plan->jobs; i++) {
+    for (int i = 0; i < c->plan->words.jobs; i++) {
         struct worker *const w = &c->worker[i];
         if (w->run != NULL && w->process > 0) kill(w->process, SIGTERM);
         if (w->run != NULL && w->process == 0) w->run = NULL;
@@ -258,7 +245,7 @@ static void stop(struct crew *c)
 
 static void fill(struct crew *c)
 {
-    for (int i = 0; i < c->plan->jobs && c->failed == 0; i++) {
+    for (int i = 0; i < c->plan->words.jobs && c->failed == 0; i++) {
         struct run *const r = next_run(c);
         if (c->worker[i].run != NULL || r == NULL) continue;
         c->failed = start(c, &c->worker[i], r);
@@ -275,7 +262,7 @@ static void work(struct crew *c)
         if (interrupt_arrived() && c->failed == 0) c->failed = INTERRUPT_CODE;
         if (c->failed == 0) fill(c);
         if (c->failed != 0 && !stopped++) stop(c);
-        for (int i = 0; i < c->plan->jobs; i++)
+        for (int i = 0; i < c->plan->words.jobs; i++)
             look_at(c, &c->worker[i]);
         nanosleep(&nap, NULL);
     }
@@ -289,13 +276,13 @@ int runs_perform(const struct plan *p, int n, struct run *runs)
                      .began = clock_now(),
                      .on_terminal = isatty(STDERR_FILENO)};
 
-    c.worker = alloc_zeroed((size_t)p->jobs, sizeof *c.worker);
+    c.worker = alloc_zeroed((size_t)p->words.jobs, sizeof *c.worker);
     work(&c);
     free(c.worker);
     if (c.failed == INTERRUPT_CODE)
         fprintf(stderr,
                 "winnow: interrupted; the runs that have ended are in %s, and "
                 "the same command goes on from there\n",
-                p->dir);
+                p->words.dir);
     return c.failed;
 }

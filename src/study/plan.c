@@ -4,7 +4,6 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "case/case_file.h"
-#include "study/study_words.h"
 
 #include <math.h>
 #include <omp.h>
@@ -12,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VARIANTS = 10000 };
+enum { MOST_RUNS = 10000 };
 
 static int wrong(const char *what, const char *why)
 {
@@ -20,8 +19,7 @@ static int wrong(const char *what, const char *why)
     return 2;
 }
 
-/* --- what a run gets besides its choices -----------------------------------
- */
+/* --- what a run gets besides its choices --------------------------------- */
 
 /* Of a fluid, and where the history has its own interval, nothing depends on
  * how often pictures are written: those of the start and the end will do. */
@@ -66,7 +64,7 @@ static int add_seeds(struct plan *p, const struct settings *s)
         snprintf(one->key, sizeof one->key, "%s.%d.seed", list, i);
         one->value = settings_item_int(s, list, i, "seed");
     }
-    return p->seeds == 1 || p->n_seeds > 0
+    return p->words.seeds == 1 || p->n_seeds > 0
                ? 0
                : wrong("--seeds", ": the case has none: no particles.bed and "
                                   "no particles.insert");
@@ -81,7 +79,7 @@ char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
 
     for (int i = 0; i < p->n_fixed; i++)
         texts[at++] = strdup(p->fixed[i]);
-    for (int i = 0; i < p->n_seeds && p->seeds > 1; i++) {
+    for (int i = 0; i < p->n_seeds && p->words.seeds > 1; i++) {
         texts[at] = alloc_zeroed(sizeof p->seed[i].key + 16, 1);
         snprintf(texts[at++], sizeof p->seed[i].key + 16, "%s=%d",
                  p->seed[i].key, p->seed[i].value + seed);
@@ -97,15 +95,19 @@ char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
     return texts;
 }
 
-void plan_free_texts(int n, char **texts)
+struct settings *plan_case(const struct plan *p, int variant, int seed,
+                           int *code)
 {
-    for (int i = 0; i < n; i++)
-        free(texts[i]);
-    free(texts);
+    int n;
+    char **const overrides = plan_overrides(p, variant, seed, &n);
+    struct settings *const s = case_file_read(
+        p->words.case_file, n, (const char *const *)overrides, code);
+
+    choices_free_texts(n, overrides);
+    return s;
 }
 
-/* --- the plan as a whole ---------------------------------------------------
- */
+/* --- the plan as a whole -------------------------------------------------- */
 
 static int check_threads(const struct plan *p)
 {
@@ -116,37 +118,26 @@ static int check_threads(const struct plan *p)
         if (text == NULL) return 0;
         const long n = strtol(text, &end, 10);
         if (*end != '\0' || n < 1 || n > 1024)
-            return wrong(PLAN_THREADS "=", "asks for numbers from 1 to 1024");
+            return wrong(PLAN_THREADS, " asks for numbers from 1 to 1024");
     }
     return 0;
 }
 
-static int add_choices(struct plan *p, const struct study_words *w)
+static int add_choices(struct plan *p)
 {
-    for (int i = 0; i < w->n_choices; i++)
-        if (choices_add(&p->choices, w->choice[i]) != 0) return 2;
+    for (int i = 0; i < p->words.n_choices; i++)
+        if (choices_add(&p->choices, p->words.choice[i]) != 0) return 2;
     const int n = choices_variants(&p->choices);
     if (n < 2)
         return wrong("nothing to compare", ": give a key several values, -s "
                                            "key=value,value,...");
-    if (p->jobs == 0) /* runs of several threads one after the other */
-        p->jobs = choices_value(&p->choices, 0, PLAN_THREADS) != NULL
-                      ? 1
-                      : omp_get_num_procs();
-    return n <= MOST_VARIANTS ? check_threads(p)
-                              : wrong("", "more than 10000 variants");
-}
-
-/* The case of the first variant, which says what there is to be measured. */
-static struct settings *first_case(const struct plan *p, int *code)
-{
-    int n;
-    char **const overrides = plan_overrides(p, 0, 0, &n);
-    struct settings *const s =
-        case_file_read(p->case_file, n, (const char *const *)overrides, code);
-
-    plan_free_texts(n, overrides);
-    return s;
+    if (p->words.jobs == 0) /* runs of several threads one after the other */
+        p->words.jobs = choices_value(&p->choices, 0, PLAN_THREADS) != NULL
+                            ? 1
+                            : omp_get_num_procs();
+    if ((double)n * p->words.seeds * p->words.times > MOST_RUNS)
+        return wrong("", "more than 10000 runs");
+    return check_threads(p);
 }
 
 static int check_truth(const struct plan *p, const struct truth *t)
@@ -160,21 +151,21 @@ static int check_truth(const struct plan *p, const struct truth *t)
                                  "rising or falling");
 }
 
-static int add_measures(struct plan *p, const struct study_words *w,
-                        const struct settings *s)
+static int add_measures(struct plan *p, const struct settings *s)
 {
+    const struct study_words *const w = &p->words;
+
     if (w->n_measures == 0)
         return wrong("what is to be looked at?",
                      " Give --measure NAME, a column of history.csv or a "
                      "number of summary.json");
     for (int i = 0; i < w->n_measures; i++) {
-        const char *const truth = w->truth[i] != NULL ? w->truth[i]
-                                  : w->truth[w->n_measures - 1] != NULL
-                                      ? w->truth[w->n_measures - 1]
-                                      : "finest";
+        const char *const own =
+            w->truth[i] != NULL ? w->truth[i] : w->truth[w->n_measures - 1];
         int code = measure_parse(&p->measure[i], w->measure[i], s);
 
-        if (code == 0) code = truth_parse(&p->truth[i], truth);
+        if (code == 0)
+            code = truth_parse(&p->truth[i], own != NULL ? own : "finest");
         p->n_measures = i + 1;
         if (code == 0) code = check_truth(p, &p->truth[i]);
         if (code != 0) return code;
@@ -182,50 +173,47 @@ static int add_measures(struct plan *p, const struct study_words *w,
     return measure_parse(&p->cost, w->cost != NULL ? w->cost : PLAN_COST, s);
 }
 
+int plan_cost_is_processor(const struct plan *p)
+{
+    return strcmp(p->cost.name, PLAN_COST) == 0;
+}
+
 /* out/study-NAME for some/where/NAME.cfg. */
 static char *default_dir(const char *file)
 {
     const char *const slash = strrchr(file, '/');
     const char *const name = slash != NULL ? slash + 1 : file;
+    const char *const dot = strrchr(name, '.');
     char *const dir = alloc_zeroed(strlen(name) + 16, 1);
 
-    sprintf(dir, "out/study-%s", name);
-    char *const dot = strrchr(dir, '.');
-    if (dot != NULL && dot > dir + strlen("out/study-")) *dot = '\0';
+    sprintf(dir, "out/study-%.*s",
+            (int)(dot > name ? (size_t)(dot - name) : strlen(name)), name);
     return dir;
 }
 
-static int complete(struct plan *p, const struct study_words *w)
+static int complete(struct plan *p)
 {
-    int code = add_choices(p, w);
-    struct settings *const s = code == 0 ? first_case(p, &code) : NULL;
+    struct study_words *const w = &p->words;
+    int code = add_choices(p);
+    struct settings *const s = code == 0 ? plan_case(p, 0, 0, &code) : NULL;
 
     if (s == NULL) return code;
-    code = add_measures(p, w, s);
+    code = add_measures(p, s);
     if (code == 0) code = add_seeds(p, s);
     if (code == 0) add_output(p, s);
-    if (w->title == NULL && code == 0)
-        p->title = strdup(settings_text(s, "title"));
+    if (w->title == NULL)
+        w->title = study_words_keep(w, strdup(settings_text(s, "title")));
+    if (w->dir == NULL) w->dir = study_words_keep(w, default_dir(w->file));
     settings_free(s);
     return code;
 }
 
 int plan_create(struct plan *p, int n_words, const char *const *words)
 {
-    struct study_words w;
-    int code = study_words_take(&w, n_words, words);
+    *p = (struct plan){0};
+    int code = study_words_take(&p->words, n_words, words);
 
-    *p = (struct plan){.quiet = w.quiet, .dry = w.dry};
-    if (code == 0) {
-        p->case_file = strdup(w.case_file);
-        p->dir = w.dir != NULL ? strdup(w.dir) : default_dir(w.file);
-        p->seeds = w.seeds > 0 ? w.seeds : 1;
-        p->times = w.times > 0 ? w.times : 1;
-        p->jobs = w.jobs;
-        if (w.title != NULL) p->title = strdup(w.title);
-        code = complete(p, &w);
-    }
-    study_words_free(&w);
+    if (code == 0) code = complete(p);
     if (code != 0) plan_free(p);
     return code;
 }
@@ -235,9 +223,7 @@ void plan_free(struct plan *p)
     for (int i = 0; i < p->n_measures; i++)
         truth_free(&p->truth[i]);
     choices_free(&p->choices);
-    plan_free_texts(p->n_fixed, p->fixed);
-    free(p->title);
-    free(p->case_file);
-    free(p->dir);
+    choices_free_texts(p->n_fixed, p->fixed);
+    study_words_free(&p->words);
     *p = (struct plan){0};
 }

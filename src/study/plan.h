@@ -4,10 +4,11 @@
 
 #include "study/choices.h"
 #include "study/measure.h"
+#include "study/study_words.h"
 #include "study/truth.h"
 
 /* Most measures of a study, and most seeds of a case. */
-enum { PLAN_MEASURES = 16, PLAN_SEEDS = 16 };
+enum { PLAN_MEASURES = STUDY_WORDS_MEASURES, PLAN_SEEDS = 16 };
 
 /* What is varied beside the keys of a case: threads of a run. */
 #define PLAN_THREADS "threads"
@@ -21,17 +22,13 @@ struct plan_seed {
 };
 
 struct plan {
-    char *title, *case_file;
-    char *dir;              /* where everything goes */
-    struct choices choices; /* those of one entry are the same for all runs */
+    struct study_words words; /* as they were given; title, dir and jobs are
+                                 filled in where they were not */
+    struct choices choices;   /* those of one entry are the same for all runs */
     int n_measures;
     struct measure measure[PLAN_MEASURES];
     struct truth truth[PLAN_MEASURES];
     struct measure cost; /* the abscissa of the picture */
-    int seeds;           /* [-] runs of a variant with other seeds */
-    int times;           /* [-] repetitions of each, for its processor time */
-    int jobs;            /* [-] processes at a time */
-    int quiet, dry;      /* [-] 1: no progress; 1: only say what would run */
     int n_seeds;
     struct plan_seed seed[PLAN_SEEDS];
     int n_fixed;
@@ -46,6 +43,12 @@ void plan_free(struct plan *p);
 /* Overrides of a variant, or of -1 (choices_overrides), with the k-th seed,
  * "key=value" each; to be freed with its texts. */
 char **plan_overrides(const struct plan *p, int variant, int seed, int *n);
-void plan_free_texts(int n, char **texts);
+
+/* The case with these overrides; NULL after a message, with its exit code. */
+struct settings *plan_case(const struct plan *p, int variant, int seed,
+                           int *code);
+
+/* 1 if a run costs its processor time. */
+int plan_cost_is_processor(const struct plan *p);
 
 #endif

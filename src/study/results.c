@@ -2,6 +2,7 @@
 #include "study/results.h"
 
 #include "base/alloc.h"
+#include "base/file.h"
 #include "base/input.h"
 
 #include <math.h>
@@ -136,17 +137,30 @@ static const char *value_of(const char *text, const char *path)
     return NULL;
 }
 
-double results_number(const char *summary, const char *path)
+/* The value of a path in the summary of a folder as a new string, up to the end
+ * of the file; NULL if it is not there. */
+static char *in_summary(const char *folder, const char *path)
 {
+    char *const file = file_join(folder, "summary.json");
     const char *why;
     size_t length;
-    char *const text = input_text(summary, &length, &why), *end;
+    char *const text = input_text(file, &length, &why);
     const char *const at = text != NULL ? value_of(text, path) : NULL;
-    double value = at != NULL ? strtod(at, &end) : NAN;
+    char *const found = at != NULL ? strdup(at) : NULL;
 
-    if (at != NULL && (end == at || *at == '"')) value = NAN;
     free(text);
-    return value;
+    free(file);
+    return found;
+}
+
+double results_number(const char *folder, const char *path)
+{
+    char *const text = in_summary(folder, path), *end = text;
+    const double value = text != NULL ? strtod(text, &end) : NAN;
+    const int found = end != text;
+
+    free(text);
+    return found ? value : NAN;
 }
 
 /* The text up to the closing quote; what stood behind a backslash as it is, and
@@ -170,13 +184,11 @@ static char *unquoted(const char *at)
     return text;
 }
 
-char *results_text(const char *summary, const char *path)
+char *results_text(const char *folder, const char *path)
 {
-    const char *why;
-    size_t length;
-    char *const text = input_text(summary, &length, &why);
-    const char *const at = text != NULL ? value_of(text, path) : NULL;
-    char *const found = at != NULL && *at == '"' ? unquoted(at + 1) : NULL;
+    char *const text = in_summary(folder, path);
+    char *const found =
+        text != NULL && *text == '"' ? unquoted(text + 1) : NULL;
 
     free(text);
     return found;

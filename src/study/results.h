@@ -19,11 +19,11 @@ void results_table_free(struct results_table *t);
  * the name of the field will do. -1 if there is none. */
 int results_column(const struct results_table *t, const char *name);
 
-/* A number of a summary by its path, "seconds.cfd"; nan if it is not there or
- * null. */
-double results_number(const char *summary, const char *path);
+/* A number of the summary.json in a folder by its path, "seconds.cfd"; nan if
+ * it is not there or null. */
+double results_number(const char *folder, const char *path);
 
 /* A text of it; NULL if it is not there. To be freed. */
-char *results_text(const char *summary, const char *path);
+char *results_text(const char *folder, const char *path);
 
 #endif

@@ -6,7 +6,6 @@
 #include "base/input.h"
 #include "base/version.h"
 #include "case/case_cost.h"
-#include "case/case_file.h"
 #include "case/resume/case_text.h"
 #include "study/results.h"
 
@@ -65,7 +64,7 @@ static char *identity_of(const struct plan *p, const struct run *r)
     FILE *const out = open_memstream(&text, &length);
 
     fprintf(out, "winnow %s, %s, contents crc32 %08lx\n", VERSION_TEXT,
-            p->case_file, r->contents);
+            p->words.case_file, r->contents);
     for (int i = 0; i < r->n_overrides; i++)
         fprintf(out, "%s\n", r->overrides[i]);
     if (threads != NULL) fprintf(out, PLAN_THREADS "=%s\n", threads);
@@ -95,8 +94,8 @@ static char *name_of(const struct plan *p, const struct run *r)
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
     if (changed)
         n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
-    if (p->seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
-    if (p->times > 1) sprintf(name + n, "+time-%d", r->time);
+    if (p->words.seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
+    if (p->words.times > 1) sprintf(name + n, "+time-%d", r->time);
     free(label);
     return name;
 }
@@ -108,11 +107,10 @@ static int create(const struct plan *p, struct run *r)
     r->code = RUN_TO_DO;
     r->overrides = plan_overrides(p, r->variant, r->seed, &r->n_overrides);
     r->name = name_of(p, r);
-    char *const runs = file_join(p->dir, "runs");
+    char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
     free(runs);
-    struct settings *const s = case_file_read(
-        p->case_file, r->n_overrides, (const char *const *)r->overrides, &code);
+    struct settings *const s = plan_case(p, r->variant, r->seed, &code);
     if (s == NULL) return code;
     r->expected = case_cost_seconds(s);
     r->contents = contents_of(s);
@@ -126,12 +124,12 @@ struct run *runs_create(const struct plan *p, int *n, int *code)
     struct run *runs;
     int at = 0;
 
-    *n = choices_variants(&p->choices) * p->seeds * p->times;
+    *n = choices_variants(&p->choices) * p->words.seeds * p->words.times;
     runs = alloc_zeroed((size_t)*n, sizeof *runs);
     *code = 0;
     for (int v = 0; at < *n; v++)
-        for (int k = 0; k < p->seeds; k++)
-            for (int t = 0; t < p->times && *code == 0; t++, at++) {
+        for (int k = 0; k < p->words.seeds; k++)
+            for (int t = 0; t < p->words.times && *code == 0; t++, at++) {
                 runs[at] = (struct run){.variant = v, .seed = k, .time = t};
                 *code = create(p, &runs[at]);
                 if (*code != 0) at = *n;
@@ -147,19 +145,16 @@ void runs_free(int n, struct run *runs)
         free(runs[i].name);
         free(runs[i].folder);
         free(runs[i].identity);
-        plan_free_texts(runs[i].n_overrides, runs[i].overrides);
+        choices_free_texts(runs[i].n_overrides, runs[i].overrides);
     }
     free(runs);
 }
 
 int runs_standing(const struct plan *p, int n, const struct run *runs)
 {
-    int n_overrides, code, found = -1;
-    char **const overrides = plan_overrides(p, -1, 0, &n_overrides);
-    struct settings *const s = case_file_read(
-        p->case_file, n_overrides, (const char *const *)overrides, &code);
+    int code, found = -1;
+    struct settings *const s = plan_case(p, -1, 0, &code);
 
-    plan_free_texts(n_overrides, overrides);
     if (s == NULL) return -1;
     const unsigned long own = contents_of(s);
     for (int i = 0; i < n && found < 0; i++)
@@ -194,9 +189,7 @@ static void look(struct run *r)
 
     r->code = RUN_TO_DO;
     if (!is_same(r, &refused)) return;
-    char *const path = file_join(r->folder, "summary.json");
-    const double code = results_number(path, "exit_code");
-    free(path);
+    const double code = results_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
     else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPTED)

@@ -41,7 +41,7 @@ static void say_what_would_run(const struct plan *p, int n,
     printf(
         "%d runs, %d of them done; the others take about %.3g s of processor "
         "time, after settling, %d at a time\n",
-        n, ended, seconds, p->jobs);
+        n, ended, seconds, p->words.jobs);
 }
 
 /* The folder, kept for this study as long as the descriptor is open; negative
@@ -49,10 +49,10 @@ static void say_what_would_run(const struct plan *p, int n,
 static int take_folder(const struct plan *p)
 {
     struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    char *const path = file_join(p->dir, "study.lock");
+    char *const path = file_join(p->words.dir, "study.lock");
     int file = -1;
 
-    if (file_make_dirs(p->dir) == 0) {
+    if (file_make_dirs(p->words.dir) == 0) {
         file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file < 0)
             fprintf(stderr, "winnow: cannot write %s: %s\n", path,
@@ -62,7 +62,7 @@ static int take_folder(const struct plan *p)
         fprintf(stderr,
                 "winnow: another study works in %s; wait for its end, or "
                 "choose another folder with -o\n",
-                p->dir);
+                p->words.dir);
         close(file);
         file = -1;
     }
@@ -77,9 +77,9 @@ static int report(const struct plan *p, int n, const struct run *runs)
                        study_report_variants(&o) != 0 ||
                        study_report_picture(&o) != 0;
 
-    if (!failed && !p->quiet) {
+    if (!failed && !p->words.quiet) {
         study_report_advice(&o, stdout);
-        printf("see %s/study.md, study.csv and study.svg\n", p->dir);
+        printf("see %s/study.md, study.csv and study.svg\n", p->words.dir);
     }
     outcomes_free(&o);
     return failed ? NOT_WRITTEN : 0;
@@ -92,7 +92,7 @@ static int perform(const struct plan *p, int n, struct run *runs)
 
     if (file < 0) return code;
     const int before = runs_look(n, runs);
-    if (before > 0 && !p->quiet)
+    if (before > 0 && !p->words.quiet)
         fprintf(stderr, "%d of %d runs were done before\n", before, n);
     code = runs_perform(p, n, runs);
     if (code == 0) code = report(p, n, runs);
@@ -108,7 +108,7 @@ static int study(const struct command_line *l)
     if (code != 0) return code;
     interrupt_hold();
     struct run *const runs = runs_create(&p, &n, &code);
-    if (runs != NULL && p.dry)
+    if (runs != NULL && p.words.dry)
         say_what_would_run(&p, n, runs);
     else if (runs != NULL)
         code = perform(&p, n, runs);

@@ -7,7 +7,6 @@
  */
 #include "study/study_report.h"
 
-#include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
 #include "output/gnuplot.h"
@@ -16,58 +15,55 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char data[] = "study-lines.txt", script[] = "study.gp";
+static const char script[] = "study.gp";
 
 /* 1 if the variant can be drawn: an error above 0 and a cost. */
-static int is_shown(const struct outcome *v, int m)
+static int is_shown(const struct outcomes *o, int m, int v)
 {
-    return v->ended && v->of[m].error > 0.0 && v->cost > 0.0;
+    const struct outcome *const of = &o->variant[v];
+
+    return of->ended && of->of[m].error > 0.0 && of->cost > 0.0;
 }
 
-/* The first variant of the line that v lies on. */
-static int line_of(const struct outcomes *o, int v)
+/* 1 if the variant lies on the line that begins with `first`; -1: on any. */
+static int is_on(const struct outcomes *o, int first, int v)
 {
-    return o->axis < 0 ? v : choices_with(&o->plan->choices, v, o->axis, 0);
+    return first < 0 || first == (o->axis < 0 ? v
+                                              : choices_with(&o->plan->choices,
+                                                             v, o->axis, 0));
 }
 
-static int shown_in_line(const struct outcomes *o, int first, int m)
-{
-    int n = 0;
-
-    for (int v = 0; v < o->n; v++)
-        n += line_of(o, v) == first && is_shown(&o->variant[v], m);
-    return n;
-}
-
-static int shown_in_panel(const struct outcomes *o, int m)
+static int points(const struct outcomes *o, int m, int first)
 {
     int n = 0;
 
     for (int v = 0; v < o->n; v++)
-        n += is_shown(&o->variant[v], m);
+        n += is_on(o, first, v) && is_shown(o, m, v);
     return n;
 }
 
-/* --- the data --------------------------------------------------------------
- */
-
-static const char *axis_value(const struct outcomes *o, int v)
+/* The first variant of the next line that has points, or o->n; first = -1
+ * before the first line. */
+static int next_line(const struct outcomes *o, int m, int first)
 {
-    if (o->axis < 0) return "";
-    const struct choice *const c = &o->plan->choices.of[o->axis];
-    return c->value[choices_entry(&o->plan->choices, v, o->axis) * c->n_keys];
+    while (++first < o->n)
+        if (is_on(o, first, first) && points(o, m, first) > 0) break;
+    return first;
 }
+
+/* --- the data ------------------------------------------------------------- */
 
 /* cost, error [%], its lower and upper end (two standard errors), value of the
  * axis. */
-static void put_point(const struct outcomes *o, int v, int m, FILE *out)
+static void put_point(const struct outcomes *o, int m, int v, FILE *out)
 {
     const struct finding *const f = &o->variant[v].of[m];
     const double low = fmax(f->error - 2.0 * f->doubt, 1e-2 * f->error);
+    const struct choices *const c = &o->plan->choices;
 
     fprintf(out, "%.8g %.8g %.8g %.8g \"%s\"\n", o->variant[v].cost,
             100.0 * f->error, 100.0 * low, 100.0 * (f->error + 2.0 * f->doubt),
-            axis_value(o, v));
+            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key[0]));
 }
 
 /* The front: for each variant that no cheaper one beats, in order of cost. */
@@ -78,50 +74,36 @@ static void put_front(const struct outcomes *o, int m, FILE *out)
     for (;;) {
         int next = -1;
         for (int v = 0; v < o->n; v++) {
-            const struct outcome *const out_v = &o->variant[v];
-            if (!is_shown(out_v, m) || out_v->cost < cost ||
-                out_v->of[m].error >= error)
-                continue;
-            if (next < 0 || out_v->cost < o->variant[next].cost) next = v;
+            const double own = o->variant[v].cost;
+            if (is_shown(o, m, v) && own >= cost &&
+                o->variant[v].of[m].error < error &&
+                (next < 0 || own < o->variant[next].cost))
+                next = v;
         }
         if (next < 0) return;
         cost = o->variant[next].cost;
         error = o->variant[next].of[m].error;
-        put_point(o, next, m, out);
+        put_point(o, m, next, out);
     }
 }
 
-static int write_data(const struct outcomes *o)
+/* Blocks of data: $front, and one for each line by its first variant. */
+static void put_data(const struct outcomes *o, int m, FILE *out)
 {
-    char *const path = file_join(o->plan->dir, data);
-    struct file *const f = file_create(path);
-
-    free(path);
-    if (f == NULL) return 1;
-    FILE *const out = file_stream(f);
-    fputs("# cost, error [%], its ends at two standard errors, axis\n", out);
-    for (int m = 0; m < o->plan->n_measures; m++) {
-        fprintf(out, "# the front, %s\n", o->plan->measure[m].text);
-        put_front(o, m, out);
-        fputs("\n\n", out);
-        for (int first = 0; first < o->n; first++) {
-            if (line_of(o, first) != first || shown_in_line(o, first, m) == 0)
-                continue;
-            char *const label =
-                choices_label(&o->plan->choices, first, o->axis);
-            fprintf(out, "# %s\n", label);
-            free(label);
-            for (int v = 0; v < o->n; v++)
-                if (line_of(o, v) == first && is_shown(&o->variant[v], m))
-                    put_point(o, v, m, out);
-            fputs("\n\n", out);
-        }
+    fputs("# cost, error [%], its ends at two standard errors, axis\n"
+          "$front << END\n",
+          out);
+    put_front(o, m, out);
+    fputs("END\n", out);
+    for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l)) {
+        fprintf(out, "$line%d << END\n", l);
+        for (int v = 0; v < o->n; v++)
+            if (is_on(o, l, v) && is_shown(o, m, v)) put_point(o, m, v, out);
+        fputs("END\n", out);
     }
-    return file_commit(f);
 }
 
-/* --- the script ------------------------------------------------------------
- */
+/* --- the script ----------------------------------------------------------- */
 
 static const char opening[] =
     "# gnuplot -c study.gp svg FILE    or png FILE, in this folder\n"
@@ -143,22 +125,14 @@ static const char opening[] =
     "set format '%g'\n"
     "set bars 0.6\n"
     "# Shape, dashes and shade differ from line to line.\n"
-    "set linetype 1 linecolor rgb '#0b3c5d' dashtype 1 pointtype 7 "
-    "linewidth 2\n"
-    "set linetype 2 linecolor rgb '#c2571a' dashtype 2 pointtype 5 "
-    "linewidth 2\n"
-    "set linetype 3 linecolor rgb '#3d7a3d' dashtype 4 pointtype 9 "
-    "linewidth 2\n"
-    "set linetype 4 linecolor rgb '#7a4a9a' dashtype 3 pointtype 13 "
-    "linewidth 2\n"
-    "set linetype 5 linecolor rgb '#222222' dashtype 1 pointtype 6 "
-    "linewidth 1.4\n"
-    "set linetype 6 linecolor rgb '#b8860b' dashtype 2 pointtype 4 "
-    "linewidth 1.4\n"
-    "set linetype 7 linecolor rgb '#2a8a8a' dashtype 4 pointtype 8 "
-    "linewidth 1.4\n"
-    "set linetype 8 linecolor rgb '#a03060' dashtype 3 pointtype 12 "
-    "linewidth 1.4\n"
+    "shades = '#0b3c5d #c2571a #3d7a3d #7a4a9a #222222 #b8860b #2a8a8a "
+    "#a03060'\n"
+    "dashes = '1 2 4 3 1 2 4 3'; shapes = '7 5 9 13 6 4 8 12'\n"
+    "do for [i = 1:8] {\n"
+    "    set linetype i linecolor rgb word(shades, i) "
+    "dashtype int(word(dashes, i)) pointtype int(word(shapes, i)) "
+    "linewidth (i > 4 ? 1.4 : 2)\n"
+    "}\n"
     "set linetype cycle 8\n"
     "set pointsize 0.9\n";
 
@@ -175,21 +149,16 @@ static void put_quoted(FILE *out, const char *text)
 
 static void put_labels(const struct plan *p, int m, FILE *out)
 {
+    const char *const measure = p->measure[m].text, *const truth =
+                                                        p->truth[m].text;
     char text[4 * MEASURE_NAME];
 
-    if (strcmp(p->cost.name, PLAN_COST) == 0)
-        fputs("set xlabel 'processor time of a run [s]'\n", out);
-    else {
-        fputs("set xlabel ", out);
-        put_quoted(out, p->cost.text);
-        fputs(" noenhanced\n", out);
-    }
-    fputs("set ylabel 'error [%]'\nset title ", out);
-    snprintf(text, sizeof text, "%s against %s", p->measure[m].text,
-             p->truth[m].text);
-    if (strlen(text) > 60)
-        snprintf(text, sizeof text, "%s", p->measure[m].text);
-    put_quoted(out, text);
+    fputs("set xlabel ", out);
+    put_quoted(out, plan_cost_is_processor(p) ? "processor time of a run [s]"
+                                              : p->cost.text);
+    fputs(" noenhanced\nset ylabel 'error [%]'\nset title ", out);
+    snprintf(text, sizeof text, "%s against %s", measure, truth);
+    put_quoted(out, strlen(text) > 60 ? measure : text);
     fputs(" font ',12' noenhanced offset 0,-0.5\n", out);
 }
 
@@ -221,8 +190,8 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
 
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const of = &o->variant[v];
-        if (!is_shown(of, m)) continue;
         const struct finding *const f = &of->of[m];
+        if (!is_shown(o, m, v)) continue;
         low[0] = fmin(low[0], of->cost);
         high[0] = fmax(high[0], of->cost);
         low[1] = fmin(low[1], 100.0 * f->error);
@@ -232,46 +201,78 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
-/* One line of the plot command: its points, with error bars where there are
- * any. */
-static void put_line(const struct outcomes *o, int first, int m, int index,
-                     int number, FILE *out)
+/* The orders of a line: their median, the higher of two; nan if there are
+ * none. */
+static double median_order(const struct outcomes *o, int m, int first)
+{
+    double median = NAN;
+
+    for (int v = 0, most = -1; v < o->n; v++) {
+        const double own = o->variant[v].of[m].order;
+        int below = 0, all = 0;
+        for (int w = 0; w < o->n; w++) {
+            const double other = o->variant[w].of[m].order;
+            if (!is_on(o, first, w) || !isfinite(other)) continue;
+            all++;
+            below += other < own;
+        }
+        if (!is_on(o, first, v) || !isfinite(own)) continue;
+        if (2 * below > all || below <= most) continue;
+        most = below;
+        median = own;
+    }
+    return median;
+}
+
+static void put_title(const struct outcomes *o, int m, int first, FILE *out)
 {
     char *const label = choices_label(&o->plan->choices, first, o->axis);
-    const int alone = shown_in_line(o, first, m) == 1;
+    const double order = median_order(o, m, first);
+    char text[1024];
+
+    snprintf(text, sizeof text, "%.900s", label[0] != '\0' ? label : "error");
+    if (isfinite(order)) sprintf(text + strlen(text), ", order %.2g", order);
+    put_quoted(out, text);
+    free(label);
+}
+
+/* One line of the plot command: its points, with error bars where there are
+ * any. */
+static void put_line(const struct outcomes *o, int m, int first, int number,
+                     FILE *out)
+{
+    const int alone = points(o, m, first) == 1;
     int doubtful = 0;
 
     for (int v = 0; v < o->n; v++)
-        doubtful |= line_of(o, v) == first && o->variant[v].of[m].doubt > 0.0;
-    fprintf(out, ", \\\n  '%s' index %d using %s with %s linetype %d title ",
-            data, index, doubtful ? "1:2:3:4" : "1:2",
+        doubtful |= is_on(o, first, v) && o->variant[v].of[m].doubt > 0.0;
+    fprintf(out, ", \\\n  $line%d using %s with %s linetype %d title ", first,
+            doubtful ? "1:2:3:4" : "1:2",
             doubtful ? alone ? "yerrorbars" : "yerrorlines"
             : alone  ? "points"
                      : "linespoints",
             number);
-    put_quoted(out, label[0] != '\0' ? label : "error");
+    put_title(o, m, first, out);
     /* The values of the axis beside the points: once, where lines are many. */
-    if (o->axis >= 0 && (number == 1 || shown_in_panel(o, m) <= 12))
-        fprintf(out,
-                ", \\\n  '' index %d using 1:2:5 with labels left offset "
-                "0.8,0.6 font ',10' textcolor rgb '#444444' noenhanced notitle",
-                index);
-    free(label);
+    if (o->axis >= 0 && (number == 1 || points(o, m, -1) <= 12))
+        fprintf(
+            out,
+            ", \\\n  '' using 1:2:5 with labels left offset "
+            "0.8,0.6 font ',10' textcolor rgb '#444444' noenhanced notitle");
 }
 
-static void put_panel(const struct outcomes *o, int m, int *index, FILE *out)
+static void put_panel(const struct outcomes *o, int m, FILE *out)
 {
     int number = 0;
 
+    put_data(o, m, out);
     put_labels(o->plan, m, out);
     put_ranges(o, m, out);
-    fprintf(out,
-            "plot '%s' index %d using 1:2 with steps linecolor rgb '#cccccc' "
-            "linewidth 6 dashtype 1 title 'least error for the cost'",
-            data, (*index)++);
-    for (int first = 0; first < o->n; first++)
-        if (line_of(o, first) == first && shown_in_line(o, first, m) > 0)
-            put_line(o, first, m, (*index)++, ++number, out);
+    fputs("plot $front using 1:2 with steps linecolor rgb '#cccccc' "
+          "linewidth 6 dashtype 1 title 'least error for the cost'",
+          out);
+    for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l))
+        put_line(o, m, l, ++number, out);
     fputc('\n', out);
 }
 
@@ -281,8 +282,8 @@ static int most_lines(const struct outcomes *o)
 
     for (int m = 0; m < o->plan->n_measures; m++) {
         int n = 0;
-        for (int v = 0; v < o->n; v++)
-            n += line_of(o, v) == v && shown_in_line(o, v, m) > 0;
+        for (int l = next_line(o, m, -1); l < o->n; l = next_line(o, m, l))
+            n++;
         if (n > most) most = n;
     }
     return most;
@@ -290,53 +291,43 @@ static int most_lines(const struct outcomes *o)
 
 static int write_script(const struct outcomes *o, int panels)
 {
-    char *const path = file_join(o->plan->dir, script);
-    struct file *const f = file_create(path);
-    int index = 0;
+    struct file *const f = study_report_file(o->plan, script);
+    const int wide = panels > 1 ? 2 : 1, rows = (panels + 1) / 2;
 
-    free(path);
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fprintf(out, "width = %d; rows = %d; lines = %d\n%s", panels > 1 ? 2 : 1,
-            (panels + 1) / 2, most_lines(o), opening);
-    fprintf(out, "set multiplot layout %d,%d title ", (panels + 1) / 2,
-            panels > 1 ? 2 : 1);
-    put_quoted(out, o->plan->title);
+    fprintf(out, "width = %d; rows = %d; lines = %d\n%s", wide, rows,
+            most_lines(o), opening);
+    fprintf(out, "set multiplot layout %d,%d title ", rows, wide);
+    put_quoted(out, o->plan->words.title);
     fputs(" noenhanced\n", out);
-    for (int m = 0; m < o->plan->n_measures; m++) {
-        if (shown_in_panel(o, m) > 0)
-            put_panel(o, m, &index, out);
-        else
-            index++; /* its front is empty */
-    }
+    for (int m = 0; m < o->plan->n_measures; m++)
+        if (points(o, m, -1) > 0) put_panel(o, m, out);
     fputs("unset multiplot\n", out);
     return file_commit(f);
 }
 
-static void draw(const struct plan *p, const char *kind, const char *file)
-{
-    const struct gnuplot g = {.folder = p->dir,
-                              .script = script,
-                              .above = kind,
-                              .png = file,
-                              .log = "gnuplot.log"};
-
-    if (gnuplot_draw(&g) == 0) return;
-    fprintf(stderr, "winnow: no %s/%s\n", p->dir, file);
-}
-
 int study_report_picture(const struct outcomes *o)
 {
+    static const char *const kinds[][2] = {{"svg", "study.svg"},
+                                           {"png", "study.png"}};
     int panels = 0;
 
     for (int m = 0; m < o->plan->n_measures; m++)
-        panels += shown_in_panel(o, m) > 0;
+        panels += points(o, m, -1) > 0;
     if (panels == 0) {
         fputs("winnow: study: no picture, for no error is known\n", stderr);
         return 0;
     }
-    if (write_data(o) != 0 || write_script(o, panels) != 0) return 1;
-    draw(o->plan, "svg", "study.svg");
-    draw(o->plan, "png", "study.png");
+    if (write_script(o, panels) != 0) return 1;
+    for (int i = 0; i < 2; i++) {
+        const struct gnuplot g = {.folder = o->plan->words.dir,
+                                  .script = script,
+                                  .above = kinds[i][0],
+                                  .png = kinds[i][1],
+                                  .log = "gnuplot.log"};
+        if (gnuplot_draw(&g) != 0)
+            fprintf(stderr, "winnow: no %s/%s\n", g.folder, g.png);
+    }
     return 0;
 }

@@ -104,22 +104,19 @@ static void put_measure(const struct outcomes *o, const struct run *r, int m,
 
 static void put_run(const struct outcomes *o, const struct run *r, FILE *out)
 {
-    char *const summary = file_join(r->folder, "summary.json");
-
     put_text(out, r->name);
     put_choices(o->plan, r, out);
     fprintf(out, ",%d,%d,%d", r->seed, r->time, r->code);
     for (int i = 0; i < FROM_SUMMARY; i++)
-        put_number(out, results_number(summary, from_summary[i].path));
+        put_number(out, results_number(r->folder, from_summary[i].path));
     for (int m = 0; m < o->plan->n_measures; m++)
         put_measure(o, r, m, out);
     fputc('\n', out);
-    free(summary);
 }
 
-static struct file *create(const struct plan *p, const char *name)
+struct file *study_report_file(const struct plan *p, const char *name)
 {
-    char *const path = file_join(p->dir, name);
+    char *const path = file_join(p->words.dir, name);
     struct file *const f = file_create(path);
 
     free(path);
@@ -128,7 +125,7 @@ static struct file *create(const struct plan *p, const char *name)
 
 int study_report_runs(const struct outcomes *o)
 {
-    struct file *const f = create(o->plan, "study.csv");
+    struct file *const f = study_report_file(o->plan, "study.csv");
 
     if (f == NULL) return 1;
     put_head(o->plan, file_stream(f));
@@ -174,9 +171,8 @@ static void put_finding(const struct finding *f, FILE *out)
  * what it said. To be freed. */
 static char *reason_of(const struct run *r)
 {
-    char *const summary = file_join(r->folder, "summary.json");
     char *const log = file_join(r->folder, "log.txt");
-    char *reason = results_text(summary, "exit_reason");
+    char *reason = results_text(r->folder, "exit_reason");
     const char *why;
     size_t length;
     char *const text = input_text(log, &length, &why);
@@ -186,7 +182,6 @@ static char *reason_of(const struct run *r)
         reason = strndup(text, strcspn(text, "\n"));
     }
     free(text);
-    free(summary);
     free(log);
     if (reason == NULL) return strdup("its log.txt says nothing");
     reason[strcspn(reason, "\n")] = '\0'; /* then follows what to try */
@@ -196,9 +191,12 @@ static char *reason_of(const struct run *r)
 static void put_variant(const struct outcomes *o, const struct outcome *v,
                         FILE *out)
 {
-    fprintf(out, "| %s | ", v->label);
+    fputs("| ", out);
+    for (const char *at = v->label; *at != '\0'; at++)
+        fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
+    fputs(" | ", out);
     put_rounded(out, v->seconds);
-    if (strcmp(o->plan->cost.name, PLAN_COST) != 0) {
+    if (!plan_cost_is_processor(o->plan)) {
         fputs(" | ", out);
         put_rounded(out, v->cost);
     }
@@ -215,7 +213,7 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
 static void put_table(const struct outcomes *o, FILE *out)
 {
     const struct plan *const p = o->plan;
-    const int other = strcmp(p->cost.name, PLAN_COST) != 0;
+    const int other = !plan_cost_is_processor(p);
 
     fprintf(out, "| variant | processor [s]%s%s", other ? " | " : "",
             other ? p->cost.text : "");
@@ -244,7 +242,8 @@ static void put_fitted(const struct outcomes *o, FILE *out)
                 fprintf(out, "extrapolated with the order %.2f\n", p);
             else
                 fputs("not extrapolated, the last three do not approach each "
-                      "other as a power of the size\n",
+                      "other as a power of the size, or by no more than "
+                      "chance explains\n",
                       out);
             free(line);
         }
@@ -254,16 +253,16 @@ static void put_fitted(const struct outcomes *o, FILE *out)
 int study_report_variants(const struct outcomes *o)
 {
     const struct plan *const p = o->plan;
-    struct file *const f = create(p, "study.md");
+    struct file *const f = study_report_file(p, "study.md");
 
     if (f == NULL) return 1;
     FILE *const out = file_stream(f);
-    fprintf(out, "# %s\n\nCase %s; ", p->title, p->case_file);
+    fprintf(out, "# %s\n\nCase %s; ", p->words.title, p->words.case_file);
     for (int m = 0; m < p->n_measures; m++)
         fprintf(out, "%s%s against %s", m > 0 ? ", " : "", p->measure[m].text,
                 p->truth[m].text);
     fprintf(out, ".\nSeeds: %d; repetitions: %d, the least counts.\n\n",
-            p->seeds, p->times);
+            p->words.seeds, p->words.times);
     put_table(o, out);
     fputc('\n', out);
     put_fitted(o, out);

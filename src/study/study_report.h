@@ -4,8 +4,8 @@
  *                  seconds by part, steps, memory, each measure with its truth,
  *                  its error and the standard error of that
  *     study.md     a row a variant, orders, and the advice
- *     study.svg, study.png, study.gp, study-lines.txt
- *                  error against cost, the script and its data
+ *     study.svg, study.png, study.gp
+ *                  error against cost, the script with its data
  */
 #ifndef STUDY_STUDY_REPORT_H
 #define STUDY_STUDY_REPORT_H
@@ -19,6 +19,9 @@
 int study_report_runs(const struct outcomes *o);
 int study_report_variants(const struct outcomes *o);
 int study_report_picture(const struct outcomes *o);
+
+/* A file in the folder of the study, to be committed; NULL after a message. */
+struct file *study_report_file(const struct plan *p, const char *name);
 
 /* Which variant is the cheapest within 5 %, 1 %, 0.1 % of the truth, and what
  * the case as it stands costs beside it. */

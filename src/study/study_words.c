@@ -2,6 +2,7 @@
 #include "study/study_words.h"
 
 #include "base/alloc.h"
+#include "case/nearest.h"
 #include "case/source.h"
 #include "study/study.h"
 
@@ -16,32 +17,55 @@ static int wrong(const char *what, const char *why)
     return 2;
 }
 
-/* A whole number from 1 to 1024; 0 if it is none. */
-static int count_of(const char *text)
+const char *study_words_keep(struct study_words *w, char *text)
 {
-    char *end;
-    const long n = strtol(text, &end, 10);
-
-    return end != text && *end == '\0' && n >= 1 && n <= 1024 ? (int)n : 0;
+    w->text = realloc(w->text, ((size_t)w->n_texts + 1) * sizeof *w->text);
+    if (w->text == NULL) exit(4);
+    return w->text[w->n_texts++] = text;
 }
 
+/* --- one word ------------------------------------------------------------- */
+
+/* A whole number from 1 to 1024. */
 static int take_count(const char *option, const char *value, int *count)
 {
-    *count = count_of(value);
-    return *count > 0 ? 0 : wrong(option, " asks for a number, 1 to 1024");
+    char *end;
+    const long n = strtol(value, &end, 10);
+
+    if (end == value || *end != '\0' || n < 1 || n > 1024)
+        return wrong(option, " asks for a number, 1 to 1024");
+    *count = (int)n;
+    return 0;
+}
+
+/* A choice of the same keys as one of the file takes its place. */
+static int take_choice(struct study_words *w, const char *value)
+{
+    const size_t keys = strcspn(value, "=") + 1;
+    int at = 0;
+
+    while (at < w->old_choices && strncmp(w->choice[at], value, keys) != 0)
+        at++;
+    if (at == w->old_choices) at = w->n_choices++;
+    w->choice = realloc(w->choice, (size_t)w->n_choices * sizeof *w->choice);
+    if (w->choice == NULL) exit(4);
+    w->choice[at] = value;
+    return 0;
 }
 
 static int take_measure(struct study_words *w, const char *value)
 {
-    if (w->n_measures == PLAN_MEASURES)
+    if (w->old_measures > 0) w->n_measures = w->old_measures = 0;
+    if (w->n_measures == STUDY_WORDS_MEASURES)
         return wrong(value, ": more than 16 measures");
+    w->truth[w->n_measures] = NULL;
     w->measure[w->n_measures++] = value;
     return 0;
 }
 
 static int take_truth(struct study_words *w, const char *value)
 {
-    if (w->n_measures == 0)
+    if (w->n_measures == w->old_measures)
         return wrong("--truth", " follows the --measure that it is for");
     if (w->truth[w->n_measures - 1] != NULL)
         return wrong(value, ": a second truth for one measure");
@@ -52,25 +76,39 @@ static int take_truth(struct study_words *w, const char *value)
 static int take_option(struct study_words *w, const char *option,
                        const char *value)
 {
-    if (strcmp(option, "-o") == 0)
-        w->dir = value;
-    else if (strcmp(option, "-s") == 0)
-        w->choice[w->n_choices++] = value;
-    else if (strcmp(option, "-j") == 0)
-        return take_count(option, value, &w->jobs);
-    else if (strcmp(option, "--seeds") == 0)
-        return take_count(option, value, &w->seeds);
-    else if (strcmp(option, "--times") == 0)
-        return take_count(option, value, &w->times);
-    else if (strcmp(option, "--measure") == 0)
-        return take_measure(w, value);
-    else if (strcmp(option, "--truth") == 0)
-        return take_truth(w, value);
-    else if (strcmp(option, "--cost") == 0)
-        w->cost = value;
-    else
-        return wrong(option, ": no such option");
-    return value[0] != '\0' ? 0 : wrong(option, " asks for a value");
+    const struct {
+        const char *word;
+        const char **text;
+        int *count;
+        int (*take)(struct study_words *w, const char *value);
+    } options[] = {{"-s", NULL, NULL, take_choice},
+                   {"--measure", NULL, NULL, take_measure},
+                   {"--truth", NULL, NULL, take_truth},
+                   {"-o", &w->dir, NULL, NULL},
+                   {"--cost", &w->cost, NULL, NULL},
+                   {"--seeds", NULL, &w->seeds, NULL},
+                   {"--times", NULL, &w->times, NULL},
+                   {"-j", NULL, &w->jobs, NULL}};
+    struct nearest near;
+    char why[NEAREST_TEXT + 64];
+
+    nearest_init(&near, option);
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        nearest_offer(&near, options[i].word);
+        if (strcmp(option, options[i].word) != 0) continue;
+        if (value == NULL || value[0] == '\0')
+            return wrong(option, " asks for a value");
+        if (options[i].take != NULL) return options[i].take(w, value);
+        if (options[i].count != NULL)
+            return take_count(option, value, options[i].count);
+        *options[i].text = value;
+        return 0;
+    }
+    const char *const best = nearest_best(&near);
+    snprintf(why, sizeof why, ": no such option%s%s%s",
+             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
+             best != NULL ? "?" : "");
+    return wrong(option, why);
 }
 
 static int take_words(struct study_words *w, int n, const char *const *words)
@@ -83,11 +121,10 @@ static int take_words(struct study_words *w, int n, const char *const *words)
             w->quiet = 1;
         else if (strcmp(word, "--dry-run") == 0)
             w->dry = 1;
-        else if (word[0] == '-' && i + 1 < n)
-            code = take_option(w, word, words[++i]);
-        else if (word[0] == '-')
-            code = wrong(word, " asks for a value, or is no option");
-        else if (w->file != NULL)
+        else if (word[0] == '-') {
+            code = take_option(w, word, i + 1 < n ? words[i + 1] : NULL);
+            i++;
+        } else if (w->file != NULL)
             code = wrong(word, ": one argument too many; choices follow -s");
         else
             w->file = word;
@@ -142,119 +179,80 @@ static int is_study(const char *file, int *code)
     return found;
 }
 
-/* A text that lives as long as the words. */
-static const char *keep(struct study_words *w, char *text)
+/* The file beside the study, as a text of the words. */
+static const char *beside(struct study_words *w, const char *file)
 {
-    w->text = realloc(w->text, ((size_t)w->n_texts + 1) * sizeof *w->text);
-    if (w->text == NULL) exit(4);
-    w->text[w->n_texts++] = text;
-    return text;
+    char *const path = alloc_zeroed(SETTINGS_PATH, 1);
+
+    settings_beside(w->study, file, path, SETTINGS_PATH);
+    return study_words_keep(w, path);
 }
 
-static char *joined(const char *keys, const char *values)
+static int take_vary(struct study_words *w, int i)
 {
+    const char *const keys = settings_item_text(w->study, "vary", i, "keys");
+    const char *const values =
+        settings_item_text(w->study, "vary", i, "values");
     char *const text = alloc_zeroed(strlen(keys) + strlen(values) + 2, 1);
 
     sprintf(text, "%s=%s", keys, values);
-    return text;
-}
-
-/* 1 if the command line has a choice of these keys. */
-static int is_chosen(const struct study_words *w, const char *keys)
-{
-    const size_t n = strlen(keys);
-
-    for (int i = 0; i < w->n_choices; i++)
-        if (strncmp(w->choice[i], keys, n) == 0 && w->choice[i][n] == '=')
-            return 1;
-    return 0;
-}
-
-/* The choices of the file go before those of the command line. */
-static void add_choices(struct study_words *w)
-{
-    const int n = settings_length(w->study, "vary");
-    const char **const all =
-        alloc_zeroed((size_t)n + (size_t)w->n_choices, sizeof *all);
-    int at = 0;
-
-    for (int i = 0; i < n; i++) {
-        const char *const keys =
-            settings_item_text(w->study, "vary", i, "keys");
-        if (is_chosen(w, keys)) continue;
-        all[at++] = keep(
-            w, joined(keys, settings_item_text(w->study, "vary", i, "values")));
-    }
-    for (int i = 0; i < w->n_choices; i++)
-        all[at++] = w->choice[i];
-    free(w->choice);
-    w->choice = all;
-    w->n_choices = at;
+    return take_choice(w, study_words_keep(w, text));
 }
 
 /* A table of the truth stands beside the study. */
-static const char *truth_of(struct study_words *w, const char *text)
+static int take_measured(struct study_words *w, int i)
 {
+    const struct settings *const s = w->study;
+    int code = take_measure(w, settings_item_text(s, "measures", i, "of"));
+
+    if (code != 0 || !settings_item_has(s, "measures", i, "truth")) return code;
+    const char *const text = settings_item_text(s, "measures", i, "truth");
     const size_t n = strlen(text);
-
-    if (n < 4 || strcmp(text + n - 4, ".csv") != 0) return text;
-    char *const path = alloc_zeroed(SETTINGS_PATH, 1);
-    settings_beside(w->study, text, path, SETTINGS_PATH);
-    return keep(w, path);
+    const int table = n > 4 && strcmp(text + n - 4, ".csv") == 0;
+    return take_truth(w, table ? beside(w, text) : text);
 }
 
-static int add_measures(struct study_words *w)
-{
-    const char *const list = "measures";
-    const int n = settings_length(w->study, list);
-
-    if (n > PLAN_MEASURES) return wrong(w->file, ": more than 16 measures");
-    for (int i = 0; i < n; i++) {
-        w->measure[i] = settings_item_text(w->study, list, i, "of");
-        if (settings_item_has(w->study, list, i, "truth"))
-            w->truth[i] =
-                truth_of(w, settings_item_text(w->study, list, i, "truth"));
-    }
-    w->n_measures = n;
-    return 0;
-}
-
-static int read_study(struct study_words *w)
+/* What the study file says, as if it stood before the words. */
+static int take_study(struct study_words *w, const char *file)
 {
     const struct key *const tables[] = {study_words_keys, NULL};
     int code;
+    const struct settings *const s = w->study =
+        settings_create(file, 0, NULL, tables, &code);
 
-    w->study = settings_create(w->file, 0, NULL, tables, &code);
-    if (w->study == NULL) return code;
-    const struct settings *const s = w->study;
-    free(w->case_file);
-    w->case_file = alloc_zeroed(SETTINGS_PATH, 1);
-    settings_beside(s, settings_text(s, "case"), w->case_file, SETTINGS_PATH);
-    add_choices(w);
+    if (s == NULL) return code;
+    w->case_file = beside(w, settings_text(s, "case"));
+    for (int i = 0; i < settings_length(s, "vary") && code == 0; i++)
+        code = take_vary(w, i);
+    for (int i = 0; i < settings_length(s, "measures") && code == 0; i++)
+        code = take_measured(w, i);
     if (settings_has(s, "title")) w->title = settings_text(s, "title");
-    if (w->cost == NULL && settings_has(s, "cost"))
-        w->cost = settings_text(s, "cost");
-    if (w->seeds == 0) w->seeds = settings_int(s, "seeds");
-    if (w->times == 0) w->times = settings_int(s, "times");
-    return w->n_measures > 0 ? 0 : add_measures(w);
+    if (settings_has(s, "cost")) w->cost = settings_text(s, "cost");
+    w->seeds = settings_int(s, "seeds");
+    w->times = settings_int(s, "times");
+    w->old_choices = w->n_choices;
+    w->old_measures = w->n_measures;
+    return code;
 }
 
 int study_words_take(struct study_words *w, int n, const char *const *words)
 {
-    *w = (struct study_words){0};
-    w->choice = alloc_zeroed((size_t)n + 1, sizeof *w->choice);
+    *w = (struct study_words){.seeds = 1, .times = 1};
     int code = take_words(w, n, words);
-    if (code != 0) return code;
-    w->case_file = strdup(w->file);
-    const int study = is_study(w->file, &code);
-    return study ? read_study(w) : code;
+    const char *const file = w->case_file = w->file;
+
+    if (code != 0 || !is_study(file, &code)) return code;
+    study_words_free(w); /* the file's own words go first */
+    code = take_study(w, file);
+    return code != 0 ? code : take_words(w, n, words);
 }
 
 void study_words_free(struct study_words *w)
 {
     settings_free(w->study);
-    plan_free_texts(w->n_texts, w->text);
+    for (int i = 0; i < w->n_texts; i++)
+        free(w->text[i]);
+    free(w->text);
     free(w->choice);
-    free(w->case_file);
     *w = (struct study_words){0};
 }

@@ -4,28 +4,34 @@
  *
  * A study file says the same in libconfig's syntax; its keys are in
  * study_words_keys. What the command line says besides goes before: a choice of
- * the same keys replaces that of the file, a measure its measures.
+ * the same keys takes the place of that of the file, a measure that of its
+ * measures.
  */
 #ifndef STUDY_STUDY_WORDS_H
 #define STUDY_STUDY_WORDS_H
 
 #include "base/key.h"
 #include "case/settings.h"
-#include "study/plan.h"
+
+/* Most measures of a study. */
+enum { STUDY_WORDS_MEASURES = 16 };
 
 /* A truth belongs to the measure before it; that of the last measure also to
  * those that have none. */
 struct study_words {
     const char *file;       /* as it was given */
-    char *case_file;        /* that file, or the one that a study file names */
+    const char *case_file;  /* that file, or the one that a study file names */
     const char *title;      /* NULL: that of the case */
     const char *dir, *cost; /* NULL: not given */
     int n_choices, n_measures;
     const char **choice;
-    const char *measure[PLAN_MEASURES], *truth[PLAN_MEASURES];
-    int seeds, times, jobs; /* 0: not given */
-    int quiet, dry;
-    struct settings *study; /* of a study file; else NULL */
+    const char *measure[STUDY_WORDS_MEASURES], *truth[STUDY_WORDS_MEASURES];
+    int seeds, times; /* [-] runs of a variant with other seeds; repetitions of
+                         each, for its processor time */
+    int jobs;         /* [-] processes at a time; 0: not given */
+    int quiet, dry;   /* [-] 1: no progress; 1: only say what would run */
+    int old_choices, old_measures; /* those of the file, until replaced */
+    struct settings *study;        /* of a study file; else NULL */
     int n_texts;
     char **text; /* made of it, owned */
 };
@@ -38,5 +44,8 @@ extern const struct key study_words_keys[];
  * lives as long as it does. */
 int study_words_take(struct study_words *w, int n, const char *const *words);
 void study_words_free(struct study_words *w);
+
+/* A text that lives as long as the words. */
+const char *study_words_keep(struct study_words *w, char *text);
 
 #endif

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/truth.h"
 
-#include "base/alloc.h"
 #include "study/results.h"
-#include "study/statistics.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,14 +20,30 @@ static int is_table(const char *text)
 
 static int read_table(struct truth *t)
 {
+    struct results_table *const table = results_table_read(t->text);
+    const int n = table != NULL && table->n_columns > 1 ? table->n_rows : 0;
+    int rises = n > 0;
+
     t->kind = TRUTH_TABLE;
-    t->table = results_table_read(t->text);
-    if (t->table != NULL && t->table->n_columns > 1) return 0;
+    t->table = curve_create(n);
+    for (int i = 0; i < n; i++) {
+        t->table.x[i] = table->value[i * table->n_columns];
+        t->table.value[i] = table->value[i * table->n_columns + 1];
+        rises &= i == 0 || t->table.x[i] > t->table.x[i - 1];
+    }
+    results_table_free(table);
+    if (rises) return 0;
     fprintf(stderr,
             "winnow: study: truth %s: cannot be read as a table of two columns "
-            "or more, with a head line and commas\n",
+            "or more, with a head line and commas, the first rising\n",
             t->text);
-    return 4;
+    return n > 0 ? 2 : 4;
+}
+
+double truth_value(const struct truth *t, double x)
+{
+    return t->kind == TRUTH_TABLE ? curve_at(&t->table, x, NULL)
+                                  : t->function->value(t->of, x);
 }
 
 int truth_parse(struct truth *t, const char *text)
@@ -47,32 +62,21 @@ int truth_parse(struct truth *t, const char *text)
         if (truth_functions[i]->is_meant(text))
             t->function = truth_functions[i];
     if (t->function != NULL) t->of = t->function->create(text);
-    return t->of != NULL ? 0 : 2;
+    if (t->of == NULL) return 2;
+    const double one = truth_value(t, 0.3), other = truth_value(t, 0.7);
+    if (isfinite(one) && one != 0.0) return 0;
+    if (isfinite(other) && other != 0.0) return 0;
+    fprintf(stderr,
+            "winnow: study: truth %s: is %g everywhere, and no error is "
+            "relative to that\n",
+            text, one);
+    return 2;
 }
 
 void truth_free(struct truth *t)
 {
     if (t->of != NULL) t->function->free(t->of);
-    results_table_free(t->table);
+    curve_free(&t->table);
     free(t->text);
     *t = (struct truth){0};
-}
-
-static double in_table(const struct results_table *t, double x)
-{
-    double *const column = alloc_doubles(2 * t->n_rows);
-
-    for (int i = 0; i < t->n_rows; i++)
-        for (int k = 0; k < 2; k++)
-            column[k * t->n_rows + i] = t->value[i * t->n_columns + k];
-    const double y =
-        statistics_between(t->n_rows, column, column + t->n_rows, x);
-    free(column);
-    return y;
-}
-
-double truth_value(const struct truth *t, double x)
-{
-    return t->kind == TRUTH_TABLE ? in_table(t->table, x)
-                                  : t->function->value(t->of, x);
 }

@@ -38,13 +38,3 @@ int workers_code(pid_t process)
     if (waitpid(process, &status, WNOHANG) != process) return -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
-
-pid_t workers_owner(const char *path)
-{
-    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    const int file = open(path, O_RDWR | O_NOFOLLOW | O_CLOEXEC);
-    const int asked = file >= 0 && fcntl(file, F_GETLK, &l) == 0;
-
-    if (file >= 0) close(file);
-    return asked && l.l_type != F_UNLCK ? l.l_pid : 0;
-}

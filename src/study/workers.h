@@ -12,7 +12,4 @@ pid_t workers_start(const char *const *arguments, const char *log);
  * signal ended has 128 and the number of the signal. */
 int workers_code(pid_t process);
 
-/* The process that holds a lock on the file; 0 if none does. */
-pid_t workers_owner(const char *path);
-
 #endif

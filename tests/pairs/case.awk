@@ -108,6 +108,11 @@ function put_bodies(    where) { # above the particles, where there are any
     if (is("bodies", "cylinder"))
         put("  cylinders = ({ position = " at(0.5, where, 0.5) "; diameter = " (letter != "f" ? "0.003" : "0.005") ";" \
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
+    else if (is("bodies", "clump"))
+        put("  clumps = ({ file = \"pair.spheres\"; position = " at(0.5, where, 0.5) "; density = 2500; spin = [0.0, 1.0, 2.0]; });")
+    else if (is("bodies", "surface"))
+        put("  surfaces = ({ file = \"eight.stl\"; scale = 1e-3; position = " at(0.5, where, 0.5) \
+            "; motion = \"prescribed\"; velocity = [0.1, 0.2, -0.1]; spin = [5.0, 1.0, 0.0]; });")
     else
         put("  spheres = ({ position = " at(0.5, where, 0.5) "; diameter = 0.0047;" \
             (is("bodies", "fixed") ? " motion = \"fixed\";" : \
@@ -270,7 +275,11 @@ function put_averaging(    b) {
     put("};")
 }
 
-function put_exchange(    i) {
+# The laws that are no choice of their own, one after the other.
+function put_exchange(    i, n) {
+    n = split("di-felice di-felice-printed huilin-gidaspow hill-koch-ladd tenneti " \
+        "rong cello dallavalle haider-levenspiel", word, " ")
+    if (is("drag", "another")) v["drag"] = word[1 + n_cases % n]
     split("drag treatment slip_integration model coupling", word, " ")
     put("exchange = {")
     for (i = 1; i <= 5; i++) put("  " word[i] " = \"" v[word[i]] "\";")
@@ -288,7 +297,8 @@ function put_effects() {
         put("  van_der_waals = { hamaker = 1e-19; range = 1e-5; };")
     if (is("cohesion", "capillary all"))
         put("  capillary = { tension = 0.01; range = 5e-5; };")
-    if (on("pressure_gradient")) put("  pressure_gradient = {};")
+    if (is("pressure_gradient", "on")) put("  pressure_gradient = {};")
+    if (is("pressure_gradient", "whole")) put("  whole_drag = {};")
     if (on("viscous_stress")) put("  viscous_stress = {};")
     if (is("virtual_mass", "half")) put("  virtual_mass = {};")
     if (on("basset")) put("  basset = {};")

@@ -5,9 +5,8 @@
 #
 #   sh tests/validate/agitation.sh build/winnow [liquid|treatments|choices|kernels|gas ...]
 #
-# liquid takes about five minutes for each Reynolds number of RE (4 6 8 11), choices
-# and kernels half an hour, gas an hour and more with one cell a diameter (GAS=20,100,20 is
-# EW18's GK-2, some hours). END=60 in the environment ends each run at 60, to try
+# liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
+# choices and kernels half an hour, gas three quarters of one. END=60 in the environment ends each run at 60, to try
 # the script; what it finds then goes to out/validate-agitation/figures.
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
@@ -97,13 +96,20 @@ block() {
     printf '\n\n'
 }
 
+# At the two lower velocities drag and weight are larger: the explicit drag needs
+# EW18's own steps, and the grains more stiffness.
+short="-s fluid.step=3e-3 -s particles.step=3e-4"
+stiff="-s particles.grains.stiffness=5e4"
+slow="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0] $stiff $short"
+middle="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0] $stiff $short"
+
 # Figs. 14 to 17 and Table 1, reading A: Re_in, 1 / Re_in, Fr.
 liquid() {
-    ways="cube gauss random" stiff="-s particles.grains.stiffness=5e4"
+    ways="cube gauss random"
     for re in ${RE:-4 6 8 11}; do
         case $re in
-        4) scale="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0] $stiff" ;;
-        6) scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0] $stiff" ;;
+        4) scale=$slow ;;
+        6) scale=$middle ;;
         8) scale="-s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0]" ;;
         *) scale= ;;
         esac
@@ -165,31 +171,39 @@ END
     } >$figures/23-choices.txt
 }
 
-# Two ways of giving the drag to the fluid, with two steps each, at Re_in = 4.
+# The drag law as the whole force or beside the pressure gradient, and two ways of
+# giving it to the fluid, at Re_in = 4 with two steps; and both forms at 11.
 treatments() {
-    common="-s fluid.viscosity=0.25 -s effects.gravity=[0.0,-24.2,0.0]"
-    common="$common -s particles.grains.stiffness=5e4 -s output.end=80.0"
-    common="$common -s output.statistics.from=20.0"
-    short="-s fluid.step=3e-3 -s particles.step=3e-4"
+    brief="$slow -s output.end=80.0 -s output.statistics.from=20.0"
+    long="-s fluid.step=1e-2 -s particles.step=1e-3"
+    semi="-s exchange.treatment=semi-implicit"
+    whole=cases/ew18-liquid.cfg shared=cases/ew18-liquid-shared.cfg
     # shellcheck disable=SC2086
-    for way in explicit semi-implicit; do
-        run $way cases/ew18-liquid.cfg $common -s exchange.treatment=$way
-        run $way-short cases/ew18-liquid.cfg $common $short -s exchange.treatment=$way
-    done
+    {
+        run whole $whole $brief
+        run shared-long $shared $brief $long
+        run shared $shared $brief
+        run semi-long $whole $brief $semi $long
+        run semi $whole $brief $semi
+        run gauss-11 $whole
+        run shared-11 $shared
+    }
     {
         made treatments
-        echo "# treatment, step, $columns"
-        for way in explicit semi-implicit; do
-            row $way $way 1e-2
-            row $way-short $way 3e-3
-        done
+        echo "# Re_in, form, treatment, step, $columns"
+        row whole 4 whole explicit 3e-3
+        row shared-long 4 shared explicit 1e-2
+        row shared 4 shared explicit 3e-3
+        row semi-long 4 whole semi-implicit 1e-2
+        row semi 4 whole semi-implicit 3e-3
+        row gauss-11 11 whole explicit 1e-2
+        row shared-11 11 shared explicit 1e-2
     } >$figures/23-treatments.txt
 }
 
 # Figs. B.1 and B.2 at Re_in = 6: cells a diameter, and the width of the kernel.
 kernels() {
-    scale="-s fluid.viscosity=0.1666667 -s effects.gravity=[0.0,-10.75,0.0]"
-    scale="$scale -s particles.grains.stiffness=5e4"
+    scale=$middle
     # shellcheck disable=SC2086
     {
         run gauss-6 cases/ew18-liquid.cfg $scale
@@ -211,30 +225,41 @@ kernels() {
     } >$figures/23-kernels.txt
 }
 
-# Figs. 19 and 20.
+# Figs. 18 to 20: coarse, with a Gaussian on cells of one diameter, with a random
+# part, with Di Felice's own law; and with two cells a diameter (EW18's GK-2).
 gas() {
-    cells="-s mesh.cells=[${GAS:-10,50,10}]"
     sigma="-s effects.stochastic_drag.sigma_low=43.9 -s effects.stochastic_drag.Re_low=16.54"
     sigma="$sigma -s effects.stochastic_drag.sigma_high=16.0 -s effects.stochastic_drag.Re_high=28.0"
     sigma="$sigma -s effects.stochastic_drag.linear=true -s effects.stochastic_drag.time=1.0"
+    case=cases/ew18-gas.cfg fine="-s mesh.cells=[20,100,20]"
+    ways="cube gauss random di-felice gauss-2 random-2"
     # shellcheck disable=SC2086
     {
-        run gas cases/ew18-gas.cfg $cells
-        run gas-random cases/ew18-gas.cfg $cells $sigma
-        run gas-1994 cases/ew18-gas.cfg $cells -s exchange.drag=di-felice
+        run gas-cube $case -s mesh.cells=[6,30,6] \
+            -s 'averaging={method="cube";interpolation="linear";}'
+        run gas-gauss $case
+        run gas-random $case $sigma
+        run gas-di-felice $case -s exchange.drag=di-felice
+        run gas-gauss-2 $case $fine
+        run gas-random-2 $case $fine $sigma
     }
     {
         made gas
-        echo "# way $columns"
-        row gas printed
-        row gas-random printed+random
-        row gas-1994 di-felice
+        echo "# bed way $columns"
+        for way in $ways; do row gas-$way gas $way; done
     } >$figures/23-gas.txt
+    {
+        numbers 1 2 <$figures/23-gas.txt
+        for way in $ways; do
+            echo "## swing-$way"
+            echo "height = $(value gas-$way bed_height deviation) [-]"
+        done
+    } >$figures/23-gas-numbers.txt
     for file in series profile; do
         {
             made gas
-            for name in gas gas-random gas-1994; do
-                block $name $file "$([ $file = series ] && echo 5 || echo 1)"
+            for way in $ways; do
+                block gas-$way $file "$([ $file = series ] && echo 5 || echo 1)"
             done
         } >$figures/23-gas-$file.txt
     done

@@ -71,14 +71,18 @@ static void print_kind(const struct equation_index_row *r,
     if (n == 0) printf("  %-13s nothing yet\n", heading);
 }
 
+static void print_eval_of(const struct equation *e)
+{
+    printf("  %-13s winnow eval %s, with %s\n", "evaluated by", e->key,
+           e->inputs);
+}
+
 static void print_eval(const char *key)
 {
     const struct equation *e;
 
     for (int i = 0; (e = equations_at(i)) != NULL; i++)
-        if (is_wanted(e->key, key))
-            printf("  %-13s winnow eval %s, with %s\n", "evaluated by", e->key,
-                   e->inputs);
+        if (is_wanted(e->key, key)) print_eval_of(e);
 }
 
 static void print_formula(const char *key, int indent)
@@ -153,6 +157,15 @@ static int list_document(const char *document)
     return 0;
 }
 
+int equation_index_has_function(const char *name)
+{
+    for (const struct equation_index_row *r = equation_index_rows;
+         r->key != NULL; r++)
+        if (r->kind == EQUATION_INDEX_FUNCTION && strcmp(r->name, name) == 0)
+            return 1;
+    return 0;
+}
+
 /* Where a function stands, and the equations that it computes. */
 int equation_index_explain_function(const char *name)
 {
@@ -185,8 +198,10 @@ int equation_index_is_function(const char *word)
     return word[strspn(word, "abcdefghijklmnopqrstuvwxyz_0123456789")] == '\0';
 }
 
+/* What is no equation of the documents may be one of eval: a drag law. */
 int equation_index_explain(const char *key)
 {
+    const struct equation *e;
     int found = 0;
 
     if (is_document(key)) return list_document(key);
@@ -196,5 +211,10 @@ int equation_index_explain(const char *key)
             if (found++ > 0) putchar('\n');
             print_equation(r);
         }
+    if (found == 0 && (e = equations_named(key)) != NULL) {
+        printf("%s: %s\n  %s\n", e->key, e->what, e->formula);
+        print_eval_of(e);
+        return 0;
+    }
     return found > 0 ? 0 : unknown(key);
 }

@@ -34,6 +34,9 @@ int equation_index_is_key(const char *word);
 /* 1 if the word may be the name of a function: small letters, digits and _. */
 int equation_index_is_function(const char *word);
 
+/* 1 if there are equations that a function of that name computes. */
+int equation_index_has_function(const char *name);
+
 /* Prints the equations that a function computes. 0, or 2 after a message. */
 int equation_index_explain_function(const char *name);
 

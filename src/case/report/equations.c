@@ -248,8 +248,8 @@ static const struct equation others[] = {
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
 
-static const struct equation *const tables[] = {others, equations_forces,
-                                                equations_ew18, NULL};
+static const struct equation *const tables[] = {
+    others, equations_forces, equations_ew18, equations_drag, NULL};
 
 const struct equation *equations_at(int i)
 {

@@ -12,7 +12,7 @@
 enum { EQUATIONS_INPUTS = 8, EQUATIONS_TEXT = 32 };
 
 struct equation {
-    const char *key;      /* document:number, "XS11:2.13" */
+    const char *key;      /* document:number, "XS11:2.13"; "drag:rong" */
     const char *what;     /* its name */
     const char *formula;  /* as one would type it */
     const char *inputs;   /* each with its unit: "Re [-], eps_f [-]" */
@@ -25,9 +25,11 @@ struct equation {
 /* The i-th of all, in the order of the documents; NULL past the last. */
 const struct equation *equations_at(int i);
 
-/* Those of EW18, and of the further forces, ended by one without a key. */
+/* Those of EW18, of the further forces, and one for each drag law, ended by one
+ * without a key. */
 extern const struct equation equations_ew18[];
 extern const struct equation equations_forces[];
+extern const struct equation equations_drag[];
 
 /* The equation of that key, or NULL. */
 const struct equation *equations_named(const char *key);

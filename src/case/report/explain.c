@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/explain.h"
 
+#include "case/case_file.h"
 #include "case/case_materials.h"
 #include "case/command.h"
 #include "case/model_choice.h"
 #include "case/report/equation_index.h"
+#include "case/report/list.h"
+#include "case/schema.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -96,15 +99,57 @@ int explain_case(const struct settings *s)
     return 0;
 }
 
-/* A word is a key, a function, or else the file of a case. */
+/* The rows of a key of a case, and the models between which it chooses. */
+static int explain_case_key(const char *key)
+{
+    const int code = list_keys(key);
+
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        if (strcmp((*k)->key, key) == 0) list_models((*k)->name);
+    return code;
+}
+
+static int is_case_key(const char *word)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+
+    case_file_tables(tables);
+    return schema_find(tables, word) != NULL;
+}
+
+/* The models of that name, or that this function computes; how many. */
+static int explain_models(const char *word)
+{
+    struct model m;
+    int n = 0;
+
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++) {
+            if (strcmp(m.name, word) != 0 && strcmp(m.function, word) != 0)
+                continue;
+            printf("%s %s: chosen by %s, computed by %s\n", (*k)->name, m.name,
+                   (*k)->key, m.function);
+            list_model(&m);
+            n++;
+        }
+    return n;
+}
+
+/* A word is the key of an equation, a key of a case, a model, a function, or
+ * else the file of a case. */
 static int act(const struct command_line *l)
 {
     const char *const word = l->words[0];
     int code;
 
     if (equation_index_is_key(word)) return equation_index_explain(word);
-    if (equation_index_is_function(word) && access(word, F_OK) != 0)
-        return equation_index_explain_function(word);
+    if (access(word, F_OK) != 0) {
+        if (is_case_key(word)) return explain_case_key(word);
+        const int n = explain_models(word);
+        if (n > 0 && !equation_index_has_function(word)) return 0;
+        if (equation_index_is_function(word))
+            return equation_index_explain_function(word);
+    }
 
     struct settings *const s = command_settings(l, &code);
 
@@ -115,10 +160,11 @@ static int act(const struct command_line *l)
 
 const struct command command_explain = {
     "explain",
-    "CASE [-s path.to.key=value]... | KEY | FUNCTION",
+    "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION",
     "the equations that a case switches on, and what it leaves off; or where "
-    "an equation is computed, tested and explained; or what a function "
-    "computes",
+    "the equations that a case switches on, and what it leaves off; or where "
+    "the equation of a key is computed, tested and explained; or what a key of "
+    "a case or a model means; or what a function computes",
     "s",
     1,
     1,

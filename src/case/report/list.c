@@ -31,6 +31,18 @@ static void print_source(const char *source)
     putchar('\n');
 }
 
+/* "; needs fluid averaging; not with effects.x" of "fluid averaging !effects.x"
+ */
+static void print_needs(const char *needs)
+{
+    const char *const not = strchr(needs, '!');
+    const int length = not != NULL ? (int)(not -needs) : (int)strlen(needs);
+
+    if (length > 0)
+        printf("; needs %.*s", not != NULL ? length - 1 : length, needs);
+    if (not != NULL) printf("; not with %s", not +1);
+}
+
 static void print_key(const struct key *key, const char *indent)
 {
     char expected[SCHEMA_TEXT], value[SCHEMA_TEXT];
@@ -43,79 +55,59 @@ static void print_key(const struct key *key, const char *indent)
         schema_default(key, value);
         printf("; default %s", value);
     }
-    if (key->needs[0] != '\0') printf("; needs %s", key->needs);
+    print_needs(key->needs);
     printf("\n%s    %s", indent, key->what);
     print_source(key->source);
 }
 
-static void print_keys_of(const struct model *m)
+void list_model(const struct model *m)
 {
+    printf("    %s: %s", m->name, m->what);
+    print_source(m->equations);
     for (int t = 0; t < KEY_TABLES && m->keys[t] != NULL; t++)
         for (const struct key *k = m->keys[t]; k->path != NULL; k++)
             print_key(k, "        ");
 }
 
-/* How many letters of a path name its part of a case: "fluid", "title". */
-static size_t part_of(const char *path)
-{
-    return strcspn(path, ".");
-}
-
-/* The keys of one part, those of its groups and those of its models. */
-static int print_part(const struct key *const *tables, const char *part,
-                      size_t length)
+/* The rows of a group, of the groups in it and of their models, or of one key.
+ */
+static int print_part(const struct key *const *tables, const char *part)
 {
     int n = 0;
 
     SCHEMA_EACH (key, tables)
-        if (part_of(key->path) == length &&
-            strncmp(key->path, part, length) == 0) {
+        if (schema_is_within(key, part)) {
             print_key(key, "");
             n++;
         }
     return n;
 }
 
-/* The first row of each part, in the order of the tables; NULL past the last.
- */
-static const struct key *next_part(const struct key *const *tables, int *i)
-{
-    const struct key *key;
-
-    for (; (key = schema_at(tables, *i)) != NULL; ++*i)
-        if (strchr(key->path, '.') == NULL) {
-            ++*i;
-            return key;
-        }
-    return NULL;
-}
-
 static int unknown_part(const struct key *const *tables, const char *name)
 {
-    const struct key *key;
-    struct nearest n;
+    char nearest[SCHEMA_TEXT] = "";
 
-    nearest_init(&n, name);
-    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
-        nearest_offer(&n, key->path);
-    fprintf(stderr, "winnow: no part of a case is called %s; %s%s%s\n", name,
-            nearest_best(&n) != NULL ? "did you mean " : "winnow list keys",
-            nearest_best(&n) != NULL ? nearest_best(&n) : " names all keys",
-            nearest_best(&n) != NULL ? "?" : "");
+    if (schema_nearest(tables, name, nearest) != NULL)
+        fprintf(stderr,
+                "winnow: no part of a case is called %s; did you mean %s?\n",
+                name, nearest);
+    else
+        fprintf(stderr,
+                "winnow: no part of a case is called %s; winnow list keys "
+                "names all keys\n",
+                name);
     return 2;
 }
 
 int list_keys(const char *part)
 {
-    const struct key *tables[CASE_FILE_TABLES], *key;
+    const struct key *tables[CASE_FILE_TABLES];
 
     case_file_tables(tables);
     if (part != NULL)
-        return print_part(tables, part, strlen(part)) > 0
-                   ? 0
-                   : unknown_part(tables, part);
-    for (int i = 0; (key = next_part(tables, &i)) != NULL;)
-        print_part(tables, key->path, strlen(key->path));
+        return print_part(tables, part) > 0 ? 0 : unknown_part(tables, part);
+    SCHEMA_EACH (key, tables)
+        if (schema_member(key, "") != NULL) print_part(tables, key->path);
     return 0;
 }
 
@@ -145,11 +137,8 @@ int list_models(const char *name)
     if (strcmp(name, "keys") == 0) return list_keys(NULL);
     if (kind == NULL) return unknown_kind(name);
     printf("%s, chosen by %s\n", kind->what, kind->key);
-    for (int i = 0; kind->model(i, &m); i++) {
-        printf("    %s: %s", m.name, m.what);
-        print_source(m.equations);
-        print_keys_of(&m);
-    }
+    for (int i = 0; kind->model(i, &m); i++)
+        list_model(&m);
     return 0;
 }
 

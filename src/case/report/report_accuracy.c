@@ -9,15 +9,22 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A factor of two, in words: the error that is left, or that it becomes. */
-static void line(const char *name, double time, const char *of, double order,
-                 int finer)
+/* In words: an error that is so many times as small, or as large if that is
+ * below one. */
+static void line_by(const char *name, double time, const char *of, double by)
 {
     char remark[128];
 
-    snprintf(remark, sizeof remark, "times the time; %s %s %g", of,
-             finer ? "over" : "times", pow(2.0, order));
+    snprintf(remark, sizeof remark, "times the time; %s %s %.3g", of,
+             by < 1.0 ? "times" : "over", by < 1.0 ? 1.0 / by : by);
     check_line(name, time, "-", remark);
+}
+
+/* A factor of two in a size, of that order. */
+static void line(const char *name, double time, const char *of, double order,
+                 int finer)
+{
+    line_by(name, time, of, pow(2.0, finer ? order : -order));
 }
 
 /* The time with steps of the fluid and of the particles, and cells, that are so
@@ -59,18 +66,99 @@ static double order_of_cells(const struct settings *s)
                                                                        : 2.0;
 }
 
+/* Directions that have more than one cell, and the product of their numbers. */
+static int directions_of(const struct settings *s, double *cells)
+{
+    int n[3], directions = 0;
+
+    *cells = 1.0;
+    if (!settings_has(s, "mesh.cells")) return 0;
+    settings_counts(s, "mesh.cells", n);
+    for (int i = 0; i < 3; i++) {
+        directions += n[i] > 1;
+        *cells *= n[i];
+    }
+    return directions;
+}
+
+/* The time if that of the equations of the flow becomes `by` as long. With
+ * grains half of what a cell takes is the coupling. */
+static double time_of_flow(const struct settings *s,
+                           const struct case_scales *k, double by)
+{
+    const double share = settings_has(s, "exchange") ? 0.5 : 1.0;
+
+    return time_with(k, 1, 1.0, 1.0, 1.0 + share * (by - 1.0));
+}
+
+/* The error of upwind convection is to that of second order as a length of the
+ * flow to the width of a cell: N / 4 of a cavity of N cells a side, N being the
+ * geometric mean of the sides here. Blended convection has half of it. Upwind
+ * takes 0.7 of the time (study convection). */
+static void print_convection(const struct settings *s,
+                             const struct case_scales *k)
+{
+    const char *const name = settings_text(s, "fluid.convection");
+    const double share = strcmp(name, "blended") == 0 ? 0.125 : 0.25;
+    const double longer = 1.4, shorter = 1.0 / longer;
+    double cells;
+    const int directions = directions_of(s, &cells);
+    const double by = fmax(1.0, share * pow(cells, 1.0 / directions));
+
+    if (directions == 0) return;
+    if (order_of_cells(s) == 1.0)
+        line_by("fluid.convection = second-upwind", time_of_flow(s, k, longer),
+                "the error of convection", by);
+    else
+        line_by("fluid.convection = upwind", time_of_flow(s, k, shorter),
+                "the error of convection", 1.0 / by);
+}
+
+/* Iterations go with the digits that are asked for, and what else there is to
+ * do takes the time of four digits. The error of one digit more is not a tenth,
+ * since iterations are whole, but that of four digits more is about 1e-4 (study
+ * tolerance). */
+static void print_tolerance(const struct settings *s,
+                            const struct case_scales *k)
+{
+    const double digits = -log10(settings_real(s, "fluid.tolerance"));
+
+    line_by("fluid.tolerance over 10",
+            time_of_flow(s, k, (digits + 5.0) / (digits + 4.0)),
+            "the error of the equations, in the mean,", 10.0);
+    if (digits > 1.0)
+        line_by("fluid.tolerance times 10",
+                time_of_flow(s, k, (digits + 3.0) / (digits + 4.0)),
+                "the error of the equations, in the mean,", 0.1);
+}
+
+/* A corrector takes a quarter of the time of the rest, and leaves about a sixth
+ * of the error of the one before at Courant numbers of one half (study
+ * correctors). */
+static void print_correctors(const struct settings *s,
+                             const struct case_scales *k)
+{
+    const int n = settings_int(s, "fluid.correctors");
+    const double rest = 4.4;
+
+    line_by("fluid.correctors one more",
+            time_of_flow(s, k, (rest + n + 1.0) / (rest + n)),
+            "the error of splitting", 6.0);
+    if (n > 1)
+        line_by("fluid.correctors one less",
+                time_of_flow(s, k, (rest + n - 1.0) / (rest + n)),
+                "the error of splitting", 1.0 / 6.0);
+}
+
 /* All directions that have more than one cell, and the step with them, so that
  * the Courant number stays. */
 static void print_cells(const struct settings *s, const struct case_scales *k)
 {
-    int n[3], directions = 0;
-
-    if (!settings_has(s, "mesh.cells")) return;
-    settings_counts(s, "mesh.cells", n);
-    for (int i = 0; i < 3; i++)
-        directions += n[i] > 1;
-    if (directions == 0) return;
+    double n;
+    const int directions = directions_of(s, &n);
     const double cells = pow(2.0, directions);
+
+    if (directions == 0) return;
     line("mesh.cells doubled, fluid.step halved",
          time_with(k, 1, 2.0, 1.0, cells), "that of the cells",
          order_of_cells(s), 1);
@@ -116,6 +204,9 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     puts("What accuracy costs");
     if (flow) print_fluid(s, k);
     if (flow) print_cells(s, k);
+    if (flow) print_convection(s, k);
+    if (flow) print_tolerance(s, k);
+    if (flow) print_correctors(s, k);
     if (settings_has(s, "averaging")) print_bandwidth(s);
     if (settings_has(s, "exchange")) print_substeps(s, k);
     if (k->particles == 0) return;

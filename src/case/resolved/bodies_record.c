@@ -25,7 +25,7 @@ struct record {
     struct surroundings_filter *filter; /* NULL: no such columns */
 };
 
-static const struct solid_bodies *bodies_of(const struct simulation *sim)
+const struct solid_bodies *bodies_record_of(const struct simulation *sim)
 {
     const struct solid_bodies *const b = effects_memory(sim, &bodies_effect);
     return b != NULL ? b : effects_memory(sim, &among_effect);
@@ -35,7 +35,7 @@ static const struct solid_bodies *bodies_of(const struct simulation *sim)
 
 static double force(const struct simulation *sim, int k)
 {
-    const struct solid_bodies *const b = bodies_of(sim);
+    const struct solid_bodies *const b = bodies_record_of(sim);
     double sum = 0.0;
 
     for (int i = 0; i < b->ps->n; i++)
@@ -81,17 +81,17 @@ static double mean_flow_z(const struct simulation *sim)
 
 static double held_cells(const struct simulation *sim)
 {
-    return bodies_of(sim)->n_cells;
+    return bodies_record_of(sim)->n_cells;
 }
 
 static double contacts(const struct simulation *sim)
 {
-    return bodies_of(sim)->dem_report.contacts;
+    return bodies_record_of(sim)->dem_report.contacts;
 }
 
 static double overlap(const struct simulation *sim)
 {
-    return bodies_of(sim)->dem_report.max_overlap;
+    return bodies_record_of(sim)->dem_report.max_overlap;
 }
 
 static const struct history_column columns[] = {
@@ -108,20 +108,30 @@ static const struct history_column columns[] = {
 
 /* --- files ---------------------------------------------------------------- */
 
-/* The last ones are means around the body. */
-enum { COLUMNS = 17, AROUND = 6 };
+/* Then the orientation, if there are outlines; then the means around it. */
+enum { COLUMNS = 17, TURN = 4, AROUND = 6 };
 
-static struct table *create_table(struct folder *folder, int n)
+static struct table *create_table(const struct record *r, struct folder *folder)
 {
-    static const char *const names[COLUMNS + AROUND] = {
-        "time [s]",       "body [-]",    "x [m]",          "y [m]",
-        "z [m]",          "vx [m/s]",    "vy [m/s]",       "vz [m/s]",
-        "wx [rad/s]",     "wy [rad/s]",  "wz [rad/s]",     "force_x [N]",
-        "force_y [N]",    "force_z [N]", "torque_x [N m]", "torque_y [N m]",
-        "torque_z [N m]", "eps_f [-]",   "ux [m/s]",       "uy [m/s]",
-        "uz [m/s]",       "Re_p [-]",    "C_d [-]"};
+    static const char *const names[COLUMNS] = {
+        "time [s]",      "body [-]",    "x [m]",          "y [m]",
+        "z [m]",         "vx [m/s]",    "vy [m/s]",       "vz [m/s]",
+        "wx [rad/s]",    "wy [rad/s]",  "wz [rad/s]",     "force_x [N]",
+        "force_y [N]",   "force_z [N]", "torque_x [N m]", "torque_y [N m]",
+        "torque_z [N m]"};
+    static const char *const turn[TURN] = {"q_0 [-]", "q_x [-]", "q_y [-]",
+                                           "q_z [-]"};
+    static const char *const around[AROUND] = {
+        "eps_f [-]", "ux [m/s]", "uy [m/s]", "uz [m/s]", "Re_p [-]", "C_d [-]"};
+    const char *all[COLUMNS + TURN + AROUND];
+    int n = COLUMNS;
 
-    return folder_table(folder, "bodies.csv", n, names);
+    memcpy(all, names, sizeof names);
+    for (int k = 0; k < TURN && r->bodies->turn != NULL; k++)
+        all[n++] = turn[k];
+    for (int k = 0; k < AROUND && r->filter != NULL; k++)
+        all[n++] = around[k];
+    return folder_table(folder, "bodies.csv", n, all);
 }
 
 static struct series *create_series(struct folder *folder)
@@ -152,17 +162,16 @@ static void *create(const struct settings *s, const struct simulation *sim,
 {
     static const char width[] = "bodies.filter";
 
-    if (bodies_of(sim) == NULL) return NULL;
+    if (bodies_record_of(sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
     r->sim = sim;
-    r->bodies = bodies_of(sim);
+    r->bodies = bodies_record_of(sim);
     r->folder = folder;
     if (settings_has(s, width))
         r->filter =
             surroundings_create(r->bodies, sim->fluid, settings_real(s, width));
-    r->table =
-        create_table(folder, r->filter != NULL ? COLUMNS + AROUND : COLUMNS);
+    r->table = create_table(r, folder);
     r->pictures = r->table != NULL ? create_series(folder) : NULL;
     r->writer = vtk_writer_create();
     if (r->pictures != NULL) return r;
@@ -190,11 +199,14 @@ static int add_row(void *record)
     if (r->filter != NULL) surroundings_bind(r->filter);
     for (int i = 0; i < ps->n && !failed; i++) {
         const double *const F = &b->force[3 * i], *const T = &b->torque[3 * i];
-        double row[COLUMNS + AROUND] = {
+        double row[COLUMNS + TURN + AROUND] = {
             r->sim->t, i,         ps->x[i],  ps->y[i],  ps->z[i],  ps->vx[i],
             ps->vy[i], ps->vz[i], ps->wx[i], ps->wy[i], ps->wz[i], F[0],
             F[1],      F[2],      T[0],      T[1],      T[2]};
-        if (r->filter != NULL) add_surroundings(r, i, &row[COLUMNS]);
+        int n = COLUMNS;
+        for (int k = 0; k < TURN && b->turn != NULL; k++)
+            row[n++] = b->turn[4 * i + k];
+        if (r->filter != NULL) add_surroundings(r, i, &row[n]);
         failed = table_add(r->table, row);
     }
     return failed;

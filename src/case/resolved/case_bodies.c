@@ -15,6 +15,7 @@
 #include "case/check_line.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
+#include "case/resolved/case_outlines.h"
 #include "case/particle_options.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
@@ -24,6 +25,7 @@
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
 #include "resolved/body_numbers.h"
+#include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -36,12 +38,24 @@ static int is(const struct settings *s, int i, const char *motion)
     return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
 }
 
+static enum body_motion motion_of(const struct settings *s, const char *of,
+                                  int i)
+{
+    const char *const name = settings_item_text(s, of, i, "motion");
+
+    return strcmp(name, "free") == 0         ? BODY_FREE
+           : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
+           : strcmp(name, "spring") == 0     ? BODY_SPRING
+                                             : BODY_FIXED;
+}
+
 static double volume(double d)
 {
     return M_PI / 6.0 * d * d * d;
 }
 
-/* The lightest free body with what is added to it [kg]; 0: none is free. */
+/* The lightest free body with what is added to it [kg], of a clump the largest
+ * sphere; 0: none is free. */
 static double lightest(const struct settings *s)
 {
     const double C_v = settings_real(s, "bodies.virtual_mass"),
@@ -53,6 +67,15 @@ static double lightest(const struct settings *s)
             least = fmin(
                 least, (settings_item_real(s, list, i, "density") + C_v * rho) *
                            volume(settings_item_real(s, list, i, "diameter")));
+    for (int i = 0; i < settings_length(s, case_outlines_clumps); i++) {
+        double R[2];
+        if (motion_of(s, case_outlines_clumps, i) != BODY_FREE) continue;
+        case_outlines_radii(s, i, R);
+        least = fmin(
+            least, (settings_item_real(s, case_outlines_clumps, i, "density") +
+                    C_v * rho) *
+                       volume(2.0 * R[1]));
+    }
     return least < HUGE_VAL ? least : 0.0;
 }
 
@@ -98,17 +121,6 @@ static struct dem_options contacts(const struct settings *s)
 
 static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
 
-static enum body_motion motion_of(const struct settings *s, const char *of,
-                                  int i)
-{
-    const char *const name = settings_item_text(s, of, i, "motion");
-
-    return strcmp(name, "free") == 0         ? BODY_FREE
-           : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
-           : strcmp(name, "spring") == 0     ? BODY_SPRING
-                                             : BODY_FIXED;
-}
-
 static void add_one(const struct settings *s, const char *of, int i,
                     const struct body_shape *shape, struct solid_bodies *b)
 {
@@ -118,7 +130,10 @@ static void add_one(const struct settings *s, const char *of, int i,
 
     settings_item_vector(s, of, i, "position", x);
     settings_item_vector(s, of, i, "velocity", v);
-    if (of == list) settings_item_vector(s, of, i, "spin", w);
+    if (of == list || shape->outline != NULL)
+        settings_item_vector(s, of, i, "spin", w);
+    for (int k = 0; k < 3 && shape->outline != NULL; k++)
+        x[k] += shape->outline->centre[k];
     const int at = solid_bodies_add(
         b, shape, x, has_mass ? settings_item_real(s, of, i, "density") : 1.0,
         motion);
@@ -131,7 +146,20 @@ static void add_one(const struct settings *s, const char *of, int i,
     solid_bodies_set_spring(b, at, v);
 }
 
-static void add_all(const struct settings *s, struct solid_bodies *b)
+/* Of a list of clumps or surfaces. Non-zero after a message. */
+static int add_outlines(const struct settings *s, const char *of,
+                        struct solid_bodies *b)
+{
+    for (int i = 0; i < settings_length(s, of); i++) {
+        struct body_outline *const o = case_outlines_read(s, of, i);
+        if (o == NULL) return 1;
+        const struct body_shape shape = body_shape_outline(o);
+        add_one(s, of, i, &shape, b);
+    }
+    return 0;
+}
+
+static int add_all(const struct settings *s, struct solid_bodies *b)
 {
     double v[3];
 
@@ -152,6 +180,8 @@ static void add_all(const struct settings *s, struct solid_bodies *b)
             settings_item_real(s, cylinders, i, "length"), v);
         add_one(s, cylinders, i, &shape, b);
     }
+    return add_outlines(s, case_outlines_clumps, b) != 0 ||
+           add_outlines(s, case_outlines_surfaces, b) != 0;
 }
 
 static struct squeeze_film gaps(const struct settings *s)
@@ -161,11 +191,16 @@ static struct squeeze_film gaps(const struct settings *s)
     case_bodies_cell_widths(s, h);
     for (int i = 0; i < settings_length(s, list); i++)
         R = fmin(R, 0.5 * settings_item_real(s, list, i, "diameter"));
+    for (int i = 0; i < settings_length(s, case_outlines_clumps); i++) {
+        double of_clump[2];
+        case_outlines_radii(s, i, of_clump);
+        R = fmin(R, of_clump[0]);
+    }
     return (struct squeeze_film){
         .mu = settings_real(s, "fluid.viscosity"),
         .z_min = settings_real(s, "bodies.roughness") * R,
         .reach = settings_bool(s, "bodies.lubrication")
-                     ? 2.0 * fmax(h[0], fmax(h[1], h[2]))
+                     ? squeeze_film_cells * fmax(h[0], fmax(h[1], h[2]))
                      : 0.0};
 }
 
@@ -180,7 +215,9 @@ static struct solid_bodies *create(const struct settings *s)
         .dem = &dem,
         .lubrication = gaps(s)};
     const int n = settings_length(s, list) + settings_length(s, boxes) +
-                  settings_length(s, cylinders);
+                  settings_length(s, cylinders) +
+                  settings_length(s, case_outlines_clumps) +
+                  settings_length(s, case_outlines_surfaces);
     int cells[3];
 
     settings_counts(s, "mesh.cells", cells);
@@ -188,8 +225,9 @@ static struct solid_bodies *create(const struct settings *s)
     struct solid_bodies *const b =
         solid_bodies_create(n, cells[0] * cells[1] * cells[2],
                             settings_real(s, "fluid.density"), &o);
-    add_all(s, b);
-    return b;
+    if (add_all(s, b) == 0) return b;
+    solid_bodies_free(b);
+    return NULL;
 }
 
 static int has_room(const void *state, const double x[3], double R)
@@ -225,6 +263,7 @@ static int furnish(const struct settings *s, struct simulation *sim,
     if (!settings_has(s, "bodies")) return 0;
     struct solid_bodies *const b = create(s);
 
+    if (b == NULL) return 2;
     effects_add(sim, &among_effect, b);
     among_grains_create(b, o->n_surfaces);
     join_surfaces(sim, b, o);
@@ -239,6 +278,7 @@ static int add(const struct settings *s, struct simulation *sim)
 
     if (b == NULL) {
         b = create(s);
+        if (b == NULL) return 2;
         effects_add(sim, &bodies_effect, b);
     } else
         among_grains_begin(b, sim);
@@ -253,8 +293,9 @@ static void report_numbers(const struct settings *s)
     double g[3];
     int i = 0;
 
-    while (!is(s, i, "free"))
+    while (i < settings_length(s, list) && !is(s, i, "free"))
         i++;
+    if (i == settings_length(s, list)) return;
     if (!particle_options_gravity(s, g)) return;
     const double d = settings_item_real(s, list, i, "diameter"),
                  ratio = body_numbers_density_ratio(
@@ -293,11 +334,25 @@ static void report(const struct settings *s, const struct case_scales *scales)
         least = fmin(least, settings_item_real(s, list, i, "density") /
                                 settings_real(s, "fluid.density"));
     }
+    for (int i = 0; i < settings_length(s, case_outlines_clumps); i++) {
+        double R[2];
+        case_outlines_radii(s, i, R);
+        cells = fmin(cells, 2.0 * R[0] / widest);
+        if (motion_of(s, case_outlines_clumps, i) != BODY_FREE) continue;
+        free++;
+        least = fmin(least,
+                     settings_item_real(s, case_outlines_clumps, i, "density") /
+                         settings_real(s, "fluid.density"));
+    }
     puts("Bodies");
     check_line("spheres", settings_length(s, list), "-", "");
     check_line("boxes and cylinders",
                settings_length(s, boxes) + settings_length(s, cylinders), "-",
                "");
+    const int outlines = settings_length(s, case_outlines_clumps) +
+                         settings_length(s, case_outlines_surfaces);
+    if (outlines > 0)
+        check_line("clumps and closed surfaces", outlines, "-", "");
     if (cells < HUGE_VAL)
         check_line("d / h", cells, "-",
                    cells < 7.0 ? "LOW: good to look at; 12 to measure"

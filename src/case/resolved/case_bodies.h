@@ -14,6 +14,7 @@ extern const struct key case_bodies_keys[];
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);
+extern const double case_bodies_least_cells; /* [-] in a body */
 void case_bodies_cell_widths(const struct settings *s, double h[3]);
 
 #endif

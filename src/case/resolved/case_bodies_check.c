@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "case/case_mesh.h"
+#include "case/resolved/case_outlines.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -44,7 +45,7 @@ static int check_mesh(const struct settings *s)
 }
 
 /* A sphere of fewer cells than these is a few of them and has no shape. */
-static const double least_cells = 3.0;
+const double case_bodies_least_cells = 3.0;
 
 static int check_sphere(const struct settings *s, int i)
 {
@@ -66,11 +67,11 @@ static int check_sphere(const struct settings *s, int i)
                                   "sphere %d at [%g, %g, %g] m with diameter "
                                   "%g m is not inside the box",
                                   i, x[0], x[1], x[2], d);
-        if (d < least_cells * h[k])
+        if (d < case_bodies_least_cells * h[k])
             return settings_wrong(s, list,
                                   "sphere %d has a diameter of %.3g cells; "
                                   "expected at least %g, better 12",
-                                  i, d / h[k], least_cells);
+                                  i, d / h[k], case_bodies_least_cells);
         if (periodic[k] &&
             d >= (is(s, i, "fixed") ? 1.0 : 0.5) * (hi[k] - lo[k]))
             return settings_wrong(s, list,
@@ -101,13 +102,16 @@ static int check_spring(const struct settings *s, const char *of, int i)
         s, of, "number %d is on a spring and asks for its density", i);
 }
 
+static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
+                                    "bodies.cylinders", "bodies.clumps",
+                                    "bodies.surfaces"};
+enum { LISTS = sizeof lists / sizeof *lists };
+
 static int check_springs(const struct settings *s)
 {
-    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
-                                        "bodies.cylinders"};
     int code = 0;
 
-    for (int l = 0; l < 3; l++)
+    for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
             code = check_spring(s, lists[l], i);
     return code;
@@ -115,13 +119,15 @@ static int check_springs(const struct settings *s)
 
 static int check_blocks(const struct settings *s)
 {
-    const int boxes = settings_length(s, "bodies.boxes"),
-              cylinders = settings_length(s, "bodies.cylinders");
+    const int cylinders = settings_length(s, "bodies.cylinders");
+    int all = 0;
 
-    if (boxes + cylinders + settings_length(s, list) == 0)
+    for (int l = 0; l < LISTS; l++)
+        all += settings_length(s, lists[l]);
+    if (all == 0)
         return settings_wrong(s, "bodies",
-                              "there is no body; give spheres, boxes or "
-                              "cylinders");
+                              "there is no body; give spheres, boxes, "
+                              "cylinders, clumps or surfaces");
     for (int i = 0; i < cylinders; i++) {
         double axis[3];
         settings_item_vector(s, "bodies.cylinders", i, "axis", axis);
@@ -135,10 +141,7 @@ static int check_blocks(const struct settings *s)
 
 static int any_moves(const struct settings *s)
 {
-    static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
-                                        "bodies.cylinders"};
-
-    for (int l = 0; l < 3; l++)
+    for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < settings_length(s, lists[l]); i++)
             if (strcmp(settings_item_text(s, lists[l], i, "motion"), "fixed") !=
                 0)
@@ -157,6 +160,10 @@ static int check_particles(const struct settings *s)
         return settings_wrong(s, "bodies.method",
                               "among particles bodies hold the fluid by "
                               "\"hold\" only");
+    if (settings_length(s, case_outlines_clumps) > 0)
+        return settings_wrong(s, case_outlines_clumps,
+                              "clumps do not touch particles; give the body as "
+                              "a closed surface, in bodies.surfaces");
     if (settings_has(s, "exchange") && any_moves(s) &&
         strcmp(settings_text(s, "fluid.continuity"), "mixture") != 0)
         return settings_wrong(s, "fluid.continuity",
@@ -186,5 +193,6 @@ int case_bodies_check(const struct settings *s)
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
     if (code == 0) code = check_springs(s);
+    if (code == 0) code = case_outlines_check(s);
     return code != 0 ? code : check_blocks(s);
 }

@@ -195,7 +195,8 @@ static int may_change(const char *line)
 {
     static const char *const free_keys[] = {
         "title ",        "cites ",          "output.end ",
-        "output.every ", "output.history ", "output.checkpoint "};
+        "output.every ", "output.history ", "output.checkpoint ",
+        "ranks ",        "layers "};
 
     for (size_t i = 0; i < sizeof free_keys / sizeof *free_keys; i++)
         if (strncmp(line, free_keys[i], strlen(free_keys[i])) == 0) return 1;

@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/input.h"
+#include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
 #include "case/resume/resume.h"
@@ -206,31 +207,67 @@ static int print_ahead(const char *dir)
     return 1;
 }
 
+/* 1, after a message that names the first other value, if the state is not one
+ * of the case in the folder. */
+static int is_of_another_case(const char *dir, const char *name,
+                              const struct found *f)
+{
+    char *const case_file = file_join(dir, "case.cfg");
+    char *const path = file_join(dir, name);
+    int code, differs = 0;
+    struct settings *const s = case_file_read(case_file, 0, NULL, &code);
+
+    if (s != NULL) {
+        char *const was = state_file_text(f->file, "settings");
+        char *const is = case_text_lines(s);
+        differs = case_text_differs(was, is, path);
+        free(was);
+        free(is);
+    }
+    settings_free(s);
+    free(case_file);
+    free(path);
+    return differs;
+}
+
+/* The state that a run goes on from: the last one, or the one before it; none
+ * if there is none of the case in the folder. Returns its name. */
+static const char *find_state(const char *dir, struct found *f)
+{
+    const char *name = RESUME_FILE;
+
+    if (!open_state(dir, name, f))
+        open_state(dir, name = RESUME_FILE_BEFORE, f);
+    if (f->file != NULL && is_of_another_case(dir, name, f)) {
+        printf("%-11s %s is of another case\n", "not taken", name);
+        state_file_free(f->file);
+        f->file = NULL;
+    }
+    return name;
+}
+
 static int print_folder(const char *dir, const char *summary)
 {
-    struct found now = {NULL, 0.0}, before = {NULL, 0.0};
+    struct found f = {NULL, 0.0};
     char *const reason = summary_text_of(summary, "exit_reason");
-    const int whole = open_state(dir, RESUME_FILE, &now);
+    const char *const name = find_state(dir, &f);
     const int ahead = print_ahead(dir);
 
-    if (!whole) open_state(dir, RESUME_FILE_BEFORE, &before);
-    const struct found *const f = whole ? &now : &before;
-    if (ahead && f->file == NULL) {
+    if (ahead && f.file == NULL) {
         free(reason);
         return 0;
     }
     if (ahead) puts("\nThe run before it:");
-    if (f->file != NULL) print_case(f->file);
+    if (f.file != NULL) print_case(f.file);
     print_end(dir, reason);
-    if (f->file != NULL) {
-        printf("%-11s t = %g of %g s\n", "reached", f->t, end_of(f->file));
-        print_state(dir, whole ? RESUME_FILE : RESUME_FILE_BEFORE, f->t);
+    if (f.file != NULL) {
+        printf("%-11s t = %g of %g s\n", "reached", f.t, end_of(f.file));
+        print_state(dir, name, f.t);
     } else {
         line("state", "none: nothing can be resumed");
     }
-    print_what_next(dir, f, reason != NULL && strcmp(reason, "done") == 0);
-    state_file_free(now.file);
-    state_file_free(before.file);
+    print_what_next(dir, &f, reason != NULL && strcmp(reason, "done") == 0);
+    state_file_free(f.file);
     free(reason);
     return 0;
 }

@@ -11,9 +11,11 @@ double spin_reynolds(double rho, double mu, double d, double Omega)
     return rho * d * d * Omega / mu;
 }
 
-/* Re_r/Re = d |Omega|/|w| is the coefficient at small Re. */
+/* Re_r/Re = d |Omega|/|w| is the coefficient at small Re; without viscosity the
+ * limit is left. */
 double spin_lift_coefficient(double Re, double Re_r)
 {
+    if (!(Re < HUGE_VAL)) return 0.45;
     return 0.45 +
            (Re_r / Re - 0.45) * exp(-0.05684 * pow(Re_r, 0.4) * pow(Re, 0.3));
 }
@@ -51,6 +53,7 @@ double spin_torque_factor(double Re_r)
 double spin_decay_rate(double rho, double mu, double d, double rho_s,
                        double Omega)
 {
+    if (mu == 0.0) return 0.0;
     const double factor = spin_torque_factor(spin_reynolds(rho, mu, d, Omega));
     return 15.0 / 16.0 * factor * mu / (M_PI * rho_s * d * d);
 }

@@ -1,5 +1,5 @@
 /* fast.h -- the fast method: neighbour lists, chunks and vector loops.
- * Chapters 3, 18.
+ * The chapters Neighbours and Fast particles explain it.
  */
 #ifndef DEM_FAST_FAST_H
 #define DEM_FAST_FAST_H

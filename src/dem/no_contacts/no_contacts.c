@@ -247,12 +247,6 @@ static const char *unknown(const struct dem_options *o)
     return NULL;
 }
 
-static double no_skin(const struct dem_options *o, double mean)
-{
-    (void)o, (void)mean;
-    return 0.0;
-}
-
 static int create(struct dem *dem)
 {
     const struct dem_options *const o = &dem->options;
@@ -297,7 +291,6 @@ const struct dem_method no_contacts_method = {
     .function = "travel",
     .apart = 1,
     .unknown = unknown,
-    .skin = no_skin,
     .create = create,
     .free = release,
     .run = run,

@@ -1,261 +1,210 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "distributed/ranks/engine.h"
+#include "distributed/ranks/engine_internal.h"
 
-#include <math.h>
-#include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
+#include <zlib.h>
 
 #include "base/alloc.h"
-#include "case/case_file.h"
-#include "case/recorder_part.h"
-#include "coupling/coupling.h"
-#include "coupling/transfer.h"
+#include "base/file.h"
+#include "case/case_mesh.h"
 #include "distributed/refusal.h"
-#include "distributed/ranks/part.h"
+#include "output/checkpoint/state_file.h"
 
-enum order { CREATE, START, STEP, COLLECT, SAVE, LOAD, RELEASE, STOP };
-enum { FILE_NAME = 256 };
-
-/* What output is made of, of all that a fluid has. */
-static const char of_output[] =
-    "t dt_older u p eps eps_n eps_nm1 eps_us residual p_face phi "
-    "mean_gradient relabelled";
-
-/* Of each rank. */
-struct engine {
-    struct processes
-        hooks; /* the first, so that a pointer to it is one to all */
-    const struct settings *settings;
-    struct simulation *record; /* on the first rank; elsewhere NULL */
-    struct part *part;
-    struct settings *own; /* settings that were read here, or NULL */
-    int broken; /* [-] 1: the last step has failed, and is not recorded */
-    long moved; /* [-] spheres on another rank than at first, when last seen */
-};
+/* A picture of more is not drawn [-]. */
+static const double most_drawn = 1e5;
 
 static struct engine *of(struct processes *hooks)
 {
     return (struct engine *)hooks;
 }
 
-static void give(enum order order, int detail)
+void engine_give(int order, int detail, const char *path)
 {
-    int message[2] = {(int)order, detail};
+    struct message m = {.order = order, .detail = detail};
 
-    MPI_Bcast(message, 2, MPI_INT, 0, MPI_COMM_WORLD);
+    snprintf(m.path, ENGINE_PATH, "%s", path);
+    MPI_Bcast(&m, sizeof m, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
-/* The largest of the codes: all ranks go on, or none does. */
-static int agree(int code)
+static void join(struct processes *self, enum processes_order order)
 {
-    MPI_Allreduce(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    return code;
+    engine_give((int)order, 0, "");
+    if (order == PROCESSES_ROW || order == PROCESSES_ROW_DONE)
+        part_count_own(of(self)->part);
 }
 
-/* --- what each rank does ---------------------------------------------------
- */
-
-/* The part, in which nothing is yet. */
-static int make_part(struct engine *e)
+static int write_pieces(struct processes *self, const char *path,
+                        const struct snapshot *s)
 {
-    int code;
+    struct engine *const e = of(self);
+    char piece[ENGINE_PATH];
 
-    part_free(e->part);
-    e->part = part_create(e->settings, MPI_COMM_WORLD, e->record, &code);
-    return agree(code);
-}
-
-/* Reports of the part, which all ranks agree on, to the record. */
-static void report(struct engine *e)
-{
-    struct simulation *const whole = e->record;
-    const struct simulation *const sim = e->part->sim;
-
-    if (whole == NULL) return;
-    whole->fluid->t = sim->fluid->t;
-    whole->fluid->report = sim->fluid->report;
-    whole->coupling->report = sim->coupling->report;
-    whole->coupling->report.exchange_residual = e->part->exchange_residual;
-    whole->dem_report = sim->dem_report;
-    whole->t = sim->t;
-    whole->steps = sim->steps;
-    whole->seconds.cfd = sim->seconds.cfd;
-    whole->seconds.dem = sim->seconds.dem;
-    whole->seconds.averaging = sim->seconds.averaging;
-    whole->seconds.exchange = sim->seconds.exchange;
-}
-
-static int start_part(struct engine *e)
-{
-    int code = make_part(e);
-
-    if (code != 0) return code;
-    spheres_place(e->part->spheres, e->record ? e->record->particles : NULL);
-    code = agree(coupling_start(e->part->sim));
-    report(e);
-    return code;
-}
-
-/* Where a lost sphere was last recorded. */
-static void find_lost(struct simulation *whole)
-{
-    struct dem_report *const r = &whole->dem_report;
-    const struct particles *const ps = whole->particles;
-
-    if (r->lost != 1 || r->lost_id < 0 || isfinite(r->lost_at[0])) return;
-    r->lost_at[0] = ps->x[r->lost_id];
-    r->lost_at[1] = ps->y[r->lost_id];
-    r->lost_at[2] = ps->z[r->lost_id];
-}
-
-static int step_part(struct engine *e)
-{
-    const int failed = agree(coupling_step(e->part->sim));
-
-    e->broken = failed;
-    report(e);
-    if (failed && e->record != NULL) find_lost(e->record);
-    return failed;
-}
-
-static void collect_part(struct engine *e, int extent)
-{
-    transfer_solids_velocity(e->part->sim);
-    part_collect(e->part, e->record,
-                 extent == PROCESSES_ALL ? NULL : of_output);
-    e->moved = spheres_moved(e->part->spheres);
-}
-
-static void take_reports(struct engine *e)
-{
-    struct simulation *const sim = e->part->sim;
-    struct coupling_report *const r = &sim->coupling->report;
-    double numbers[8] = {0.0};
-
-    if (e->record != NULL) {
-        const struct coupling_report *const from = &e->record->coupling->report;
-        const double known[8] = {e->record->t,
-                                 (double)e->record->steps,
-                                 from->substeps,
-                                 from->shortest_time,
-                                 from->eps_lowest,
-                                 from->seen_lowest,
-                                 from->exchange_residual,
-                                 0.0};
-        memcpy(numbers, known, sizeof known);
-        sim->seconds = e->record->seconds;
-        sim->force_scale = e->record->force_scale;
-        for (int i = 0; i < sim->n_effects; i++)
-            sim->effects[i].tally = e->record->effects[i].tally;
+    for (int r = 0; r < e->part->p.size; r++) {
+        pieces_name(path, r, 1, piece);
+        if (folder_list(e->folder, piece) != 0) return 1;
     }
-    MPI_Bcast(numbers, 8, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-    sim->t = numbers[0];
-    sim->steps = (long)numbers[1];
-    r->substeps = (int)numbers[2];
-    r->shortest_time = numbers[3];
-    r->eps_lowest = numbers[4];
-    r->seen_lowest = numbers[5];
-    e->part->exchange_residual = numbers[6];
+    engine_give(WRITE, 0, path);
+    return pieces_write(of(self)->part, s, path);
 }
 
-/* The record was loaded: fields from it, spheres from the file of LAMMPS. */
-static int load_part(struct engine *e, const char *file)
+static void gather(struct processes *self, const struct snapshot *part,
+                   struct snapshot *whole)
 {
-    const int code = make_part(e);
+    const int with = of(self)->whole.particles != NULL;
 
-    if (code != 0) return code;
-    part_spread(e->part, e->record);
-    spheres_load(e->part->spheres, file);
-    take_reports(e);
-    return agree(averaging_bind(e->part->sim->averaging));
+    engine_give(GATHER, with, "");
+    pieces_gather(of(self)->part, part, whole, with);
 }
 
-/* --- what the first rank asks ----------------------------------------------
- */
-
-static int start(struct processes *self)
+/* A number that a checkpoint has; -1 if there is none. */
+static double number_in(const char *dir, const char *file, const char *name)
 {
-    give(START, 0);
-    return start_part(of(self));
+    char *const path = file_join(dir, file);
+    const char *why;
+    struct state_file *const f = state_file_open(path, &why);
+    const double x = f != NULL ? state_file_number(f, name) : -1.0;
+
+    state_file_free(f);
+    free(path);
+    return x >= 0.0 ? x : -1.0;
 }
 
-static int step(struct processes *self)
+static const char slot_name[] = "/processes/slot";
+
+/* That which neither the checkpoint nor the one before it has. */
+static int free_slot(const char *dir)
 {
-    give(STEP, 0);
-    return step_part(of(self));
+    const double taken[2] = {number_in(dir, "checkpoint", slot_name),
+                             number_in(dir, "checkpoint.before", slot_name)};
+    int slot = 0;
+
+    while (slot == taken[0] || slot == taken[1])
+        slot++;
+    return slot;
 }
 
-static void collect(struct processes *self, enum processes_extent extent)
+/* The checksum of a file [-]; -1 if it cannot be read. */
+static long checksum_of(const char *path)
 {
-    if (of(self)->part == NULL || of(self)->broken) return;
-    give(COLLECT, (int)extent);
-    collect_part(of(self), (int)extent);
+    unsigned char bytes[65536];
+    FILE *const f = fopen(path, "rb");
+    unsigned long crc = crc32_z(0, NULL, 0);
+
+    if (f == NULL) return -1;
+    for (size_t n; (n = fread(bytes, 1, sizeof bytes, f)) > 0;)
+        crc = crc32_z(crc, bytes, n);
+    fclose(f);
+    return (long)crc;
 }
 
-/* A file that only this rank need see. */
-static void temporary(char name[FILE_NAME])
-{
-    const char *const dir = getenv("TMPDIR");
-
-    snprintf(name, FILE_NAME, "%s/winnow-XXXXXX", dir != NULL ? dir : "/tmp");
-    const int file = mkstemp(name);
-    if (file >= 0) close(file);
-}
-
-/* A file as whole numbers, after its length in bytes. Non-zero if it cannot be
- * read or written. */
-static int file_state(const char *name, struct state *s)
-{
-    FILE *const f = fopen(name, s->loading ? "wb" : "rb");
-    long bytes = 0;
-
-    if (f == NULL) return 1;
-    if (!s->loading && fseek(f, 0, SEEK_END) == 0) bytes = ftell(f);
-    rewind(f);
-    state_long(s, "bytes", "-", &bytes);
-    const size_t n = (size_t)(bytes < 0 ? 0 : bytes);
-    int *const words = alloc_zeroed(n / sizeof(int) + 1, sizeof *words);
-    int wrong = !s->loading && fread(words, 1, n, f) != n;
-    state_wholes(s, "lammps", "-", words, (long)(n / sizeof(int) + 1), 1);
-    if (s->loading) wrong = fwrite(words, 1, n, f) != n;
-    free(words);
-    return fclose(f) != 0 || wrong;
-}
-
+/* The cells and the spheres have files of their own. */
 static void visit(struct processes *self, struct state *s)
 {
     struct engine *const e = of(self);
-    char file[FILE_NAME];
+    int slot = s->loading ? 0 : free_slot(e->dir);
+    long found, cells, grains;
+    char path[ENGINE_PATH];
 
-    if (!s->loading && e->part == NULL) return;
-    temporary(file);
-    if (!s->loading) {
-        give(SAVE, 0);
-        spheres_save(e->part->spheres, file);
-    }
-    state_begin(s, "ranks");
-    if (file_state(file, s) != 0 && !s->failed) {
-        fprintf(stderr, "winnow: cannot write %s\n", file);
-        s->failed = 1;
-    }
+    state_begin(s, "processes");
+    state_whole(s, "slot", "-", &slot);
+    engine_give(s->loading ? LOAD : SAVE, slot, e->dir);
     state_end(s);
-    if (s->loading && !s->failed) {
-        give(LOAD, 0);
-        s->failed = load_part(e, file) != 0;
-    }
-    unlink(file);
+    cells = found = engine_visit_part(e, e->dir, slot, s, s->loading);
+    engine_slot_file(e->dir, "grains", slot, path);
+    grains = s->loading ? 0 : checksum_of(path);
+    state_begin(s, "processes");
+    state_long(s, "cells", "-", &cells);
+    state_long(s, "grains", "-", &grains);
+    state_end(s);
+    if (found >= 0 && found != cells)
+        fprintf(stderr, "winnow: %s/checkpoint.cells.%d is damaged\n", e->dir,
+                slot);
+    s->failed |= found < 0 || found != cells;
 }
 
 static void release(struct processes *self)
 {
     struct engine *const e = of(self);
 
-    give(RELEASE, 0);
+    engine_give(RELEASE, 0, "");
     part_free(e->part);
+    if (e->whole.mesh != NULL) mesh_free(e->whole.mesh);
+    free(e->whole.fluid);
+    free(e->whole.particles);
     free(e);
+}
+
+/* The outline of what is drawn, if anything is. */
+static void outline(struct engine *e)
+{
+    const struct settings *const s = e->settings;
+    const int moving = settings_bool(s, "output.animation");
+    const int many = e->hooks.particles > most_drawn;
+    const int drawn = moving || (settings_bool(s, "output.picture") && !many);
+    struct simulation *const w = &e->whole;
+
+    if (settings_bool(s, "output.picture") && !drawn && !settings_quiet(s))
+        fprintf(stderr, "no picture is drawn of more than %g particles\n",
+                most_drawn);
+    if (!drawn && settings_length(s, "output.profiles") == 0 &&
+        settings_length(s, "output.probes") == 0)
+        return;
+    w->mesh = case_mesh_outline(s);
+    w->mesh->V = alloc_doubles(w->mesh->n_cells);
+    for (int c = 0; c < w->mesh->n_cells; c++)
+        w->mesh->V[c] = 1.0; /* all are alike */
+    w->fluid = alloc_zeroed(1, sizeof *w->fluid);
+    w->fluid->options.coupled = e->part->sim->fluid->options.coupled;
+    if (drawn) w->particles = alloc_zeroed(1, sizeof *w->particles);
+    if (drawn) w->particles->capacity = (int)e->hooks.particles;
+    e->hooks.whole = w;
+}
+
+/* The spheres of a run that goes on; non-zero after a message. */
+static int find_spheres(const char *dir, char path[ENGINE_PATH])
+{
+    const char *const file = number_in(dir, "checkpoint", slot_name) >= 0.0
+                                 ? "checkpoint"
+                                 : "checkpoint.before";
+    const double slot = number_in(dir, file, slot_name);
+
+    engine_slot_file(dir, "grains", (int)slot, path);
+    if (slot < 0.0)
+        fprintf(stderr, "winnow: %s/%s is not of several ranks\n", dir, file);
+    else if ((double)checksum_of(path) !=
+             number_in(dir, file, "/processes/grains"))
+        fprintf(stderr, "winnow: %s is missing or damaged\n", path);
+    else
+        return 0;
+    return 1;
+}
+
+static struct simulation *build(const struct settings *s, const char *dir,
+                                int resumes, int *code)
+{
+    struct engine *const e = alloc_zeroed(1, sizeof *e);
+    char file[ENGINE_PATH] = "";
+
+    e->settings = s;
+    snprintf(e->dir, ENGINE_PATH, "%s", dir);
+    *code = resumes && find_spheres(dir, file) != 0 ? 2 : 0;
+    if (*code == 0) {
+        engine_give(BUILD, 0, file);
+        *code = engine_agree(0); /* the others have read the case */
+        if (*code == 0) *code = engine_build_part(e, file);
+    }
+    if (*code != 0) {
+        free(e);
+        return NULL;
+    }
+    e->hooks.join = join;
+    e->hooks.write = write_pieces;
+    e->hooks.gather = gather;
+    e->hooks.state = visit;
+    e->hooks.free = release;
+    outline(e);
+    return e->part->sim;
 }
 
 static int check(const struct settings *s)
@@ -268,125 +217,10 @@ static int check(const struct settings *s)
     return code;
 }
 
-static struct processes *create(const struct settings *s,
-                                struct simulation *whole, int *code)
-{
-    struct engine *const e = alloc_zeroed(1, sizeof *e);
-
-    e->hooks = (struct processes){.start = start,
-                                  .step = step,
-                                  .collect = collect,
-                                  .state = visit,
-                                  .free = release};
-    e->settings = s;
-    e->record = whole;
-    give(CREATE, 0);
-    *code = agree(0); /* the others have read the case */
-    if (*code == 0) return &e->hooks;
-    free(e);
-    return NULL;
-}
-
-static void *create_summary(const struct settings *s,
-                            const struct simulation *sim, struct folder *folder,
-                            int *failed)
-{
-    (void)s, (void)folder, (void)failed;
-    return sim->processes;
-}
-
-static void free_summary(void *part)
-{
-    (void)part; /* which build_free releases */
-}
-
-/* What differs from one machine stands in the summary. */
-static void summarize(const void *part, struct summary *f)
-{
-    const struct engine *const e = part;
-    const struct partition *const p = e->part != NULL ? &e->part->p : NULL;
-
-    summary_begin(f, "engine");
-    summary_text(f, "particles", "LAMMPS");
-    summary_text(f, "linear_systems", "PETSc");
-    summary_text(f, "same_results",
-                 "to rounding for any number of ranks and after a resume, not "
-                 "to the bit");
-    if (p != NULL) {
-        summary_count(f, "ranks", p->size);
-        summary_count(f, "ranks_x", p->P[0]);
-        summary_count(f, "ranks_y", p->P[1]);
-        summary_count(f, "ranks_z", p->P[2]);
-        summary_count(f, "layers", p->layers);
-        summary_count(f, "particles_on_another_rank", e->moved);
-    }
-    summary_end(f);
-}
-
-const struct recorder_part engine_summary = {
-    .create = create_summary, .free = free_summary, .summarize = summarize};
-
 const struct processes_engine engine_of_ranks = {
-    .name = "ranks", .check = check, .create = create};
+    .name = "ranks", .check = check, .build = build};
 
 void engine_stop(int code)
 {
-    give(STOP, code);
-}
-
-/* --- the other ranks -------------------------------------------------------
- */
-
-/* The case that the command line names, which the first rank has checked. */
-static struct settings *read_case(int argc, char **argv)
-{
-    const char **const overrides =
-        alloc_zeroed((size_t)argc, sizeof *overrides);
-    const char *file = "";
-    int n = 0, code;
-
-    for (int i = 2; i < argc; i++) {
-        const int takes = argv[i][0] == '-' && strchr("osj", argv[i][1]) &&
-                          argv[i][1] != '\0';
-        const char *const value = takes && argv[i][2] == '\0' && i + 1 < argc
-                                      ? argv[i + 1]
-                                      : argv[i] + 2;
-        if (argv[i][0] != '-') file = argv[i];
-        if (takes && argv[i][1] == 's') overrides[n++] = value;
-        i += takes && argv[i][2] == '\0';
-    }
-    struct settings *const s = case_file_read(file, n, overrides, &code);
-    if (s != NULL) settings_be_quiet(s);
-    free(overrides);
-    return s;
-}
-
-static void obey(struct engine *e, enum order order, int detail)
-{
-    if (order == START) start_part(e);
-    if (order == STEP) step_part(e);
-    if (order == COLLECT) collect_part(e, detail);
-    if (order == SAVE) spheres_save(e->part->spheres, "none");
-    if (order == LOAD) load_part(e, "none");
-    if (order != RELEASE) return;
-    part_free(e->part);
-    e->part = NULL;
-}
-
-int engine_serve(int argc, char **argv)
-{
-    struct engine e = {.settings = NULL};
-    int message[2] = {CREATE, 0};
-
-    while (message[0] != STOP) {
-        MPI_Bcast(message, 2, MPI_INT, 0, MPI_COMM_WORLD);
-        if (message[0] == CREATE) {
-            e.own = read_case(argc, argv);
-            e.settings = e.own;
-            agree(e.own == NULL ? 4 : 0);
-        }
-        obey(&e, (enum order)message[0], message[1]);
-    }
-    settings_free(e.own);
-    return message[1];
+    engine_give(STOP, code, "");
 }

@@ -1,10 +1,9 @@
 /* engine.h -- what the first rank asks of all ranks.
  * Chapter "Past one machine".
  *
- * The first rank runs the program as on one machine; its simulation is the
- * record. Where that would start, step, be written or saved, it asks all ranks
- * (itself, too) to do so with their parts. The others wait for what they are
- * asked.
+ * The first rank runs the program as on one machine, with its part as the
+ * simulation. Where that starts, steps, is looked at, written or saved, it asks
+ * all ranks to do so with their parts. The others wait for what they are asked.
  */
 #ifndef DISTRIBUTED_RANKS_ENGINE_H
 #define DISTRIBUTED_RANKS_ENGINE_H

@@ -2,10 +2,13 @@
 #include "distributed/ranks/part.h"
 
 #include <math.h>
+#include <gsl/gsl_math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "case/build.h"
 #include "case/build_boundaries.h"
 #include "case/build_fluid.h"
@@ -16,6 +19,8 @@
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
 #include "dem/dem_internal.h"
+#include "dem/limits.h"
+#include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
 
 /* --- the partition -------------------------------------------------------- */
@@ -60,32 +65,135 @@ int part_divide(const struct settings *s, MPI_Comm comm, struct partition *p)
  * one machine". Only their ratio counts. */
 static const double cell_cost = 8e-6, particle_cost = 0.23e-6;
 
-/* The planes at equal shares of cells and particles. */
-static void cut(struct part *part, const struct simulation *record)
+/* The planes at equal shares of the work of cells and of the particles where
+ * they are now. */
+static void cut(struct part *part)
 {
     struct partition *const p = &part->p;
+    const double each = particle_cost * part->sim->dem_steps;
     double *weight[3];
-    const double cells = (double)p->N[0] * p->N[1] * p->N[2];
 
     for (int k = 0; k < 3; k++) {
         weight[k] = alloc_doubles(p->N[k]);
         for (int i = 0; i < p->N[k]; i++)
-            weight[k][i] = cell_cost * cells / p->N[k];
-        for (int i = 0; record != NULL && i < record->particles->n; i++) {
-            const double *const x[3] = {record->particles->x,
-                                        record->particles->y,
-                                        record->particles->z};
-            const double at = floor(x[k][i] / p->size_m[k] * p->N[k]);
-            const int c = at < 0.0             ? 0
-                          : at > p->N[k] - 1.0 ? p->N[k] - 1
-                                               : (int)at;
-            weight[k][c] += particle_cost * record->dem_steps;
-        }
-        MPI_Bcast(weight[k], p->N[k], MPI_DOUBLE, 0, part->comm);
+            weight[k][i] = cell_cost * partition_cells(p) / p->N[k];
     }
+    spheres_weigh(part->spheres, each, weight);
     partition_cut(p, (const double *const *)weight);
     for (int k = 0; k < 3; k++)
         free(weight[k]);
+}
+
+/* --- the spheres ---------------------------------------------------------- */
+
+/* Those that this rank offers to LAMMPS. */
+struct offer {
+    double lo[3], hi[3]; /* [m] a little more than its part of the box */
+    double density;      /* [kg/m^3] */
+    int n, room;
+    struct sphere *list;
+};
+
+static void offer(struct offer *o, const struct sphere *s)
+{
+    for (int k = 0; k < 3; k++)
+        if (!(s->x[k] >= o->lo[k] && s->x[k] <= o->hi[k])) return;
+    if (o->n == o->room) {
+        o->room = 2 * o->room + 1000;
+        struct sphere *const more = alloc_zeroed((size_t)o->room, sizeof *more);
+        if (o->n > 0) memcpy(more, o->list, (size_t)o->n * sizeof *more);
+        free(o->list);
+        o->list = more;
+    }
+    o->list[o->n++] = *s;
+}
+
+static void offer_of_bed(void *to, int i, const double x[3], double d)
+{
+    struct offer *const o = to;
+    const double m = o->density * M_PI / 6.0 * d * d * d;
+
+    offer(o, &(struct sphere){
+                 .id = i, .type = 1, .x = {x[0], x[1], x[2]}, .d = d, .m = m});
+}
+
+static void offer_placed(const struct settings *s, struct offer *o)
+{
+    static const char list[] = "particles.place";
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const int material =
+            settings_item_has(s, list, i, "material")
+                ? case_materials_number(
+                      s, settings_item_text(s, list, i, "material"))
+                : 0;
+        const double d = settings_item_real(s, list, i, "diameter");
+        struct sphere one = {.id = i, .type = material + 1, .d = d};
+        one.m = case_materials_density(s, material) * M_PI / 6.0 * d * d * d;
+        settings_item_vector(s, list, i, "position", one.x);
+        settings_item_vector(s, list, i, "velocity", one.v);
+        settings_item_vector(s, list, i, "spin", one.w);
+        offer(o, &one);
+    }
+}
+
+/* Each rank goes through the whole lattice, or list, and takes its own. */
+static int add_all(struct part *part, const struct settings *s,
+                   const struct bed_options *bed, const struct dem_options *dem)
+{
+    struct partition *const p = &part->p;
+    struct offer o = {.n = 0};
+    const int r[3] = {p->rank % p->P[0], p->rank / p->P[0] % p->P[1],
+                      p->rank / p->P[0] / p->P[1]};
+    int wrong = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const double L = p->size_m[k], width = L / p->P[k];
+        o.lo[k] = r[k] * width - 1e-6 * L;
+        o.hi[k] = (r[k] + 1) * width + 1e-6 * L;
+    }
+    if (bed != NULL) {
+        o.density = bed->density;
+        wrong = bed_each(bed, dem, offer_of_bed, &o);
+    } else {
+        offer_placed(s, &o);
+    }
+    spheres_add(part->spheres, o.n, o.list);
+    free(o.list);
+    return wrong;
+}
+
+static void tell_settled(const struct part *part, const struct settings *s,
+                         const struct bed_report *r)
+{
+    if (part->p.rank == 0 && !settings_quiet(s))
+        fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
+                r->time, r->kinetic,
+                r->settled ? "" : ": NOT AT REST, raise particles.bed.settle");
+}
+
+/* The spheres of the case, where they are before the first step. */
+static int place(struct part *part, const struct settings *s)
+{
+    const int has_bed = settings_has(s, "particles.bed");
+    const struct dem_options dem = particle_options_dem(s, part->sim->dt);
+    struct bed_options bed = {.settle = 0.0};
+    struct bed_report r;
+    double d;
+
+    if (has_bed) bed = particle_options_bed(s);
+    int code = add_all(part, s, has_bed ? &bed : NULL, &dem) ? 2 : 0;
+    const long n = spheres_all(part->spheres, &d);
+    if (code == 0 && n > 0 && bed.settle > 0.0 &&
+        vector_length(bed.gravity) > 0.0) {
+        const double step =
+            limits_step(dem.law, &dem.material, bed.diameter, bed.density, 1.0);
+        const struct words w = words_of(s, d);
+        spheres_settle(part->spheres, &w, step, &bed, &r);
+        tell_settled(part, s, &r);
+    }
+    particle_options_release(&bed);
+    return code;
 }
 
 /* --- the simulation of a part --------------------------------------------- */
@@ -112,69 +220,31 @@ static void add_fluid(struct part *part, const struct settings *s,
         *pinned = local;
 }
 
-/* Room for the spheres of a rank: for all of a small case; else for twice its
- * share, which a bed that is cut across gravity does not leave. */
-static int capacity(int n, int ranks)
+/* Room for those that may come later: half as many. */
+static int capacity(int share, long all)
 {
-    const int enough = 100000;
+    const double most = 1.5 * share + 2000.0;
 
-    return n < enough                     ? n
-           : n < 2 * (n / ranks) + enough ? n
-                                          : 2 * (n / ranks) + enough;
+    return (double)all < most ? (int)all : (int)most;
 }
 
-static int add_particles(struct part *part, const struct settings *s,
-                         const struct simulation *record)
+static int add_particles(struct part *part, const struct settings *s, long all)
 {
     struct simulation *const sim = part->sim;
-    int numbers[3] = {0, 0, 0};
-
-    if (record != NULL) {
-        numbers[0] = record->particles->capacity;
-        numbers[1] = record->particles->next_id;
-        numbers[2] = record->particles->material != NULL;
-    }
-    MPI_Bcast(numbers, 3, MPI_INT, 0, part->comm);
-    sim->particles = particles_create(capacity(numbers[0], part->p.size));
-    sim->particles->next_id = numbers[1];
-    if (numbers[2]) particles_add_material(sim->particles);
     struct dem_options o = particle_options_dem(s, sim->dt / sim->dem_steps);
+
     o.materials = sim->materials = case_materials_create(s);
     o.method = &spheres_method;
+    sim->particles =
+        particles_create(capacity(spheres_share(part->spheres), all));
+    sim->particles->next_id = (int)all;
+    if (sim->materials != NULL) particles_add_material(sim->particles);
     sim->dem = dem_create(sim->particles, &o);
     if (sim->dem == NULL) return 2;
     case_overlap_limit(s, sim);
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     return 0;
-}
-
-/* Compares the impulse that the fluid of all ranks has lost with that charged
- * to their particles (transfer.c, check_payment); called when the fluid's
- * velocity has just been gathered for that. */
-static void check_payment(void *to, int m, const double *q)
-{
-    struct part *const part = to;
-    const struct simulation *const sim = part->sim;
-    const struct coupling *const cp = sim->coupling;
-    const unsigned char *const own = halo_own(part->halo);
-    double sum[4] = {0.0, 0.0, 0.0, 0.0}, off = 0.0;
-
-    if (m != 3 || q != cp->smooth || sim->fluid->t <= 0.0) return;
-    for (int j = 0; j < 3 * sim->particles->n; j++) {
-        const double estimate = sim->dt * cp->k[j / 3] * (q[j] - cp->u_mean[j]);
-        sum[j % 3] -= estimate + cp->unpaid_impulse[j];
-        sum[3] += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
-    }
-    for (int c = 0; c < sim->mesh->n_cells; c++)
-        for (int k = 0; k < 3 && own[c]; k++)
-            sum[k] += sim->mesh->V[c] * sim->dt *
-                      (cp->field[4 * c] * sim->fluid->u[3 * c + k] -
-                       cp->field[4 * c + 1 + k]);
-    halo_sum(part->halo, 4, sum);
-    for (int k = 0; k < 3; k++)
-        off = fmax(off, fabs(sum[k]));
-    part->exchange_residual = sum[3] > 0.0 ? off / sum[3] : 0.0;
 }
 
 static int add_coupling(struct part *part, const struct settings *s)
@@ -188,9 +258,7 @@ static int add_coupling(struct part *part, const struct settings *s)
         (struct smoothing){.h = part->halo,
                            .mesh = sim->mesh,
                            .bandwidth = diffuses ? o.bandwidth : 0.0,
-                           .tolerance = o.tolerance,
-                           .gathered = check_payment,
-                           .to = part};
+                           .tolerance = o.tolerance};
     o.parts = &part->smoothing;
     o.bandwidth = 0.0;
     sim->averaging =
@@ -201,51 +269,110 @@ static int add_coupling(struct part *part, const struct settings *s)
     return 0;
 }
 
-/* The mean diameter, of which the skin of the list follows. */
-static double mean_diameter(const struct part *part,
-                            const struct simulation *record)
-{
-    double d = record != NULL ? dem_mean_diameter(record->particles) : 0.0;
+/* --- sums over the cells -------------------------------------------------- */
 
-    MPI_Bcast(&d, 1, MPI_DOUBLE, 0, part->comm);
-    return d;
+/* Exchanges two lists of numbers. */
+static void swap(double *a, double *b, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const double x = a[i];
+        a[i] = b[i];
+        b[i] = x;
+    }
+}
+
+/* Copies get no volume and no residual, and their sides of the box no area; the
+ * box is the whole one. The second call takes this back. */
+void part_count_own(struct part *part)
+{
+    struct mesh *const m = part->sim->mesh;
+    const int sides = 3 * (m->n_faces - m->n_internal);
+
+    swap(m->V, part->own_V, m->n_cells);
+    swap(m->S + 3 * m->n_internal, part->own_S, sides);
+    for (int c = 0; c < m->n_cells; c++)
+        if (part->V[c] == 0.0)
+            swap(part->sim->fluid->momentum->residual + 3 * c,
+                 part->no_residual + 3 * c, 3);
+    swap(m->lo, part->ends, 3);
+    swap(m->hi, part->ends + 3, 3);
+}
+
+static void find_own(struct part *part)
+{
+    const struct mesh *const m = part->sim->mesh;
+    const unsigned char *const own = halo_own(part->halo);
+
+    part->V = alloc_doubles(m->n_cells);
+    part->own_V = alloc_doubles(m->n_cells);
+    part->no_residual = alloc_doubles(3 * m->n_cells);
+    part->own_S = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    for (int c = 0; c < m->n_cells; c++)
+        part->V[c] = part->own_V[c] = own[c] ? m->V[c] : 0.0;
+    for (int f = m->n_internal; f < m->n_faces; f++)
+        if (own[m->owner[f]])
+            memcpy(part->own_S + 3 * (f - m->n_internal), m->S + 3 * f,
+                   3 * sizeof *m->S);
+    memcpy(part->ends + 3, part->p.size_m, sizeof part->p.size_m);
+}
+
+/* --- all -------------------------------------------------------------------
+ */
+
+/* Cells, fluid and coupling, where the spheres are. */
+static int add_fields(struct part *part, const struct settings *s, long all)
+{
+    struct simulation *const sim = part->sim;
+    int cut_off[6];
+
+    sim->mesh = partition_mesh(&part->p, cut_off);
+    part->halo = halo_create(&part->p, part->comm);
+    part->places = partition_faces(sim->mesh, cut_off);
+    part->solve =
+        solve_create(sim->mesh, part->halo, &part->places, part->comm);
+    add_fluid(part, s, cut_off);
+    find_own(part);
+    const int code = add_particles(part, s, all);
+    return code != 0 ? code : add_coupling(part, s);
 }
 
 struct part *part_create(const struct settings *s, MPI_Comm comm,
-                         const struct simulation *record, int *code)
+                         const char *file, int *code)
 {
     struct part *const part = alloc_zeroed(1, sizeof *part);
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
-    int cut_off[6];
+    double d = 1.0;
 
     part->comm = comm;
     part->sim = sim;
-    *code = part_divide(s, comm, &part->p);
-    if (*code != 0) return part;
-    cut(part, record);
-    sim->mesh = partition_mesh(&part->p, cut_off);
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    part->halo = halo_create(&part->p, comm);
-    part->places = partition_faces(sim->mesh, cut_off);
-    part->solve = solve_create(sim->mesh, part->halo, &part->places, comm);
-    add_fluid(part, s, cut_off);
-    *code = add_particles(part, s, record);
-    if (*code == 0) *code = add_coupling(part, s);
+    *code = part_divide(s, comm, &part->p);
     if (*code != 0) return part;
-    const struct words w = words_of(s, mean_diameter(part, record));
-    part->spheres = spheres_create(sim->dem, &part->p, &w, comm);
+    struct words w = words_of(s, d);
+    part->spheres = spheres_create(&part->p, &w, file, comm);
+    if (file == NULL) *code = place(part, s);
+    if (*code != 0) return part;
+    const long all = spheres_all(part->spheres, &d);
+    w = words_of(s, d);
+    cut(part);
+    *code = add_fields(part, s, all);
+    if (*code == 0) spheres_begin(part->spheres, sim->dem, &w);
     return part;
 }
 
 void part_free(struct part *part)
 {
     if (part == NULL) return;
-    build_free(part->sim);
+    if (part->sim->dem == NULL) spheres_free(part->spheres);
     solve_free(part->solve);
     halo_free(part->halo);
     partition_release(&part->p);
     free(part->places.up);
     free(part->places.down);
+    free(part->V);
+    free(part->own_V);
+    free(part->no_residual);
+    free(part->own_S);
     free(part);
 }

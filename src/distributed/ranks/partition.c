@@ -116,6 +116,11 @@ void partition_release(struct partition *p)
         free(p->cut[k]);
 }
 
+double partition_cells(const struct partition *p)
+{
+    return (double)p->N[0] * p->N[1] * p->N[2];
+}
+
 struct extent partition_extent(const struct partition *p, int rank)
 {
     const int r[3] = {rank % p->P[0], rank / p->P[0] % p->P[1],
@@ -146,16 +151,21 @@ int partition_whole(const struct partition *p, const struct extent *e, int cell)
     return i[0] + p->N[0] * (i[1] + p->N[1] * i[2]);
 }
 
-int partition_owner(const struct partition *p, int whole, int *local)
+int partition_rank(const struct partition *p, const int i[3])
 {
-    const int i[3] = {whole % p->N[0], whole / p->N[0] % p->N[1],
-                      whole / p->N[0] / p->N[1]};
     int r[3] = {0, 0, 0};
 
     for (int k = 0; k < 3; k++)
         while (i[k] >= p->cut[k][r[k] + 1])
             r[k]++;
-    const int rank = r[0] + p->P[0] * (r[1] + p->P[1] * r[2]);
+    return r[0] + p->P[0] * (r[1] + p->P[1] * r[2]);
+}
+
+int partition_owner(const struct partition *p, int whole, int *local)
+{
+    const int i[3] = {whole % p->N[0], whole / p->N[0] % p->N[1],
+                      whole / p->N[0] / p->N[1]};
+    const int rank = partition_rank(p, i);
     const struct extent e = partition_extent(p, rank);
     *local =
         i[0] - e.at[0] + e.n[0] * (i[1] - e.at[1] + e.n[1] * (i[2] - e.at[2]));

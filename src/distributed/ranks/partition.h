@@ -35,6 +35,9 @@ int partition_init(struct partition *p, const struct box_spec *box,
 void partition_cut(struct partition *p, const double *const weight[3]);
 void partition_release(struct partition *p);
 
+/* Cells of the whole box [-]. */
+double partition_cells(const struct partition *p);
+
 /* The cells of a rank. */
 struct extent partition_extent(const struct partition *p, int rank);
 
@@ -43,6 +46,9 @@ struct extent partition_extent(const struct partition *p, int rank);
 int partition_whole(const struct partition *p, const struct extent *e,
                     int cell);
 int partition_owner(const struct partition *p, int whole, int *local);
+
+/* The rank that owns the cell i, j, k of the whole box. */
+int partition_rank(const struct partition *p, const int i[3]);
 
 /* 1 if the cell of the extent is its own. */
 int partition_is_own(const struct extent *e, int cell);

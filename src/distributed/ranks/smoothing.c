@@ -146,7 +146,6 @@ static void gather(void *state, int m, const double *field, double *q,
         smoothed = t->sum;
     }
     cell_of_particle_value(t->cells, m, smoothed, q);
-    t->s.gathered(t->s.to, m, q);
 }
 
 const struct averaging_method smoothing_method = {

@@ -18,9 +18,6 @@ struct smoothing {
     const struct mesh *mesh;
     double bandwidth; /* [m] 0: no diffusion */
     double tolerance; /* [-] of the series */
-    /* Called with what was gathered [unit of the field], m a particle. */
-    void (*gathered)(void *to, int m, const double *q);
-    void *to;
 };
 
 extern const struct averaging_method smoothing_method;

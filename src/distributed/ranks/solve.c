@@ -4,6 +4,7 @@
 #include <math.h>
 #include <petscksp.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/alloc.h"
 #include "fluid/face_jump.h"
@@ -250,6 +251,7 @@ static double residual(void *parts, const struct fluid *fl)
 
 void solve_refresh(struct solve *s, struct fluid *fl)
 {
+    memcpy(s->relabelled, fl->relabelled, sizeof s->relabelled);
     halo_refresh(s->h, 3, fl->u);
     halo_refresh(s->h, 1, fl->p);
     halo_refresh(s->h, 3, fl->grad_p);

@@ -9,9 +9,8 @@
  * Of LAMMPS 29 Sep 2021, measured: a run that begins with `pre yes` applies
  * Tsuji's polynomial again to the dashpots of the walls, so only the first one
  * does; and opening it sets the number of our threads to 1. */
-#include "distributed/ranks/spheres.h"
+#include "distributed/ranks/spheres_internal.h"
 
-#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdarg.h>
@@ -24,23 +23,20 @@
 
 #include "base/alloc.h"
 #include "dem/dem_internal.h"
-#include "distributed/ranks/spheres_internal.h"
 
 /* What LAMMPS knows of a sphere by itself; all else is kept beside it. */
-static const char told[] = "count next_id id material x y z vx vy vz wx wy wz d"
-                           " m ex ey ez cfx cfy cfz";
-/* And at the end of a row: f, torque and F of the last step, and the rank that
+static const char told[] = " count next_id id material x y z vx vy vz wx wy wz "
+                           "d m ex ey ez cfx cfy cfz ";
+/* At the end of a row: f, torque and F of the last step, and the rank that
  * first had the sphere. */
-enum { EXTRA = 10, AT_ONCE = 20000, OWN = 12 };
+enum { EXTRA = 10 };
 
 static void tell_lammps(void *lammps, const char *line)
 {
     lammps_command(lammps, line);
 }
 
-static void tell(struct spheres *q, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-static void tell(struct spheres *q, const char *format, ...)
+void spheres_tell(const struct spheres *q, const char *format, ...)
 {
     char line[4096];
     va_list args;
@@ -63,21 +59,67 @@ int spheres_count(const struct spheres *q)
 
 /* --- beginning ------------------------------------------------------------ */
 
-static void open_lammps(struct spheres *q)
+struct spheres *spheres_create(const struct partition *p, const struct words *w,
+                               const char *file, MPI_Comm comm)
 {
     char *words[] = {"winnow", "-log", "none", "-screen", "none", "-nocite"};
     const int threads = omp_get_max_threads();
+    struct spheres *const q = alloc_zeroed(1, sizeof *q);
 
-    q->lammps = lammps_open(6, words, q->comm, NULL);
+    q->p = p;
+    q->w = *w;
+    q->comm = comm;
+    q->loaded = file != NULL;
+    q->lammps = lammps_open(6, words, comm, NULL);
     omp_set_num_threads(threads);
-    words_begin(&q->w, tell_lammps, q->lammps);
-    tell(q, "atom_modify map hash");
-    tell(q, "processors %d %d %d map xyz", q->p->P[0], q->p->P[1], q->p->P[2]);
+    words_begin(w, tell_lammps, q->lammps);
+    spheres_tell(q, "atom_modify map hash");
+    spheres_tell(q, "processors %d %d %d map xyz", p->P[0], p->P[1], p->P[2]);
+    if (q->loaded)
+        spheres_tell(q, "read_restart %s", file);
+    else
+        words_box(w, tell_lammps, q->lammps);
+    return q;
 }
 
-static void keep(struct spheres *q)
+void spheres_free(struct spheres *q)
 {
-    tell(q, "fix kept all property/atom d2_kept %d", q->width);
+    if (q == NULL) return;
+    lammps_close(q->lammps);
+    free(q->id_before);
+    free(q->x_before);
+    free(q);
+}
+
+/* LAMMPS keeps the order of those that it takes; its ids begin at 1. */
+void spheres_add(struct spheres *q, int n, const struct sphere *s)
+{
+    const int before = spheres_count(q);
+    double *const x = alloc_doubles(3 * n);
+    int *const type = alloc_ints(n), *const id = alloc_ints(n);
+
+    for (int i = 0; i < n; i++) {
+        memcpy(&x[3 * i], s[i].x, sizeof s[i].x);
+        type[i] = s[i].type;
+        id[i] = s[i].id + 1;
+    }
+    lammps_create_atoms(q->lammps, n, id, type, x, NULL, NULL, 0);
+    double **const v = spheres_rows(q, "v"),
+                   **const omega = spheres_rows(q, "omega");
+    double *const R = lammps_extract_atom(q->lammps, "radius");
+    double *const m = lammps_extract_atom(q->lammps, "rmass");
+    const int *const tag = lammps_extract_atom(q->lammps, "id");
+    for (int i = before, k = 0; i < spheres_count(q); i++) {
+        while (id[k] != tag[i])
+            k++;
+        memcpy(v[i], s[k].v, sizeof s[k].v);
+        memcpy(omega[i], s[k].w, sizeof s[k].w);
+        R[i] = 0.5 * s[k].d;
+        m[i] = s[k].m;
+    }
+    free(x);
+    free(type);
+    free(id);
 }
 
 /* LAMMPS cuts the box where the cells are cut. */
@@ -94,98 +136,93 @@ static void cut(struct spheres *q)
             n += (size_t)snprintf(line + n, sizeof line - n, " %.17g",
                                   (double)q->p->cut[k][r] / q->p->N[k]);
     }
-    tell(q, "%s", line);
+    spheres_tell(q, "%s", line);
 }
 
-/* The rows of some particles, as they are sent: what LAMMPS has, and the kept
- * ones. */
-static void pack(const struct spheres *q, const struct particles *ps,
-                 const struct arrays *all, int first, int n, double *row)
+void spheres_equip(struct spheres *q, const struct words *w)
 {
-    for (int i = first; i < first + n; i++, row += OWN + q->width) {
-        const double own[OWN] = {
-            ps->x[i],  ps->y[i],
-            ps->z[i],  ps->vx[i],
-            ps->vy[i], ps->vz[i],
-            ps->wx[i], ps->wy[i],
-            ps->wz[i], ps->d[i],
-            ps->m[i],  ps->material != NULL ? ps->material[i] + 1.0 : 1.0};
-        double *to = row + OWN;
-        memcpy(row, own, sizeof own);
-        for (int k = 0; k < all->n; k++) {
-            const int w = all->at[k].width;
-            if (arrays_named(all->name[k], told)) continue;
-            memcpy(to, (const double *)all->at[k].values + (long)w * i,
-                   (size_t)w * sizeof *to);
-            to += w;
-        }
-        assert(to == row + OWN + q->width - EXTRA);
+    q->w = *w;
+    words_contacts(w, tell_lammps, q->lammps);
+    spheres_tell(q, "fix push all external pf/array 1");
+    spheres_tell(q, "fix move all nve/sphere");
+    spheres_tell(q, "thermo 0");
+}
+
+void spheres_strip(struct spheres *q)
+{
+    words_no_walls(&q->w, tell_lammps, q->lammps);
+    spheres_tell(q, "unfix push");
+    spheres_tell(q, "unfix move");
+}
+
+/* --- sums over the ranks -------------------------------------------------- */
+
+long spheres_all(const struct spheres *q, double *mean_diameter)
+{
+    const double *const R = lammps_extract_atom(q->lammps, "radius");
+    double sum[2] = {spheres_count(q), 0.0};
+
+    for (int i = 0; i < spheres_count(q); i++)
+        sum[1] += 2.0 * R[i];
+    MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, q->comm);
+    *mean_diameter = sum[0] > 0.0 ? sum[1] / sum[0] : 0.0;
+    return (long)sum[0];
+}
+
+/* The slab of cells of a direction. */
+static int slab(const struct partition *p, int k, double x)
+{
+    const double at = floor(x / p->size_m[k] * p->N[k]);
+
+    return at < 0.0 ? 0 : at > p->N[k] - 1.0 ? p->N[k] - 1 : (int)at;
+}
+
+void spheres_weigh(const struct spheres *q, double each, double *weight[3])
+{
+    double **const x = spheres_rows(q, "x");
+
+    for (int k = 0; k < 3; k++) {
+        double *const own = alloc_doubles(q->p->N[k]);
+        for (int i = 0; i < spheres_count(q); i++)
+            own[slab(q->p, k, x[i][k])] += each;
+        MPI_Allreduce(MPI_IN_PLACE, own, q->p->N[k], MPI_DOUBLE, MPI_SUM,
+                      q->comm);
+        for (int i = 0; i < q->p->N[k]; i++)
+            weight[k][i] += own[i];
+        free(own);
     }
 }
 
-/* Sends some of the spheres to all ranks, each of which creates those within
- * its part of the box; their ids in LAMMPS begin at 1. */
-static void create(struct spheres *q, const int *id, int n, double *row)
+int spheres_share(const struct spheres *q)
 {
-    const int width = OWN + q->width, before = spheres_count(q);
-    double *const x = alloc_doubles(3 * n);
-    int *const type = alloc_ints(n), *const place =
-                                         alloc_ints(q->dem->ps->next_id);
+    double **const x = spheres_rows(q, "x");
+    int *const n = alloc_ints(q->p->size);
 
-    for (int i = 0; i < n; i++) {
-        memcpy(&x[3 * i], &row[(long)width * i], 3 * sizeof *x);
-        type[i] = (int)row[(long)width * i + 11];
-        place[id[i] - 1] = i;
+    for (int i = 0; i < spheres_count(q); i++) {
+        const int cell[3] = {slab(q->p, 0, x[i][0]), slab(q->p, 1, x[i][1]),
+                             slab(q->p, 2, x[i][2])};
+        n[partition_rank(q->p, cell)]++;
     }
-    lammps_create_atoms(q->lammps, n, id, type, x, NULL, NULL, 0);
-    double **const v = spheres_rows(q, "v"),
-                   **const omega = spheres_rows(q, "omega");
-    double **const kept = spheres_rows(q, "d2_kept");
-    double *const R = lammps_extract_atom(q->lammps, "radius");
-    double *const m = lammps_extract_atom(q->lammps, "rmass");
-    const int *const tag = lammps_extract_atom(q->lammps, "id");
-    for (int i = before; i < spheres_count(q); i++) {
-        const double *const r = &row[(long)width * place[tag[i] - 1]];
-        memcpy(v[i], r + 3, 3 * sizeof *r);
-        memcpy(omega[i], r + 6, 3 * sizeof *r);
-        R[i] = 0.5 * r[9];
-        m[i] = r[10];
-        memcpy(kept[i], r + OWN, (size_t)q->width * sizeof *r);
-        kept[i][q->width - 1] = q->p->rank;
-    }
-    free(x);
-    free(type);
-    free(place);
-}
-
-static void send_all(struct spheres *q, const struct particles *all)
-{
-    struct arrays list;
-    struct particles *own;
-    double *const row = alloc_doubles(AT_ONCE * (OWN + q->width));
-    int *const id = alloc_ints(AT_ONCE);
-    int n = all != NULL ? all->n : 0;
-
-    memcpy(&own, &all, sizeof own); /* a visit that reads */
-    if (all != NULL) arrays_of_particles(own, &list);
-    MPI_Bcast(&n, 1, MPI_INT, 0, q->comm);
-    for (int first = 0; first < n; first += AT_ONCE) {
-        const int some = n - first < AT_ONCE ? n - first : AT_ONCE;
-        if (all != NULL) pack(q, all, &list, first, some, row);
-        for (int i = 0; i < some && all != NULL; i++)
-            id[i] = all->id[first + i] + 1;
-        MPI_Bcast(id, some, MPI_INT, 0, q->comm);
-        MPI_Bcast(row, some * (OWN + q->width), MPI_DOUBLE, 0, q->comm);
-        create(q, id, some, row);
-    }
-    free(row);
-    free(id);
+    MPI_Allreduce(MPI_IN_PLACE, n, q->p->size, MPI_INT, MPI_SUM, q->comm);
+    const int own = n[q->p->rank];
+    free(n);
+    return own;
 }
 
 /* --- taking and giving ---------------------------------------------------- */
 
+/* The kept numbers of sphere i to LAMMPS' row, or the other way. */
+static void copy_kept(const struct spheres *q, int i, double *row, int to_row)
+{
+    for (int k = 0; k < q->n_kept; row += q->kept_width[k++]) {
+        const int w = q->kept_width[k];
+        double *const own = q->kept[k] + (long)w * i;
+        memcpy(to_row ? row : own, to_row ? own : row, (size_t)w * sizeof *row);
+    }
+}
+
 /* The spheres of this rank, as LAMMPS has them now. Returns how many are
- * outside the box or, beyond what there is room for, cannot be taken. */
+ * more than there is room for. */
 static int pull(struct spheres *q)
 {
     struct particles *const ps = q->dem->ps;
@@ -200,20 +237,19 @@ static int pull(struct spheres *q)
 
     ps->n = there < ps->capacity ? there : ps->capacity;
     for (int i = 0; i < ps->n; i++) {
-        const double *from = kept[i];
         ps->x[i] = x[i][0], ps->y[i] = x[i][1], ps->z[i] = x[i][2];
         ps->vx[i] = v[i][0], ps->vy[i] = v[i][1], ps->vz[i] = v[i][2];
         ps->wx[i] = omega[i][0], ps->wy[i] = omega[i][1];
         ps->wz[i] = omega[i][2];
         ps->d[i] = 2.0 * R[i], ps->m[i] = m[i], ps->id[i] = tag[i] - 1;
         if (ps->material != NULL) ps->material[i] = type[i] - 1;
-        for (int k = 0; k < q->kept.n; k++) {
-            const int w = q->kept.at[k].width;
-            memcpy((double *)q->kept.at[k].values + (long)w * i, from,
-                   (size_t)w * sizeof *from);
-            from += w;
-        }
+        copy_kept(q, i, kept[i], 0);
     }
+    if (there > ps->n)
+        fprintf(stderr,
+                "winnow: rank %d has %d particles and room for %d: --resume "
+                "divides the case anew\n",
+                q->p->rank, there, ps->n);
     return there - ps->n;
 }
 
@@ -227,17 +263,24 @@ static void push(struct spheres *q)
 
     for (int i = 0; i < ps->n; i++) {
         const double now[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
-        double *to = kept[i];
         for (int k = 0; k < 3; k++) {
             f[i][k] += now[k] - F[i][k];
             F[i][k] = now[k];
         }
-        for (int k = 0; k < q->kept.n; k++) {
-            const int w = q->kept.at[k].width;
-            memcpy(to, (const double *)q->kept.at[k].values + (long)w * i,
-                   (size_t)w * sizeof *to);
-            to += w;
-        }
+        copy_kept(q, i, kept[i], 1);
+    }
+}
+
+/* Where a sphere is that may be lost in the run. */
+static void note_places(struct spheres *q)
+{
+    const struct particles *const ps = q->dem->ps;
+
+    q->n_before = ps->n;
+    for (int i = 0; i < ps->n; i++) {
+        const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+        q->id_before[i] = ps->id[i];
+        memcpy(&q->x_before[3 * i], x, sizeof x);
     }
 }
 
@@ -247,47 +290,12 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
 
     *r = (struct dem_report){.steps = steps, .lost_through = -1};
     push(q);
-    tell(q, "run %d pre no post no", steps);
+    note_places(q);
+    spheres_tell(q, "run %d pre no post no", steps);
     spheres_report(q, pull(q), r);
 }
 
 /* --- starting ------------------------------------------------------------- */
-
-/* Contacts, walls and motion. */
-static void equip(struct spheres *q)
-{
-    words_contacts(&q->w, tell_lammps, q->lammps);
-    tell(q, "fix push all external pf/array 1");
-    tell(q, "fix move all nve/sphere");
-    tell(q, "thermo 0");
-}
-
-/* The first run, which computes the forces. */
-static void start(struct spheres *q)
-{
-    double own[2];
-
-    tell(q, "run 0 post no");
-    pull(q);
-    own[0] = q->dem->ps->n;
-    own[1] = 0.0;
-    for (int i = 0; i < q->dem->ps->n; i++)
-        own[1] += q->dem->ps->id[i];
-    MPI_Allreduce(MPI_IN_PLACE, own, 2, MPI_DOUBLE, MPI_SUM, q->comm);
-    q->all = (long)own[0];
-    q->id_sum = (long)own[1];
-}
-
-void spheres_place(struct spheres *q, const struct particles *all)
-{
-    open_lammps(q);
-    words_box(&q->w, tell_lammps, q->lammps);
-    keep(q);
-    send_all(q, all);
-    cut(q);
-    equip(q);
-    start(q);
-}
 
 /* f, torque and F, to the end of a row and back. */
 static void exchange_forces(struct spheres *q, int to_row)
@@ -301,62 +309,86 @@ static void exchange_forces(struct spheres *q, int to_row)
         for (int k = 0; k < 9; k++) {
             double *const row = &kept[i][q->width - EXTRA + k];
             double *const value = &from[k / 3][i][k % 3];
-            if (to_row)
-                *row = *value;
-            else
-                *value = *row;
+            *(to_row ? row : value) = *(to_row ? value : row);
         }
 }
 
-void spheres_load(struct spheres *q, const char *file)
+/* The arrays of the particles that LAMMPS does not know, as the visit of their
+ * state lists them (base/state.h). */
+static int list_kept(void *store, const struct state_array *a)
 {
-    open_lammps(q);
-    tell(q, "read_restart %s", file);
-    keep(q);
-    q->w.starts = q->p->size > 1 ? 2 : 1;
-    equip(q); /* before the cut, whose start drops what nobody has claimed */
-    cut(q);
+    struct spheres *const q = store;
+    char word[80];
+
+    snprintf(word, sizeof word, " %s ", strrchr(a->path, '/') + 1);
+    if (strstr(told, word) != NULL) return 0;
+    q->kept[q->n_kept] = a->values;
+    q->kept_width[q->n_kept++] = a->width;
+    q->width += a->width;
+    return 0;
+}
+
+static void attach(struct spheres *q, struct dem *dem)
+{
+    struct state s = {.visit = list_kept, .store = q};
+
+    q->dem = dem;
+    dem->state = q;
+    q->width = EXTRA;
+    dem->ps->n = 1; /* arrays of no rows are not visited */
+    particles_state(dem->ps, &s);
+    dem->ps->n = 0;
+    q->id_before = alloc_ints(dem->ps->capacity);
+    q->x_before = alloc_doubles(3 * dem->ps->capacity);
+    spheres_tell(q, "fix kept all property/atom d2_kept %d", q->width);
+}
+
+/* The first run, which computes the forces. */
+static void start(struct spheres *q)
+{
+    double own[2], **kept;
+
+    spheres_tell(q, "run 0 post no");
+    kept = spheres_rows(q, "d2_kept");
+    for (int i = 0; i < spheres_count(q) && !q->loaded; i++)
+        kept[i][q->width - 1] = q->p->rank;
+    pull(q);
+    own[0] = q->dem->ps->n;
+    own[1] = 0.0;
+    for (int i = 0; i < q->dem->ps->n; i++)
+        own[1] += q->dem->ps->id[i];
+    MPI_Allreduce(MPI_IN_PLACE, own, 2, MPI_DOUBLE, MPI_SUM, q->comm);
+    q->all = (long)own[0];
+    q->id_sum = (long)own[1];
+}
+
+/* What a file has of contacts is dropped if the box is cut before anybody has
+ * claimed it. */
+void spheres_begin(struct spheres *q, struct dem *dem, const struct words *w)
+{
+    struct words own = *w;
+
+    own.starts = q->loaded && q->p->size > 1 ? 2 : 1;
+    attach(q, dem);
+    if (!q->loaded) cut(q);
+    spheres_equip(q, &own);
+    if (q->loaded) cut(q);
     start(q);
-    exchange_forces(q, 0);
+    if (q->loaded) exchange_forces(q, 0);
 }
 
 void spheres_save(struct spheres *q, const char *file)
 {
     push(q);
     exchange_forces(q, 1);
-    tell(q, "write_restart %s noinit", file);
-}
-
-struct spheres *spheres_create(struct dem *dem, const struct partition *p,
-                               const struct words *w, MPI_Comm comm)
-{
-    struct spheres *const q = alloc_zeroed(1, sizeof *q);
-    struct arrays *const a = &q->kept;
-    struct arrays all;
-
-    q->dem = dem;
-    q->p = p;
-    q->w = *w;
-    q->comm = comm;
-    dem->state = q;
-    arrays_of_particles(dem->ps, &all);
-    for (int k = 0; k < all.n; k++) {
-        if (arrays_named(all.name[k], told)) continue;
-        q->width += all.at[k].width;
-        a->at[a->n++] = all.at[k];
-    }
-    q->width += EXTRA;
-    return q;
+    spheres_tell(q, "write_restart %s noinit", file);
 }
 
 /* --- the method ----------------------------------------------------------- */
 
 static void release(struct dem *dem)
 {
-    struct spheres *const q = dem->state;
-
-    if (q != NULL && q->lammps != NULL) lammps_close(q->lammps);
-    free(q);
+    spheres_free(dem->state);
 }
 
 /* distributed/refusal.h has looked at the case. */
@@ -370,7 +402,7 @@ static double skin(const struct dem_options *o, double mean)
     return o->skin > 0.0 ? o->skin : mean / 6.0;
 }
 
-/* spheres_create does it. */
+/* spheres_begin does it. */
 static int create_later(struct dem *dem)
 {
     return dem == NULL;
@@ -384,7 +416,7 @@ static void changed(struct dem *dem)
 const struct dem_method spheres_method = {.name = "lammps",
                                           .what = "by LAMMPS, on all ranks",
                                           .equations = "",
-                                          .function = "spheres_place",
+                                          .function = "spheres_begin",
                                           .unknown = unknown,
                                           .skin = skin,
                                           .create = create_later,

@@ -2,11 +2,13 @@
  *
  * A method of dem.h for the particles of a rank: it has the spheres that LAMMPS
  * has there, and what is attached to them travels in a property of LAMMPS'
- * atoms. All functions are called by all ranks together.
+ * atoms. No rank ever has all of them. All functions are called by all ranks
+ * together.
  */
 #ifndef DISTRIBUTED_RANKS_SPHERES_H
 #define DISTRIBUTED_RANKS_SPHERES_H
 
+#include "dem/bed.h"
 #include "dem/dem_method.h"
 #include "distributed/ranks/partition.h"
 #include "distributed/words.h"
@@ -17,16 +19,40 @@ extern const struct dem_method spheres_method;
 
 struct spheres;
 
-/* Opens LAMMPS for the particles of dem, whose state this becomes. */
-struct spheres *spheres_create(struct dem *dem, const struct partition *p,
-                               const struct words *w, MPI_Comm comm);
+/* One that is added. */
+struct sphere {
+    int id, type;                  /* [-] type: number of the material plus 1 */
+    double x[3], v[3], w[3], d, m; /* [m], [m/s], [rad/s], [m], [kg] */
+};
 
-/* The spheres come from the first rank's `all` (elsewhere NULL), or from a file
- * of LAMMPS that only the first rank need be able to read. */
-void spheres_place(struct spheres *q, const struct particles *all);
-void spheres_load(struct spheres *q, const char *file);
+/* LAMMPS with an empty box, cut as the partition is, or with the spheres of a
+ * file that only the first rank need be able to read. */
+struct spheres *spheres_create(const struct partition *p, const struct words *w,
+                               const char *file, MPI_Comm comm);
+void spheres_free(struct spheres *q);
 
-/* Writes that file, without disturbing the run. */
+/* Each rank offers spheres; the one in whose part of the box a sphere lies
+ * keeps it. Once, by all ranks together. */
+void spheres_add(struct spheres *q, int n, const struct sphere *s);
+
+/* Lets them come to rest under gravity (spheres_settle.c), in steps of `step`
+ * [s]. */
+void spheres_settle(struct spheres *q, const struct words *w, double step,
+                    const struct bed_options *bed, struct bed_report *r);
+
+/* Sums of all ranks: their number and mean diameter [m]; `each` is added to the
+ * slab of cells in which a sphere lies, in each direction. */
+long spheres_all(const struct spheres *q, double *mean_diameter);
+void spheres_weigh(const struct spheres *q, double each, double *weight[3]);
+
+/* How many will be on this rank once the partition has its final planes. */
+int spheres_share(const struct spheres *q);
+
+/* Starts the run with those planes: the spheres of this rank are the particles
+ * of dem, whose state this becomes, and what is attached to them is kept. */
+void spheres_begin(struct spheres *q, struct dem *dem, const struct words *w);
+
+/* Writes the file, without disturbing the run. */
 void spheres_save(struct spheres *q, const char *file);
 
 /* Spheres that are on another rank than that which first had them [-], of all

@@ -75,8 +75,18 @@ static int is_inside(const struct spheres *q, const double *x)
 
 enum { SUMS = 6, MAXIMA = 5 };
 
-/* Sums and maxima over the ranks; a sphere is lost if LAMMPS has it no more, or
- * outside the box, where there are no cells. */
+/* Where a lost sphere was before the run. */
+static void find_lost(const struct spheres *q, struct dem_report *r)
+{
+    double at[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    if (r->lost_id < 0 || isfinite(r->lost_at[0])) return;
+    for (int i = 0; i < q->n_before; i++)
+        if (q->id_before[i] == r->lost_id)
+            memcpy(at, &q->x_before[3 * i], sizeof at);
+    MPI_Allreduce(at, r->lost_at, 3, MPI_DOUBLE, MPI_MAX, q->comm);
+}
+
 void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
 {
     const struct particles *const ps = q->dem->ps;
@@ -111,6 +121,7 @@ void spheres_report(struct spheres *q, int untaken, struct dem_report *r)
     r->lost_id = r->lost == 1 ? (int)(q->id_sum - (long)sum[1]) : -1;
     for (int k = 0; k < 3; k++)
         r->lost_at[k] = isfinite(most[2 + k]) ? most[2 + k] : (double)NAN;
+    find_lost(q, r);
 }
 
 long spheres_moved(const struct spheres *q)

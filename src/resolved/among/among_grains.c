@@ -28,6 +28,8 @@ static void take_pose(struct solid_bodies *b, int i, double t)
     c->pose.velocity[2] = ps->vz[i];
     c->pose.spin[0] = ps->wx[i], c->pose.spin[1] = ps->wy[i];
     c->pose.spin[2] = ps->wz[i];
+    if (b->shape[i].kind == BODY_OUTLINE)
+        memcpy(c->pose.rotation, b->shape[i].turn, sizeof c->pose.rotation);
 }
 
 /* At rest until the run begins, though it may begin with a velocity: the bed

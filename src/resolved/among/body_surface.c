@@ -3,8 +3,10 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/alloc.h"
 #include "base/vector.h"
 
 /* Sides of the prism in place of a cylinder, whose corners lie on it [-]: it is
@@ -93,6 +95,19 @@ static struct triangles *triangles_of_cylinder(const double centre[3],
     return triangles_create(4 * SIDES, t);
 }
 
+static struct triangles *triangles_of_outline(const double centre[3],
+                                              const struct body_outline *o)
+{
+    double(*const t)[3][3] = alloc_zeroed((size_t)o->n_triangles, sizeof *t);
+
+    for (int c = 0; c < 9 * o->n_triangles; c++)
+        t[c / 9][c / 3 % 3][c % 3] =
+            centre[c % 3] + o->corner[c / 9][c / 3 % 3][c % 3];
+    struct triangles *const made = triangles_create(o->n_triangles, t);
+    free(t);
+    return made;
+}
+
 /* 1 if both ends of a cylinder are out of the box. */
 static int reaches_through(const struct solid_bodies *b,
                            const struct body_shape *shape)
@@ -116,6 +131,8 @@ struct surface body_surface(const struct solid_bodies *b, int i)
     memcpy(s.normal, shape->axis, sizeof s.normal);
     if (shape->kind == BODY_SPHERE)
         s.shape = SURFACE_SPHERE;
+    else if (shape->kind == BODY_OUTLINE)
+        s.triangles = triangles_of_outline(x, shape->outline);
     else if (shape->kind == BODY_BOX)
         s.triangles = triangles_of_box(x, shape->half);
     else if (reaches_through(b, shape))

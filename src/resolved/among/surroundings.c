@@ -9,6 +9,7 @@
 #include "base/statistics/filter.h"
 #include "base/vector.h"
 #include "coupling/drag_laws/coefficient.h"
+#include "resolved/body_cells.h"
 #include "resolved/cell_window.h"
 #include "resolved/mark.h"
 
@@ -51,24 +52,12 @@ void surroundings_free(struct surroundings_filter *f)
     free(f);
 }
 
-static void take_solid(struct surroundings_filter *f, int i)
+static void take_solid(void *by, int i, int c, const double r[3], double s)
 {
-    const struct mesh *const m = f->fl->mesh;
-    const struct particles *const ps = f->b->ps;
-    const struct body_shape *const shape = &f->b->shape[i];
-    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-    double extent[3], r[3];
-    int at[3];
+    struct surroundings_filter *const f = by;
 
-    body_shape_extent(shape, extent);
-    const struct cell_window w = cell_window_around(m, x, extent);
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                const double s = body_shape_distance(shape, r);
-                f->chi[c] = fmax(f->chi[c] - mark_fraction(m, c, s), 0.0);
-            }
+    (void)i, (void)r;
+    f->chi[c] = fmax(f->chi[c] - mark_fraction(f->fl->mesh, c, s), 0.0);
 }
 
 void surroundings_bind(struct surroundings_filter *f)
@@ -76,7 +65,7 @@ void surroundings_bind(struct surroundings_filter *f)
     for (int c = 0; c < f->fl->mesh->n_cells; c++)
         f->chi[c] = 1.0;
     for (int i = 0; i < f->b->ps->n; i++)
-        take_solid(f, i);
+        body_cells_each(f->b, f->fl->mesh, i, take_solid, f);
 }
 
 /* Copies the cells whose centres are in the cube around x; returns how many. */
@@ -88,16 +77,14 @@ static int collect(struct surroundings_filter *f, const double x[3])
     double r[3];
     int at[3], n = 0;
 
-    for (at[2] = w.first[2]; at[2] <= w.last[2]; at[2]++)
-        for (at[1] = w.first[1]; at[1] <= w.last[1]; at[1]++)
-            for (at[0] = w.first[0]; at[0] <= w.last[0]; at[0]++) {
-                const int c = cell_window_cell(m, at, x, r);
-                if (fabs(r[0]) > half || fabs(r[1]) > half || fabs(r[2]) > half)
-                    continue;
-                f->V[n] = m->V[c];
-                f->share[n] = f->chi[c];
-                memcpy(&f->u[3 * n++], &f->fl->u[3 * c], 3 * sizeof *f->u);
-            }
+    CELL_WINDOW_EACH (at, w) {
+        const int c = cell_window_cell(m, at, x, r);
+        if (fabs(r[0]) > half || fabs(r[1]) > half || fabs(r[2]) > half)
+            continue;
+        f->V[n] = m->V[c];
+        f->share[n] = f->chi[c];
+        memcpy(&f->u[3 * n++], &f->fl->u[3 * c], 3 * sizeof *f->u);
+    }
     return n;
 }
 

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/case_outlines.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "case/case_mesh.h"
+#include "case/resolved/case_bodies.h"
+#include "dem/population/insertion.h"
+#include "dem/surfaces/stl.h"
+#include "resolved/shapes/clump.h"
+#include "resolved/shapes/closed_surface.h"
+
+const char case_outlines_clumps[] = "bodies.clumps",
+           case_outlines_surfaces[] = "bodies.surfaces";
+
+static void path_of(const struct settings *s, const char *list, int i,
+                    char path[SETTINGS_PATH])
+{
+    settings_beside(s, settings_item_text(s, list, i, "file"), path,
+                    SETTINGS_PATH);
+}
+
+/* Released with free(); NULL after a message. */
+static struct body_ball *read_balls(const struct settings *s, int i, long *n)
+{
+    const double scale =
+        settings_item_real(s, case_outlines_clumps, i, "scale");
+    char path[SETTINGS_PATH];
+
+    path_of(s, case_outlines_clumps, i, path);
+    struct insertion_sphere *const list = insertion_read(path, n);
+    if (list == NULL) return NULL;
+    struct body_ball *const ball = alloc_zeroed((size_t)*n, sizeof *ball);
+    for (long k = 0; k < *n; k++) {
+        for (int e = 0; e < 3; e++)
+            ball[k].at[e] = scale * list[k].x[e];
+        ball[k].R = 0.5 * scale * list[k].d;
+    }
+    free(list);
+    return ball;
+}
+
+static struct body_outline *read_clump(const struct settings *s, int i)
+{
+    long n;
+    struct body_ball *const ball = read_balls(s, i, &n);
+
+    if (ball == NULL) return NULL;
+    struct body_outline *const o = clump_create((int)n, ball);
+    free(ball);
+    return o;
+}
+
+void case_outlines_radii(const struct settings *s, int i, double R[2])
+{
+    long n = 0;
+    struct body_ball *const ball = read_balls(s, i, &n);
+
+    R[0] = R[1] = n > 0 && ball != NULL ? ball[0].R : 0.0;
+    for (long k = 1; ball != NULL && k < n; k++) {
+        R[0] = fmin(R[0], ball[k].R);
+        R[1] = fmax(R[1], ball[k].R);
+    }
+    free(ball);
+}
+
+static struct body_outline *read_surface(const struct settings *s, int i)
+{
+    const double scale =
+        settings_item_real(s, case_outlines_surfaces, i, "scale");
+    char path[SETTINGS_PATH];
+    const char *trouble;
+    struct stl stl;
+
+    path_of(s, case_outlines_surfaces, i, path);
+    if (stl_read(path, &stl) != 0) return NULL;
+    for (int c = 0; c < 9 * stl.n; c++)
+        stl.corner[c / 9][c / 3 % 3][c % 3] *= scale;
+    struct body_outline *const o =
+        closed_surface_create(stl.n, stl.corner, &trouble);
+    stl_release(&stl);
+    if (o == NULL)
+        settings_wrong(s, case_outlines_surfaces,
+                       "%s holds no body, its surface is not closed: %s", path,
+                       trouble);
+    return o;
+}
+
+struct body_outline *case_outlines_read(const struct settings *s,
+                                        const char *list, int i)
+{
+    return list == case_outlines_clumps ? read_clump(s, i) : read_surface(s, i);
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+static int is(const struct settings *s, const char *list, int i,
+              const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+/* The box around the shape as it was given [m]. */
+static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
+{
+    for (int k = 0; k < 3; k++) {
+        lo[k] = HUGE_VAL;
+        hi[k] = -HUGE_VAL;
+        for (int i = 0; i < o->n_balls; i++) {
+            lo[k] = fmin(lo[k], o->ball[i].at[k] - o->ball[i].R);
+            hi[k] = fmax(hi[k], o->ball[i].at[k] + o->ball[i].R);
+        }
+        for (int c = 0; c < 3 * o->n_triangles; c++) {
+            lo[k] = fmin(lo[k], o->corner[c / 3][c % 3][k]);
+            hi[k] = fmax(hi[k], o->corner[c / 3][c % 3][k]);
+        }
+        lo[k] += o->centre[k];
+        hi[k] += o->centre[k];
+    }
+}
+
+/* The narrowest part that is known of a shape: a ball, or its box [m]. */
+static double thinnest(const struct body_outline *o, const double lo[3],
+                       const double hi[3])
+{
+    double least = fmin(hi[0] - lo[0], fmin(hi[1] - lo[1], hi[2] - lo[2]));
+
+    for (int i = 0; i < o->n_balls; i++)
+        least = fmin(least, 2.0 * o->ball[i].R);
+    return least;
+}
+
+/* The farthest point from the centroid [m]. */
+static double reach_of(const struct body_outline *o)
+{
+    double most = 0.0;
+
+    for (int i = 0; i < o->n_balls; i++)
+        most = fmax(most, vector_length(o->ball[i].at) + o->ball[i].R);
+    for (int c = 0; c < 3 * o->n_triangles; c++)
+        most = fmax(most, vector_length(o->corner[c / 3][c % 3]));
+    return most;
+}
+
+static int check_place(const struct settings *s, const char *list, int i,
+                       const struct body_outline *o)
+{
+    const int fixed = is(s, list, i, "fixed");
+    double lo[3], hi[3], from[3], to[3], h[3], x[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    case_bodies_cell_widths(s, h);
+    settings_item_vector(s, list, i, "position", x);
+    ends_of(o, from, to);
+    const double thin = thinnest(o, from, to);
+    for (int k = 0; k < 3; k++) {
+        const double L = hi[k] - lo[k];
+        const double wide = fixed ? to[k] - from[k] : 4.0 * reach_of(o);
+        if (thin < case_bodies_least_cells * h[k])
+            return settings_wrong(s, list,
+                                  "number %d has a part of %.3g cells; "
+                                  "expected at least %g, better 12",
+                                  i, thin / h[k], case_bodies_least_cells);
+        if (periodic[k] && wide >= L)
+            return settings_wrong(s, list,
+                                  "number %d meets itself across the period, "
+                                  "%g m",
+                                  i, L);
+        if (!periodic[k] && !fixed &&
+            (x[k] + from[k] < lo[k] || x[k] + to[k] > hi[k]))
+            return settings_wrong(s, list,
+                                  "number %d, from %g to %g m in direction %d, "
+                                  "is not inside the box",
+                                  i, x[k] + from[k], x[k] + to[k], k);
+    }
+    return 0;
+}
+
+static int check_one(const struct settings *s, const char *list, int i)
+{
+    if ((is(s, list, i, "free") || is(s, list, i, "spring")) &&
+        !settings_item_has(s, list, i, "density"))
+        return settings_wrong(s, list,
+                              "number %d is moved and asks for its density", i);
+    struct body_outline *const o = case_outlines_read(s, list, i);
+    const int code = o == NULL ? 2 : check_place(s, list, i, o);
+
+    body_outline_free(o);
+    return code;
+}
+
+int case_outlines_check(const struct settings *s)
+{
+    const char *const lists[2] = {case_outlines_clumps, case_outlines_surfaces};
+    int code = 0;
+
+    for (int l = 0; l < 2; l++)
+        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
+            code = check_one(s, lists[l], i);
+    return code;
+}

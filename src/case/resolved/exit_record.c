@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* exit_record.c -- how many bodies have left, in history.csv. */
+#include <stddef.h>
+
+#include "case/recorder_part.h"
+#include "case/resolved/bodies_record.h"
+#include "resolved/body_exit.h"
+
+static double left(const struct simulation *sim)
+{
+    return bodies_record_of(sim)->exit->n_gone;
+}
+
+static const struct history_column columns[] = {{"bodies_left [-]", left, 0},
+                                                {NULL, NULL, 0}};
+
+/* NULL where none can leave: then there is no column. */
+static void *create(const struct settings *s, const struct simulation *sim,
+                    struct folder *folder, int *failed)
+{
+    const struct solid_bodies *const b = bodies_record_of(sim);
+
+    (void)s, (void)folder, (void)failed;
+    return b != NULL ? b->exit : NULL;
+}
+
+/* It has nothing of its own. */
+static void release(void *exits)
+{
+    (void)exits;
+}
+
+const struct recorder_part exit_record = {
+    .create = create, .free = release, .columns = columns};

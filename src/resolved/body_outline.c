@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/body_outline.h"
+
+#include <stddef.h>
+
+/* C = <(x - c)(x - c)^T>, and the moments over the mass are tr C - C. */
+void body_outline_set_moments(struct body_outline *o, double V,
+                              const double first[3], const double second[6])
+{
+    static const int row[6] = {0, 0, 0, 1, 1, 2},
+                     column[6] = {0, 1, 2, 1, 2, 2};
+    double C[6];
+
+    o->volume = V;
+    for (int k = 0; k < 3; k++)
+        o->centre[k] = first[k] / V;
+    for (int e = 0; e < 6; e++)
+        C[e] = second[e] / V - o->centre[row[e]] * o->centre[column[e]];
+    const double trace = C[0] + C[3] + C[5];
+    for (int e = 0; e < 6; e++)
+        o->gyration[e] = (row[e] == column[e] ? trace : 0.0) - C[e];
+}
+
+void body_outline_free(struct body_outline *o)
+{
+    if (o != NULL) o->free(o);
+}

@@ -1,0 +1,36 @@
+/* body_outline.h -- a body of any shape, in a frame of its own.
+ * Chapter "Resolving the grains".
+ *
+ * The frame has its origin in the centroid and turns with the body: with Q the
+ * rotation of the body, a point at r from the centre is at y = Q^T r.
+ */
+#ifndef RESOLVED_BODY_OUTLINE_H
+#define RESOLVED_BODY_OUTLINE_H
+
+struct body_ball {
+    double at[3]; /* [m] centre */
+    double R;     /* [m] */
+};
+
+struct body_outline {
+    /* Signed distance [m] of y from the surface, negative inside. */
+    double (*distance)(const struct body_outline *o, const double y[3]);
+    void (*free)(struct body_outline *o);
+    double volume;      /* [m^3] */
+    double gyration[6]; /* [m^2] moments of inertia over the mass, about the
+                           centroid: xx, xy, xz, yy, yz, zz */
+    double half[3];     /* [m] of a box around the centroid that contains it */
+    double centre[3];   /* [m] the centroid, where the shape was given */
+    int n_balls;        /* [-] spheres that it consists of; 0: none */
+    struct body_ball *ball;
+    int n_triangles;        /* [-] of its surface; 0: none */
+    double (*corner)[3][3]; /* [m]; borrowed from the shape */
+};
+
+/* Volume, centroid and gyration from the integrals over the shape of 1, x, and
+ * x x^T (xx, xy, xz, yy, yz, zz), where it was given [m^3, m^4, m^5]. */
+void body_outline_set_moments(struct body_outline *o, double V,
+                              const double first[3], const double second[6]);
+void body_outline_free(struct body_outline *o); /* NULL: nothing */
+
+#endif

@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/shapes/closed_surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+#include "dem/surfaces/triangle.h"
+#include "dem/surfaces/triangles.h"
+
+struct closed_surface {
+    struct body_outline outline; /* first, because the body gives it back */
+    struct triangles *triangles;
+    struct triangle_list *found; /* work space */
+    /* [-] of each triangle; across the edge from corner k to the next one; in
+     * corner k. Not of length 1 but for the first. */
+    double (*face)[3], (*edge)[3][3], (*point)[3][3];
+};
+
+/* Below this weight of a corner, a point lies on the edge opposite [-]: what
+ * rounding makes of 0. */
+static const double on_edge = 1e-9;
+
+/* The normal where q is on triangle t. */
+static const double *normal_at(const struct closed_surface *s, int t,
+                               const double q[3])
+{
+    const double(*const x)[3] = (const double(*)[3])s->triangles->corner[t];
+    double ab[3], ac[3], area[3];
+    int on = 0,
+        off = 0; /* corners with a weight: the last; how many have none */
+
+    vector_between(x[1], x[0], ab);
+    vector_between(x[2], x[0], ac);
+    vector_cross(ab, ac, area);
+    for (int k = 0; k < 3; k++) {
+        double from[3], to[3], part[3];
+        vector_between(x[(k + 1) % 3], q, from);
+        vector_between(x[(k + 2) % 3], q, to);
+        vector_cross(from, to, part);
+        if (vector_dot(part, area) > on_edge * vector_dot(area, area))
+            on += 1 << k;
+        else
+            off++;
+    }
+    if (off == 0) return s->face[t];
+    if (off == 1) /* without corner 0: the edge from 1 to 2 */
+        return s->edge[t][on == 6 ? 1 : on == 5 ? 2 : 0];
+    return s->point[t][on == 4 ? 2 : on == 2 ? 1 : 0];
+}
+
+/* A sphere of this radius around y reaches the box of all triangles, and a
+ * little farther. */
+static double first_reach(const struct triangles *t, const double y[3])
+{
+    double most = 0.0, width = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        most = fmax(most, fmax(t->lo[k] - y[k], y[k] - t->hi[k]));
+        width = fmax(width, (t->hi[k] - t->lo[k]) / t->cells[k]);
+    }
+    return most + width;
+}
+
+static double distance(const struct body_outline *o, const double y[3])
+{
+    const struct closed_surface *const s = (const struct closed_surface *)o;
+    double best = HUGE_VAL, away[3] = {0}, reach = first_reach(s->triangles, y);
+    const double *n = NULL;
+
+    while (best > reach * reach || n == NULL) {
+        if (n != NULL) reach = sqrt(best) * (1.0 + 1e-12);
+        triangles_near(s->triangles, y, reach, s->found);
+        for (int j = 0; j < s->found->n; j++) {
+            const int t = s->found->number[j];
+            double q[3], r[3];
+            triangle_nearest((const double(*)[3])s->triangles->corner[t], y, q);
+            vector_between(y, q, r);
+            const double square = vector_dot(r, r);
+            if (square >= best) continue;
+            best = square;
+            n = normal_at(s, t, q);
+            memcpy(away, r, sizeof away);
+        }
+        if (n == NULL) reach *= 2.0;
+    }
+    return vector_dot(away, n) < 0.0 ? -sqrt(best) : sqrt(best);
+}
+
+static void release(struct body_outline *o)
+{
+    struct closed_surface *const s = (struct closed_surface *)o;
+
+    triangles_free(s->triangles);
+    free(s->found->number);
+    free(s->found);
+    free(s->face);
+    free(s->edge);
+    free(s->point);
+    free(s);
+}
+
+/* --- volume and moments --------------------------------------------------- */
+
+/* Of the tetrahedra between the origin and each triangle, with their signs. */
+static void set_moments(struct body_outline *o, int n, double (*corner)[3][3])
+{
+    static const int row[6] = {0, 0, 0, 1, 1, 2},
+                     column[6] = {0, 1, 2, 1, 2, 2};
+    double V = 0.0, first[3] = {0}, second[6] = {0};
+
+    for (int t = 0; t < n; t++) {
+        const double(*const x)[3] = (const double(*)[3])corner[t];
+        double area[3], sum[3];
+        vector_cross(x[1], x[2], area);
+        const double part = vector_dot(x[0], area) / 6.0;
+        V += part;
+        for (int k = 0; k < 3; k++) {
+            sum[k] = x[0][k] + x[1][k] + x[2][k];
+            first[k] += 0.25 * part * sum[k];
+        }
+        for (int e = 0; e < 6; e++) {
+            const int a = row[e], b = column[e];
+            second[e] += 0.05 * part *
+                         (sum[a] * sum[b] + x[0][a] * x[0][b] +
+                          x[1][a] * x[1][b] + x[2][a] * x[2][b]);
+        }
+    }
+    body_outline_set_moments(o, V, first, second);
+}
+
+static void turn_over(int n, double (*corner)[3][3])
+{
+    for (int t = 0; t < n; t++) {
+        double other[3];
+        memcpy(other, corner[t][1], sizeof other);
+        memcpy(corner[t][1], corner[t][2], sizeof other);
+        memcpy(corner[t][2], other, sizeof other);
+    }
+}
+
+/* --- corners and edges that triangles have in common ---------------------- */
+
+struct corner {
+    double x[3];
+    int at; /* [-] 3 t + k */
+};
+
+struct edge {
+    int from, to; /* [-] corners, from < to */
+    int at, back; /* [-] 3 t + k; 1: the triangle passes it from `to` on */
+};
+
+static int by_place(const void *a, const void *b)
+{
+    const struct corner *const p = a, *const q = b;
+
+    for (int k = 0; k < 3; k++)
+        if (p->x[k] != q->x[k]) return p->x[k] < q->x[k] ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+static int by_corners(const void *a, const void *b)
+{
+    const struct edge *const p = a, *const q = b;
+
+    if (p->from != q->from) return p->from < q->from ? -1 : 1;
+    if (p->to != q->to) return p->to < q->to ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+/* number[3 t + k]: the least 3 t + k at the same place. */
+static void number_corners(int n, double (*corner)[3][3], int *number)
+{
+    struct corner *const all = alloc_zeroed(3 * (size_t)n, sizeof *all);
+
+    for (int c = 0; c < 3 * n; c++) {
+        memcpy(all[c].x, corner[c / 3][c % 3], sizeof all[c].x);
+        all[c].at = c;
+    }
+    qsort(all, 3 * (size_t)n, sizeof *all, by_place);
+    for (int c = 0, same = 0; c < 3 * n; c++) {
+        for (int k = 0; k < 3; k++)
+            if (all[c].x[k] != all[same].x[k]) same = c;
+        number[all[c].at] = all[same].at;
+    }
+    free(all);
+}
+
+/* The two triangles of each edge get the sum of their normals there. NULL, or
+ * what is wrong. */
+static const char *join_edges(struct closed_surface *s, int n,
+                              const int *number)
+{
+    struct edge *const all = alloc_zeroed(3 * (size_t)n, sizeof *all);
+    const char *trouble = NULL;
+
+    for (int e = 0; e < 3 * n; e++) {
+        const int a = number[e], b = number[e / 3 * 3 + (e % 3 + 1) % 3];
+        all[e] = (struct edge){a < b ? a : b, a < b ? b : a, e, a > b};
+    }
+    qsort(all, 3 * (size_t)n, sizeof *all, by_corners);
+    for (int e = 0; e < 3 * n && trouble == NULL; e += 2) {
+        const struct edge *const p = &all[e], *const q = &all[e + 1];
+        if (e + 1 == 3 * n || q->from != p->from || q->to != p->to)
+            trouble = "an edge belongs to one triangle alone";
+        else if (e + 2 < 3 * n && q[1].from == p->from && q[1].to == p->to)
+            trouble = "an edge belongs to more than two triangles";
+        else if (p->back == q->back)
+            trouble = "two triangles with an edge in common turn their "
+                      "normals to opposite sides";
+        else
+            for (int k = 0; k < 3; k++)
+                s->edge[p->at / 3][p->at % 3][k] =
+                    s->edge[q->at / 3][q->at % 3][k] =
+                        s->face[p->at / 3][k] + s->face[q->at / 3][k];
+    }
+    free(all);
+    return trouble;
+}
+
+/* Angle of triangle t in its corner k [rad]. */
+static double angle_in(const double x[3][3], int k)
+{
+    double a[3], b[3], c[3];
+
+    vector_between(x[(k + 1) % 3], x[k], a);
+    vector_between(x[(k + 2) % 3], x[k], b);
+    vector_cross(a, b, c);
+    return atan2(vector_length(c), vector_dot(a, b));
+}
+
+static void join_points(struct closed_surface *s, int n, const int *number)
+{
+    for (int c = 0; c < 3 * n; c++) {
+        const double(*const x)[3] =
+            (const double(*)[3])s->triangles->corner[c / 3];
+        const int to = number[c];
+        vector_along(s->point[to / 3][to % 3], angle_in(x, c % 3),
+                     s->face[c / 3], s->point[to / 3][to % 3]);
+    }
+    for (int c = 0; c < 3 * n; c++)
+        memcpy(s->point[c / 3][c % 3], s->point[number[c] / 3][number[c] % 3],
+               sizeof s->point[0][0]);
+}
+
+static const char *join(struct closed_surface *s, int n)
+{
+    int *const number = alloc_ints(3 * n);
+    double(*const corner)[3][3] = s->triangles->corner;
+
+    number_corners(n, corner, number);
+    s->face = alloc_zeroed((size_t)n, sizeof *s->face);
+    s->edge = alloc_zeroed((size_t)n, sizeof *s->edge);
+    s->point = alloc_zeroed((size_t)n, sizeof *s->point);
+    for (int t = 0; t < n; t++)
+        triangle_normal((const double(*)[3])corner[t], s->face[t]);
+    const char *const trouble = join_edges(s, n, number);
+    if (trouble == NULL) join_points(s, n, number);
+    free(number);
+    return trouble;
+}
+
+/* --- the whole ------------------------------------------------------------ */
+
+static void set_frame(struct closed_surface *s, int n, double (*corner)[3][3])
+{
+    struct body_outline *const o = &s->outline;
+
+    set_moments(o, n, corner);
+    if (o->volume < 0.0) {
+        turn_over(n, corner);
+        set_moments(o, n, corner);
+    }
+    if (!(o->volume > 0.0)) memset(o->centre, 0, sizeof o->centre);
+    for (int c = 0; c < 9 * n; c++)
+        corner[c / 9][c / 3 % 3][c % 3] -= o->centre[c % 3];
+    s->triangles = triangles_create(n, corner);
+    for (int k = 0; k < 3; k++)
+        o->half[k] = fmax(s->triangles->hi[k], -s->triangles->lo[k]);
+}
+
+struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
+                                           const char **trouble)
+{
+    struct closed_surface *const s = alloc_zeroed(1, sizeof *s);
+    double(*const own)[3][3] = alloc_zeroed((size_t)n, sizeof *own);
+
+    memcpy(own, corner, (size_t)n * sizeof *own);
+    s->outline.distance = distance;
+    s->outline.free = release;
+    s->found = alloc_zeroed(1, sizeof *s->found);
+    set_frame(s, n, own);
+    free(own);
+    s->outline.n_triangles = n;
+    s->outline.corner = s->triangles->corner;
+    *trouble = join(s, n);
+    if (*trouble == NULL && !(s->outline.volume > 0.0))
+        *trouble = "it has no volume";
+    if (*trouble == NULL) return &s->outline;
+    release(&s->outline);
+    return NULL;
+}

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bodies at the ends of the box: at a seam, and on the way out. */
+#include "resolved.h"
+
+#include <string.h>
+
+#include "base/vector.h"
+#include "facts.h"
+#include "resolved/body_exit.h"
+#include "resolved/shapes/clump.h"
+
+/* Two spheres and a clump that touch or nearly touch, with spin and weight, in
+ * a periodic box that a gradient drives; all moved by so many cells. */
+static void three_bodies(struct pool *p, const int cells[3])
+{
+    enum { N = 12 };
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {N, N, N},
+                                   .rho = 1.0,
+                                   .mu = 0.05,
+                                   .dt = 0.01,
+                                   .gradient = {-1.0, 0.5, 0.2},
+                                   .virtual_mass = 2.0,
+                                   .n = 3,
+                                   .dem_steps = 10};
+    const double at[3][3] = {
+        {0.50, 0.50, 0.50}, {0.784, 0.52, 0.50}, {0.48, 0.24, 0.45}};
+    const struct body_ball ball[2] = {{{-0.1, 0.0, 0.0}, 0.12},
+                                      {{0.1, 0.02, 0.0}, 0.12}};
+    const struct body_shape shape[3] = {
+        body_shape_sphere(0.3), body_shape_sphere(0.28),
+        body_shape_outline(clump_create(2, ball))};
+
+    int touched = 0;
+
+    pool_create(p, &o);
+    p->bodies->options.gravity[1] = -1.0;
+    p->bodies->contacts.material = (struct material){
+        .stiffness = 30.0, .restitution = 0.8, .friction = 0.3};
+    p->bodies->lubrication = (struct squeeze_film){o.mu, 1e-4, 2.0 / N};
+    for (int i = 0; i < 3; i++) {
+        double x[3];
+        for (int k = 0; k < 3; k++)
+            x[k] = fmod(at[i][k] + cells[k] / (double)N, 1.0);
+        solid_bodies_add(p->bodies, &shape[i], x, 2.0, BODY_FREE);
+    }
+    p->bodies->ps->wz[0] = 2.0, p->bodies->ps->vx[1] = -0.4;
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
+    for (int i = 0; i < 25; i++) {
+        pool_run(p, 1);
+        touched += p->bodies->dem_report.max_overlap > 0.0;
+    }
+    ck_assert_int_gt(touched, 0);
+}
+
+/* Faces, edges and a corner. The cells are the same ones, so what differs is
+ * rounding and what the solver leaves, 1e-10; a neighbour that is not found
+ * through the seam would change the velocities by 0.1. */
+START_TEST(ew18_2_bodies_at_a_seam_move_as_in_the_middle)
+{
+    struct pool here, there;
+
+    three_bodies(&here, (const int[3]){0, 0, 0});
+    const int to = _i + 1,
+              half[3] = {to & 1 ? 6 : 0, to & 2 ? 6 : 0, to & 4 ? 6 : 0};
+    three_bodies(&there, half);
+    const struct particles *const a = here.bodies->ps, *const b =
+                                                           there.bodies->ps;
+    for (int i = 0; i < 3; i++) {
+        const double v[3] = {a->vx[i], a->vy[i], a->vz[i]},
+                     u[3] = {b->vx[i], b->vy[i], b->vz[i]},
+                     w[3] = {a->wx[i], a->wy[i], a->wz[i]},
+                     s[3] = {b->wx[i], b->wy[i], b->wz[i]};
+        for (int k = 0; k < 3; k++) {
+            ck_assert_double_eq_tol(u[k], v[k], 1e-7);
+            ck_assert_double_eq_tol(s[k], w[k], 1e-6);
+        }
+    }
+    pool_free(&here);
+    pool_free(&there);
+}
+END_TEST
+
+/* Two spheres in a stream toward an outlet, one behind the other. */
+static void create_stream(struct pool *p, const struct pool_options *o)
+{
+    const struct body_shape sphere = body_shape_sphere(0.4);
+
+    pool_create(p, o);
+    solid_bodies_add(p->bodies, &sphere, (double[3]){0.5, 0.75, 0.5}, 1.5,
+                     BODY_FREE);
+    solid_bodies_add(p->bodies, &sphere, (double[3]){0.5, 0.3, 0.5}, 1.5,
+                     BODY_FREE);
+    p->bodies->ps->vy[0] = p->bodies->ps->vy[1] = 0.5;
+    ck_assert_int_eq(solid_bodies_begin(p->bodies, p->fluid), 0);
+}
+
+/* A sphere on its way out keeps its velocity, and the outlet is no wall to it;
+ * what has left touches nothing that follows. The fluid satisfies continuity
+ * and the balance of momentum all the time. */
+START_TEST(ew18_2_a_body_leaves_through_an_outlet)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {10, 10, 10},
+                                   .walls = {1, 1, 1},
+                                   .rho = 1.0,
+                                   .mu = 0.02,
+                                   .dt = 0.02,
+                                   .inlet = 0.5,
+                                   .virtual_mass = 2.0,
+                                   .n = 2,
+                                   .dem_steps = 5};
+    struct pool p;
+    double leaving = 0.0;
+    int steps = 0;
+
+    create_stream(&p, &o);
+    const struct body_exit *const e = p.bodies->exit;
+    ck_assert_ptr_nonnull(e);
+    for (; e->n_gone < 2 && steps < 200; steps++) {
+        pool_run(&p, 1);
+        ck_assert_double_le(p.fluid->report.mass_residual, 1e-8);
+        ck_assert_double_le(p.fluid->report.momentum_residual, 1e-8);
+        if (e->gone[1] == 1) {
+            if (leaving == 0.0) leaving = p.bodies->ps->vy[1];
+            ck_assert_double_eq(p.bodies->ps->vy[1], leaving);
+        }
+    }
+    ck_assert_int_eq(e->n_gone, 2);
+    ck_assert_int_ge(steps, 40);
+    ck_assert_double_gt(leaving, 0.1);
+    ck_assert_double_eq(p.bodies->ps->vy[0], 0.0);
+    pool_run(&p, 1);
+    ck_assert_int_eq(p.bodies->n_links, 0);
+    pool_free(&p);
+}
+END_TEST
+
+FACTS("body_places")
+{
+    FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7);
+    FACT(ew18_2_a_body_leaves_through_an_outlet);
+}
