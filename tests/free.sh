@@ -20,6 +20,7 @@ libs=${LIBS:-"-lconfig -lgsl -lgslcblas $(pkg-config --libs hdf5 2>/dev/null ||
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Isrc -O1"
 wrap="-Wl,--wrap=alloc_zeroed,--wrap=alloc_doubles,--wrap=alloc_ints"
 counted="src/coupling/coupling.c src/coupling/effects.c src/coupling/transfer.c
+    src/coupling/reaction.c
     src/dem/dem.c src/dem/fast/chunk_step.c src/dem/fast/attraction_loop.c
     src/dem/fast/drag_rows.c src/dem/fast/bodies.c"
 
@@ -108,11 +109,21 @@ fact "contacts on are seen by the count: $off" \
     "$(echo "$none $off" | awk '{ print ($4 > $1 && $6 > $3) }')"
 echo "contacts $none $off" | awk '{
     printf "%-16s %4d %6d %7d   %4d %6d %7d\n", $1, $2, $3, $4, $5, $6, $7 }'
-# The reaction of the particles on the fluid.
+# The reaction of the particles on the fluid: one-way does as a program does that
+# has something else in the place of its file.
 one=$("$work/whole" tests/free/bed.cfg 5 'exchange.coupling="one-way"')
+objects="$(echo "$objects" | tr ' ' '\n' | grep -v /reaction.o) $work/no_reaction.o"
+$cc $flags -c -o "$work/no_reaction.o" tests/free/no_reaction.c || exit
+# shellcheck disable=SC2086
+link "$work/without" $others $own || exit
+without=$("$work/without" tests/free/bed.cfg 5 'exchange.coupling="one-way"')
+fact "one-way costs nothing of two-way: $one, without its file $without" \
+    "$([ -n "$one" ] && [ "$one" = "$without" ] && echo 1)"
+fact "a program without it has no two-way coupling" \
+    "$("$work/without" tests/free/bed.cfg 5 >/dev/null 2>&1 || echo 1)"
 fact "one-way runs less than two-way: $one" \
     "$(echo "$one $off" | awk '{ print ($1 <= $4 && $2 < $5 && $3 < $6) }')"
-echo "two-way $one $off" | awk '{
+echo "two-way $without $off" | awk '{
     printf "%-16s %4d %6d %7d   %4d %6d %7d\n", $1, $2, $3, $4, $5, $6, $7 }'
 [ $failed = 0 ] && echo "free: $facts facts hold"
 exit $failed

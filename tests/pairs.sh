@@ -39,6 +39,22 @@ meshes() {
     printf '%s\n' "solid a" "facet normal 0 1 0" "outer loop" \
         "vertex -0.8 0 -0.8" "vertex 0.8 0 -0.8" "vertex 0 0 0.8" "endloop" \
         "endfacet" "endsolid a" >"$work/sheet.stl"
+    printf '%s\n' "-0.0005 0 0 0.0047" "0.0005 0 0 0.0047" >"$work/pair.spheres"
+    awk 'function corner(k, s) { # on axis k, 2.6 mm from the middle
+             print "vertex", k == 0 ? s : 0, k == 1 ? s : 0, k == 2 ? s : 0
+         }
+         BEGIN {
+             print "solid a"
+             for (o = 0; o < 8; o++) {
+                 x = o % 2 ? 2.6 : -2.6; y = int(o / 2) % 2 ? 2.6 : -2.6
+                 z = o > 3 ? 2.6 : -2.6
+                 print "facet normal 0 0 0\nouter loop"
+                 corner(0, x)
+                 if (x * y * z > 0) { corner(1, y); corner(2, z) } else { corner(2, z); corner(1, y) }
+                 print "endloop\nendfacet"
+             }
+             print "endsolid a"
+         }' >"$work/eight.stl"
 }
 
 # One array after the other, two at a time.

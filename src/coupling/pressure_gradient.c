@@ -106,5 +106,5 @@ const struct effect pressure_gradient_effect = {
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,
     .estimate = estimate,
-    .cost = {40.0, 50.0, 0.0},
+    .cost = {16.0, 17.0, 0.0},
 };

@@ -21,12 +21,31 @@ function choice(arrays, name, values,    n, i, v) {
     }
 }
 
+# never holds the pairs that are apart; forbidden lists them by value, for block.
 function separate(k, v, j, w, why) {
     never[k, v, j, w]
     never[j, w, k, v]
+    forbid(k, v, j, w)
+    forbid(j, w, k, v)
     if (why == "") return
     refused[++n_refused] = k " " v " " j " " w
     reason[n_refused] = why
+}
+
+function forbid(k, v, j, w) {
+    if ((k, v, j, w) in listed) return
+    listed[k, v, j, w]
+    forbidden[k, v, ++n_forbidden[k, v]] = j SUBSEP w
+}
+
+# Puts value v of choice k into the row (by 1), or takes it out (by -1).
+# blocked counts, for each value of the others, what in the row it is apart from.
+function enter(k, v, by,    i, other) {
+    row[k] = by > 0 ? v : 0
+    for (i = 1; i <= n_forbidden[k, v]; i++) {
+        other = forbidden[k, v, i]
+        if ((k, v, other) in never) blocked[other] += by
+    }
 }
 
 function apart(a, as, b, bs, why,    x, y, i, j, n, m) {
@@ -43,12 +62,10 @@ function apart(a, as, b, bs, why,    x, y, i, j, n, m) {
 # How many pairs of value v of choice k would meet for the first time; -1: it
 # cannot stand in this row.
 function gain(k, v,    j, n) {
+    if (blocked[k, v] > 0) return -1
     n = 0
-    for (j = 1; j <= n_names; j++) {
-        if (row[j] == 0 || j == k) continue
-        if ((k, v, j, row[j]) in never) return -1
-        n += !((k, v, j, row[j]) in met)
-    }
+    for (j = 1; j <= n_names; j++)
+        if (row[j] > 0 && j != k) n += !((k, v, j, row[j]) in met)
     return n
 }
 
@@ -57,7 +74,7 @@ function open_end(    k, v, some) {
     for (k = 1; k <= n_names; k++) {
         if (row[k] > 0) continue
         some = 0
-        for (v = 1; v <= n_values[k] && !some; v++) some = gain(k, v) >= 0
+        for (v = 1; v <= n_values[k] && !some; v++) some = !(blocked[k, v] > 0)
         if (!some) return 0
     }
     return 1
@@ -71,9 +88,9 @@ function best_value(k,    v, w, g, most, best) {
         w = w % n_values[k] + 1
         g = gain(k, w)
         if (g <= most) continue
-        row[k] = w
+        enter(k, w, 1)
         if (open_end()) { most = g; best = w }
-        row[k] = 0
+        enter(k, w, -1)
     }
     return most < 0 ? 0 : best
 }
@@ -86,13 +103,14 @@ function shuffle_order(    i, j, t) {
     }
 }
 
-function complete_row(    i, k) {
+function complete_row(    i, k, v) {
     shuffle_order()
     for (i = 1; i <= n_names; i++) {
         k = order[i]
         if (row[k] > 0) continue
-        row[k] = best_value(k)
-        if (row[k] == 0) return 0
+        v = best_value(k)
+        if (v == 0) return 0
+        enter(k, v, 1)
     }
     return 1
 }
@@ -105,7 +123,9 @@ function note_row(    i, j) {
 
 function start_row(i, v, j, w,    k) {
     for (k = 1; k <= n_names; k++) row[k] = 0
-    row[i] = v; row[j] = w
+    split("", blocked)
+    enter(i, v, 1)
+    enter(j, w, 1)
     return open_end()
 }
 

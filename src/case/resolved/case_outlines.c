@@ -135,6 +135,18 @@ static double thinnest(const struct body_outline *o, const double lo[3],
     return least;
 }
 
+/* The farthest point from the centroid [m]. */
+static double reach_of(const struct body_outline *o)
+{
+    double most = 0.0;
+
+    for (int i = 0; i < o->n_balls; i++)
+        most = fmax(most, vector_length(o->ball[i].at) + o->ball[i].R);
+    for (int c = 0; c < 3 * o->n_triangles; c++)
+        most = fmax(most, vector_length(o->corner[c / 3][c % 3]));
+    return most;
+}
+
 static int check_place(const struct settings *s, const char *list, int i,
                        const struct body_outline *o)
 {
@@ -150,8 +162,7 @@ static int check_place(const struct settings *s, const char *list, int i,
     const double thin = thinnest(o, from, to);
     for (int k = 0; k < 3; k++) {
         const double L = hi[k] - lo[k];
-        const double wide =
-            fixed ? to[k] - from[k] : 4.0 * vector_length(o->half);
+        const double wide = fixed ? to[k] - from[k] : 4.0 * reach_of(o);
         if (thin < case_bodies_least_cells * h[k])
             return settings_wrong(s, list,
                                   "number %d has a part of %.3g cells; "

@@ -160,5 +160,5 @@ const struct effect viscous_stress_effect = {
     .before_particles = viscous_stress_before_particles,
     .free = viscous_stress_free,
     .estimate = estimate,
-    .cost = {20.0, 130.0, 0.0},
+    .cost = {17.0, 64.0, 0.0},
 };

@@ -86,27 +86,26 @@ static void cut(struct part *part)
 
 /* --- the spheres ---------------------------------------------------------- */
 
-/* Those that this rank offers to LAMMPS, some at a time. */
+/* Those that this rank offers to LAMMPS. */
 struct offer {
-    struct spheres *to;
     double lo[3], hi[3]; /* [m] a little more than its part of the box */
     double density;      /* [kg/m^3] */
-    int n;
-    struct sphere some[1000];
+    int n, room;
+    struct sphere *list;
 };
-
-static void hand_over(struct offer *o)
-{
-    spheres_add(o->to, o->n, o->some);
-    o->n = 0;
-}
 
 static void offer(struct offer *o, const struct sphere *s)
 {
     for (int k = 0; k < 3; k++)
         if (!(s->x[k] >= o->lo[k] && s->x[k] <= o->hi[k])) return;
-    o->some[o->n++] = *s;
-    if (o->n == (int)(sizeof o->some / sizeof *o->some)) hand_over(o);
+    if (o->n == o->room) {
+        o->room = 2 * o->room + 1000;
+        struct sphere *const more = alloc_zeroed((size_t)o->room, sizeof *more);
+        if (o->n > 0) memcpy(more, o->list, (size_t)o->n * sizeof *more);
+        free(o->list);
+        o->list = more;
+    }
+    o->list[o->n++] = *s;
 }
 
 static void offer_of_bed(void *to, int i, const double x[3], double d)
@@ -143,25 +142,24 @@ static int add_all(struct part *part, const struct settings *s,
                    const struct bed_options *bed, const struct dem_options *dem)
 {
     struct partition *const p = &part->p;
-    struct offer *const o = alloc_zeroed(1, sizeof *o);
+    struct offer o = {.n = 0};
     const int r[3] = {p->rank % p->P[0], p->rank / p->P[0] % p->P[1],
                       p->rank / p->P[0] / p->P[1]};
     int wrong = 0;
 
-    o->to = part->spheres;
     for (int k = 0; k < 3; k++) {
         const double L = p->size_m[k], width = L / p->P[k];
-        o->lo[k] = r[k] * width - 1e-6 * L;
-        o->hi[k] = (r[k] + 1) * width + 1e-6 * L;
+        o.lo[k] = r[k] * width - 1e-6 * L;
+        o.hi[k] = (r[k] + 1) * width + 1e-6 * L;
     }
     if (bed != NULL) {
-        o->density = bed->density;
-        wrong = bed_each(bed, dem, offer_of_bed, o);
+        o.density = bed->density;
+        wrong = bed_each(bed, dem, offer_of_bed, &o);
     } else {
-        offer_placed(s, o);
+        offer_placed(s, &o);
     }
-    hand_over(o);
-    free(o);
+    spheres_add(part->spheres, o.n, o.list);
+    free(o.list);
     return wrong;
 }
 

@@ -32,7 +32,7 @@ struct spheres *spheres_create(const struct partition *p, const struct words *w,
 void spheres_free(struct spheres *q);
 
 /* Each rank offers spheres; the one in whose part of the box a sphere lies
- * keeps it. */
+ * keeps it. Once, by all ranks together. */
 void spheres_add(struct spheres *q, int n, const struct sphere *s);
 
 /* Lets them come to rest under gravity (spheres_settle.c), in steps of `step`

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/reaction.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include "coupling/coupling.h"
+#include "coupling/processes.h"
+#include "coupling/replacement.h"
+
+enum {
+    MANY = 1000
+}; /* number of particles above which a second thread is faster */
+
+/* From m fields a cell, of which the first is eps_s and the next, if there are
+ * any, are eps_s u_s. */
+static void take_solids(struct simulation *sim, int m)
+{
+    struct fluid *const fl = sim->fluid;
+    struct coupling_report *const report = &sim->coupling->report;
+    const double *const field = sim->coupling->field;
+
+    report->eps_lowest = 1.0;
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->eps[c] = 1.0 - field[m * c];
+        report->eps_lowest = fmin(report->eps_lowest, fl->eps[c]);
+        for (int k = 0; k < m - 1; k++)
+            fl->eps_us[3 * c + k] = field[m * c + 1 + k];
+    }
+}
+
+/* Continuity of the mixture contains eps_s u_s; the void-rate form does not,
+ * and its steps average these fields less [SX15 section 3.4]. */
+static int needs_velocity(const struct simulation *sim)
+{
+    return sim->fluid->options.continuity == CONTINUITY_MIXTURE;
+}
+
+int reaction_average(struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    struct coupling *const cp = sim->coupling;
+    const int m = needs_velocity(sim) ? 4 : 1;
+#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+    for (int i = 0; i < ps->n; i++) {
+        const double V = particles_volume(ps, i);
+        cp->amount[m * i] = V;
+        if (m == 1) continue;
+        cp->amount[4 * i + 1] = V * ps->vx[i];
+        cp->amount[4 * i + 2] = V * ps->vy[i];
+        cp->amount[4 * i + 3] = V * ps->vz[i];
+    }
+    averaging_apply_cap(sim->averaging, m, cp->amount);
+    averaging_spread(sim->averaging, m, cp->amount, cp->field);
+    take_solids(sim, m);
+    cp->options.interpolation->apply(sim->averaging, 1, sim->fluid->eps, NULL,
+                                     cp->eps);
+    cp->report.seen_lowest = 1.0;
+    for (int i = 0; i < ps->n; i++)
+        cp->report.seen_lowest = fmin(cp->report.seen_lowest, cp->eps[i]);
+    cp->report.eps_lowest =
+        shared_smallest(sim->fluid->options.shared, cp->report.eps_lowest);
+    cp->report.seen_lowest =
+        shared_smallest(sim->fluid->options.shared, cp->report.seen_lowest);
+    return cp->report.eps_lowest <= 0.0 || cp->report.seen_lowest <= 0.0;
+}
+
+/* The terms of each particle in the next step of the fluid: a coefficient of
+ * the velocity and a force. */
+static void estimate_drag_impulse(struct simulation *sim)
+{
+    const int n = sim->particles->n;
+    struct coupling *const cp = sim->coupling;
+    const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
+
+#pragma omp parallel for schedule(static) if (n >= MANY)
+    for (int i = 0; i < n; i++) {
+        cp->k[i] = implicit ? cp->rate[i] : 0.0;
+        cp->amount[4 * i] = cp->k[i];
+        for (int a = 0; a < 3; a++)
+            cp->amount[4 * i + 1 + a] = cp->k[i] * cp->u_mean[3 * i + a] -
+                                        cp->unpaid_impulse[3 * i + a] / sim->dt;
+    }
+}
+
+/* The inertia of effects beside the drag (coupling_add_inertia). */
+static void add_inertia(struct coupling *cp, int n, double dt)
+{
+    for (int i = 0; i < n; i++) {
+        const double k = cp->inertia[i] / dt;
+        cp->amount[4 * i] += k;
+        for (int a = 0; a < 3; a++)
+            cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
+    }
+}
+
+/* [XS11 3.15]: K = eps rho Omega, F = eps rho A, including the unpaid impulse.
+ */
+static void take_drag_terms(struct simulation *sim)
+{
+    struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    const double *const g = sim->gravity;
+    const double rho = fl->options.pressure_shared ? 0.0 : fl->options.rho;
+
+    for (int c = 0; c < sim->mesh->n_cells; c++) {
+        fl->K[c] = field[4 * c];
+        for (int k = 0; k < 3; k++) /* the whole weight that the hydrostatic
+                                       pressure balances, eps rho g */
+            fl->F[3 * c + k] =
+                field[4 * c + 1 + k] - (1.0 - fl->eps[c]) * rho * g[k];
+    }
+}
+
+void reaction_drag_terms(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+
+    estimate_drag_impulse(sim);
+    if (cp->inertia != NULL) add_inertia(cp, sim->particles->n, sim->dt);
+    averaging_spread(sim->averaging, 4, cp->amount, cp->field);
+    replacement_add_force(cp->replacement, sim->mesh->n_cells, sim->dt,
+                          cp->field);
+    take_drag_terms(sim);
+}
+
+/* Compares the impulse that the fluid lost to K and F with the sum over the
+ * particles. They are equal to rounding if gathering is the adjoint of
+ * spreading. */
+static void check_payment(struct simulation *sim, const double charged[3],
+                          double scale)
+{
+    const struct fluid *const fl = sim->fluid;
+    const double *const field = sim->coupling->field;
+    const double *const V =
+        sim->processes != NULL ? sim->processes->V : sim->mesh->V;
+    double sum[4] = {0.0, 0.0, 0.0, scale}, off = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        double paid = 0.0;
+        for (int c = 0; c < sim->mesh->n_cells; c++)
+            paid += V[c] * sim->dt *
+                    (field[4 * c] * fl->u[3 * c + k] - field[4 * c + 1 + k]);
+        sum[k] = paid - charged[k];
+    }
+    processes_sum(sim, 4, sum);
+    for (int k = 0; k < 3; k++)
+        off = fmax(off, fabs(sum[k]));
+    sim->coupling->report.exchange_residual = sum[3] > 0.0 ? off / sum[3] : 0.0;
+}
+
+/* The fluid has received the unpaid impulse of removed particles. */
+static void add_removed(const struct replacement *r, double charged[3],
+                        double *scale)
+{
+    for (int k = 0; k < 3 && r != NULL; k++) {
+        charged[k] += r->unpaid_sum[k];
+        *scale += fabs(r->unpaid_sum[k]);
+    }
+}
+
+/* What it received of the inertia of effects. */
+static void subtract_inertia(struct coupling *cp, int n, double charged[3],
+                             double *scale)
+{
+    for (int j = 0; j < 3 * n; j++) {
+        const double estimate =
+            cp->inertia[j / 3] * (cp->smooth[j] - cp->u_then[j]);
+        charged[j % 3] += estimate;
+        *scale += fabs(estimate);
+        cp->unpaid_impulse[j] -= estimate;
+    }
+    memset(cp->inertia, 0, (size_t)n * sizeof *cp->inertia);
+}
+
+/* The fluid received dt (k (u^new - u_mean) + unpaid_impulse / dt) for a
+ * particle, with u^new interpolated by the adjoint of the averaging. */
+static void subtract_payment(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+    double charged[3] = {0.0, 0.0, 0.0}, scale = 0.0;
+
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++) {
+            const int j = 3 * i + k;
+            const double estimate =
+                sim->dt * cp->k[i] * (cp->smooth[j] - cp->u_mean[j]);
+            charged[k] += estimate + cp->unpaid_impulse[j];
+            scale += fabs(estimate) + fabs(cp->unpaid_impulse[j]);
+            cp->unpaid_impulse[j] = -estimate;
+        }
+    if (cp->inertia != NULL)
+        subtract_inertia(cp, sim->particles->n, charged, &scale);
+    add_removed(cp->replacement, charged, &scale);
+    check_payment(sim, charged, scale);
+    replacement_reset(cp->replacement, sim->mesh->n_cells);
+}
+
+void reaction_receive(struct simulation *sim)
+{
+    averaging_gather(sim->averaging, 3, sim->fluid->u, sim->coupling->smooth);
+    if (sim->fluid->t > 0.0) subtract_payment(sim);
+}

@@ -1,0 +1,25 @@
+/* reaction.h -- what the particles give the fluid.
+ * Chapter "The coupled loop".
+ *
+ * transfer.c calls these in two-way coupling, and only then: one-way, the fluid
+ * knows nothing of the particles. All of them work on sim->coupling.
+ */
+#ifndef COUPLING_REACTION_H
+#define COUPLING_REACTION_H
+
+#include "coupling/simulation.h"
+
+/* eps_s and eps_s u_s from the particles where they are now [XS11 3.12, SX15
+ * 9]; then eps_f at each particle. Non-zero if a cell is full. */
+int reaction_average(struct simulation *sim);
+
+/* From the k of each particle what the next fluid step needs: K and F [XS11
+ * 3.15]. */
+void reaction_drag_terms(struct simulation *sim);
+
+/* Gathers the new velocity with the weights of the averaging, and subtracts the
+ * impulse that the fluid received in its step from the unpaid impulse of each
+ * particle. */
+void reaction_receive(struct simulation *sim);
+
+#endif

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* In place of src/coupling/reaction.c, for tests/free.sh: a program that has no
+ * reaction of the particles on the fluid, and must not ask for it. */
+#include <stdlib.h>
+
+#include "coupling/reaction.h"
+
+int reaction_average(struct simulation *sim)
+{
+    (void)sim;
+    abort();
+}
+
+void reaction_drag_terms(struct simulation *sim)
+{
+    (void)sim;
+    abort();
+}
+
+void reaction_receive(struct simulation *sim)
+{
+    (void)sim;
+    abort();
+}
