@@ -168,6 +168,16 @@ static void settle_time(struct effect_scales *k)
     k->acceleration = fmin(k->acceleration, k->slip / k->time);
 }
 
+/* Grains that are placed, but so many that a stream finds a bed. */
+static int is_crowd(const struct settings *s, const struct effect_scales *k,
+                    const struct case_scales *in)
+{
+    const double crowd = 0.05; /* [-] of the whole mesh */
+
+    return in->inlet > 0.0 && k->gravity > 0.0 &&
+           in->particles * volume(k) > crowd * case_mesh_volume(s);
+}
+
 struct effect_scales case_effects_scales(const struct settings *s,
                                          const struct case_scales *in)
 {
@@ -187,7 +197,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
         }
         k.rho_f = settings_real(s, "fluid.density");
         k.mu = settings_real(s, "fluid.viscosity");
-        if (in->volume > 0.0)
+        if (in->volume > 0.0 || is_crowd(s, &k, in))
             bed_scales(s, &k, in);
         else
             dilute_scales(s, &k, in, &p);
