@@ -145,11 +145,13 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
                                       0.5 * k->gravity * in->end));
-    if (k->slip == 0.0) /* what the push alone would make of it */
+    if (k->slip == 0.0 && k->mu > 0.0) /* of the push alone */
         k->slip = k->push * k->d * k->d / (18.0 * k->mu);
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
+    if (k->push > 0.0 && k->mu > 0.0) /* at the wall of a channel */
+        k->shear = fmax(k->shear, k->push * k->length / k->mu);
     k->spin = p->spin;
     k->time = settings_real(s, "output.end");
     k->acceleration = k->slip / k->time;
