@@ -417,7 +417,7 @@ fact whole_drag_takes_the_place_of_the_pressure_gradient 2 \
     "$winnow" check "$top/cases/small-bed.cfg" -s "effects.whole_drag={}"
 fact what_excludes_another_key_says_so 0 "; not with effects.pressure_gradient" \
     "$winnow" explain effects.whole_drag
-fact explain_names_the_models_of_a_key 0 "gidaspow: .* Wen and Yu" \
+fact explain_names_the_models_of_a_key 0 "gidaspow: Ergun's packed bed" \
     "$winnow" explain exchange.drag
 "$winnow" run tiny.cfg -o rand --quiet -s effects.stochastic_drag.sigma_low=9.0 \
     -s effects.stochastic_drag.sigma_high=9.0 \
