@@ -80,10 +80,11 @@ facts: $(TESTS:=.facts)
 # Without a process for each fact, which doubles what a small one takes.
 SANITIZED = CK_FORK=no $(MAKE) facts B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=
 # Under sanitizers these take longest, and check-slow runs them.
-LONG := $(patsubst %,$B/tests/test_%,$B/tests/test_%,attraction attraction averaging body_gaps body_methods body_places boundary \
-        contact_loop contiguous_faces face_jump grid hard_beds hard_cases \
-        images_poly inlets manufactured motion neighbours outlines reference_loop \
-        resolved rolling surfaces verified wall_images)
+LONG := $(patsubst %,$B/tests/test_%,attraction averaging bed bodies_among_grains \
+        body_gaps body_methods body_places boundary contact_loop contiguous_faces \
+        face_jump grid hard_beds hard_cases images_poly inlets manufactured motion \
+        neighbours outlines reference_loop replacement resolved rolling seams \
+        surfaces tetrahedra verified wall_images)
 sanitized:
 	@+$(SANITIZED) TESTS="$(patsubst $B/%,$B/san/%,$(filter-out $(LONG),$(TESTS)))"
 	@+$(MAKE) replay B=$B/san OPT="$(SANITIZE)" LIGHTLY=-O0 WERROR=

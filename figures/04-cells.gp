@@ -10,8 +10,8 @@ unset colorbox
 set size ratio -1
 set xrange [-20:20]
 set yrange [-20:20]
-set xlabel "x / mm"
-set ylabel "z / mm"
+set xlabel "x [mm]"
+set ylabel "z [mm]"
 set palette defined (0 "#0b5a8a", 1 "#c2571a", 2 "#3d7a3d", 3 "#7a4a9a")
 plot data index 1 using 1:2:(int($3) * 29 % 17) with points \
          pointtype 7 pointsize 0.45 palette, \

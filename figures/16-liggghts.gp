@@ -2,8 +2,8 @@
 # figures/16-liggghts.txt.
 load "figures/style.gp"
 set output "figures/16-liggghts.svg"
-set xlabel "x (mm)"
-set ylabel "z (mm)"
+set xlabel "x [mm]"
+set ylabel "z [mm]"
 set xrange [25:145]
 set yrange [30:65]
 set key left bottom

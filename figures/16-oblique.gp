@@ -7,7 +7,7 @@ measured(what) = sprintf("< grep '^exp_mfix_digit,%s,' figures/data/kharaz2001_o
 set multiplot layout 3,1
 set xrange [0:90]
 set key left top
-set ylabel "angle of the rebound (degrees)"
+set ylabel "angle of the rebound [degrees]"
 plot "figures/16-oblique.txt" index 0 using 1:2 with lines linetype 1 title "Hertz and Mindlin", \
      "" index 1 using 1:2 with lines linetype 3 dashtype 2 title "linear springs", \
      measured("rebound_angle_deg") using 1:2 with points pointtype 7 linecolor "#c2571a" title "measured"
@@ -17,8 +17,8 @@ set yrange [0:1.05]
 plot "figures/16-oblique.txt" index 0 using 1:3 with lines linetype 1 title "Hertz and Mindlin", \
      "" index 1 using 1:3 with lines linetype 3 dashtype 2 title "linear springs", \
      measured("e_t") using 1:2 with points pointtype 7 linecolor "#c2571a" title "measured"
-set ylabel "spin (rad/s)"
-set xlabel "angle of the impact, from the normal (degrees)"
+set ylabel "spin [rad/s]"
+set xlabel "angle of the impact, from the normal [degrees]"
 set key right top
 set yrange [0:700]
 plot "figures/16-oblique.txt" index 0 using 1:4 with lines linetype 1 title "Hertz and Mindlin", \

@@ -1,7 +1,7 @@
 # What a rule of sliding changes, from figures/16-sliding.txt.
 load "figures/style.gp"
 set output "figures/16-sliding.svg"
-set xlabel "angle of the impact from the normal (degrees)"
+set xlabel "angle of the impact from the normal [degrees]"
 set ylabel "difference (% of the speed before)"
 set xrange [0:60]
 set yrange [0:1]

@@ -10,13 +10,16 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export OMP_NUM_THREADS=1
 
-forces="pressure_gradient viscous_stress virtual_mass basset saffman magnus"
+all="pressure_gradient viscous_stress virtual_mass basset saffman magnus"
 
 shares() { # case, end [s], overrides
     name=$1
     overrides="output.end=$2 output.every=$2"
     shift 2
     overrides="$overrides $*"
+    forces=$all
+    ! grep -q "whole_drag = {" "cases/$name.cfg" ||
+        forces="whole_drag ${all#* }" # in place of the pressure gradient
     for effect in $forces fluid_torque; do
         grep -q "$effect = {" "cases/$name.cfg" ||
             overrides="$overrides effects.$effect={}"
@@ -67,3 +70,11 @@ shares saltating-grain 0.17
 shares wet-rebound 0.012
 shares rising-bead 0.03
 shares falling-cloud 0.2
+shares spinning-grain 0.004
+shares settling-suspension 0.1
+shares mueller-bed-06 0.02 particles.bed.settle=0.1
+shares ew18-liquid 10 fluid.bottom.inlet=1.0
+shares ew18-liquid-cube 10 fluid.bottom.inlet=1.0
+shares ew18-liquid-random 10 fluid.bottom.inlet=1.0
+shares ew18-liquid-shared 10 fluid.bottom.inlet=1.0
+shares ew18-gas 4 fluid.bottom.inlet=1.0

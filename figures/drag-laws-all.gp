@@ -8,7 +8,7 @@ set multiplot layout 1,2 margins 0.09,0.98,0.34,0.93 spacing 0.09
 set xrange [0.36:0.98]
 set yrange [0.4:2.0]
 set xtics 0.2
-set xlabel "fluid fraction {/:Italic ε_f}"
+set xlabel "fluid fraction {/:Italic  ε_f} [-]"
 set ylabel "drag over that of Beetstra's law" offset 1,0
 set linetype 5 linecolor "#999999" linewidth 2.5
 set linetype 6 linecolor "#c9a400" linewidth 2.5

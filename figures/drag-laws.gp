@@ -2,7 +2,7 @@
 load "figures/style.gp"
 set output "figures/drag-laws.svg"
 set logscale y
-set xlabel "fluid fraction {/:Italic ε_f}"
+set xlabel "fluid fraction {/:Italic  ε_f} [-]"
 set ylabel "resistance over that of Stokes"
 set xrange [0.35:1]
 set yrange [0.8:60]

@@ -400,6 +400,11 @@ coefficients() {
     done | awk '{ C[NR] = $1; print } END { d = C[1] / C[2] - 1; print NR, d * d < 0.01 }'
 }
 fact statistics_of_the_drag_know_no_treatment 0 "2 1" coefficients
+suspended() {
+    "$winnow" run "$top/cases/settling-suspension.cfg" -o suspended --quiet -j 1 \
+        -s output.end=0.02 -s output.statistics.lags=0.01 "$@" && grep '"samples"' suspended/statistics/summary.json
+}
+fact grains_that_were_inserted_at_the_start_have_statistics_of_the_drag 0 '    "samples": 4,' suspended
 fact statistics_have_an_error_by_blocks 0 '"error"' cat stat/statistics/summary.json
 fact statistics_may_begin_after_the_end 0 "there are no samples" \
     "$winnow" check tiny.cfg -s output.statistics.from=0.02
@@ -490,6 +495,28 @@ fact walls_are_listed 0 "particles.surfaces.radius" "$winnow" list surface
 fact walls_are_explained 0 "surface stl" "$winnow" explain walls.cfg
 fact sphere_rests_on_the_sheet 0 "" "$winnow" run walls.cfg -o walls
 fact force_on_walls_is_a_table 0 "sheet_force_y [N]" head -1 walls/surfaces.csv
+# Of two surfaces, and about the origin: all that touches the sheet is at x = 0.05 m.
+"$winnow" run walls.cfg -o sums --quiet -s output.end=0.2 -s 'output.forces=({ surfaces = "sheet"; },
+    { surfaces = "floor"; }, { name = "both"; surfaces = "floor sheet"; })' >/dev/null 2>&1
+sums() {
+    awk -F, 'NR > 2 { y += $3 * $3; f += $9 * $9; t += ($7 - 0.05 * $3) ^ 2; b += ($15 - $3 - $9) ^ 2 }
+        END { print (y > 0 && f > 0 && t < 1e-16 * y && b < 1e-24 * y) }' sums/forces.csv
+}
+fact forces_of_grains_on_surfaces_add_up_and_turn_them_about_the_point 0 1 sums
+fact surface_that_is_not_there_has_no_forces 2 "there is no surface shet" \
+    "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "shet"; })'
+fact forces_on_patches_ask_for_fluid 2 "told with surfaces" \
+    "$winnow" check walls.cfg -s 'output.forces=({ patches = "top"; })'
+fact fluid_does_not_see_a_surface 2 'surfaces = "sheet" is what the grains' \
+    "$winnow" check walls.cfg -s 'output.forces=({ patches = "sheet"; })' \
+    -s 'fluid={ density = 1.0; viscosity = 1e-3; step = 1e-3; top = "no-slip"; bottom = "no-slip"; sides = "no-slip"; front_back = "no-slip"; }' \
+    -s 'averaging={ method = "pcm"; }' -s 'exchange={ drag = "gidaspow"; }'
+touching() {
+    "$winnow" run walls.cfg -o touching --quiet -s output.end=0.01 -s output.contacts=true \
+        -s 'particles.place.1.position=[0.05, 0.0524, 0.05]' &&
+        grep -ao 'NumberOfLines="[0-9]*"' touching/contacts/contacts_000000.vtp
+}
+fact contacts_with_surfaces_are_there_before_the_first_step 0 'NumberOfLines="1"' touching
 sed 's/0.07, 0.05\]; d/0.07, 0.05]; velocity = [0.0, -400.0, 0.0]; d/' walls.cfg >through.cfg
 fact particle_through_a_wall_is_code_3_by_its_id 3 \
     'the first with id 1, through "sheet"' "$winnow" run through.cfg -o through

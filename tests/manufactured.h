@@ -44,6 +44,7 @@ struct manufactured {
     const char *time, *convection, *slope;
     double dt, end, K; /* [s], [s], [kg/(m^3 s)] */
     int steady;        /* 1: nothing changes in time */
+    int still;         /* 1: of a steady box A is 0, and the fluid at rest */
 };
 
 static const double manufactured_pi = 3.14159265358979323846;
@@ -156,7 +157,7 @@ static void manufactured_flux(const struct manufactured *a, const double x[3],
         double c[3], A[3][3];
         for (int k = 0; k < 3; k++) {
             c[k] = amount[k] * (1.0 + 0.5 * k * x[0]);
-            if (a->flat && k < 2) c[k] = 0.0;
+            if (a->still || (a->flat && k < 2)) c[k] = 0.0;
             for (int j = 0; j < 3; j++)
                 A[k][j] = c[k] * g[j];
             if (c[k] != 0.0) A[k][0] += amount[k] * 0.5 * k * S;

@@ -225,7 +225,6 @@ guards() {
 layout
 alone
 guards
-tidy
 rooms
 seams
 names
@@ -235,6 +234,7 @@ casts
 text
 if [ "$extent" = long ]; then
     clang_too
+    tidy
     unused
 fi
 if [ -s "$found" ]; then

@@ -37,6 +37,29 @@ START_TEST(a_flow_on_tetrahedra_has_an_order_of_one_and_a_half)
 }
 END_TEST
 
+/* The forces alone, with the fluid at rest: the order of p was 1.3 as long as
+ * the terms of its faces came from slopes by Gauss. */
+START_TEST(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order)
+{
+    struct manufactured a = {.kind = MANUFACTURED_BOX,
+                             .n = 4,
+                             .shake = 0.1,
+                             .convection = "linear",
+                             .time = "euler",
+                             .steady = 1,
+                             .still = 1,
+                             .dt = 0.08,
+                             .end = 0.32};
+    const struct manufactured_error coarse = manufactured_run(&a);
+    a.n = 8;
+    a.dt = 0.04;
+    const struct manufactured_error fine = manufactured_run(&a);
+
+    ck_assert_double_gt(log2(coarse.p / fine.p), 2.0);
+    ck_assert_double_gt(log2(coarse.u / fine.u), 2.0);
+}
+END_TEST
+
 /* --- a gradient ----------------------------------------------------------- */
 
 static int at_boundary(const struct mesh *m, int c)
@@ -44,8 +67,21 @@ static int at_boundary(const struct mesh *m, int c)
     return m->cell_face[m->cell_start[c + 1] - 1] >= m->n_internal;
 }
 
+/* 1 if the cell or one beside it is at the boundary. */
+static int near_boundary(const struct mesh *m, int c)
+{
+    int near = at_boundary(m, c);
+
+    for (int a = m->cell_start[c]; a < m->cell_start[c + 1] && !near; a++) {
+        const int f = m->cell_face[a];
+        near = at_boundary(m, m->owner[f] == c ? m->neighbour[f] : m->owner[f]);
+    }
+    return near;
+}
+
 /* The theorem of Gauss with values linear between the cells has an error of 0.3
- * on tetrahedra, on the finest mesh, too; the term leaves a sixth of it. */
+ * on tetrahedra, on the finest mesh, too; with the term it has none. 1e-12:
+ * rounding of 1000 sums. The mesh has cells enough for 100 away from walls. */
 START_TEST(a_linear_pressure_has_its_slope_on_tetrahedra)
 {
     const int n[3] = {6, 6, 6};
@@ -59,19 +95,19 @@ START_TEST(a_linear_pressure_has_its_slope_on_tetrahedra)
                                     .boundaries = b};
     struct fluid *const fl = fluid_create(m, &o);
     const double slope[3] = {1.0, -2.0, 0.5};
-    double error = 0.0, V = 0.0;
+    int inner = 0;
 
     for (int c = 0; c < m->n_cells; c++)
         fl->p[c] = vector_dot(slope, &m->centre[3 * c]);
     gradient_update(fl);
     for (int c = 0; c < m->n_cells; c++) {
         double off[3];
-        if (at_boundary(m, c)) continue;
+        if (near_boundary(m, c)) continue;
         vector_between(&fl->grad_p[3 * c], slope, off);
-        error += m->V[c] * vector_dot(off, off);
-        V += m->V[c];
+        ck_assert_double_lt(vector_length(off), 1e-12);
+        inner++;
     }
-    ck_assert_double_lt(sqrt(error / V / vector_dot(slope, slope)), 0.06);
+    ck_assert_int_gt(inner, 100);
     fluid_free(fl);
     mesh_free(m);
 }
@@ -89,10 +125,22 @@ START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 }
 END_TEST
 
+/* Links at 83 degrees that miss the middles of their faces by 2.5 times their
+ * length: without the two limits of pressure.c and skewness.c this broke down
+ * in the fourth step. 5 %: what six steps leave of the start. */
+START_TEST(a_pipe_of_flat_tetrahedra_holds)
+{
+    ck_assert_double_eq_tol(pipe_of_tetrahedra(12, "second-upwind", NULL, 0.09),
+                            1.0, 0.05);
+}
+END_TEST
+
 FACTS("tetrahedra")
 {
     tcase_set_timeout(facts, 120.0);
     FACT_FOR_EACH(a_flow_on_tetrahedra_has_an_order_of_one_and_a_half, 3);
+    FACT(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order);
     FACT(a_linear_pressure_has_its_slope_on_tetrahedra);
     FACT(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop);
+    FACT(a_pipe_of_flat_tetrahedra_holds);
 }

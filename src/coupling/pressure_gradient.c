@@ -87,7 +87,7 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
 
     return (struct effect_estimate){
-        V * (gradient + k->rho_f * k->gravity) / k->force, "", 0};
+        V * (gradient + k->push + k->rho_f * k->gravity) / k->force, "", 0};
 }
 
 static const struct key keys[] = {
@@ -106,5 +106,5 @@ const struct effect pressure_gradient_effect = {
     .before_particles = pressure_gradient_before_particles,
     .free = pressure_gradient_free,
     .estimate = estimate,
-    .cost = {40.0, 50.0, 0.0},
+    .cost = {16.0, 17.0, 0.0},
 };

@@ -74,6 +74,12 @@ static inline void processes_sum(const struct simulation *sim, int n, double *x)
     if (sim->processes != NULL) sim->processes->sum(sim->processes, n, x);
 }
 
+static inline double processes_total(const struct simulation *sim, double x)
+{
+    processes_sum(sim, 1, &x);
+    return x;
+}
+
 static inline int processes_largest(const struct simulation *sim, int x)
 {
     return sim->processes == NULL ? x

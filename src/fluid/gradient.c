@@ -119,7 +119,8 @@ void gradient_update(struct fluid *fl)
 {
     inner_pressures(fl);
     boundary_pressures(fl);
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+    if (fl->geometry->normal_equations == NULL)
+        PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
     if (fl->geometry->off == NULL) return;
     skewness_add_pressures(fl);
     PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);

@@ -12,14 +12,73 @@
 #include "fluid/pressure_system.h"
 #include "fluid/time_levels.h"
 
+static const double farthest = 0.8; /* [-] of the link */
+
 double *skewness_of(const struct mesh *m)
 {
     if (!m->skewed) return NULL;
     double *const off = alloc_doubles(3 * m->n_faces);
 
-    for (int f = 0; f < m->n_faces; f++)
-        mesh_off_middle(m, f, &off[3 * f]);
+    for (int f = 0; f < m->n_faces; f++) {
+        double *const to = &off[3 * f];
+        mesh_off_middle(m, f, to);
+        const double most = farthest * vector_length(&m->d[3 * f]);
+        const double share = fmin(1.0, most / vector_length(to));
+        for (int k = 0; k < 3 && share < 1.0; k++)
+            to[k] *= share;
+    }
     return off;
+}
+
+/* The link of cell c across face f; at the boundary the part normal to it. */
+static void link_of(const struct mesh *m, const double *off, int c, int f,
+                    double d[3])
+{
+    const double sign = m->owner[f] == c ? 1.0 : -1.0;
+
+    for (int k = 0; k < 3; k++)
+        d[k] =
+            sign * m->d[3 * f + k] - (f < m->n_internal ? 0.0 : off[3 * f + k]);
+}
+
+double *skewness_normal_equations(const struct mesh *m, const double *off)
+{
+    if (m->skewed != 2) return NULL;
+    double *const matrix = alloc_doubles(6 * m->n_cells);
+
+    for (int c = 0; c < m->n_cells; c++)
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            double d[3];
+            link_of(m, off, c, m->cell_face[a], d);
+            for (int i = 0, n = 0; i < 3; i++)
+                for (int j = i; j < 3; j++, n++)
+                    matrix[6 * c + n] += d[i] * d[j] / vector_dot(d, d);
+        }
+    return matrix;
+}
+
+/* The slope of p by least squares, with the pressures of boundary faces as they
+ * are. */
+static void pressure_slopes(int first, int last, struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    const struct face_geometry *const g = fl->geometry;
+
+    for (int c = first; c < last; c++) {
+        double right[3] = {0.0, 0.0, 0.0}, d[3];
+        for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
+            const int f = m->cell_face[a];
+            const double beyond = f >= m->n_internal ? fl->p_face[f]
+                                  : m->owner[f] == c ? fl->p[m->neighbour[f]]
+                                                     : fl->p[m->owner[f]];
+            link_of(m, g->off, c, f, d);
+            vector_along(right, (beyond - fl->p[c]) / vector_dot(d, d), d,
+                         right);
+        }
+        vector_solve(&g->normal_equations[6 * c], right, &fl->grad_p[3 * c]);
+        vector_along(&fl->grad_p[3 * c], 1.0, fl->mean_gradient,
+                     &fl->grad_p[3 * c]);
+    }
 }
 
 /* off . grad x of a face inside, linear between the cells; per: numbers of
@@ -43,6 +102,8 @@ void skewness_add_pressures(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
+    if (fl->geometry->normal_equations != NULL)
+        PARALLEL_RANGES(m->n_cells, 30, pressure_slopes, fl);
     FOR_EACH_FACE(fl->faces, 12, inner_pressure, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];

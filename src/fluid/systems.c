@@ -208,6 +208,8 @@ void systems_create(struct fluid *fl)
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
     fl->geometry->off = skewness_of(m);
+    fl->geometry->normal_equations =
+        skewness_normal_equations(m, fl->geometry->off);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
@@ -234,5 +236,6 @@ void systems_free(struct fluid *fl)
     free(fl->jump);
     free(fl->levels);
     free(fl->geometry->off);
+    free(fl->geometry->normal_equations);
     free(fl->geometry);
 }

@@ -15,39 +15,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers of summary.json; of a group that ends with a point all are taken. */
-static const char *const in_summary[] = {"steps",
-                                         "cells",
-                                         "particles",
-                                         "particle_steps_in_a_step",
-                                         "particles_in",
-                                         "particles_out",
-                                         "particles_waiting",
-                                         "step",
-                                         "simulated_seconds",
-                                         "peak_memory",
-                                         "particle_steps_per_second",
-                                         "cell_steps_per_second",
-                                         "seconds.cfd",
-                                         "seconds.dem",
-                                         "seconds.averaging",
-                                         "seconds.exchange",
-                                         "seconds.output",
-                                         "seconds.total",
-                                         "seconds.processor",
-                                         "worst.mass_residual",
-                                         "worst.momentum_residual",
-                                         "worst.cfl",
-                                         "worst.exchange_residual",
-                                         "worst.eps_f_lowest",
-                                         "worst.steps_with_capped_cells",
-                                         "worst.overlap",
-                                         "second_half.",
-                                         "profiles.",
-                                         "effects.",
-                                         "effect_seconds.",
-                                         "bodies.",
-                                         NULL};
+/* Numbers of summary.json, each with a blank before and behind; of a group that
+ * ends with a point all are taken. */
+static const char in_summary[] =
+    " steps cells particles particle_steps_in_a_step particles_in "
+    "particles_out "
+    "particles_waiting step simulated_seconds peak_memory "
+    "particle_steps_per_second cell_steps_per_second seconds.cfd seconds.dem "
+    "seconds.averaging seconds.exchange seconds.output seconds.total "
+    "seconds.processor worst.mass_residual worst.momentum_residual worst.cfl "
+    "worst.exchange_residual worst.eps_f_lowest worst.steps_with_capped_cells "
+    "worst.overlap second_half. profiles. effects. effect_seconds. bodies. ";
 
 static int refuse(const struct measure *m, const char *why)
 {
@@ -135,13 +113,13 @@ static int has_needed(const struct settings *s, int needs)
 
 static int is_in_summary(const char *name)
 {
-    for (int i = 0; in_summary[i] != NULL; i++) {
-        const size_t n = strlen(in_summary[i]);
-        if (strncmp(in_summary[i], name, n) == 0 &&
-            (in_summary[i][n - 1] == '.') == (name[n] != '\0'))
-            return 1;
-    }
-    return 0;
+    const size_t group = strcspn(name, ".");
+    char one[MEASURE_NAME + 3], all[MEASURE_NAME + 3];
+
+    snprintf(one, sizeof one, " %s ", name);
+    snprintf(all, sizeof all, " %.*s. ", (int)group, name);
+    return strstr(in_summary, one) != NULL ||
+           (name[group] == '.' && strstr(in_summary, all) != NULL);
 }
 
 /* The probe of that field, or -1. */
@@ -154,29 +132,31 @@ static int probe_of(const struct settings *s, const char *field)
     return -1;
 }
 
+/* Offers a word that ends at a blank. */
+static void offer(struct nearest *n, const char *word)
+{
+    char name[MEASURE_NAME];
+
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word, " "), word);
+    nearest_offer(n, name);
+}
+
 static int unknown(const struct measure *m)
 {
     struct nearest n;
     char why[MEASURE_NAME + 128];
 
     nearest_init(&n, m->name);
-    for (const struct history_column *c = history_columns; c->name != NULL;
-         c++) {
-        char name[MEASURE_NAME];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(c->name, " "),
-                 c->name);
-        nearest_offer(&n, name);
-    }
-    for (int i = 0; in_summary[i] != NULL; i++)
-        nearest_offer(&n, in_summary[i]);
+    for (const struct history_column *c = history_columns; c->name != NULL; c++)
+        offer(&n, c->name);
+    for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
+        offer(&n, ++at);
     const char *const best = nearest_best(&n);
     snprintf(why, sizeof why,
-             best != NULL ? "no column of history.csv or probes.csv is called "
-                            "so, and no number of summary.json; did you mean "
-                            "%s?"
-                          : "no column of history.csv or probes.csv is called "
-                            "so, and no number of summary.json",
-             best);
+             "no column of history.csv or probes.csv is called so, and no "
+             "number of summary.json%s%s%s",
+             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
+             best != NULL ? "?" : "");
     return refuse(m, why);
 }
 

@@ -201,21 +201,23 @@ static void compare(const struct outcomes *o, int v, int m)
 
 /* --- orders --------------------------------------------------------------- */
 
-static void take_order(const struct outcomes *o, int v, int m)
+/* The order from the next coarser variant on its line; nan if one of their
+ * errors, or their difference, may be chance. */
+static double order_of(const struct outcomes *o, int v, int m)
 {
     const struct choices *const c = &o->plan->choices;
-    struct finding *const f = &o->variant[v].of[m];
-
-    f->order = NAN;
     const int entry = o->axis >= 0 ? choices_entry(c, v, o->axis) : 0;
-    if (entry == 0) return;
+
+    if (entry == 0) return NAN;
+    const struct finding *const fine = &o->variant[v].of[m];
     const struct finding *const coarse =
         &o->variant[choices_with(c, v, o->axis, entry - 1)].of[m];
-    if (!outcome_is_resolved(f) || !outcome_is_resolved(coarse)) return;
-    if (outcome_is_chance(f, coarse)) return;
-    f->order = statistics_order(choices_size(&c->of[o->axis], entry - 1),
-                                coarse->error,
-                                choices_size(&c->of[o->axis], entry), f->error);
+    if (!outcome_is_resolved(fine) || !outcome_is_resolved(coarse) ||
+        outcome_is_chance(fine, coarse))
+        return NAN;
+    return statistics_order(choices_size(&c->of[o->axis], entry - 1),
+                            coarse->error, choices_size(&c->of[o->axis], entry),
+                            fine->error);
 }
 
 struct outcomes outcomes_create(const struct plan *p, int n_runs,
@@ -233,7 +235,7 @@ struct outcomes outcomes_create(const struct plan *p, int n_runs,
         for (int v = 0; v < o.n; v++)
             compare(&o, v, m);
         for (int v = 0; v < o.n; v++)
-            take_order(&o, v, m);
+            o.variant[v].of[m].order = order_of(&o, v, m);
     }
     return o;
 }

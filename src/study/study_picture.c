@@ -63,7 +63,7 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
 
     fprintf(out, "%.8g %.8g %.8g %.8g \"%s\"\n", o->variant[v].cost,
             100.0 * f->error, 100.0 * low, 100.0 * (f->error + 2.0 * f->doubt),
-            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key[0]));
+            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
 }
 
 /* The front: for each variant that no cheaper one beats, in order of cost. */
@@ -201,12 +201,46 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
+/* The orders of a line: their median, the higher of two; nan if there are
+ * none. */
+static double median_order(const struct outcomes *o, int m, int first)
+{
+    double median = NAN;
+
+    for (int v = 0, most = -1; v < o->n; v++) {
+        const double own = o->variant[v].of[m].order;
+        int below = 0, all = 0;
+        for (int w = 0; w < o->n; w++) {
+            const double other = o->variant[w].of[m].order;
+            if (!is_on(o, first, w) || !isfinite(other)) continue;
+            all++;
+            below += other < own;
+        }
+        if (!is_on(o, first, v) || !isfinite(own)) continue;
+        if (2 * below > all || below <= most) continue;
+        most = below;
+        median = own;
+    }
+    return median;
+}
+
+static void put_title(const struct outcomes *o, int m, int first, FILE *out)
+{
+    char *const label = choices_label(&o->plan->choices, first, o->axis);
+    const double order = median_order(o, m, first);
+    char text[1024];
+
+    snprintf(text, sizeof text, "%.900s", label[0] != '\0' ? label : "error");
+    if (isfinite(order)) sprintf(text + strlen(text), ", order %.2g", order);
+    put_quoted(out, text);
+    free(label);
+}
+
 /* One line of the plot command: its points, with error bars where there are
  * any. */
 static void put_line(const struct outcomes *o, int m, int first, int number,
                      FILE *out)
 {
-    char *const label = choices_label(&o->plan->choices, first, o->axis);
     const int alone = points(o, m, first) == 1;
     int doubtful = 0;
 
@@ -218,14 +252,13 @@ static void put_line(const struct outcomes *o, int m, int first, int number,
             : alone  ? "points"
                      : "linespoints",
             number);
-    put_quoted(out, label[0] != '\0' ? label : "error");
+    put_title(o, m, first, out);
     /* The values of the axis beside the points: once, where lines are many. */
     if (o->axis >= 0 && (number == 1 || points(o, m, -1) <= 12))
         fprintf(
             out,
             ", \\\n  '' using 1:2:5 with labels left offset "
             "0.8,0.6 font ',10' textcolor rgb '#444444' noenhanced notitle");
-    free(label);
 }
 
 static void put_panel(const struct outcomes *o, int m, FILE *out)

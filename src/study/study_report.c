@@ -56,8 +56,8 @@ static void put_head(const struct plan *p, FILE *out)
 {
     fputs("run", out);
     for (int i = 0; i < p->choices.n; i++)
-        for (int k = 0; k < p->choices.of[i].n_keys; k++)
-            fprintf(out, ",%s", p->choices.of[i].key[k]);
+        for (int k = 0; k < p->choices.of[i].key.n; k++)
+            fprintf(out, ",%s", p->choices.of[i].key.text[k]);
     fputs(",seed,repetition,exit_code", out);
     for (int i = 0; i < FROM_SUMMARY; i++)
         fprintf(out, ",%s", from_summary[i].head);
@@ -75,9 +75,9 @@ static void put_choices(const struct plan *p, const struct run *r, FILE *out)
         const struct choice *const c = &p->choices.of[i];
         const int entry = choices_entry(&p->choices, r->variant, i);
 
-        for (int k = 0; k < c->n_keys; k++) {
+        for (int k = 0; k < c->key.n; k++) {
             fputc(',', out);
-            put_text(out, c->value[entry * c->n_keys + k]);
+            put_text(out, c->value.text[entry * c->key.n + k]);
         }
     }
 }
@@ -191,7 +191,10 @@ static char *reason_of(const struct run *r)
 static void put_variant(const struct outcomes *o, const struct outcome *v,
                         FILE *out)
 {
-    fprintf(out, "| %s | ", v->label);
+    fputs("| ", out);
+    for (const char *at = v->label; *at != '\0'; at++)
+        fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
+    fputs(" | ", out);
     put_rounded(out, v->seconds);
     if (!plan_cost_is_processor(o->plan)) {
         fputs(" | ", out);

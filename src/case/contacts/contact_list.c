@@ -7,10 +7,10 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "dem/fast/fast_internal.h"
 #include "dem/link_cells.h"
 #include "dem/materials.h"
-#include "dem/surfaces/surfaces.h"
+#include "dem/surfaces/dem_surface.h"
+#include "dem/surfaces/surface_contact_points.h"
 
 static void *longer(void *old, int used, int room, size_t size)
 {
@@ -123,22 +123,40 @@ static void add_walls(struct contact_list *c, int i, const double x[3])
     }
 }
 
-/* Only the fast method knows surfaces. */
+/* The particles as the search for the faces near them wants them. */
+static void fill_rows(struct contact_list *c)
+{
+    const struct particles *const ps = c->sim->particles;
+    struct bodies *const rows = c->rows;
+
+    rows->n = ps->n;
+    for (int i = 0; i < ps->n; i++) {
+        const double x[4] = {ps->x[i], ps->y[i], ps->z[i], 0.5 * ps->d[i]};
+        memcpy(rows->position_radius[i], x, sizeof x);
+        memcpy(rows->position_at_rebuild[i], x, 3 * sizeof *x);
+    }
+}
+
+/* They are found anew, where the surfaces are now: before the first step, too.
+ */
 static void add_surfaces(struct contact_list *c)
 {
-    if (dem_created_with(c->sim->dem)->n_surfaces == 0) return;
-    const struct surfaces *const all =
-        fast_of(c->sim->dem)->neighbours->surfaces;
+    const struct dem_options *const o = dem_created_with(c->sim->dem);
+    const struct surface_scene scene = {o->surfaces, o->n_surfaces, &c->box};
+    const struct chunk all = {.end = c->sim->particles->n};
 
-    for (int s = 0; s < all->n_chunks; s++) {
-        const struct surface_contact_points *const t = &all->chunk[s].touches;
-        for (int q = 0; q < t->n; q++) {
-            const struct surface_contact_point *const at = &t->list[q];
-            const double d[3] = {-at->r * at->n[0], -at->r * at->n[1],
-                                 -at->r * at->n[2]};
-            add_flat(c, at->owner, -7 - at->surface,
-                     all->scene.surface[at->surface].material, d, at->r);
-        }
+    if (o->n_surfaces == 0) return;
+    fill_rows(c);
+    for (int k = 0; k < scene.n; k++)
+        c->pose[k] = dem_surface(c->sim->dem, k).pose;
+    near_faces_find(c->near, &scene, c->pose, &all, c->rows, 0.0);
+    surface_contact_points_find(c->points, c->near, &scene, c->pose, c->rows);
+    for (int q = 0; q < c->points->n; q++) {
+        const struct surface_contact_point *const at = &c->points->list[q];
+        double d[3] = {0.0, 0.0, 0.0};
+        vector_along(d, -at->r, at->n, d);
+        add_flat(c, at->owner, -7 - at->surface,
+                 scene.surface[at->surface].material, d, at->r);
     }
 }
 
@@ -176,6 +194,12 @@ struct contact_list *contact_list_create(const struct simulation *sim)
     c->constants = alloc_zeroed((size_t)n * (size_t)n, sizeof *c->constants);
     materials_table(o->law, &o->material, o->materials, c->constants);
     c->cells = link_cells_create(sim->particles->capacity, &c->box);
+    if (o->n_surfaces > 0) {
+        c->rows = bodies_create(sim->particles->capacity, &c->box);
+        c->pose = alloc_zeroed((size_t)o->n_surfaces, sizeof *c->pose);
+        c->near = alloc_zeroed(1, sizeof *c->near);
+        c->points = alloc_zeroed(1, sizeof *c->points);
+    }
     reserve(c);
     return c;
 }
@@ -184,6 +208,14 @@ void contact_list_free(struct contact_list *c)
 {
     if (c == NULL) return;
     link_cells_free(c->cells);
+    if (c->rows != NULL) {
+        bodies_free(c->rows);
+        near_faces_release(c->near);
+        free(c->points->list);
+    }
+    free(c->pose);
+    free(c->near);
+    free(c->points);
     free(c->constants);
     free(c->x);
     free(c->force);

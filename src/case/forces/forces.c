@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* forces.c -- forces and torques of the fluid on patches: DIR/forces.csv.
+/* forces.c -- forces and torques of the fluid on patches, and of the grains on
+ * surfaces: DIR/forces.csv.
  *
  * A row with each row of history.csv. The coefficients of a body are
  *
@@ -18,18 +19,20 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/forces/forces.h"
+#include "case/forces/surface_loads.h"
 #include "fluid/forces/wall_stress.h"
 #include "mesh/face_corners.h"
 #include "output/table.h"
 
-static const char list[] = "output.forces";
-
 enum { NAME = 64, COLUMN = 96, EACH = 15 };
 
-/* A body: some patches that are walls, and its reference values. */
+/* A body: some patches that are walls, some surfaces, and its reference
+ * values. */
 struct body {
     char name[NAME];
-    int *on;                          /* [-] 1 for each of its patches */
+    int *on;                          /* [-] 1 for each of its patches; NULL:
+                                         none */
+    struct surface_loads *surfaces;   /* NULL: none */
     double centre[3];                 /* [m] of the torque */
     double drag[3], lift[3], axis[3]; /* [-] of length 1 */
     double per_force, per_torque;     /* [1/N], [1/(N m)]; 0: no coefficients */
@@ -82,23 +85,11 @@ static struct load load_on(const struct body *b, const struct fluid *fl)
 
 /* --- what the case says --------------------------------------------------- */
 
-/* 1 if the word is one of those of a text. */
-static int has_word(const char *text, const char *word)
-{
-    const size_t length = strlen(word);
-
-    for (const char *at = text; *(at += strspn(at, " ")) != '\0';
-         at += strcspn(at, " "))
-        if (strcspn(at, " ") == length && strncmp(at, word, length) == 0)
-            return 1;
-    return 0;
-}
-
 /* A direction of the case, its length made 1. */
 static void direction(const struct settings *s, int i, const char *key,
                       double e[3])
 {
-    settings_item_vector(s, list, i, key, e);
+    settings_item_vector(s, forces_list, i, key, e);
     const double length = vector_length(e);
     for (int k = 0; k < 3 && length > 0.0; k++)
         e[k] /= length;
@@ -106,27 +97,49 @@ static void direction(const struct settings *s, int i, const char *key,
 
 static double real_or_0(const struct settings *s, int i, const char *key)
 {
-    return settings_item_has(s, list, i, key)
-               ? settings_item_real(s, list, i, key)
+    return settings_item_has(s, forces_list, i, key)
+               ? settings_item_real(s, forces_list, i, key)
                : 0.0;
 }
 
-static void create_body(const struct settings *s, const struct fluid *fl, int i,
-                        struct body *b)
+/* NULL where the case does not say it. */
+static const char *text_or_none(const struct settings *s, int i,
+                                const char *key)
 {
-    const int all = !settings_item_has(s, list, i, "patches");
-    const char *const patches =
-        all ? "walls" : settings_item_text(s, list, i, "patches");
+    return settings_item_has(s, forces_list, i, key)
+               ? settings_item_text(s, forces_list, i, key)
+               : NULL;
+}
 
-    snprintf(b->name, NAME, "%s",
-             settings_item_has(s, list, i, "name")
-                 ? settings_item_text(s, list, i, "name")
-                 : patches);
+/* All walls, if neither patches nor surfaces are named. */
+static void mark_patches(const struct fluid *fl, const char *patches,
+                         struct body *b)
+{
     b->on = alloc_ints(fl->mesh->n_patches);
     for (int p = 0; p < fl->mesh->n_patches; p++)
-        b->on[p] = all ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
-                       : has_word(patches, fl->mesh->patches[p].name);
-    settings_item_vector(s, list, i, "centre", b->centre);
+        b->on[p] =
+            patches == NULL
+                ? fl->options.boundaries[p].kind == BOUNDARY_NO_SLIP
+                : surface_loads_has_word(patches, fl->mesh->patches[p].name);
+}
+
+static void create_body(const struct settings *s, const struct simulation *sim,
+                        int i, struct body *b)
+{
+    const struct fluid *const fl = sim->fluid;
+    const char *const name = text_or_none(s, i, "name");
+    const char *const patches = text_or_none(s, i, "patches");
+    const char *const surfaces = text_or_none(s, i, "surfaces");
+
+    snprintf(b->name, NAME, "%s",
+             name != NULL       ? name
+             : patches != NULL  ? patches
+             : surfaces != NULL ? surfaces
+                                : "walls");
+    settings_item_vector(s, forces_list, i, "centre", b->centre);
+    b->surfaces = surface_loads_create(sim, surfaces, b->centre);
+    if (patches == NULL && surfaces != NULL) return;
+    mark_patches(fl, patches, b);
     direction(s, i, "drag", b->drag);
     direction(s, i, "lift", b->lift);
     direction(s, i, "axis", b->axis);
@@ -135,47 +148,6 @@ static void create_body(const struct settings *s, const struct fluid *fl, int i,
     const double force = 0.5 * fl->options.rho * U * U * A;
     b->per_force = force > 0.0 ? 1.0 / force : 0.0;
     b->per_torque = force * L > 0.0 ? 1.0 / (force * L) : 0.0;
-}
-
-/* A list of names where each one is of the mesh. */
-static int check_patches(const struct settings *s, int i)
-{
-    const char *text = settings_item_text(s, list, i, "patches");
-    char word[NAME];
-    int used;
-
-    if (text[strspn(text, " ")] == '\0')
-        return settings_wrong(s, list,
-                              "patches is empty; name some, or leave "
-                              "it out for all walls");
-    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
-        if (settings_side(s, word) == NULL)
-            return settings_wrong(s, list,
-                                  "there is no patch %s, or fluid says nothing "
-                                  "about it",
-                                  word);
-        else if (forces_is_open(s, word))
-            return settings_wrong(s, list,
-                                  "the fluid flows through the patch %s; "
-                                  "forces are those on walls",
-                                  word);
-    return 0;
-}
-
-static int check(const struct settings *s)
-{
-    for (int i = 0; i < settings_length(s, list); i++) {
-        const int U = settings_item_has(s, list, i, "velocity");
-        const int A = settings_item_has(s, list, i, "area");
-        if (settings_item_has(s, list, i, "patches") &&
-            check_patches(s, i) != 0)
-            return 2;
-        if (U != A || (settings_item_has(s, list, i, "length") && !U))
-            return settings_wrong(s, list,
-                                  "coefficients ask for velocity and area, "
-                                  "and that of the torque for length besides");
-    }
-    return 0;
 }
 
 /* --- the table ------------------------------------------------------------ */
@@ -187,9 +159,40 @@ static const char *const columns[EACH] = {
     "largest_shear [Pa]",   "largest_y_plus [-]",    "drag_coefficient [-]",
     "lift_coefficient [-]", "moment_coefficient [-]"};
 
+static int columns_of_fluid(const struct body *b)
+{
+    return b->on == NULL         ? 0
+           : b->per_torque > 0.0 ? 14
+           : b->per_force > 0.0  ? 13
+                                 : 11;
+}
+
 static int columns_of(const struct body *b)
 {
-    return b->per_torque > 0.0 ? 14 : b->per_force > 0.0 ? 13 : 11;
+    return columns_of_fluid(b) + (b->surfaces != NULL ? SURFACE_LOADS_EACH : 0);
+}
+
+static const char *column_of(const struct body *b, int k)
+{
+    const int n = columns_of_fluid(b);
+    return k < n ? columns[k] : surface_loads_columns[k - n];
+}
+
+static void fill_fluid(const struct body *b, const struct fluid *fl,
+                       double row[EACH])
+{
+    const struct load l = load_on(b, fl);
+    double force[3];
+
+    memcpy(row, l.pressure, sizeof l.pressure);
+    memcpy(row + 3, l.viscous, sizeof l.viscous);
+    memcpy(row + 6, l.torque, sizeof l.torque);
+    vector_along(l.pressure, 1.0, l.viscous, force);
+    row[9] = l.shear;
+    row[10] = l.y_plus;
+    row[11] = b->per_force * vector_dot(force, b->drag);
+    row[12] = b->per_force * vector_dot(force, b->lift);
+    row[13] = b->per_torque * vector_dot(l.torque, b->axis);
 }
 
 static int add_row(void *memory)
@@ -200,18 +203,11 @@ static int add_row(void *memory)
     *at++ = f->sim->t;
     for (int i = 0; i < f->n; i++) {
         const struct body *const b = &f->body[i];
-        const struct load l = load_on(b, f->sim->fluid);
-        double force[3], row[EACH];
-        memcpy(row, l.pressure, sizeof l.pressure);
-        memcpy(row + 3, l.viscous, sizeof l.viscous);
-        memcpy(row + 6, l.torque, sizeof l.torque);
-        vector_along(l.pressure, 1.0, l.viscous, force);
-        row[9] = l.shear;
-        row[10] = l.y_plus;
-        row[11] = b->per_force * vector_dot(force, b->drag);
-        row[12] = b->per_force * vector_dot(force, b->lift);
-        row[13] = b->per_torque * vector_dot(l.torque, b->axis);
-        memcpy(at, row, (size_t)columns_of(b) * sizeof *row);
+        const int n = columns_of_fluid(b);
+        double row[EACH];
+        if (n > 0) fill_fluid(b, f->sim->fluid, row);
+        memcpy(at, row, (size_t)n * sizeof *row);
+        if (b->surfaces != NULL) surface_loads_row(b->surfaces, at + n);
         at += columns_of(b);
     }
     return table_add(f->table, f->row);
@@ -228,7 +224,8 @@ static struct table *create_table(const struct forces *f, struct folder *folder)
     names[0] = "time [s]";
     for (int i = 0; i < f->n; i++)
         for (int k = 0; k < columns_of(&f->body[i]); k++, c++) {
-            snprintf(text[c], COLUMN, "%s_%s", f->body[i].name, columns[k]);
+            snprintf(text[c], COLUMN, "%s_%s", f->body[i].name,
+                     column_of(&f->body[i], k));
             names[c] = text[c];
         }
     struct table *const t =
@@ -243,8 +240,10 @@ static void release(void *memory)
     struct forces *const f = memory;
 
     if (f == NULL) return;
-    for (int i = 0; i < f->n; i++)
+    for (int i = 0; i < f->n; i++) {
         free(f->body[i].on);
+        surface_loads_free(f->body[i].surfaces);
+    }
     free(f->body);
     free(f->row);
     table_free(f->table);
@@ -254,15 +253,15 @@ static void release(void *memory)
 static void *create(const struct settings *s, const struct simulation *sim,
                     struct folder *folder, int *failed)
 {
-    if (settings_length(s, list) == 0) return NULL;
+    if (settings_length(s, forces_list) == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
 
     f->sim = sim;
-    f->n = settings_length(s, list);
+    f->n = settings_length(s, forces_list);
     f->n_columns = 1;
     f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
     for (int i = 0; i < f->n; i++) {
-        create_body(s, sim->fluid, i, &f->body[i]);
+        create_body(s, sim, i, &f->body[i]);
         f->n_columns += columns_of(&f->body[i]);
     }
     f->row = alloc_doubles(f->n_columns);
@@ -275,13 +274,17 @@ static void *create(const struct settings *s, const struct simulation *sim,
 
 static const struct key keys[] = {
     {"output.forces", KEY_LIST, "", "", "",
-     "forces and torques of the fluid on walls, each { patches, ... }: rows of "
-     "forces.csv",
-     "", "fluid"},
+     "forces and torques of the fluid on walls, each { patches, ... }, and of "
+     "grains on surfaces: rows of forces.csv",
+     "", ""},
     {"output.forces.name", KEY_TEXT, "", "", "",
-     "what its columns begin with; left out: the patches", "", ""},
+     "what its columns begin with; left out: the patches or surfaces", "", ""},
     {"output.forces.patches", KEY_TEXT, "", "", "",
      "names with blanks between; left out: all no-slip walls", "", ""},
+    {"output.forces.surfaces", KEY_TEXT, "", "", "",
+     "names of particles.surfaces with blanks between, whose grains push and "
+     "turn them: means since the row before",
+     "", "particles"},
     {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
      "the point that the torque is about", "", ""},
     {"output.forces.velocity", KEY_REAL, "m/s", "> 0", "",
@@ -300,14 +303,19 @@ static const struct key keys[] = {
 
 static void visit(void *part, struct state *s)
 {
+    struct forces *const f = part;
+
     state_begin(s, "forces");
-    table_state(((struct forces *)part)->table, s);
+    table_state(f->table, s);
+    for (int i = 0; i < f->n; i++)
+        if (f->body[i].surfaces != NULL)
+            surface_loads_state(f->body[i].surfaces, i, s);
     state_end(s);
 }
 
 const struct recorder_part forces_part = {
     .keys = keys,
-    .check = check,
+    .check = forces_check,
     .create = create,
     .row = add_row,
     .free = release,

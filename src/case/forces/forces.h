@@ -4,6 +4,11 @@
 
 #include "case/settings.h"
 
+extern const char forces_list[]; /* "output.forces" */
+
+/* 0 if the case asks for what there is; else 2 after a message. */
+int forces_check(const struct settings *s);
+
 /* 1 if the case lets the fluid flow through a patch that it names. */
 int forces_is_open(const struct settings *s, const char *patch);
 

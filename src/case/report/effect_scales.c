@@ -145,6 +145,8 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
                                       0.5 * k->gravity * in->end));
+    if (k->slip == 0.0) /* what the push alone would make of it */
+        k->slip = k->push * k->d * k->d / (18.0 * k->mu);
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
@@ -179,6 +181,10 @@ struct effect_scales case_effects_scales(const struct settings *s,
 
     k.weight = k.rho_s * volume(&k) * k.gravity;
     if (settings_has(s, "exchange")) {
+        if (settings_has(s, "fluid.mean_gradient")) {
+            settings_vector(s, "fluid.mean_gradient", g);
+            k.push = vector_length(g);
+        }
         k.rho_f = settings_real(s, "fluid.density");
         k.mu = settings_real(s, "fluid.viscosity");
         if (in->volume > 0.0)

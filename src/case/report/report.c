@@ -51,12 +51,13 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
     const double angle = q->non_orthogonal;
 
     line_at("largest non-orthogonality", angle, "deg", m, q->n_non_orthogonal,
-            angle > 70.0   ? "TOO CROOKED: expect divergence, mend the mesh"
+            angle > 80.0 ? "TOO CROOKED: mend the mesh if the flow breaks down"
+            : angle > 63.0 ? "HIGH: the oblique part of the pressure is limited"
             : angle > 45.0 ? "high: give fluid.outer_correctors 1 or 2"
                            : "good");
     line_at("largest skewness", q->skewness, "-", m, q->n_skewed,
-            q->skewness > 0.5   ? "HIGH: faces are not met by their links"
-            : q->skewness > 0.1 ? "second order is lost near by"
+            q->skewness > 0.8   ? "HIGH: the slopes make up for a part of it"
+            : q->skewness > 0.1 ? "the slopes make up for it"
                                 : "good");
     line_at("largest aspect ratio", q->aspect, "-", m, q->n_flat,
             q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");

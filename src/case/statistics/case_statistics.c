@@ -66,6 +66,7 @@ static void *create(const struct settings *s, const struct simulation *sim,
                 "the statistics begin at %g s, after the end at %g s: they "
                 "have no samples, unless the run goes on later\n",
                 self->from, settings_real(s, "output.end"));
+    self->quiet = settings_quiet(s);
     self->plateau = settings_real(s, "output.statistics.plateau");
     self->blocks = settings_int(s, "output.statistics.blocks");
     self->dt = (double)case_steps_between_rows(s) * sim->dt;
@@ -76,8 +77,7 @@ static void *create(const struct settings *s, const struct simulation *sim,
     self->room = alloc_doubles(2 * sim->particles->capacity);
     if (sim->fluid != NULL)
         self->layers = layers_create(sim->mesh, self->axis, self->rows);
-    if (sim->coupling != NULL && sim->population == NULL &&
-        settings_has(s, "output.statistics.lags")) {
+    if (sim->coupling != NULL && settings_has(s, "output.statistics.lags")) {
         self->lags =
             (int)fmin(settings_real(s, "output.statistics.lags") / self->dt,
                       self->rows / 2.0) +
@@ -176,7 +176,7 @@ static const struct key keys[] = {
      "blocks for the standard errors; each should outlast a memory", "", ""},
     {"output.statistics.lags", KEY_REAL, "s", "> 0", KEY_OPTIONAL,
      "longest time of the correlation of the grains' drag coefficients, whose "
-     "series are then kept; left out: none",
+     "series are then kept as long as no grain comes or goes; left out: none",
      "EW18 28", "exchange"},
     {"output.statistics.plateau", KEY_REAL, "s", ">= 0", "0.0",
      "integral times are means over ends beyond this", "EW18 31", ""},

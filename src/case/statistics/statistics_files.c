@@ -109,6 +109,11 @@ static int write_grains(const struct case_statistics *self, struct summary *f)
     static const char *const columns[] = {"tau [s]", "R [-]", "integral [s]"};
     const struct grain_series *const g = self->grains;
 
+    if (g != NULL && g->changed && !self->quiet)
+        fprintf(stderr,
+                "grains came or went after %d samples of the drag "
+                "coefficients: there are no more\n",
+                g->n_rows);
     if (g == NULL || g->n_rows < 2) return 0;
     const int lags = self->lags < g->n_rows ? self->lags : g->n_rows;
     double *const rows = alloc_doubles(3 * lags);
@@ -117,6 +122,7 @@ static int write_grains(const struct case_statistics *self, struct summary *f)
     const int n = gather(g, x);
 
     summary_begin(f, "drag_coefficient");
+    summary_count(f, "samples", g->n_rows);
     summary_number(f, "mean", moments_mean(n, x));
     summary_number(f, "deviation", moments_deviation(n, x));
     summary_number(f, "skewness", moments_skewness(n, x));

@@ -18,6 +18,7 @@ struct case_statistics {
     int n_scalars;
     double from, plateau;  /* [s] */
     int blocks, lags;      /* [-] */
+    int quiet;             /* [-] 1: nothing is said on stderr */
     double dt;             /* [s] between two samples */
     int axis;              /* 0, 1, 2: along gravity */
     int rows, n, first;    /* [-] room, rows so far, first one that counts */

@@ -214,5 +214,5 @@ const struct effect basset_effect = {
     .after_particles = basset_after_particles,
     .free = basset_free,
     .estimate = estimate,
-    .cost = {600.0, 50.0, 0.0},
+    .cost = {212.0, 0.0, 11.0},
 };

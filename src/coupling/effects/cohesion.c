@@ -112,7 +112,7 @@ const struct effect cohesion_electrostatic = {
     .attraction = electrostatic_of,
     .wrong = electrostatic_wrong,
     .estimate = estimate_electrostatic,
-    .cost = {50.0, 0.0, 120.0},
+    .cost = {52.0, 0.0, 98.0},
 };
 
 static struct attraction van_der_waals_of(const double *p,
@@ -158,7 +158,7 @@ const struct effect cohesion_van_der_waals = {
     .attraction = van_der_waals_of,
     .wrong = van_der_waals_wrong,
     .estimate = estimate_van_der_waals,
-    .cost = {50.0, 0.0, 65.0},
+    .cost = {30.0, 0.0, 54.0},
 };
 
 static struct attraction capillary_of(const double *p,
@@ -196,5 +196,5 @@ const struct effect cohesion_capillary = {
     .free = pair_share_free,
     .attraction = capillary_of,
     .estimate = estimate_capillary,
-    .cost = {50.0, 0.0, 55.0},
+    .cost = {30.0, 0.0, 42.0},
 };

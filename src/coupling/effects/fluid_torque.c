@@ -69,5 +69,5 @@ const struct effect fluid_torque_effect = {
     .before_substep = fluid_torque_before_substep,
     .free = vorticity_free,
     .estimate = estimate,
-    .cost = {200.0, 100.0, 0.0},
+    .cost = {36.0, 66.0, 0.0},
 };

@@ -88,5 +88,5 @@ const struct effect lubrication_effect = {
     .attraction = lubrication_attraction,
     .wrong = lubrication_wrong,
     .estimate = estimate,
-    .cost = {50.0, 0.0, 115.0},
+    .cost = {35.0, 1.0, 81.0},
 };

@@ -56,5 +56,5 @@ const struct effect magnus_effect = {
     .before_substep = magnus_before_substep,
     .free = vorticity_free,
     .estimate = estimate,
-    .cost = {100.0, 300.0, 0.0},
+    .cost = {89.0, 65.0, 0.0},
 };

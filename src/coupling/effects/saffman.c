@@ -97,5 +97,5 @@ const struct effect saffman_effect = {
     .before_substep = saffman_before_substep,
     .free = vorticity_free,
     .estimate = estimate,
-    .cost = {100.0, 200.0, 0.0},
+    .cost = {46.0, 63.0, 0.0},
 };

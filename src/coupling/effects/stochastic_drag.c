@@ -256,5 +256,5 @@ const struct effect stochastic_drag_effect = {
     .state = stochastic_drag_state,
     .wrong = wrong,
     .estimate = estimate,
-    .cost = {230.0, 0.0, 0.0},
+    .cost = {69.0, 0.0, 0.0},
 };

@@ -175,5 +175,5 @@ const struct effect virtual_mass_effect = {
     .state = virtual_mass_state,
     .free = virtual_mass_free,
     .estimate = estimate,
-    .cost = {150.0, 100.0, 0.0},
+    .cost = {23.0, 37.0, 11.0},
 };

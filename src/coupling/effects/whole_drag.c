@@ -43,17 +43,21 @@ static void whole_drag_drag(void *memory, struct simulation *sim, double *k,
 static void whole_drag_before_particles(void *memory, struct simulation *sim)
 {
     const struct particles *const ps = sim->particles;
+    const struct coupling *const cp = sim->coupling;
     const double rho = sim->fluid->options.rho;
 
     (void)memory;
     for (int i = 0; i < ps->n; i++) {
         const double V = M_PI / 6.0 * gsl_pow_3(ps->d[i]);
         const double within = averaging_capped_fraction(sim->averaging, i);
-        double f[3], impulse[3];
+        const double more = (1.0 - cp->eps[i]) * cp->rate[i]; /* [kg/s] */
+        double f[3], impulse[3], w[3];
+        coupling_slip(sim, i, w);
         for (int a = 0; a < 3; a++) {
             f[a] = -V * rho * sim->gravity[a]; /* in [EW18 13] */
             sim->held_force[3 * i + a] += f[a];
             impulse[a] = within * f[a] * sim->dt;
+            f[a] += more * w[a]; /* what it adds to the drag is its share too */
         }
         effects_report(sim, f, 1.0);
         coupling_add_impulse(sim, i, impulse);
@@ -68,7 +72,7 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     return (struct effect_estimate){
         (k->drag * k->eps_s / (1.0 - k->eps_s) + V * k->rho_f * k->gravity) /
             k->force,
-        "in place of the pressure gradient", 0};
+        "in place of the pressure gradient", 1};
 }
 
 static const struct key keys[] = {

@@ -79,6 +79,10 @@ static const struct {
              {"sin", {.kind = ONE, .one = sin}},
              {"cos", {.kind = ONE, .one = cos}},
              {"tan", {.kind = ONE, .one = tan}},
+             {"sinh", {.kind = ONE, .one = sinh}},
+             {"cosh", {.kind = ONE, .one = cosh}},
+             {"tanh", {.kind = ONE, .one = tanh}},
+             {"erf", {.kind = ONE, .one = erf}},
              {"min", {.kind = TWO, .two = fmin}},
              {"max", {.kind = TWO, .two = fmax}}};
 
@@ -150,7 +154,8 @@ static void name(struct reader *r)
         put(r, step);
         return;
     }
-    fail(r, "x, y, z, t, pi, or abs, sqrt, exp, log, sin, cos, tan, min, max");
+    fail(r, "x, y, z, t, pi, or abs, sqrt, exp, log, sin, cos, tan, sinh, "
+            "cosh, tanh, erf, min, max");
 }
 
 static void operand(struct reader *r)

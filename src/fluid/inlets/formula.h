@@ -1,8 +1,8 @@
 /* formula.h -- formulas of x, y, z and t that a case writes.
  *
  * Numbers, pi, + - * / ^, parentheses, and the functions abs, sqrt, exp, log,
- * sin, cos, tan, min(a, b), max(a, b). A formula is translated once into steps
- * on a stack; to evaluate it is a loop over them.
+ * sin, cos, tan, sinh, cosh, tanh, erf, min(a, b), max(a, b). A formula is
+ * translated once into steps on a stack; to evaluate it is a loop over them.
  */
 #ifndef FLUID_INLETS_FORMULA_H
 #define FLUID_INLETS_FORMULA_H
