@@ -411,13 +411,13 @@ static void assert_goes_on(struct bed_options *bed, int stop,
                            const struct bed_report *made_whole)
 {
     struct stopper s = {kept_create(), 0, stop};
-    struct bed_keeper keeper = {&s, stop_settling};
+    struct bed_saver saver = {&s, stop_settling};
     const struct dem_options o = small_box();
     struct particles *const half = particles_create(bed->count);
     struct dem *const dem = dem_create(half, &o);
     struct bed_report r;
 
-    bed->keeper = &keeper;
+    bed->saver = &saver;
     ck_assert_int_eq(bed_create(NULL, half, dem, bed, &o, &r), BED_STOPPED);
     ck_assert_int_eq(r.stopped, 130);
     dem_free(dem);
@@ -438,14 +438,14 @@ START_TEST(a_bed_that_is_stopped_settles_on_to_the_same_bits)
     struct sizes *const sizes = two_sizes();
     struct bed_options bed = small_bed();
     struct stopper s = {kept_create(), 0, -1};
-    const struct bed_keeper nobody = {&s, stop_settling};
+    const struct bed_saver nobody = {&s, stop_settling};
     struct bed_report r;
 
     bed.count = 40;
     bed.sizes = sizes;
     bed.quantile = sizes_quantile;
     bed.diameter = sizes_moment(sizes, 1);
-    bed.keeper = &nobody;
+    bed.saver = &nobody;
     struct particles *const whole = made(NULL, &bed, &r, 50);
     assert_goes_on(&bed, 60, whole, &r);
     assert_goes_on(&bed, s.looks - 1, whole, &r);

@@ -1,9 +1,9 @@
 /* averaging_wall.h -- solids inside the mesh that particles cannot be in.
  * Chapter "Resolving the grains".
  *
- * A method of averaging knows the walls of the mesh. Of other solids, whatever
- * they are, it need not know: what it puts into their cells is moved out again,
- * and a field is continued into them before it is interpolated. The two are
+ * A method of averaging takes account of the walls of the mesh, not of other
+ * solids: what it puts into the cells of these is moved out again, and a field
+ * is continued into them before it is interpolated. The two are
  * adjoint, so that the sums of averaging.h are kept.
  */
 #ifndef AVERAGING_AVERAGING_WALL_H

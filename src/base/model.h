@@ -1,4 +1,4 @@
-/* model.h -- what a case and its reader are told about a model.
+/* model.h -- the description of a model, for cases and their readers.
  *
  * A model that a case chooses by name has one descriptor. Its first members are
  * those of struct model; then follow its functions and numbers, as in struct

@@ -89,7 +89,7 @@ void build_effects(const struct settings *s, struct simulation *sim)
 }
 
 static struct simulation *build(const struct settings *s, int with_bed,
-                                const struct bed_keeper *keeper, int *code)
+                                const struct bed_saver *saver, int *code)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
 
@@ -98,7 +98,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
     if (settings_has(s, "particles"))
-        *code = build_particles(s, sim, with_bed, keeper);
+        *code = build_particles(s, sim, with_bed, saver);
     if (*code == 0 && settings_has(s, "fluid")) *code = build_fluid(s, sim);
     if (*code == 0 && settings_has(s, "exchange")) {
         *code = create_averaging(s, sim);
@@ -118,10 +118,10 @@ struct simulation *build_simulation(const struct settings *s, int *code)
     return build(s, 1, NULL, code);
 }
 
-struct simulation *build_kept(const struct settings *s,
-                              const struct bed_keeper *keeper, int *code)
+struct simulation *build_with_saver(const struct settings *s,
+                                    const struct bed_saver *saver, int *code)
 {
-    return build(s, 1, keeper, code);
+    return build(s, 1, saver, code);
 }
 
 struct simulation *build_to_resume(const struct settings *s, int *code)

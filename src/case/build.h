@@ -6,15 +6,15 @@
 #include "case/build_free.h"
 #include "case/settings.h"
 
-struct bed_keeper;
+struct bed_saver;
 
 /* The simulation that the case describes, its bed settled. NULL after a
  * message; *code is then 2, 3 (the bed did not settle) or 4. */
 struct simulation *build_simulation(const struct settings *s, int *code);
-/* The same with somebody who saves the bed while it settles, and may end that
+/* The same with functions that save the bed while it settles, and may end that
  * with another code (dem/bed_settling.h); borrowed, or NULL. */
-struct simulation *build_kept(const struct settings *s,
-                              const struct bed_keeper *keeper, int *code);
+struct simulation *build_with_saver(const struct settings *s,
+                                    const struct bed_saver *saver, int *code);
 /* The same without its bed, whose state will be loaded. */
 struct simulation *build_to_resume(const struct settings *s, int *code);
 

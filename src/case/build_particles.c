@@ -58,14 +58,13 @@ static void tell_settled(const struct settings *s, const struct bed_report *r,
 /* The bed from the file `path`, or made anew and kept there; NULL: it is not
  * kept. Returns what bed_create does. */
 static int make_bed(const struct settings *s, struct simulation *sim,
-                    const struct dem_options *o,
-                    const struct bed_keeper *keeper, const char *path,
-                    struct bed_report *r)
+                    const struct dem_options *o, const struct bed_saver *saver,
+                    const char *path, struct bed_report *r)
 {
     struct bed_options b = particle_options_bed(s);
 
     b.region = sim->region;
-    b.keeper = keeper;
+    b.saver = saver;
     sim->particles = particles_create(b.count + case_part_count_later(s));
     sim->dem = dem_create(sim->particles, o);
     const int found =
@@ -79,7 +78,7 @@ static int make_bed(const struct settings *s, struct simulation *sim,
  * anew. */
 static int remake_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
-                      const struct bed_keeper *keeper, const char *path,
+                      const struct bed_saver *saver, const char *path,
                       struct bed_report *r)
 {
     fprintf(stderr, "winnow: %s is removed, and the bed is settled anew\n",
@@ -89,14 +88,14 @@ static int remake_bed(const struct settings *s, struct simulation *sim,
     particles_free(sim->particles);
     sim->dem = NULL;
     sim->particles = NULL;
-    return make_bed(s, sim, o, keeper, path, r);
+    return make_bed(s, sim, o, saver, path, r);
 }
 
 /* The bed is kept in a file that the case names, which must be written, or in
  * one that another run may use again. */
 static int create_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
-                      const struct bed_keeper *keeper)
+                      const struct bed_saver *saver)
 {
     const int named = settings_has(s, "particles.bed.file");
     char path[SETTINGS_PATH];
@@ -107,9 +106,9 @@ static int create_bed(const struct settings *s, struct simulation *sim,
                         sizeof path);
     const int cached = !named && case_part_bed_file(s, path, sizeof path);
     const int was_there = cached && access(path, R_OK) == 0;
-    int found = make_bed(s, sim, o, keeper, named || cached ? path : NULL, &r);
+    int found = make_bed(s, sim, o, saver, named || cached ? path : NULL, &r);
     if (found == BED_REFUSED && was_there)
-        found = remake_bed(s, sim, o, keeper, path, &r);
+        found = remake_bed(s, sim, o, saver, path, &r);
     if (found == BED_UNSAVED && cached) found = BED_CREATED;
     if (found == BED_LOST && r.dem.lost > 0) return bed_lost(&r);
     if (found == BED_STOPPED) return r.stopped;
@@ -208,7 +207,7 @@ int build_particles_check(const struct settings *s)
 }
 
 int build_particles(const struct settings *s, struct simulation *sim,
-                    int with_bed, const struct bed_keeper *keeper)
+                    int with_bed, const struct bed_saver *saver)
 {
     struct dem_options o;
     int code = furnish(s, sim, &o);
@@ -216,7 +215,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))
         code =
-            with_bed ? create_bed(s, sim, &o, keeper) : leave_room(s, sim, &o);
+            with_bed ? create_bed(s, sim, &o, saver) : leave_room(s, sim, &o);
     else
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;

@@ -7,10 +7,10 @@
 #include "case/settings.h"
 
 /* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
- * bed there is room for it only; the keeper of the bed may be NULL. Returns the
+ * bed there is room for it only; the saver of the bed may be NULL. Returns the
  * exit code, after a message if not 0. */
 int build_particles(const struct settings *s, struct simulation *sim,
-                    int with_bed, const struct bed_keeper *keeper);
+                    int with_bed, const struct bed_saver *saver);
 
 /* 0 if they can be where the case puts them, a bed on its lattice; nothing
  * moves, and nothing is kept. */

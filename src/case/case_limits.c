@@ -10,9 +10,9 @@
 #include "case/case_materials.h"
 #include "case/particle_options.h"
 
-int case_limits_apart(const struct settings *s)
+int case_limits_no_contacts(const struct settings *s)
 {
-    return dem_method_named(settings_text(s, "particles.list"))->apart;
+    return dem_method_named(settings_text(s, "particles.list"))->no_contacts;
 }
 
 int case_limits_count(const struct settings *s)
@@ -89,7 +89,7 @@ static double fastest_of(const struct settings *s, const char *list)
     return fastest;
 }
 
-double case_limits_thrown(const struct settings *s)
+double case_limits_initial_speed(const struct settings *s)
 {
     return fmax(fastest_of(s, "particles.place"),
                 fastest_of(s, "particles.insert"));

@@ -15,9 +15,9 @@ struct case_limits {
     double longest;   /* [s] that still resolves the impact */
 };
 
-/* 1: the particles do not meet (particles.list), no impact has to be resolved.
- */
-int case_limits_apart(const struct settings *s);
+/* 1: particles pass through each other (particles.list), so no impact has to be
+ * resolved. */
+int case_limits_no_contacts(const struct settings *s);
 
 /* How many materials the case lists, grains included. */
 int case_limits_count(const struct settings *s);
@@ -29,9 +29,9 @@ struct case_limits case_limits_of(const struct settings *s, int m, double v);
 /* The one that allows the shortest step; d = 0 if there is no particle. */
 struct case_limits case_limits_tightest(const struct settings *s, double v);
 
-/* The fastest that a sphere is thrown with, at the start or when it comes
- * [m/s]. */
-double case_limits_thrown(const struct settings *s);
+/* The largest velocity that the case gives a sphere, at the start or when it is
+ * inserted [m/s]. */
+double case_limits_initial_speed(const struct settings *s);
 
 /* The name of a material. */
 const char *case_limits_name(const struct settings *s, int m);

@@ -1,9 +1,9 @@
-/* case_memory.h -- the memory that a case will take, and whether there is so
- * much.
+/* case_memory.h -- the memory that a case needs, and whether the machine has
+ * it.
  *
  * It is counted before anything is made, from the numbers of cells and of
- * particles: a case that cannot fit is told so at once, and not by a machine
- * that stands still.
+ * particles: a case that cannot fit is refused at once, before the machine
+ * begins to swap.
  */
 #ifndef CASE_CASE_MEMORY_H
 #define CASE_CASE_MEMORY_H

@@ -34,8 +34,8 @@ double case_mesh_volume(const struct settings *s);
 /* 1 if the point is inside [m]. */
 int case_mesh_holds(const struct settings *s, const double x[3]);
 
-/* The patches and what the fluid is told about them, where the mesh is no
- * plain box. */
+/* Checks the patches and their boundary conditions, where the mesh is no plain
+ * box. */
 int case_mesh_check_fluid(const struct settings *s);
 
 #endif

@@ -87,7 +87,7 @@ struct case_scales case_scales_of(const struct settings *s)
     }
     particle_options_gravity(s, g);
     k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
-    k.impact = fmax(k.impact, case_limits_thrown(s));
+    k.impact = fmax(k.impact, case_limits_initial_speed(s));
     if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
     mesh_free(m);
     return k;
@@ -110,7 +110,7 @@ int case_scales_check_memory(const struct settings *s,
 }
 
 /* Particles that do not meet resolve no impacts, and do not settle. */
-static int check_apart(const struct settings *s)
+static int check_no_contacts(const struct settings *s)
 {
     if (!settings_has(s, "particles.bed") ||
         settings_int(s, "particles.bed.count") == 0 ||
@@ -127,7 +127,7 @@ int case_scales_check(const struct settings *s)
     if (!settings_has(s, "particles")) return 0;
     const struct case_scales k = case_scales_of(s);
     if (case_scales_check_memory(s, &k) != 0) return 2;
-    if (case_limits_apart(s)) return check_apart(s);
+    if (case_limits_no_contacts(s)) return check_no_contacts(s);
     if (settings_bool(s, "particles.unsafe_step")) return 0;
     const struct case_limits m = case_limits_tightest(s, k.impact);
     if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;

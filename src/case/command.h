@@ -12,7 +12,7 @@ struct command_line {
     int n_words, n_overrides;
     const char **words, **overrides;
     const char *dir; /* of -o; NULL: chosen from the name of the case */
-    int threads;     /* of -j, at most; 0: as many as OpenMP likes */
+    int threads;     /* of -j, at most; 0: as OpenMP chooses */
     int quiet;       /* 1: --quiet was given */
     int resume;      /* 1: --resume was given */
     int fresh;       /* 1: --fresh was given */

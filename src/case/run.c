@@ -229,7 +229,7 @@ static struct simulation *build(const struct run *run, int *code)
                           .folder = run->folder,
                           .bed = settings_has(s, bed) ? settings_text(s, bed)
                                                       : NULL};
-    const struct bed_keeper keeper = {&b, settle};
+    const struct bed_saver saver = {&b, settle};
 
     interrupt_watch_begin(&b.watch, leave, &b);
     struct simulation *const sim =
@@ -238,7 +238,7 @@ static struct simulation *build(const struct run *run, int *code)
                                           code)
         : run->resumes
             ? build_to_resume(s, code)
-            : build_kept(s, run->saver != NULL ? &keeper : NULL, code);
+            : build_with_saver(s, run->saver != NULL ? &saver : NULL, code);
     interrupt_watch_end(&b.watch);
     return sim;
 }
@@ -281,7 +281,7 @@ int run_case(const struct settings *s, const struct run_options *o)
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
-    if (o->quiet) folder_be_quiet(run.folder);
+    if (o->quiet) folder_set_quiet(run.folder);
     code = create_saver(&run);
     if (code == 0) run.sim = build(&run, &code);
     const int built = run.sim != NULL;
@@ -327,7 +327,7 @@ static int act(const struct command_line *l)
     struct settings *const s = command_settings(l, &code);
     interrupt_watch_end(&watch);
     if (l->threads > 0) omp_set_num_threads(l->threads);
-    if (s != NULL && l->quiet) settings_be_quiet(s);
+    if (s != NULL && l->quiet) settings_set_quiet(s);
     if (s != NULL) code = run_case(s, &o);
     settings_free(s);
     free(dir);

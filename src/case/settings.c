@@ -109,7 +109,7 @@ const struct config_setting_t *settings_root(const struct settings *s)
     return config_root_setting(&s->tree);
 }
 
-void settings_be_quiet(struct settings *s)
+void settings_set_quiet(struct settings *s)
 {
     s->quiet = 1;
 }

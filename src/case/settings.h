@@ -36,8 +36,8 @@ const char *settings_file(const struct settings *s);
 struct config_setting_t;
 const struct config_setting_t *settings_root(const struct settings *s);
 
-/* Whether progress is to be told on stderr. */
-void settings_be_quiet(struct settings *s);
+/* Whether progress is printed on stderr. */
+void settings_set_quiet(struct settings *s);
 int settings_quiet(const struct settings *s);
 
 /* 1 if the case itself names the key or group, 0 if it is left out or has its

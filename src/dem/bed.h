@@ -15,7 +15,7 @@
 #include "dem/placement_region.h"
 
 struct sizes;
-struct bed_keeper;
+struct bed_saver;
 
 struct bed_options {
     int count;          /* [-] */
@@ -31,7 +31,7 @@ struct bed_options {
     /* The diameter [m] that the share p of the sizes is below. */
     double (*quantile)(const struct sizes *s, double p);
     void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */
-    const struct bed_keeper *keeper; /* borrowed; NULL: settling is not saved
+    const struct bed_saver *saver; /* borrowed; NULL: settling is not saved
                                         on the way (bed_settling.h) */
 };
 
@@ -40,7 +40,7 @@ struct bed_report {
     double kinetic; /* [-] kinetic energy a particle over m g d */
     double time;    /* [s] that settling took */
     long steps;     /* [-] */
-    int stopped;    /* [-] not 0: its keeper has ended the settling, with this
+    int stopped;    /* [-] not 0: its saver has ended the settling, with this
                        exit code */
     double height;  /* [m] twice the mean height of the centres */
     double top;     /* [m] highest point of any particle over the bottom */
@@ -77,7 +77,7 @@ extern const struct bed_store *const bed_stores[];
  * tangential displacements of the bed. A bed that was read and one that was
  * settled continue identically, bit for bit. Non-zero after a message,
  * BED_UNSAVED if the file cannot be written; without one BED_LOST if a particle
- * is lost (see r->dem), and BED_STOPPED if its keeper ended the settling. */
+ * is lost (see r->dem), and BED_STOPPED if its saver ended the settling. */
 enum {
     BED_CREATED,
     BED_ABSENT,

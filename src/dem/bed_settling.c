@@ -111,9 +111,9 @@ void bed_settling_state(struct bed_settling *b, struct state *s)
 }
 
 /* Non-zero: settling ends here. */
-static int call_keeper(struct bed_settling *b, enum bed_moment when)
+static int call_saver(struct bed_settling *b, enum bed_moment when)
 {
-    const struct bed_keeper *const k = b->bed->keeper;
+    const struct bed_saver *const k = b->bed->saver;
 
     if (k != NULL) b->r->stopped = k->visit(k->memory, b, when);
     return b->r->stopped;
@@ -129,7 +129,7 @@ static int run_to_rest(struct bed_settling *b, double least, double kept)
 
     thread_tuner_use_all(&tuner);
     do {
-        if (call_keeper(b, BED_MOVES) != 0) break;
+        if (call_saver(b, BED_MOVES) != 0) break;
         thread_tuner_begin(&tuner);
         lost = dem_run(b->run, CHECK_EVERY, &r->dem);
         thread_tuner_end(&tuner);
@@ -152,7 +152,7 @@ static int go(struct bed_settling *b)
     const double interval = CHECK_EVERY * b->step;
     int lost = 0;
 
-    if (call_keeper(b, BED_BEGINS) != 0) return 0;
+    if (call_saver(b, BED_BEGINS) != 0) return 0;
     if (b->part == DISSIPATIVE) {
         lost =
             run_to_rest(b, 1.5 * fall, exp(-interval / (settling_drag * fall)));
@@ -162,7 +162,7 @@ static int go(struct bed_settling *b)
     if (b->part == REAL) lost = run_to_rest(b, 0.0, 1.0);
     if (lost || b->r->stopped) return lost;
     b->part = ENDED;
-    call_keeper(b, BED_RESTS);
+    call_saver(b, BED_RESTS);
     return 0;
 }
 

@@ -9,7 +9,7 @@
 
 #include "dem/bed.h"
 
-/* When a keeper is called. */
+/* When a saver is called. */
 enum bed_moment { BED_BEGINS, BED_MOVES, BED_RESTS };
 
 struct bed_settling;
@@ -20,8 +20,8 @@ void bed_settling_state(struct bed_settling *b, struct state *s);
 /* The time since it was dropped [s]. */
 double bed_settling_time(const struct bed_settling *b);
 
-/* Who saves a bed while it settles. */
-struct bed_keeper {
+/* Saves a bed while it settles. */
+struct bed_saver {
     void *memory; /* borrowed */
     /* Called once before the first step, where a bed that was saved may be
      * loaded; before each fifty steps; and once when the bed is at rest.

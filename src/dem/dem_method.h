@@ -3,8 +3,8 @@
  *
  * The motion of the particles is computed by one of several methods, which
  * give the same numbers up to rounding: the reference loop (reference.h) for
- * readers, and the fast one (fast/fast.h). dem.c knows them by this table of
- * functions only.
+ * readers, and the fast one (fast/fast.h). dem.c calls them through this table
+ * of functions only.
  */
 #ifndef DEM_DEM_METHOD_H
 #define DEM_DEM_METHOD_H
@@ -18,8 +18,8 @@ struct dem_method {
     const char *equations; /* keys in chapters/references.md */
     const char *function;  /* that finds the pairs */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    int apart; /* [-] 1: the particles do not meet, no impact is resolved */
-    /* What of the options it does not know, in words; NULL: it knows all. */
+    int no_contacts; /* [-] 1: particles pass through each other */
+    /* The option that it does not support, in words; NULL: none. */
     const char *(*unknown)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean
      * diameter [m]; NULL: 0. */

@@ -28,8 +28,8 @@ struct dem_options {
                         least 2 (d + skin + range) long there */
     const struct surface *surfaces; /* walls besides the box; borrowed */
     int n_surfaces;
-    unsigned long surfaces_checksum; /* [-] of their shapes and materials, to
-                                        know a bed that rests on them again */
+    unsigned long surfaces_checksum; /* [-] of their shapes and materials: a
+                                        settled bed in a file is for these */
     const struct attraction *attractions; /* borrowed likewise */
     int n_attractions;                    /* [-] 0: only touching counts */
     const struct prescribed_particle

@@ -1,5 +1,5 @@
-/* population.h -- insertion and removal of particles, as the coupled step knows
- * it.  Chapter "Insertion, removal and energy".
+/* population.h -- insertion and removal of particles in the coupled step.
+ *  Chapter "Insertion, removal and energy".
  *
  * Between two steps of the loop sources insert particles and sinks remove them
  * (population/population.h).

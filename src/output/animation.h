@@ -1,8 +1,8 @@
 /* animation.h -- a moving picture of the particles, drawn by gnuplot.
  *
- * For whom has no ParaView: DIR/bed.gif shows the particles along z, coloured
- * by speed, at the times of the field output. The frames are left in DIR/frames
- * with the script frames/bed.gp, which may be changed and run again:
+ * For readers without ParaView: DIR/bed.gif shows the particles along z,
+ * coloured by speed, at the times of the field output. The frames are left in
+ * DIR/frames with the script frames/bed.gp, which may be changed and run again:
  *
  *     cd DIR/frames && gnuplot bed.gp
  */

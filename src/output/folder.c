@@ -244,7 +244,7 @@ struct folder *folder_take(const char *dir)
     return NULL;
 }
 
-long folder_holder(const char *dir)
+long folder_process(const char *dir)
 {
     char *const path = file_join(dir, manifest);
     const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -285,7 +285,7 @@ void folder_leave(struct folder *f)
     free(part);
 }
 
-void folder_be_quiet(struct folder *f)
+void folder_set_quiet(struct folder *f)
 {
     f->quiet = 1;
 }

@@ -25,7 +25,7 @@ struct folder;
 struct folder *folder_take(const char *dir);
 
 /* The process whose run has locked the folder; 0 if there is none. */
-long folder_holder(const char *dir);
+long folder_process(const char *dir);
 
 /* Releases the folder. */
 void folder_free(struct folder *f);
@@ -35,7 +35,7 @@ void folder_free(struct folder *f);
 void folder_leave(struct folder *f);
 
 /* Lets folder_begin remove without a word. */
-void folder_be_quiet(struct folder *f);
+void folder_set_quiet(struct folder *f);
 
 /* Removes the files of the previous run, with a message on stderr. Non-zero
  * after a message. */

@@ -154,9 +154,9 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
 
 /* Spheres of a list that come at once must not overlap: the second would wait.
  */
-static int check_apart(const struct settings *s, int i,
-                       const struct insertion_options *o,
-                       const struct box_domain *box)
+static int check_no_contacts(const struct settings *s, int i,
+                             const struct insertion_options *o,
+                             const struct box_domain *box)
 {
     int who[2];
 
@@ -188,7 +188,7 @@ static int check_list(const struct settings *s, int i,
                                       i, q);
         }
     const struct box_domain box = box_domain_of(lo, hi, periodic);
-    return check_apart(s, i, o, &box);
+    return check_no_contacts(s, i, o, &box);
 }
 
 static int check_region(const struct settings *s, int i,

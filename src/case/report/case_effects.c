@@ -114,7 +114,7 @@ static int ways_of(const struct settings *s)
     const int one_way =
         strcmp(settings_text(s, "exchange.coupling"), "one-way") == 0;
 
-    if (case_limits_apart(s)) return one_way ? 1 : 2;
+    if (case_limits_no_contacts(s)) return one_way ? 1 : 2;
     return one_way ? 0 : 4;
 }
 

@@ -32,7 +32,7 @@ static struct placed placed_of(const struct settings *s,
 
     if (n == 0) /* all of them are inserted */
         return (struct placed){.d = 0.5 * (in->d + in->d_most),
-                               .speed = case_limits_thrown(s)};
+                               .speed = case_limits_initial_speed(s)};
 
     for (int i = 0; i < n; i++) {
         double v[3];

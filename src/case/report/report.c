@@ -118,7 +118,7 @@ static void print_contacts(const struct settings *s,
     const double safe = case_limits_tightest(s, k->impact).longest;
 
     puts("Contacts");
-    if (case_limits_apart(s)) {
+    if (case_limits_no_contacts(s)) {
         check_line("particle step", k->dem_dt, "s",
                    "safe: particles.list = \"none\", they do not meet");
         return;

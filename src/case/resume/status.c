@@ -120,7 +120,7 @@ static double end_of(struct state_file *f)
 /* 1 if the run goes on. */
 static int print_holder(const char *dir)
 {
-    const long process = folder_holder(dir);
+    const long process = folder_process(dir);
 
     if (process > 0) printf("%-11s process %ld is at it\n", "running", process);
     return process > 0;
