@@ -37,7 +37,7 @@ set xlabel "St"
 set ylabel "rebound / impact"
 set logscale x
 set yrange [0:1.05]
-set key at 1000, 0.36 right top
+set key at 1000, 0.52 right top
 plot r using 1:2 with linespoints pointtype 7 pointsize 0.5 linetype 2 title "without", \
      r using 1:3 with linespoints pointtype 7 pointsize 0.5 linetype 1 title "with", \
      r using 1:4 with linespoints pointtype 7 pointsize 0.5 linetype 4 title "and history", \

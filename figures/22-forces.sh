@@ -1,7 +1,7 @@
 #!/bin/sh
 # The cases of the chapter on further forces with and without what they show.
 #
-#   22-forces.sh history|shear|spin|rebound|bead|turn|cloud
+#   22-forces.sh history|shear|spin|rebound|bead|turn|cloud|carry
 #
 # history: velocity of the bead over the terminal one against time over T = (2
 # a^2/9 nu) (ratio + 1/2): without the force, with it, exact. shear: where the
@@ -9,7 +9,9 @@
 # after over before the impact, by Stokes number: without lubrication, with it,
 # with history too. bead: velocity of the bead with all, without virtual mass,
 # without the pressure gradient. turn: spin of the grain with the torque, without,
-# exact. cloud: how fast it falls one-way, two-way and four-way.
+# exact. cloud: how fast it falls one-way, two-way and four-way. carry: by how much
+# the bead is ahead of the oil, with pressure and stress, without the stress,
+# without both.
 set -eu
 mkdir -p out
 run() { # CASE NAME OVERRIDES...
@@ -155,6 +157,27 @@ cloud() {
     columns cloud-4 mean_fall_velocity >out/cloud-4.txt
     paste -d' ' out/cloud-1.txt out/cloud-2.txt out/cloud-4.txt |
         awk 'NR % 5 == 1 { printf "%.2f %7.3f %7.3f %7.3f\n", $1, 1e3 * $2, 1e3 * $3, 1e3 * $4 }'
+}
+
+# Its velocity from its energy; that of the oil at its place from the probe.
+carry() {
+    echo "# t [s]; oil [mm/s]; bead ahead of it [um/s] with both, without stress, with neither"
+    for name in both push none; do
+        case $name in
+            both) effects="pressure_gradient={};viscous_stress={};" ;;
+            push) effects="pressure_gradient={};" ;;
+            none) effects="" ;;
+        esac
+        run carried-bead carry-$name -s "effects={$effects}" -s output.every=0.01
+        columns carry-$name time kinetic_energy_particles >out/carry-e.txt
+        tail -n +2 out/22-carry-$name/probes.csv | cut -d, -f2 |
+            paste -d' ' out/carry-e.txt - | awk '
+                { printf "%.2f %.4f %.3f\n", $1, 1e3 * $3,
+                  1e6 * (sqrt(2 * $2 / (1000 * 3.141592653589793 / 6 * 8e-9)) - $3) }' \
+            >out/carry-$name.txt
+    done
+    paste -d' ' out/carry-both.txt out/carry-push.txt out/carry-none.txt |
+        awk 'NR % 5 == 1 { print $1, $2, $3, $6, $9 }'
 }
 
 $1

@@ -1,41 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gaps of about a cell and less: what the mesh and the film do together. */
+#include "brenner.h"
 #include "resolved.h"
 
 #include "facts.h"
 #include "resolved/squeeze_film.h"
 
-/* Force on a sphere that comes slowly to a plane wall, or to the middle between
- * two that meet, over 6 pi mu R U, at the gap z/R to the wall or the other one
- * [Brenner61]. */
-static double force_at(double gap, int of_two)
-{
-    const double a = acosh(1.0 + (of_two ? 0.5 : 1.0) * gap);
-    double sum = 0.0;
-
-    for (int n = 1; (n + 0.5) * a < 40.0; n++) {
-        const double k = 2.0 * n + 1.0, s = sinh(0.5 * k * a),
-                     c = cosh(0.5 * k * a), ks = k * sinh(a);
-        const double term = of_two ? (4.0 * c * c + ks * ks) /
-                                         (2.0 * sinh(k * a) - k * sinh(2.0 * a))
-                                   : (2.0 * sinh(k * a) + k * sinh(2.0 * a)) /
-                                         (4.0 * s * s - ks * ks);
-        sum +=
-            n * (n + 1.0) / ((2.0 * n - 1.0) * (2.0 * n + 3.0)) * (term - 1.0);
-    }
-    return 4.0 / 3.0 * sinh(a) * sum;
-}
-
 /* Far from everything it is Stokes' force, at a small gap R/z, twice as much as
  * between two; in between his table, where the distance is cosh 1, 2, 3 R. */
 START_TEST(brenner61_the_exact_force_has_its_limits)
 {
-    ck_assert_double_eq_tol(force_at(1e3, 0), 1.0, 2e-3);
-    ck_assert_double_eq_tol(force_at(cosh(1.0) - 1.0, 0), 3.0361, 1e-4);
-    ck_assert_double_eq_tol(force_at(cosh(2.0) - 1.0, 0), 1.4129, 1e-4);
-    ck_assert_double_eq_tol(force_at(cosh(3.0) - 1.0, 0), 1.1252, 1e-4);
-    ck_assert_double_eq_tol(force_at(1e-3, 0) / 1e3, 1.0, 4e-3);
-    ck_assert_double_eq_tol(force_at(1e-3, 1) / 500.0, 1.0, 1e-2);
+    ck_assert_double_eq_tol(brenner_force(1e3, 0), 1.0, 2e-3);
+    ck_assert_double_eq_tol(brenner_force(cosh(1.0) - 1.0, 0), 3.0361, 1e-4);
+    ck_assert_double_eq_tol(brenner_force(cosh(2.0) - 1.0, 0), 1.4129, 1e-4);
+    ck_assert_double_eq_tol(brenner_force(cosh(3.0) - 1.0, 0), 1.1252, 1e-4);
+    ck_assert_double_eq_tol(brenner_force(1e-3, 0) / 1e3, 1.0, 4e-3);
+    ck_assert_double_eq_tol(brenner_force(1e-3, 1) / 500.0, 1.0, 1e-2);
 }
 END_TEST
 
@@ -80,7 +60,7 @@ static double force_over_exact(double z_over_h, int of_two)
                                          squeeze_film_cells * h);
     pool_free(&p);
     return (of_mesh + film) /
-           (6.0 * M_PI * mu * R * U * force_at(z / R, of_two));
+           (6.0 * M_PI * mu * R * U * brenner_force(z / R, of_two));
 }
 
 /* Gaps of 1, 1/2, 1/4, 1/8 of a cell. The mesh alone has 0.9, 0.7, 0.4 and 0.24

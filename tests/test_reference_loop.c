@@ -53,7 +53,7 @@ static struct dem_options bed_of(int law, const struct dem_method *method)
     return o;
 }
 
-/* Rounding grows by a factor at every impact; after 2000 steps it is some 1e-9
+/* Rounding grows by a factor at every impact; after 1200 steps it is some 1e-9
  * of the largest velocity. A contact that is missed, done twice, or with the
  * wrong tangential displacement is 1e-3. */
 static const double grown_rounding = 1e-7;
@@ -69,8 +69,8 @@ START_TEST(the_fast_loop_agrees_with_the_reference_loop)
         o.integrator = integrators[_i / 2];
         ps[k] = thrown();
         struct dem *const dem = dem_create(ps[k], &o);
-        ck_assert_int_eq(dem_run(dem, 1500, &r[k]), 0);
-        ck_assert_int_eq(dem_run(dem, 500, &r[k]), 0);
+        ck_assert_int_eq(dem_run(dem, 900, &r[k]), 0);
+        ck_assert_int_eq(dem_run(dem, 300, &r[k]), 0);
         dem_free(dem);
     }
     ck_assert_int_gt(r[0].contacts, 60);
@@ -141,7 +141,7 @@ static void remove_some(struct dem *dem, const struct particles *ps)
     dem_remove(dem, gone);
 }
 
-/* 600 steps, between which a particle is added and some are removed; with
+/* 480 steps, between which a particle is added and some are removed; with
  * springs = 1 the last part begins with a new dem and the histories of the one
  * before. */
 static struct particles *life(const struct dem_options *o, int springs,
@@ -151,10 +151,10 @@ static struct particles *life(const struct dem_options *o, int springs,
     struct dem *dem = dem_create(ps, o);
 
     dem_start_energy_budget(dem);
-    ck_assert_int_eq(dem_run(dem, 400, r), 0);
+    ck_assert_int_eq(dem_run(dem, 360, r), 0);
     add_one(ps);
     dem_changed(dem);
-    ck_assert_int_eq(dem_run(dem, 100, r), 0);
+    ck_assert_int_eq(dem_run(dem, 60, r), 0);
     remove_some(dem, ps);
     if (springs) {
         int n;
@@ -165,7 +165,7 @@ static struct particles *life(const struct dem_options *o, int springs,
         dem_restore_springs(dem, list, n);
         free(list);
     }
-    ck_assert_int_eq(dem_run(dem, 100, r), 0);
+    ck_assert_int_eq(dem_run(dem, 60, r), 0);
     *e = *dem_energy(dem);
     dem_free(dem);
     return ps;
@@ -243,14 +243,14 @@ START_TEST(either_loop_continues_what_the_other_began)
         int n;
         ps[k] = thrown();
         struct dem *const first = dem_create(ps[k], &o);
-        ck_assert_int_eq(dem_run(first, 700, &r), 0);
+        ck_assert_int_eq(dem_run(first, 500, &r), 0);
         struct dem_spring *const list = dem_springs(first, &n);
         dem_free(first);
         o.method = k & 2 ? &reference_all_pairs : &fast_verlet;
         struct dem *const second = dem_create(ps[k], &o);
         dem_restore_springs(second, list, n);
         free(list);
-        ck_assert_int_eq(dem_run(second, 300, &r), 0);
+        ck_assert_int_eq(dem_run(second, 200, &r), 0);
         dem_free(second);
     }
     for (int k = 1; k < 4; k++)

@@ -34,17 +34,15 @@ static struct choices two_choices(void)
 START_TEST(values_split_at_top_level_commas_and_keys_cross)
 {
     struct choices c = two_choices();
-    int n;
+    struct texts set = {0};
 
     ck_assert_int_eq(choices_variants(&c), 6);
-    char **const set = choices_overrides(&c, 3, &n); /* entries 1 and 1 */
-    ck_assert_int_eq(n, 3);
-    ck_assert_str_eq(set[0], "a.step=2e-3");
-    ck_assert_str_eq(set[1], "mesh.cells=[16,4,1]");
-    ck_assert_str_eq(set[2], "b=z");
-    for (int i = 0; i < n; i++)
-        free(set[i]);
-    free(set);
+    choices_overrides(&c, 3, "b", &set); /* entries 1 and 1 */
+    ck_assert_int_eq(set.n, 2);
+    ck_assert_str_eq(set.text[0], "a.step=2e-3");
+    ck_assert_str_eq(set.text[1], "mesh.cells=[16,4,1]");
+    ck_assert_str_eq(choices_value(&c, 3, "b"), "z");
+    texts_free(&set);
     char *const label = choices_label(&c, 2, 0);
     ck_assert_str_eq(label, "cells=[8,4,1], b=\"x,y\"");
     free(label);

@@ -21,13 +21,7 @@
 
 VALUE(now, sim->t)
 VALUE(inlet_velocity, fluid_inlet_velocity(sim->fluid))
-
-static double fluid_energy(const struct simulation *sim)
-{
-    double sum = fluid_kinetic_energy(sim->fluid);
-    processes_sum(sim, 1, &sum);
-    return sum;
-}
+VALUE(fluid_energy, processes_total(sim, fluid_kinetic_energy(sim->fluid)))
 
 /* Component k of a sum over all [N s]. */
 static double component(const struct simulation *sim, int k,

@@ -70,8 +70,7 @@ double history_bed_weight(const struct simulation *sim)
 
     for (int i = 0; i < sim->particles->n; i++)
         mass += sim->particles->m[i];
-    processes_sum(sim, 1, &mass);
-    return mass * g * section;
+    return processes_total(sim, mass) * g * section;
 }
 
 double history_buoyant_weight(const struct simulation *sim)
@@ -82,9 +81,8 @@ double history_buoyant_weight(const struct simulation *sim)
 
     for (int i = 0; i < ps->n; i++)
         volume += M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
-    processes_sum(sim, 1, &volume);
     return history_bed_weight(sim) -
-           sim->fluid->options.rho * volume * g * section;
+           sim->fluid->options.rho * processes_total(sim, volume) * g * section;
 }
 
 double history_particle_energy(const struct simulation *sim)
@@ -95,8 +93,7 @@ double history_particle_energy(const struct simulation *sim)
     for (int i = 0; i < ps->n; i++)
         sum += ps->m[i] * (ps->vx[i] * ps->vx[i] + ps->vy[i] * ps->vy[i] +
                            ps->vz[i] * ps->vz[i]);
-    processes_sum(sim, 1, &sum);
-    return 0.5 * sum;
+    return 0.5 * processes_total(sim, sum);
 }
 
 /* I = (2/5) m R^2 = m d^2 / 10. */
@@ -109,17 +106,13 @@ double history_spin_energy(const struct simulation *sim)
         sum += 0.1 * ps->m[i] * ps->d[i] * ps->d[i] *
                (ps->wx[i] * ps->wx[i] + ps->wy[i] * ps->wy[i] +
                 ps->wz[i] * ps->wz[i]);
-    processes_sum(sim, 1, &sum);
-    return 0.5 * sum;
+    return 0.5 * processes_total(sim, sum);
 }
 
 /* All particles. */
 static double count(const struct simulation *sim)
 {
-    double n = sim->particles->n;
-
-    processes_sum(sim, 1, &n);
-    return n;
+    return processes_total(sim, sim->particles->n);
 }
 
 /* A third of their mean square about the mean. */
@@ -135,12 +128,11 @@ double history_granular_temperature(const struct simulation *sim)
         double mean = 0.0;
         for (int i = 0; i < ps->n; i++)
             mean += v[k][i] / n;
-        processes_sum(sim, 1, &mean);
+        mean = processes_total(sim, mean);
         for (int i = 0; i < ps->n; i++)
             sum += (v[k][i] - mean) * (v[k][i] - mean);
     }
-    processes_sum(sim, 1, &sum);
-    return sum / (3.0 * n);
+    return processes_total(sim, sum) / (3.0 * n);
 }
 
 double history_mean_height(const struct simulation *sim)
@@ -150,8 +142,7 @@ double history_mean_height(const struct simulation *sim)
 
     for (int i = 0; i < sim->particles->n; i++)
         sum += sim->particles->y[i] / n;
-    processes_sum(sim, 1, &sum);
-    return sum;
+    return processes_total(sim, sum);
 }
 
 /* The mean fall velocity, that of a single sphere. */
@@ -165,6 +156,6 @@ double history_mean_fall(const struct simulation *sim)
 
     for (int i = 0; i < ps->n; i++)
         sum += ps->vx[i] * g[0] + ps->vy[i] * g[1] + ps->vz[i] * g[2];
-    processes_sum(sim, 1, &sum);
+    sum = processes_total(sim, sum);
     return size > 0.0 && n > 0.0 ? sum / (size * n) : 0.0;
 }

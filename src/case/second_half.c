@@ -49,18 +49,21 @@ static void put_bed(const struct second_half *h, double row[N])
     const struct particles *const ps = h->sim->particles;
     const struct mesh *const m = h->sim->mesh;
     const double *const g = h->sim->gravity;
-    double sums[6] = {0.0}, *const p = sums + 3;
+    double mass = 0.0, x = 0.0, square = 0.0, p[3] = {0.0, 0.0, 0.0};
 
     for (int i = 0; i < ps->n; i++) {
         const double v[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
-        sums[0] += ps->m[i];
-        sums[1] += ps->m[i] * ps->x[i];
-        sums[2] += ps->m[i] * vector_dot(v, v);
+        mass += ps->m[i];
+        x += ps->m[i] * ps->x[i];
+        square += ps->m[i] * vector_dot(v, v);
         for (int k = 0; k < 3; k++)
             p[k] += ps->m[i] * v[k];
     }
-    processes_sum(h->sim, 6, sums);
-    const double mass = sums[0], x = sums[1], square = sums[2];
+    mass = processes_total(h->sim, mass);
+    x = processes_total(h->sim, x);
+    square = processes_total(h->sim, square);
+    for (int k = 0; k < 3; k++)
+        p[k] = processes_total(h->sim, p[k]);
     if (mass == 0.0) return;
     const double gg = vector_dot(g, g);
     const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;

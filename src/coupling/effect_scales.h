@@ -10,6 +10,7 @@ struct effect_scales {
     double rho_f, mu;    /* [kg/m^3], [Pa s] */
     double rho_s, d;     /* [kg/m^3], [m] of the mean particle */
     double gravity;      /* [m/s^2] */
+    double push;         /* [Pa/m] that drives the fluid through a period */
     double eps_s;        /* [-] solids fraction where the particles are */
     int carried;         /* [-] 1: the stream carries them, or they fall */
     double slip;         /* [m/s] of a particle in the stream */

@@ -87,7 +87,7 @@ static struct effect_estimate estimate(const struct effect_scales *k)
     const double gradient = k->eps_s * k->drag / V / (1.0 - k->eps_s);
 
     return (struct effect_estimate){
-        V * (gradient + k->rho_f * k->gravity) / k->force, "", 0};
+        V * (gradient + k->push + k->rho_f * k->gravity) / k->force, "", 0};
 }
 
 static const struct key keys[] = {

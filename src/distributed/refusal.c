@@ -4,68 +4,27 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/case_file.h"
 #include "case/case_materials.h"
-#include "case/case_part.h"
-#include "case/keys.h"
-#include "case/models.h"
+#include "case/schema.h"
 #include "distributed/words.h"
 
 /* Keys that are known, and by a full stop at the end all that begin so. */
-static const char *const known[] = {"title",
-                                    "cites",
-                                    "engine",
-                                    "ranks",
-                                    "layers",
-                                    "mesh",
-                                    "mesh.size",
-                                    "mesh.cells",
-                                    "mesh.grading",
-                                    "mesh.periodic",
-                                    "fluid",
-                                    "fluid.",
-                                    "particles",
-                                    "particles.contact",
-                                    "particles.step",
-                                    "particles.skin",
-                                    "particles.unsafe_step",
-                                    "particles.expected_overlap",
-                                    "particles.max_overlap",
-                                    "particles.integrator",
-                                    "particles.list",
-                                    "particles.grains",
-                                    "particles.grains.",
-                                    "particles.materials",
-                                    "particles.materials.",
-                                    "particles.pairs",
-                                    "particles.pairs.",
-                                    "particles.walls",
-                                    "particles.walls.",
-                                    "particles.bed",
-                                    "particles.bed.",
-                                    "particles.place",
-                                    "particles.place.",
-                                    "particles.overlaps",
-                                    "particles.sizes",
-                                    "particles.sizes.",
-                                    "averaging",
-                                    "averaging.",
-                                    "exchange",
-                                    "exchange.",
-                                    "effects",
-                                    "effects.gravity",
-                                    "effects.pressure_gradient",
-                                    "output",
-                                    "output.end",
-                                    "output.every",
-                                    "output.history",
-                                    "output.checkpoint",
-                                    "output.picture",
-                                    "output.animation",
-                                    "output.profiles",
-                                    "output.profiles.",
-                                    "output.probes",
-                                    "output.probes.",
-                                    NULL};
+static const char known[] =
+    " title cites engine ranks layers mesh mesh.size mesh.cells mesh.grading "
+    "mesh.periodic fluid fluid. particles particles.contact particles.step "
+    "particles.skin particles.unsafe_step particles.expected_overlap "
+    "particles.max_overlap particles.integrator particles.list "
+    "particles.grains particles.grains. particles.materials "
+    "particles.materials. particles.pairs particles.pairs. particles.walls "
+    "particles.walls. particles.bed particles.place particles.place. "
+    "particles.overlaps particles.sizes particles.sizes. averaging "
+    "averaging. exchange exchange. effects effects.gravity "
+    "effects.pressure_gradient output output.end output.every "
+    "output.history output.checkpoint output.picture output.animation "
+    "output.profiles output.profiles. output.probes output.probes. "
+    "particles.bed.count particles.bed.diameter particles.bed.seed "
+    "particles.bed.jitter particles.bed.settle particles.bed.sizes ";
 
 /* Keys that are not, by how they begin, and why; the last one is the rest. */
 static const struct {
@@ -74,6 +33,7 @@ static const struct {
     {"particles.surfaces", "LAMMPS of this version has no triangulated and no "
                            "moving walls"},
     {"particles.prescribed", "its particles all move freely"},
+    {"particles.bed.file", "all ranks settle the bed together"},
     {"particles.insert", "new particles are not handed out to the ranks yet"},
     {"particles.sinks", "particles that leave are not counted over the ranks "
                         "yet"},
@@ -93,12 +53,15 @@ static int begins(const char *text, const char *with)
     return strncmp(text, with, strlen(with)) == 0;
 }
 
+/* 1 if the list has the path, or how it begins, up to a full stop. */
 static int is_known(const char *path)
 {
-    for (int i = 0; known[i] != NULL; i++) {
-        const size_t n = strlen(known[i]);
-        if (strcmp(path, known[i]) == 0) return 1;
-        if (known[i][n - 1] == '.' && begins(path, known[i])) return 1;
+    char word[160];
+
+    for (size_t n = strlen(path); n > 0; n--) {
+        const int whole = path[n] == '\0' || path[n - 1] == '.';
+        snprintf(word, sizeof word, " %.*s ", (int)n, path);
+        if (whole && strstr(known, word) != NULL) return 1;
     }
     return 0;
 }
@@ -111,38 +74,25 @@ static int refuse(const struct settings *s, const char *path, const char *why)
                           why);
 }
 
-/* The first key of a table that the case has and the engine does not; `about`
- * is how those begin that are asked for. */
-static int check_table(const struct settings *s, const struct key *row,
-                       const char *about)
-{
-    for (; row != NULL && row->path != NULL; row++) {
-        int i = 0;
-        if (row->type == KEY_PATCH || strchr(row->path, '<') != NULL ||
-            is_known(row->path) || !settings_has(s, row->path))
-            continue;
-        while (!begins(row->path, reasons[i].key))
-            i++;
-        if (!begins(row->path, about) &&
-            strstr(reasons[i].why, "cohesion") == NULL)
-            continue;
-        return refuse(s, row->path, reasons[i].why);
-    }
-    return 0;
-}
-
+/* The first key that the case has and the engine has not; `about` is how those
+ * begin that are asked for. */
 static int check_keys(const struct settings *s, const char *about)
 {
-    enum { TABLES = 256 };
-    const struct key *tables[TABLES];
-    const int n = models_tables(tables, TABLES);
-    int code = check_table(s, keys_core, about);
+    const struct key *tables[CASE_FILE_TABLES];
 
-    for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        code = check_table(s, case_parts[i]->keys, about);
-    for (int i = 0; i < n && i < TABLES && code == 0; i++)
-        code = check_table(s, tables[i], about);
-    return code;
+    case_file_tables(tables);
+    SCHEMA_EACH (row, tables) {
+        const char *const path = row->path;
+        int i = 0;
+        if (row->type == KEY_PATCH || strchr(path, '<') != NULL ||
+            is_known(path) || !settings_has(s, path))
+            continue;
+        while (!begins(path, reasons[i].key))
+            i++;
+        if (begins(path, about) || strstr(reasons[i].why, "cohesion") != NULL)
+            return refuse(s, path, reasons[i].why);
+    }
+    return 0;
 }
 
 /* Choices of which the engine knows one or two. */
@@ -184,6 +134,9 @@ static int check_absent(const struct settings *s)
     for (int i = 0; absent[i] != NULL; i++)
         if (settings_has(s, absent[i]))
             return refuse(s, absent[i], "not divided yet");
+    if (settings_has(s, "particles") &&
+        strcmp(settings_text(s, "particles.list"), "none") == 0)
+        return refuse(s, "particles.list", "LAMMPS looks for contacts");
     if (settings_has(s, "fluid") && settings_int(s, "fluid.outer_correctors"))
         return refuse(s, "fluid.outer_correctors", "not divided yet");
     return 0;

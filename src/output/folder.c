@@ -21,9 +21,9 @@ static const char ahead[] = "checkpoint.ahead";
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
-    ".",        "fluid",  "particles",  "surfaces",     "picture",
-    "profiles", "frames", "statistics", "walls",        "contacts",
-    "case",     "bodies", "clumps",     "body_surfaces"};
+    ".",        "fluid",  "particles",   "surfaces",     "picture",
+    "profiles", "frames", "statistics",  "walls",        "contacts",
+    "case",     "bodies", "body_clumps", "body_surfaces"};
 static const char *const ours[] = {"./summary.json",
                                    "./history.csv",
                                    "./probes.csv",
@@ -31,10 +31,8 @@ static const char *const ours[] = {"./summary.json",
                                    "./bodies.csv",
                                    "./bodies.pvd",
                                    "bodies/bodies_*.vtp",
-                                   "./clumps.pvd",
-                                   "clumps/clumps_*.vtp",
-                                   "./body_surfaces.pvd",
-                                   "body_surfaces/body_surfaces_*.vtp",
+                                   "./body_*.pvd",
+                                   "body_*/body_*.vtp",
                                    "./forces.csv",
                                    "./walls.pvd",
                                    "./contacts.pvd",
@@ -44,8 +42,8 @@ static const char *const ours[] = {"./summary.json",
                                    "./fluid.pvd",
                                    "./particles.pvd",
                                    "./surfaces.pvd",
-                                   "fluid/fluid_*.vt?",
-                                   "particles/particles_*.vtp",
+                                   "fluid/fluid_*vt?",
+                                   "particles/particles_*vtp",
                                    "surfaces/surfaces_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
@@ -65,10 +63,7 @@ static const char *const ours[] = {"./summary.json",
                                    "case/*",
                                    "./checkpoint",
                                    "./checkpoint.before",
-                                   "./checkpoint.cells.?",
-                                   "./checkpoint.grains.?",
-                                   "fluid/fluid_*.pvtr",
-                                   "particles/particles_*.pvtp"};
+                                   "./checkpoint.*.?"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]

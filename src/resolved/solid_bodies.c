@@ -19,17 +19,16 @@ static void (*const set_method[])(struct solid_bodies *) = {
     [BODY_METHOD_FICTITIOUS] = fraction_methods_set_fictitious,
     [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
 
-struct solid_bodies *
-solid_bodies_create(int n, int cells, double rho,
-                    const struct solid_bodies_options *options)
+struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
+                                         const struct solid_bodies_options *o)
 {
     struct solid_bodies *const b = alloc_zeroed(1, sizeof *b);
     double **const three[8] = {&b->u_old, &b->w_old,  &b->impulse, &b->angular,
                                &b->force, &b->torque, &b->spring,  &b->anchor};
 
-    b->options = *options;
-    if (options->dem != NULL) b->contacts = *options->dem;
-    b->lubrication = options->lubrication;
+    b->options = *o;
+    if (o->dem != NULL) b->contacts = *o->dem;
+    b->lubrication = o->lubrication;
     b->rho = rho;
     b->ps = particles_create(n);
     particles_add_implicit_drag(b->ps);
@@ -45,7 +44,7 @@ solid_bodies_create(int n, int cells, double rho,
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
-    set_method[options->method](b);
+    set_method[o->method](b);
     return b;
 }
 

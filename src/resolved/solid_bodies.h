@@ -25,9 +25,8 @@ struct solid_bodies {
     double rho; /* [kg/m^3] of the fluid */
     struct dem_options contacts;
     struct squeeze_film lubrication;
-    struct particles *ps; /* the bodies: centres, velocities, masses */
-    int springs, blocks,
-        moves;       /* [-] on springs; no spheres; 1: not all fixed */
+    struct particles *ps;       /* centres, velocities, masses */
+    int springs, blocks, moves; /* [-] on springs; no spheres; any moves */
     double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
@@ -59,9 +58,8 @@ struct solid_bodies {
 extern const double solid_bodies_immovable;
 
 /* n bodies at most; cells of the mesh; density of the fluid [kg/m^3]. */
-struct solid_bodies *
-solid_bodies_create(int n, int cells, double rho,
-                    const struct solid_bodies_options *options);
+struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
+                                         const struct solid_bodies_options *o);
 void solid_bodies_free(struct solid_bodies *b);
 
 /* One more body at rest at x [m], of this density [kg/m^3]. An outline is freed

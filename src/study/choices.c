@@ -32,8 +32,8 @@ static size_t length_to(const char *text, char separator)
     return n;
 }
 
-/* The part without blanks around it, as a new string. */
-static char *trimmed(const char *text, size_t length)
+/* Adds the part without blanks around it. */
+static void add_trimmed(struct texts *t, const char *text, size_t length)
 {
     while (length > 0 && strchr(" \t\n", text[0]) != NULL) {
         text++;
@@ -41,66 +41,51 @@ static char *trimmed(const char *text, size_t length)
     }
     while (length > 0 && strchr(" \t\n", text[length - 1]) != NULL)
         length--;
-    char *const part = alloc_zeroed(length + 1, 1);
-    return memcpy(part, text, length);
+    texts_add(t, "%.*s", (int)length, text);
 }
 
-/* The parts between separators, as new strings; returns how many. */
-static int split(const char *text, char separator, char ***parts)
+/* Adds the parts between separators; 1 if one of them is empty. */
+static int split(const char *text, char separator, struct texts *parts)
 {
-    int n = 1;
+    int empty = 0;
 
-    for (const char *p = text; p[length_to(p, separator)] != '\0';
-         p += length_to(p, separator) + 1)
-        n++;
-    *parts = alloc_zeroed((size_t)n, sizeof **parts);
-    for (int i = 0; i < n; i++) {
+    for (;; text++) {
         const size_t length = length_to(text, separator);
-
-        (*parts)[i] = trimmed(text, length);
-        text += length + 1;
+        add_trimmed(parts, text, length);
+        empty |= parts->text[parts->n - 1][0] == '\0';
+        text += length;
+        if (*text == '\0') return empty;
     }
-    return n;
 }
 
-void choices_free_texts(int n, char **texts)
+/* Reads "key:key=entry,entry,..."; what is wrong with it, or NULL. */
+static const char *read_choice(struct choice *c, const char *text)
 {
-    for (int i = 0; i < n; i++)
-        free(texts[i]);
-    free(texts);
-}
+    const char *const equal = strchr(text, '=');
+    struct texts keys = {0}, entries = {0};
+    int wrong = equal == NULL || equal == text;
 
-/* Fills the values of one entry; 0 if it has one for every key. */
-static int fill_entry(struct choice *c, int i, const char *entry)
-{
-    char **value;
-    const int n = split(entry, c->n_keys > 1 ? ':' : '\0', &value);
-    int wrong = n != c->n_keys;
-
-    for (int k = 0; k < c->n_keys; k++) {
-        char *const text = strdup(k < n ? value[k] : "");
-        c->value[i * c->n_keys + k] = text;
-        wrong |= text[0] == '\0';
-    }
-    choices_free_texts(n, value);
-    return wrong;
-}
-
-static int fill(struct choice *c, char **entry)
-{
-    int wrong = 0;
-
-    c->value = alloc_zeroed((size_t)c->n * (size_t)c->n_keys, sizeof *c->value);
-    for (int i = 0; i < c->n; i++)
-        wrong |= fill_entry(c, i, entry[i]);
-    return wrong;
+    if (wrong) return "expected path.to.key=value,value,...";
+    add_trimmed(&keys, text, (size_t)(equal - text));
+    split(keys.text[0], ':', &c->key);
+    split(equal + 1, ',', &entries);
+    c->n = entries.n;
+    for (int i = 0; i < c->n && !wrong; i++)
+        wrong = split(entries.text[i], c->key.n > 1 ? ':' : '\0', &c->value) ||
+                c->value.n != (i + 1) * c->key.n;
+    texts_free(&keys);
+    texts_free(&entries);
+    return wrong ? "an entry without a value for each key; between entries "
+                   "stands a comma, between values of keys that change "
+                   "together a colon"
+                 : NULL;
 }
 
 static int is_known(const struct choices *c, const char *key)
 {
     for (int i = 0; i < c->n; i++)
-        for (int k = 0; k < c->of[i].n_keys; k++)
-            if (strcmp(c->of[i].key[k], key) == 0) return 1;
+        for (int k = 0; k < c->of[i].key.n; k++)
+            if (strcmp(c->of[i].key.text[k], key) == 0) return 1;
     return 0;
 }
 
@@ -119,9 +104,9 @@ static int is_entry_twice(const struct choice *c)
     for (int i = 0; i < c->n; i++)
         for (int j = 0; j < i; j++) {
             int same = 1;
-            for (int k = 0; k < c->n_keys; k++)
-                same &= is_same(c->value[i * c->n_keys + k],
-                                c->value[j * c->n_keys + k]);
+            for (int k = 0; k < c->key.n; k++)
+                same &= is_same(c->value.text[i * c->key.n + k],
+                                c->value.text[j * c->key.n + k]);
             if (same) return 1;
         }
     return 0;
@@ -129,31 +114,18 @@ static int is_entry_twice(const struct choice *c)
 
 static void choice_free(struct choice *c)
 {
-    choices_free_texts(c->n_keys, c->key);
-    if (c->value != NULL) choices_free_texts(c->n * c->n_keys, c->value);
+    texts_free(&c->key);
+    texts_free(&c->value);
 }
 
 int choices_add(struct choices *c, const char *text)
 {
-    const char *const equal = strchr(text, '=');
     struct choice one = {0};
-    char **entry, *keys;
-    const char *why = NULL;
+    const char *why = read_choice(&one, text);
 
-    if (equal == NULL || equal == text)
-        return refuse(text, "expected path.to.key=value,value,...");
-    keys = trimmed(text, (size_t)(equal - text));
-    one.n_keys = split(keys, ':', &one.key);
-    free(keys);
-    one.n = split(equal + 1, ',', &entry);
-    if (fill(&one, entry) != 0)
-        why = "an entry without a value for each key; between entries stands "
-              "a comma, between values of keys that change together a colon";
-    else if (is_entry_twice(&one))
-        why = "a value is there twice";
-    choices_free_texts(one.n, entry);
-    for (int k = 0; k < one.n_keys && why == NULL; k++)
-        if (is_known(c, one.key[k])) why = "the key was given before";
+    if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
+    for (int k = 0; k < one.key.n && why == NULL; k++)
+        if (is_known(c, one.key.text[k])) why = "the key was given before";
     if (why != NULL) {
         choice_free(&one);
         return refuse(text, why);
@@ -201,37 +173,28 @@ int choices_with(const struct choices *c, int variant, int i, int entry)
     return variant + (entry - choices_entry(c, variant, i)) * stride(c, i);
 }
 
-char **choices_overrides(const struct choices *c, int variant, int *n)
+void choices_overrides(const struct choices *c, int variant, const char *but,
+                       struct texts *set)
 {
-    char **texts;
-
-    *n = 0;
-    for (int i = 0; i < c->n; i++)
-        *n += c->of[i].n_keys;
-    texts = alloc_zeroed((size_t)*n, sizeof *texts);
-    *n = 0;
     for (int i = 0; i < c->n; i++) {
         const struct choice *const of = &c->of[i];
         const int entry = of->n == 1 ? 0 : choices_entry(c, variant, i);
-        char *const *const value = of->value + entry * of->n_keys;
 
-        if (variant < 0 && of->n > 1) continue;
-        for (int k = 0; k < of->n_keys; k++) {
-            const size_t room = strlen(of->key[k]) + strlen(value[k]) + 2;
-            texts[*n] = alloc_zeroed(room, 1);
-            snprintf(texts[(*n)++], room, "%s=%s", of->key[k], value[k]);
-        }
+        for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++)
+            if (strcmp(of->key.text[k], but) != 0)
+                texts_add(set, "%s=%s", of->key.text[k],
+                          of->value.text[entry * of->key.n + k]);
     }
-    return texts;
 }
 
 const char *choices_value(const struct choices *c, int variant, const char *key)
 {
     for (int i = 0; i < c->n; i++)
-        for (int k = 0; k < c->of[i].n_keys; k++)
-            if (strcmp(c->of[i].key[k], key) == 0)
+        for (int k = 0; k < c->of[i].key.n; k++)
+            if (strcmp(c->of[i].key.text[k], key) == 0)
                 return c->of[i]
-                    .value[choices_entry(c, variant, i) * c->of[i].n_keys + k];
+                    .value
+                    .text[choices_entry(c, variant, i) * c->of[i].key.n + k];
     return NULL;
 }
 
@@ -242,8 +205,8 @@ static const char *short_key(const struct choices *c, const char *key)
     const char *const last = dot != NULL ? dot + 1 : key;
 
     for (int i = 0; i < c->n; i++)
-        for (int k = 0; k < c->of[i].n_keys; k++) {
-            const char *const other = c->of[i].key[k];
+        for (int k = 0; k < c->of[i].key.n; k++) {
+            const char *const other = c->of[i].key.text[k];
             const size_t n = strlen(other), m = strlen(last);
             if (other != key && n >= m && strcmp(other + n - m, last) == 0)
                 return key;
@@ -263,9 +226,9 @@ char *choices_label(const struct choices *c, int variant, int but)
         const int entry = choices_entry(c, variant, i);
 
         if (of->n < 2 || i == but) continue;
-        for (int k = 0; k < of->n_keys; k++, between = ", ")
-            fprintf(out, "%s%s=%s", between, short_key(c, of->key[k]),
-                    of->value[entry * of->n_keys + k]);
+        for (int k = 0; k < of->key.n; k++, between = ", ")
+            fprintf(out, "%s%s=%s", between, short_key(c, of->key.text[k]),
+                    of->value.text[entry * of->key.n + k]);
     }
     fclose(out);
     return text;
@@ -290,11 +253,11 @@ static int numbers(const char *text, double v[3])
 static double number(const struct choice *c, int entry)
 {
     double v[3], first[3], last[3], product = 1.0;
-    const int n = numbers(c->value[entry * c->n_keys], v);
+    const int n = numbers(c->value.text[entry * c->key.n], v);
     int changing = 0;
 
-    if (n == 0 || numbers(c->value[0], first) != n ||
-        numbers(c->value[(c->n - 1) * c->n_keys], last) != n)
+    if (n == 0 || numbers(c->value.text[0], first) != n ||
+        numbers(c->value.text[(c->n - 1) * c->key.n], last) != n)
         return NAN;
     for (int k = 0; k < n; k++)
         if (first[k] != last[k]) {

@@ -11,10 +11,13 @@
 #ifndef STUDY_CHOICES_H
 #define STUDY_CHOICES_H
 
-/* One choice: entry i sets key k to value[i * n_keys + k]. */
+#include "study/texts.h"
+
+/* One choice: entry i sets the k-th of its keys to the value
+ * i * key.n + k. */
 struct choice {
-    int n_keys, n;
-    char **key, **value;
+    int n; /* [-] entries */
+    struct texts key, value;
 };
 
 struct choices {
@@ -34,11 +37,10 @@ int choices_variants(const struct choices *c);
 int choices_entry(const struct choices *c, int variant, int i);
 int choices_with(const struct choices *c, int variant, int i, int entry);
 
-/* All that a variant sets, "key=value" each; of variant -1 what all runs have.
- * To be freed with its texts. */
-char **choices_overrides(const struct choices *c, int variant, int *n);
-
-void choices_free_texts(int n, char **texts);
+/* Adds all that a variant sets, "key=value" each; of variant -1 what all runs
+ * have. The key `but` is left out. */
+void choices_overrides(const struct choices *c, int variant, const char *but,
+                       struct texts *set);
 
 /* The value of a key in a variant, or NULL; borrowed. */
 const char *choices_value(const struct choices *c, int variant,

@@ -6,6 +6,7 @@
 #include "case/history.h"
 #include "case/nearest.h"
 #include "case/profiles.h"
+#include "case/recorder_part.h"
 #include "study/results.h"
 #include "study/statistics.h"
 
@@ -80,15 +81,26 @@ static int numbered(const char *name, const char *word)
                : (int)number;
 }
 
-static const struct history_column *in_history(const char *name)
+static const struct history_column *in_columns(const struct history_column *c,
+                                               const char *name)
 {
     const size_t n = strlen(name);
-    const struct history_column *c = history_columns;
 
     while (c->name != NULL &&
            (strncmp(c->name, name, n) != 0 || c->name[n] != ' '))
         c++;
     return c->name != NULL ? c : NULL;
+}
+
+/* Those of all runs, or of a folder. */
+static const struct history_column *in_history(const char *name)
+{
+    const struct history_column *found = in_columns(history_columns, name);
+
+    for (int i = 0; recorder_parts[i] != NULL && found == NULL; i++)
+        if (recorder_parts[i]->columns != NULL)
+            found = in_columns(recorder_parts[i]->columns, name);
+    return found;
 }
 
 /* 1 if a case has what a column of the history needs, as far as it says. */

@@ -112,29 +112,28 @@ static int can_go_on(const struct run *r)
 
 /* The words of the command: winnow run CASE -o DIR -j 1 --quiet -s ..., where
  * the threads are no choice. */
-static const char **command(const struct plan *p, const struct run *r,
+static struct texts command(const struct plan *p, const struct run *r,
                             int resumed)
 {
     const char *const threads =
         choices_value(&p->choices, r->variant, PLAN_THREADS);
-    const char *const fixed[] = {"winnow",
+    const char *const begin[] = {"winnow",
                                  "run",
                                  p->words.case_file,
                                  "-o",
                                  r->folder,
                                  "-j",
                                  threads != NULL ? threads : "1",
-                                 "--quiet"};
-    const size_t n = sizeof fixed / sizeof fixed[0];
-    const char **const words =
-        alloc_zeroed(n + 2 * (size_t)r->n_overrides + 2, sizeof *words);
+                                 "--quiet",
+                                 resumed ? "--resume" : NULL};
+    struct texts words = {0};
 
-    memcpy(words, fixed, sizeof fixed);
-    for (int i = 0; i < r->n_overrides; i++) {
-        words[n + 2 * (size_t)i] = "-s";
-        words[n + 2 * (size_t)i + 1] = r->overrides[i];
+    for (size_t i = 0; i < sizeof begin / sizeof begin[0]; i++)
+        if (begin[i] != NULL) texts_add(&words, "%s", begin[i]);
+    for (int i = 0; i < r->overrides.n; i++) {
+        texts_add(&words, "-s");
+        texts_add(&words, "%s", r->overrides.text[i]);
     }
-    if (resumed) words[n + 2 * (size_t)r->n_overrides] = "--resume";
     return words;
 }
 
@@ -155,13 +154,13 @@ static int start(struct crew *c, struct worker *w, struct run *r)
     /* The end of an earlier run must not pass for that of this one. */
     if (!w->resumed) forget(r, "summary.json");
     if (write_identity(r, 0) != 0) return NOT_WRITTEN;
-    const char **const words = command(c->plan, r, w->resumed);
+    struct texts words = command(c->plan, r, w->resumed);
     char *const log = file_join(r->folder, "log.txt");
-    w->process = workers_start(words, log);
+    w->process = workers_start((const char *const *)words.text, log);
     if (w->process == 0)
         fprintf(stderr, "winnow: cannot start a run: %s\n", strerror(errno));
     free(log);
-    free(words);
+    texts_free(&words);
     return w->process != 0 ? 0 : NOT_WRITTEN;
 }
 

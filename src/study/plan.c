@@ -28,24 +28,13 @@ static int needs_few_pictures(const struct settings *s)
     return settings_has(s, "fluid") || settings_has(s, "output.history");
 }
 
-static void add_fixed(struct plan *p, const char *format, const char *value)
-{
-    const size_t room = strlen(format) + strlen(value) + 1;
-    char *const text = alloc_zeroed(room, 1);
-
-    snprintf(text, room, format, value);
-    p->fixed = realloc(p->fixed, ((size_t)p->n_fixed + 1) * sizeof *p->fixed);
-    if (p->fixed == NULL) exit(4);
-    p->fixed[p->n_fixed++] = text;
-}
-
 static void add_output(struct plan *p, const struct settings *s)
 {
     char end[NUMBER_LENGTH];
 
-    add_fixed(p, "output.picture=%s", "false");
+    texts_add(&p->fixed, "output.picture=false");
     if (needs_few_pictures(s))
-        add_fixed(p, "output.every=%s",
+        texts_add(&p->fixed, "output.every=%s",
                   number_text(settings_real(s, "output.end"), end));
 }
 
@@ -70,40 +59,25 @@ static int add_seeds(struct plan *p, const struct settings *s)
                                   "no particles.insert");
 }
 
-char **plan_overrides(const struct plan *p, int variant, int seed, int *n)
+void plan_overrides(const struct plan *p, int variant, int seed,
+                    struct texts *set)
 {
-    int n_choices, at = 0;
-    char **const choices = choices_overrides(&p->choices, variant, &n_choices);
-    char **const texts = alloc_zeroed(
-        (size_t)p->n_fixed + PLAN_SEEDS + (size_t)n_choices, sizeof *texts);
-
-    for (int i = 0; i < p->n_fixed; i++)
-        texts[at++] = strdup(p->fixed[i]);
-    for (int i = 0; i < p->n_seeds && p->words.seeds > 1; i++) {
-        texts[at] = alloc_zeroed(sizeof p->seed[i].key + 16, 1);
-        snprintf(texts[at++], sizeof p->seed[i].key + 16, "%s=%d",
-                 p->seed[i].key, p->seed[i].value + seed);
-    }
-    for (int i = 0; i < n_choices; i++) {
-        if (strncmp(choices[i], PLAN_THREADS "=", 8) == 0)
-            free(choices[i]);
-        else
-            texts[at++] = choices[i];
-    }
-    free(choices);
-    *n = at;
-    return texts;
+    for (int i = 0; i < p->fixed.n; i++)
+        texts_add(set, "%s", p->fixed.text[i]);
+    for (int i = 0; i < p->n_seeds && p->words.seeds > 1; i++)
+        texts_add(set, "%s=%d", p->seed[i].key, p->seed[i].value + seed);
+    choices_overrides(&p->choices, variant, PLAN_THREADS, set);
 }
 
 struct settings *plan_case(const struct plan *p, int variant, int seed,
                            int *code)
 {
-    int n;
-    char **const overrides = plan_overrides(p, variant, seed, &n);
-    struct settings *const s = case_file_read(
-        p->words.case_file, n, (const char *const *)overrides, code);
+    struct texts set = {0};
 
-    choices_free_texts(n, overrides);
+    plan_overrides(p, variant, seed, &set);
+    struct settings *const s = case_file_read(
+        p->words.case_file, set.n, (const char *const *)set.text, code);
+    texts_free(&set);
     return s;
 }
 
@@ -179,16 +153,15 @@ int plan_cost_is_processor(const struct plan *p)
 }
 
 /* out/study-NAME for some/where/NAME.cfg. */
-static char *default_dir(const char *file)
+static const char *default_dir(struct study_words *w)
 {
-    const char *const slash = strrchr(file, '/');
-    const char *const name = slash != NULL ? slash + 1 : file;
+    const char *const slash = strrchr(w->file, '/');
+    const char *const name = slash != NULL ? slash + 1 : w->file;
     const char *const dot = strrchr(name, '.');
-    char *const dir = alloc_zeroed(strlen(name) + 16, 1);
 
-    sprintf(dir, "out/study-%.*s",
-            (int)(dot > name ? (size_t)(dot - name) : strlen(name)), name);
-    return dir;
+    return texts_add(&w->made, "out/study-%.*s",
+                     (int)(dot > name ? (size_t)(dot - name) : strlen(name)),
+                     name);
 }
 
 static int complete(struct plan *p)
@@ -202,8 +175,8 @@ static int complete(struct plan *p)
     if (code == 0) code = add_seeds(p, s);
     if (code == 0) add_output(p, s);
     if (w->title == NULL)
-        w->title = study_words_keep(w, strdup(settings_text(s, "title")));
-    if (w->dir == NULL) w->dir = study_words_keep(w, default_dir(w->file));
+        w->title = texts_add(&w->made, "%s", settings_text(s, "title"));
+    if (w->dir == NULL) w->dir = default_dir(w);
     settings_free(s);
     return code;
 }
@@ -223,7 +196,7 @@ void plan_free(struct plan *p)
     for (int i = 0; i < p->n_measures; i++)
         truth_free(&p->truth[i]);
     choices_free(&p->choices);
-    choices_free_texts(p->n_fixed, p->fixed);
+    texts_free(&p->fixed);
     study_words_free(&p->words);
     *p = (struct plan){0};
 }

@@ -31,8 +31,7 @@ struct plan {
     struct measure cost; /* the abscissa of the picture */
     int n_seeds;
     struct plan_seed seed[PLAN_SEEDS];
-    int n_fixed;
-    char **fixed; /* overrides of every run: few pictures */
+    struct texts fixed; /* overrides of every run: few pictures */
 };
 
 /* Makes a plan of the words after `winnow study`. 0; or after one message 2 for
@@ -40,9 +39,10 @@ struct plan {
 int plan_create(struct plan *p, int n_words, const char *const *words);
 void plan_free(struct plan *p);
 
-/* Overrides of a variant, or of -1 (choices_overrides), with the k-th seed,
- * "key=value" each; to be freed with its texts. */
-char **plan_overrides(const struct plan *p, int variant, int seed, int *n);
+/* Adds the overrides of a variant, or of -1 (choices_overrides), with the k-th
+ * seed, "key=value" each. */
+void plan_overrides(const struct plan *p, int variant, int seed,
+                    struct texts *set);
 
 /* The case with these overrides; NULL after a message, with its exit code. */
 struct settings *plan_case(const struct plan *p, int variant, int seed,

@@ -65,8 +65,8 @@ static char *identity_of(const struct plan *p, const struct run *r)
 
     fprintf(out, "winnow %s, %s, contents crc32 %08lx\n", VERSION_TEXT,
             p->words.case_file, r->contents);
-    for (int i = 0; i < r->n_overrides; i++)
-        fprintf(out, "%s\n", r->overrides[i]);
+    for (int i = 0; i < r->overrides.n; i++)
+        fprintf(out, "%s\n", r->overrides.text[i]);
     if (threads != NULL) fprintf(out, PLAN_THREADS "=%s\n", threads);
     fclose(out);
     return text;
@@ -105,7 +105,7 @@ static int create(const struct plan *p, struct run *r)
     int code;
 
     r->code = RUN_TO_DO;
-    r->overrides = plan_overrides(p, r->variant, r->seed, &r->n_overrides);
+    plan_overrides(p, r->variant, r->seed, &r->overrides);
     r->name = name_of(p, r);
     char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
@@ -145,7 +145,7 @@ void runs_free(int n, struct run *runs)
         free(runs[i].name);
         free(runs[i].folder);
         free(runs[i].identity);
-        choices_free_texts(runs[i].n_overrides, runs[i].overrides);
+        texts_free(&runs[i].overrides);
     }
     free(runs);
 }

@@ -17,8 +17,7 @@ struct run {
     char *folder;            /* DIR/runs/NAME */
     char *identity;          /* what variant.txt says */
     unsigned long contents;  /* checksum of the case, overrides and all */
-    int n_overrides;
-    char **overrides;
+    struct texts overrides;
     double expected; /* [s] processor time, roughly; only ratios count */
     int code;        /* exit code; RUN_TO_DO if it has not ended */
 };

@@ -63,7 +63,7 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
 
     fprintf(out, "%.8g %.8g %.8g %.8g \"%s\"\n", o->variant[v].cost,
             100.0 * f->error, 100.0 * low, 100.0 * (f->error + 2.0 * f->doubt),
-            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key[0]));
+            o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
 }
 
 /* The front: for each variant that no cheaper one beats, in order of cost. */

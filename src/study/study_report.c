@@ -56,8 +56,8 @@ static void put_head(const struct plan *p, FILE *out)
 {
     fputs("run", out);
     for (int i = 0; i < p->choices.n; i++)
-        for (int k = 0; k < p->choices.of[i].n_keys; k++)
-            fprintf(out, ",%s", p->choices.of[i].key[k]);
+        for (int k = 0; k < p->choices.of[i].key.n; k++)
+            fprintf(out, ",%s", p->choices.of[i].key.text[k]);
     fputs(",seed,repetition,exit_code", out);
     for (int i = 0; i < FROM_SUMMARY; i++)
         fprintf(out, ",%s", from_summary[i].head);
@@ -75,9 +75,9 @@ static void put_choices(const struct plan *p, const struct run *r, FILE *out)
         const struct choice *const c = &p->choices.of[i];
         const int entry = choices_entry(&p->choices, r->variant, i);
 
-        for (int k = 0; k < c->n_keys; k++) {
+        for (int k = 0; k < c->key.n; k++) {
             fputc(',', out);
-            put_text(out, c->value[entry * c->n_keys + k]);
+            put_text(out, c->value.text[entry * c->key.n + k]);
         }
     }
 }
@@ -183,7 +183,11 @@ static char *reason_of(const struct run *r)
     }
     free(text);
     free(log);
-    if (reason == NULL) return strdup("its log.txt says nothing");
+    if (reason == NULL || reason[0] == '\0') {
+        free(reason);
+        return strdup(r->code > 128 ? "ended by a signal"
+                                    : "its log.txt says nothing");
+    }
     reason[strcspn(reason, "\n")] = '\0'; /* then follows what to try */
     return reason;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/study_words.h"
 
-#include "base/alloc.h"
 #include "case/nearest.h"
 #include "case/source.h"
 #include "study/study.h"
@@ -15,13 +14,6 @@ static int wrong(const char *what, const char *why)
     fprintf(stderr, "winnow: study: %s%s\n%s\n", what, why,
             "winnow study " STUDY_ARGUMENTS);
     return 2;
-}
-
-const char *study_words_keep(struct study_words *w, char *text)
-{
-    w->text = realloc(w->text, ((size_t)w->n_texts + 1) * sizeof *w->text);
-    if (w->text == NULL) exit(4);
-    return w->text[w->n_texts++] = text;
 }
 
 /* --- one word ------------------------------------------------------------- */
@@ -179,24 +171,21 @@ static int is_study(const char *file, int *code)
     return found;
 }
 
-/* The file beside the study, as a text of the words. */
+/* The file beside the study. */
 static const char *beside(struct study_words *w, const char *file)
 {
-    char *const path = alloc_zeroed(SETTINGS_PATH, 1);
+    char path[SETTINGS_PATH];
 
-    settings_beside(w->study, file, path, SETTINGS_PATH);
-    return study_words_keep(w, path);
+    settings_beside(w->study, file, path, sizeof path);
+    return texts_add(&w->made, "%s", path);
 }
 
 static int take_vary(struct study_words *w, int i)
 {
-    const char *const keys = settings_item_text(w->study, "vary", i, "keys");
-    const char *const values =
-        settings_item_text(w->study, "vary", i, "values");
-    char *const text = alloc_zeroed(strlen(keys) + strlen(values) + 2, 1);
-
-    sprintf(text, "%s=%s", keys, values);
-    return take_choice(w, study_words_keep(w, text));
+    return take_choice(
+        w, texts_add(&w->made, "%s=%s",
+                     settings_item_text(w->study, "vary", i, "keys"),
+                     settings_item_text(w->study, "vary", i, "values")));
 }
 
 /* A table of the truth stands beside the study. */
@@ -250,9 +239,7 @@ int study_words_take(struct study_words *w, int n, const char *const *words)
 void study_words_free(struct study_words *w)
 {
     settings_free(w->study);
-    for (int i = 0; i < w->n_texts; i++)
-        free(w->text[i]);
-    free(w->text);
+    texts_free(&w->made);
     free(w->choice);
     *w = (struct study_words){0};
 }

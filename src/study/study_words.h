@@ -12,6 +12,7 @@
 
 #include "base/key.h"
 #include "case/settings.h"
+#include "study/texts.h"
 
 /* Most measures of a study. */
 enum { STUDY_WORDS_MEASURES = 16 };
@@ -32,8 +33,7 @@ struct study_words {
     int quiet, dry;   /* [-] 1: no progress; 1: only say what would run */
     int old_choices, old_measures; /* those of the file, until replaced */
     struct settings *study;        /* of a study file; else NULL */
-    int n_texts;
-    char **text; /* made of it, owned */
+    struct texts made;             /* of it, owned */
 };
 
 /* Keys of a study file. */
@@ -44,8 +44,5 @@ extern const struct key study_words_keys[];
  * lives as long as it does. */
 int study_words_take(struct study_words *w, int n, const char *const *words);
 void study_words_free(struct study_words *w);
-
-/* A text that lives as long as the words. */
-const char *study_words_keep(struct study_words *w, char *text);
 
 #endif

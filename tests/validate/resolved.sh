@@ -180,6 +180,92 @@ suspension() {
 TABLE
 }
 
+# The rebound from a floor over the Stokes number, for rough and for smooth spheres:
+# speed after over that before, at a tenth of the diameter above the floor, over the
+# restitution of dry ones. Two minutes.
+rebound() {
+    echo "# roughness over R  St at 0.1 d  rebound over dry  exp(-35/St) of [Legendre05]"
+    for rough in 1e-3 1e-5; do
+        for st in 10 20 40 100 300 1000; do
+            mu=$(awk "BEGIN { print 8 / 9 / $st }")
+            run rebound cases/rebound-in-oil.cfg -s "fluid.viscosity=$mu" \
+                -s "bodies.roughness=$rough"
+            awk -F, -v rough=$rough -v mu="$mu" '
+                NR == 1 { next }
+                { z = $4 - 0.5 }
+                z > 0.1 && !near { u = -$7 }
+                z < 0.05 { near = 1 }
+                near && $7 > back { back = $7 }
+                END { st = 8 * u / (9 * mu)
+                      printf "%6s %7.2f %8.3f %8.3f\n", rough, st, back / u / 0.97, exp(-35 / st) }' \
+                $out/rebound/bodies.csv
+        done
+    done
+}
+
+# Drafting, kissing, tumbling: when the gap closes, and when the order has changed.
+two() {
+    run two cases/two-spheres-fall.cfg
+    awk -F, '
+        NR == 1 { next }
+        $2 == 0 { x = $3; y = $4; z = $5; v = $7; next }
+        { dx = $3 - x; dy = $4 - y; dz = $5 - z; gap = sqrt(dx * dx + dy * dy + dz * dz) - 1
+          row = sprintf("%5.1f %8.3f %8.3f %7.3f %6.0f", $1, v, $7, gap, atan2(sqrt(dx * dx + dz * dz), dy) * 180 / 3.14159265358979)
+          if (++n % 5 == 1) rows = rows row "\n"
+          if (gap < 0.01 && !kiss) kiss = $1
+          if (dy < 0 && !over) over = $1 }
+        END { print "# time  velocity of the lower, of the upper one  gap  tilt [degrees]"
+              printf "%s", rows
+              printf "# they touch at %.1f; the upper one is ahead from %.1f on\n", kiss, over }' \
+        $out/two/bodies.csv
+}
+
+# Fifty free spheres, carried as a whole by the mean gradient: the momentum of fluid
+# and bodies, which is 0 at the start, for two tolerances of the pressure.
+fifty() {
+    awk 'BEGIN {
+        srand(7)
+        while (m < 50) {
+            for (k = 0; k < 3; k++) x[m, k] = 5 * rand()
+            for (j = ok = 0; j < m; j++) {
+                for (k = r = 0; k < 3; k++) {
+                    d = x[m, k] - x[j, k]; d -= 5 * (d > 2.5) - 5 * (d < -2.5); r += d * d
+                }
+                if (r < 1.1) break
+            }
+            if (j == m) m++
+        }
+        for (j = 0; j < m; j++)
+            printf "%s{ position = [%.5f, %.5f, %.5f]; diameter = 1.0; density = %g; }\n",
+                   j ? "," : "", x[j, 0], x[j, 1], x[j, 2], 2 + j % 3
+    }' >$out/fifty.spheres
+    gradient=$(awk 'BEGIN { printf "%.12f", -99 * 3.14159265358979 / 6 / 125 }')
+    cat >$out/fifty.cfg <<CASE
+title = "Fifty free spheres";
+mesh = { size = [5.0, 5.0, 5.0]; cells = [30, 30, 30]; periodic = [true, true, true]; };
+fluid = { density = 1.0; viscosity = 0.05; step = 0.04; time = "bdf2"; convection = "linear";
+          mean_gradient = [0.0, $gradient, 0.0]; };
+bodies = { stiffness = 3000.0; restitution = 0.9; friction = 0.3; spheres = (
+@include "fifty.spheres"
+); };
+effects = { gravity = [0.0, -1.0, 0.0]; };
+output = { end = 16.0; every = 16.0; history = 0.4; };
+CASE
+    echo "# tolerance  time  momentum_y over that of the bodies  rows with contacts  deepest overlap"
+    for how in "1e-6 16" "1e-8 4"; do
+        run fifty $out/fifty.cfg -s fluid.tolerance=${how% *} -s output.end=${how#* }
+        awk -F, -v tolerance=${how% *} '
+            FNR == 1 { file++ }
+            file == 1 && FNR > 1 { v = $7 < 0 ? -$7 : $7; if ($1 > t) { t = $1; sum = 0 }
+                                   sum += (2 + $2 % 3) * v * 3.14159265358979 / 6 }
+            file == 2 && FNR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } }
+            file == 2 && FNR > 1 { if ($at["max_overlap_of_bodies"] > deep) deep = $at["max_overlap_of_bodies"]
+                                   touched += $at["contacts_of_bodies"] > 0; P = $at["momentum_y"]; t = $1 }
+            END { printf "%s %5.1f %10.2g %4d %8.4f\n", tolerance, t, P / sum, touched, deep }' \
+            $out/fifty/bodies.csv $out/fifty/history.csv
+    done
+}
+
 # NAME OVERRIDES...: a sphere of six grains in a narrow bed
 narrow_bed() {
     to=$1
@@ -190,7 +276,7 @@ narrow_bed() {
         -s bodies.spheres.0.diameter=0.006 -s output.end=0.6 -s output.every=0.3 "$@"
 }
 
-# Light, as the bed, heavy, and held: a minute.
+# Light, as the bed, heavy: a minute.
 bed() {
     echo "# density [kg/m^3]: height of the centre [mm] after 0, 0.1, ... 0.6 s"
     for rho in 1100 1700 2300; do
@@ -199,16 +285,50 @@ bed() {
             NR > 1 && (NR - 2) % 100 == 0 { printf " %.2f", 1e3 * $4 }
             END { print "" }' "$out/bed-$rho/bodies.csv"
     done
-    narrow_bed held -s bodies.spheres.0.motion=fixed
-    echo "# held: mean of fluid and grains after 0.2 s, over the volume and g [kg/m^3]"
-    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
-        $1 > 0.2 { n++; f += $at["force_on_bodies_y"]; g += $at["force_of_grains_y"]
-                   H += 2 * $at["mean_height"] }
-        END { Vg = 9.81 * 3.14159265358979 * 2.16e-7 / 6
-              eps = 1 - 1500 * 3.14159265358979e-9 / 6 / (1.96e-4 * H / n - Vg / 9.81)
-              printf "fluid %.0f  grains %.0f  sum %.0f;  the bed less the water, eps %.3f: %.0f\n",
-                     f / n / Vg, g / n / Vg, (f + g) / n / Vg, eps, 1500 * (1 - eps) }' \
-        "$out/bed-held/history.csv"
+}
+
+# WIDTH COUNT VELOCITY END: a sphere of six grains that is held in the middle of a bed,
+# 14 mm deep when it is packed; means from 0.6 s on, or over the second half.
+held_in() {
+    W=$1 n=$2 u=$3 end=$4 half=$(awk "BEGIN { print $1 / 2000 }")
+    run "held-$W-$u" cases/sphere-in-bed.cfg \
+        -s "mesh.size=[0.0$W,0.032,0.0$W]" -s "mesh.cells=[$W,32,$W]" \
+        -s "particles.bed.count=$n" -s "fluid.bottom.inlet=$u" \
+        -s "bodies.spheres.0.position=[$half,0.0075,$half]" \
+        -s bodies.spheres.0.diameter=0.006 -s bodies.spheres.0.motion=fixed \
+        -s "output.end=$end" -s "output.every=$end"
+}
+
+# WIDTH COUNT VELOCITY END FROM: what the fluid and the grains give it.
+held_row() {
+    awk -F, -v W="$1" -v N="$2" -v u="$3" -v end="$4" -v from="$5" '
+        NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
+        $1 > from && $1 < end + 1e-6 {
+            n++; f += $at["force_on_bodies_y"]; g += $at["force_of_grains_y"]
+            p += $at["pressure_drop"]; H += 2 * $at["mean_height"] }
+        END { V = 3.14159265358979 * 2.16e-7 / 6; Vg = 9.81 * V
+              eps = 1 - N * 3.14159265358979e-9 / 6 / (W * W * 1e-6 * H / n - V)
+              printf "%2d %5s  %3.1f to %4.2f  %4.0f %4.0f %4.0f  %5.3f %4.0f   %5.2f %5.2f\n", W, u, from, end,
+                     f / n / Vg, g / n / Vg, (f + g) / n / Vg, eps, 1500 * (1 - eps),
+                     (f + g) / n / Vg / (1500 * (1 - eps)), f / n / V / (p / H) }' \
+        "$out/held-$1-$3/history.csv"
+}
+
+# Beds of two widths, fluidized and packed: five minutes.
+held() {
+    echo "# width [mm], u [m/s], time [s]: fluid, grains, sum over V g [kg/m^3]; eps, the bed less the water [kg/m^3];"
+    echo "# sum over that; force of the fluid over V and the mean pressure gradient of the bed"
+    for W in "14 3000" "20 6100"; do
+        # shellcheck disable=SC2086 # two words
+        {
+            held_in $W 0.018 1.05
+            held_row $W 0.018 0.2 0.0
+            held_row $W 0.018 0.4 0.2
+            held_row $W 0.018 1.05 0.6
+            held_in $W 0.005 0.3
+            held_row $W 0.005 0.3 0.2
+        }
+    done
 }
 
 for part; do

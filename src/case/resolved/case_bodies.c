@@ -12,7 +12,6 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
-#include "case/check_line.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
 #include "case/resolved/case_outlines.h"
@@ -24,7 +23,6 @@
 #include "resolved/among/among_effect.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/body_numbers.h"
 #include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
@@ -81,7 +79,7 @@ static double lightest(const struct settings *s)
 
 /* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
  */
-static double stiffness(const struct settings *s)
+double case_bodies_stiffness(const struct settings *s)
 {
     if (settings_has(s, "bodies.stiffness"))
         return settings_real(s, "bodies.stiffness");
@@ -93,13 +91,13 @@ static double stiffness(const struct settings *s)
 }
 
 /* Particle steps in a step of the fluid: 25 in an impact. */
-static int dem_steps(const struct settings *s)
+int case_bodies_dem_steps(const struct settings *s)
 {
     const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
 
     if (settings_has(s, "particles")) return case_steps_within(s);
     if (m == 0.0) return 1;
-    const double t = contact_linear_time(stiffness(s), e, 0.5 * m);
+    const double t = contact_linear_time(case_bodies_stiffness(s), e, 0.5 * m);
     return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
                           1000000);
 }
@@ -108,11 +106,11 @@ static struct dem_options contacts(const struct settings *s)
 {
     struct dem_options o = {
         .law = &contact_linear,
-        .material = {.stiffness = stiffness(s),
+        .material = {.stiffness = case_bodies_stiffness(s),
                      .restitution = settings_real(s, "bodies.restitution"),
                      .friction = settings_real(s, "bodies.friction")},
         .method = &reference_link_cells,
-        .step = settings_real(s, "fluid.step") / dem_steps(s)};
+        .step = settings_real(s, "fluid.step") / case_bodies_dem_steps(s)};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
@@ -211,7 +209,7 @@ static struct solid_bodies *create(const struct settings *s)
         .method = (enum body_method)models_value(
             body_methods, settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
-        .dem_steps = dem_steps(s),
+        .dem_steps = case_bodies_dem_steps(s),
         .dem = &dem,
         .lubrication = gaps(s)};
     const int n = settings_length(s, list) + settings_length(s, boxes) +
@@ -285,95 +283,6 @@ static int add(const struct settings *s, struct simulation *sim)
     return solid_bodies_begin(b, sim->fluid) != 0 ? 2 : 0;
 }
 
-/* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
- * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
-static void report_numbers(const struct settings *s)
-{
-    const double rho = settings_real(s, "fluid.density");
-    double g[3];
-    int i = 0;
-
-    while (i < settings_length(s, list) && !is(s, i, "free"))
-        i++;
-    if (i == settings_length(s, list)) return;
-    if (!particle_options_gravity(s, g)) return;
-    const double d = settings_item_real(s, list, i, "diameter"),
-                 ratio = body_numbers_density_ratio(
-                     settings_item_real(s, list, i, "density"), rho),
-                 V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
-                 Re = body_numbers_reynolds(
-                     rho, V, d, settings_real(s, "fluid.viscosity"));
-
-    check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
-    check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
-               "an impact rebounds from about 10 on");
-}
-
-/* Smallest of the cells in a diameter and largest speed at the start. */
-static void report(const struct settings *s, const struct case_scales *scales)
-{
-    (void)scales;
-    if (!settings_has(s, "bodies")) return;
-    const double dt = settings_real(s, "fluid.step"),
-                 nu = settings_real(s, "fluid.viscosity") /
-                      settings_real(s, "fluid.density");
-    double h[3], cells = HUGE_VAL, speed = 0.0, least = HUGE_VAL;
-    int free = 0;
-
-    case_bodies_cell_widths(s, h);
-    const double widest = fmax(h[0], fmax(h[1], h[2])),
-                 narrowest = fmin(h[0], fmin(h[1], h[2]));
-    for (int i = 0; i < settings_length(s, list); i++) {
-        double v[3];
-        settings_item_vector(s, list, i, "velocity", v);
-        speed = fmax(speed, vector_length(v));
-        cells =
-            fmin(cells, settings_item_real(s, list, i, "diameter") / widest);
-        if (!is(s, i, "free")) continue;
-        free++;
-        least = fmin(least, settings_item_real(s, list, i, "density") /
-                                settings_real(s, "fluid.density"));
-    }
-    for (int i = 0; i < settings_length(s, case_outlines_clumps); i++) {
-        double R[2];
-        case_outlines_radii(s, i, R);
-        cells = fmin(cells, 2.0 * R[0] / widest);
-        if (motion_of(s, case_outlines_clumps, i) != BODY_FREE) continue;
-        free++;
-        least = fmin(least,
-                     settings_item_real(s, case_outlines_clumps, i, "density") /
-                         settings_real(s, "fluid.density"));
-    }
-    puts("Bodies");
-    check_line("spheres", settings_length(s, list), "-", "");
-    check_line("boxes and cylinders",
-               settings_length(s, boxes) + settings_length(s, cylinders), "-",
-               "");
-    const int outlines = settings_length(s, case_outlines_clumps) +
-                         settings_length(s, case_outlines_surfaces);
-    if (outlines > 0)
-        check_line("clumps and closed surfaces", outlines, "-", "");
-    if (cells < HUGE_VAL)
-        check_line("d / h", cells, "-",
-                   cells < 7.0 ? "LOW: good to look at; 12 to measure"
-                   : cells < 11.5
-                       ? "about 5 % of the drag where they are apart"
-                       : "2 to 3 % of the drag where they are apart");
-    check_line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
-               "the drag does not depend on it");
-    check_line("CFL of the bodies", speed * dt / narrowest, "-",
-               speed * dt / narrowest > 0.5
-                   ? "HIGH: more than half a cell in a step"
-                   : "by their speed at time 0");
-    if (free == 0) return;
-    report_numbers(s);
-    check_line("smallest density ratio", least, "-",
-               least < 0.5 ? "LOW: stable; halve fluid.step and compare" : "");
-    check_line("stiffness", stiffness(s), "N/m", "");
-    check_line("particle steps in one step", dem_steps(s), "-",
-               "of their contacts");
-}
-
 MODELS_KIND(case_bodies_method, body_methods, "body_method",
             "ways that bodies hold the fluid", "bodies.method", NULL)
 
@@ -381,4 +290,4 @@ const struct case_part case_bodies_part = {.keys = case_bodies_keys,
                                            .check_any = case_bodies_check,
                                            .furnish_last = furnish,
                                            .add_last = add,
-                                           .print = report};
+                                           .print = case_bodies_report};

@@ -11,6 +11,14 @@ extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];
 
+/* Spring [N/m] of their contacts, and particle steps in a step of the fluid. */
+double case_bodies_stiffness(const struct settings *s);
+int case_bodies_dem_steps(const struct settings *s);
+
+/* case_bodies_report.c: prints the section of `check`. */
+void case_bodies_report(const struct settings *s,
+                        const struct case_scales *scales);
+
 /* case_bodies_check.c: 0, or 2 after a message; and the widths of a cell [m].
  */
 int case_bodies_check(const struct settings *s);

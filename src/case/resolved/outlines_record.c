@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* outlines_record.c -- clumps and closed surfaces for display: each ball of a
- * clump as a point in clumps.pvd, triangles in body_surfaces.pvd. */
+ * clump as a point in body_clumps.pvd, triangles in body_surfaces.pvd. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,7 +82,7 @@ static void *create(const struct settings *s, const struct simulation *sim,
     count(r);
     make_room(r);
     if (r->n_balls > 0)
-        r->clumps = field_output_series(folder, "clumps", "vtp");
+        r->clumps = field_output_series(folder, "body_clumps", "vtp");
     if (r->n_triangles > 0)
         r->surfaces = field_output_series(folder, "body_surfaces", "vtp");
     if ((r->n_balls == 0 || r->clumps != NULL) &&

@@ -135,13 +135,15 @@ static void viscous_stress_before_particles(void *memory,
     }
 }
 
-/* V mu lap u, of a velocity that changes by the slip over the length. */
+/* V mu lap u, of a velocity that changes by the slip over the length; the
+ * stress of a driven flow balances the push in the end. */
 static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;
 
     return (struct effect_estimate){
-        V * k->mu * k->slip / (k->length * k->length) / k->force, "", 0};
+        V * (k->mu * k->slip / (k->length * k->length) + k->push) / k->force,
+        "", 0};
 }
 
 static const struct key keys[] = {

@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* case_bodies_report.c -- what `check` says of the bodies. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "case/check_line.h"
+#include "case/particle_options.h"
+#include "case/resolved/case_bodies.h"
+#include "case/resolved/case_outlines.h"
+#include "resolved/body_numbers.h"
+
+static const char list[] = "bodies.spheres";
+
+static int is(const struct settings *s, int i, const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+/* [EW18 6, 8, 9] of the first free body, with the velocity of a fall through
+ * its own diameter without drag, V = sqrt(|rho_r - 1| g d). */
+static void report_numbers(const struct settings *s)
+{
+    const double rho = settings_real(s, "fluid.density");
+    double g[3];
+    int i = 0;
+
+    while (i < settings_length(s, list) && !is(s, i, "free"))
+        i++;
+    if (i == settings_length(s, list)) return;
+    if (!particle_options_gravity(s, g)) return;
+    const double d = settings_item_real(s, list, i, "diameter"),
+                 ratio = body_numbers_density_ratio(
+                     settings_item_real(s, list, i, "density"), rho),
+                 V = sqrt(fabs(ratio - 1.0) * vector_length(g) * d),
+                 Re = body_numbers_reynolds(
+                     rho, V, d, settings_real(s, "fluid.viscosity"));
+
+    check_line("Re by sqrt(|rho_r - 1| g d)", Re, "-", "Galilei's number");
+    check_line("Stokes number by it", body_numbers_stokes(ratio, Re), "-",
+               "an impact rebounds from about 10 on");
+}
+
+/* Of spheres and clumps: the smallest diameter, the largest speed at the start,
+ * and how many are free, with the smallest density ratio of these. */
+struct extremes {
+    double d, speed, ratio; /* [m], [m/s], [-] */
+    int free;
+};
+
+static void look_at(const struct settings *s, const char *of,
+                    struct extremes *e)
+{
+    for (int i = 0; i < settings_length(s, of); i++) {
+        double v[3], R[2];
+        settings_item_vector(s, of, i, "velocity", v);
+        e->speed = fmax(e->speed, vector_length(v));
+        if (of == list)
+            R[0] = 0.5 * settings_item_real(s, of, i, "diameter");
+        else
+            case_outlines_radii(s, i, R);
+        e->d = fmin(e->d, 2.0 * R[0]);
+        if (strcmp(settings_item_text(s, of, i, "motion"), "free") != 0)
+            continue;
+        e->free++;
+        e->ratio = fmin(e->ratio, settings_item_real(s, of, i, "density") /
+                                      settings_real(s, "fluid.density"));
+    }
+}
+
+static void report_counts(const struct settings *s)
+{
+    const int outlines = settings_length(s, case_outlines_clumps) +
+                         settings_length(s, case_outlines_surfaces);
+
+    check_line("spheres", settings_length(s, list), "-", "");
+    check_line("boxes and cylinders",
+               settings_length(s, "bodies.boxes") +
+                   settings_length(s, "bodies.cylinders"),
+               "-", "");
+    if (outlines > 0)
+        check_line("clumps and closed surfaces", outlines, "-", "");
+}
+
+static void report_free(const struct settings *s, double ratio)
+{
+    const double C_v = settings_real(s, "bodies.virtual_mass");
+
+    report_numbers(s);
+    check_line("smallest density ratio", ratio, "-",
+               ratio < 0.5 ? "LOW: stable; halve fluid.step and compare"
+               : ratio > 4.0 && C_v > 0.0
+                   ? "HIGH: bodies.virtual_mass = 0 if they bounce"
+                   : "");
+    check_line("stiffness", case_bodies_stiffness(s), "N/m", "");
+    check_line("particle steps in one step", case_bodies_dem_steps(s), "-",
+               "of their contacts");
+}
+
+void case_bodies_report(const struct settings *s,
+                        const struct case_scales *scales)
+{
+    struct extremes e = {.d = HUGE_VAL, .ratio = HUGE_VAL};
+    double h[3];
+
+    (void)scales;
+    if (!settings_has(s, "bodies")) return;
+    case_bodies_cell_widths(s, h);
+    const double dt = settings_real(s, "fluid.step"),
+                 nu = settings_real(s, "fluid.viscosity") /
+                      settings_real(s, "fluid.density"),
+                 narrowest = fmin(h[0], fmin(h[1], h[2]));
+    look_at(s, list, &e);
+    look_at(s, case_outlines_clumps, &e);
+    const double cells = e.d / fmax(h[0], fmax(h[1], h[2]));
+    puts("Bodies");
+    report_counts(s);
+    if (cells < HUGE_VAL)
+        check_line("d / h", cells, "-",
+                   cells < 7.0 ? "LOW: good to look at; 12 to measure"
+                   : cells < 11.5
+                       ? "about 5 % of the drag where they are apart"
+                       : "2 to 3 % of the drag where they are apart");
+    check_line("nu dt / h^2", nu * dt / (narrowest * narrowest), "-",
+               "the drag does not depend on it");
+    check_line("CFL of the bodies", e.speed * dt / narrowest, "-",
+               e.speed * dt / narrowest > 0.5
+                   ? "HIGH: more than half a cell in a step"
+                   : "by their speed at time 0");
+    if (e.free > 0) report_free(s, e.ratio);
+}
