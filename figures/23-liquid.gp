@@ -17,7 +17,7 @@ unset key
 plot file index each - 1 using 1:(sqrt($2)) with lines linetype 3 linewidth 1.2, \
      "" index 2 * each - 1 using 1:(sqrt($2)) with lines linetype 1 linewidth 1.2, \
      "" index 3 * each - 1 using 1:(sqrt($2)) with lines linetype 2 linewidth 1.2
-set yrange [0:0.4]
+set yrange [0:0.5]
 unset ylabel
 set title "across it"
 set key top right

@@ -31,7 +31,7 @@ plot of("cube") using 1:3:4 with yerrorlines linetype 3 pointtype 4 title "BC-0.
      of("gauss") using 1:3:4 with yerrorlines linetype 1 pointtype 7 title "GK-1", \
      of("random") using 1:3:4 with yerrorlines linetype 2 pointtype 9 title "GK-1, random part"
 unset ylabel
-set yrange [0:0.3]
+set yrange [0:0.35]
 set title "across it"
 set key top left
 plot of("cube") using 1:5:6 with yerrorlines linetype 3 pointtype 4 title "BC-0.6", \

@@ -223,6 +223,15 @@ if command -v git >/dev/null; then
     fact neither_comments_nor_other_rooms_make_a_transcript_old 0 "" cmp said /dev/null
     echo 'int b;' >src/base/b.h
     fact a_room_that_its_program_reaches_does 0 "has changed" age
+    sh "$tools/transcript.sh" moved 0 figures/late.txt >said
+    fact what_is_too_long_to_try_is_named 0 "has changed" cat said
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    echo 'int c;' >src/base/b.h
+    sh "$tools/transcript.sh" moved 5 figures/late.txt >said
+    fact a_short_one_that_prints_the_same_is_not 0 "" cmp said /dev/null
+    echo 3 >cases/late.cfg
+    sh "$tools/transcript.sh" moved 5 figures/late.txt >said
+    fact a_short_one_that_prints_something_else_is 0 "has changed" cat said
 fi
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \

@@ -110,9 +110,9 @@ while read -r where code command; do
     # shellcheck disable=SC2086 # words
     try "$where" "$code" $command
 done <"$work/commands"
-[ -z "$whole" ] || sh chapters/tools/transcript.sh -w "$build/winnow" age figures/*.txt |
+[ -z "$whole" ] || sh chapters/tools/transcript.sh -w "$build/winnow" moved 5 figures/*.txt |
     awk -F: '
         { late = late "\n    " $1 }
-        END { if (NR) print "note: slow results whose code has changed since (make figures):" late }'
+        END { if (NR) print "note: slow results that may have moved (make figures):" late }'
 echo "commands: $facts run, $failed do not"
 [ $failed = 0 ]

@@ -7,6 +7,7 @@ set -u
 build=$(cd "${1:-build}" && pwd)
 winnow=$build/winnow
 compare=$build/tests/ranks/compare
+pieces=$(cd "$(dirname "$0")" && pwd)/ranks/pieces.py
 export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_orte_abort_print_stack=0
 if [ ! -x "$build/winnow-mpi" ] || ! command -v mpirun >/dev/null; then
@@ -112,6 +113,53 @@ for cuts in 2,1,1 3,1,1 2,2,1 1,2,1 1,4,1; do
     fact "a_bed_cut_$(echo $cuts | tr , x)_is_that_of_one_rank" \
         alike '1.2e-12 1.2e-12 1e-9 1e-9' 800 one "bed-$cuts" "$n" run bed.cfg -s "ranks=[$cuts]"
 done
+# --- what is written: all columns, the fields and particles that ParaView opens
+columns() { # every column of the last row but residuals and counts of iterations
+    awk -F, 'NR == FNR { if (FNR == 1) n = NF; for (i = 1; i <= NF; i++) { if (FNR == 1) head[i] = $i; a[i] = $i } next }
+        { for (i = 1; i <= NF; i++) b[i] = $i }
+        END { for (i = 1; i <= n; i++) { if (head[i] ~ /residual|splitting|relabelled|iterations/) continue
+                  d = a[i] - b[i]; if (d < 0) d = -d; s = a[i] < 0 ? -a[i] : a[i]
+                  if (d > 1e-8 * s + 1e-18) { print head[i], a[i], b[i]; bad = 1 } }
+              exit bad }' "$1/history.csv" "$2/history.csv"
+}
+fact every_column_of_the_history_is_that_of_one_rank columns one bed-2,2,1
+sed 's/every = 1.0/every = 0.002; profiles = ({ field = "eps_f"; height = 0.005; }); probes = ({ field = "p"; position = [0.009, 0.003, 0.003]; })/' \
+    bed.cfg >shown.cfg
+on 1 run shown.cfg -o shown-1 >said
+on 4 run shown.cfg -o shown-4 -s 'ranks=[2,1,2]' >said
+pieces() {
+    /usr/bin/python3 -c 'import vtkmodules' 2>/dev/null || return 0
+    /usr/bin/python3 "$pieces" shown-1 shown-4
+}
+fact pieces_of_4_ranks_are_read_by_vtk_as_the_whole pieces
+
+lines() {
+    paste -d, "shown-1/$1" "shown-4/$1" | awk -F, 'NR > 1 { n++; for (i = 1; i <= NF / 2; i++) {
+        d = $i - $(i + NF / 2); if (d * d > 1e-18 * $i * $i) { print; exit 1 } } } END { exit n == 0 }'
+}
+fact profiles_are_those_of_one_rank lines profiles/eps_f_y5mm.csv
+fact probes_of_4_ranks_are_those_of_one lines probes.csv
+# --- each rank has its part only
+sed 's/count = 1000/count = 60000/; s/size = .*;/size = [0.06, 0.12, 0.03]; cells = [20, 40, 10]; };/
+     s/end = 0.004/end = 0.0004/; s/tolerance = 1e-12/tolerance = 1e-6/; s/diameter = 1.2e-3/diameter = 1e-3/' bed.cfg >many.cfg
+for n in 1 4; do on $n run many.cfg -o "many-$n" >said; done
+peak() { # the largest of a number of the ranks
+    grep -o "\"$2\": [0-9]*" "$1/summary.json" | awk -v what="$2" '{ n++ } n > (what == "particles" || what == "cells" || what == "peak_memory") && $2 > most { most = $2 } END { print most }'
+}
+parts() { # particles to a fifth of their share; memory, without 65 MB that a process takes, to less than a half
+    echo "$(peak many-1 peak_memory) $(peak many-4 peak_memory) $(peak many-4 particles)"
+    [ "$(peak many-4 particles)" -lt 18000 ] &&
+        [ $((2 * ($(peak many-4 peak_memory) - 65000000))) -lt $(($(peak many-1 peak_memory) - 65000000)) ]
+}
+fact four_ranks_share_particles_and_memory parts
+# --- a bed that all ranks settle
+sed 's/settle = 0.0/settle = 1.0/; s/count = 1000/count = 300/' bed.cfg >settled.cfg
+for n in 1 2; do on $n run settled.cfg -o "settled-$n" -s output.end=0.0004 >said; done
+rests() {
+    for n in 1 2; do last "settled-$n" "mean_height [m]"; done | awk '{ h[NR] = $1 }
+        END { print h[1], h[2]; d = h[1] / h[2] - 1; exit !(d * d < 1e-4 && h[1] < 0.004) }'
+}
+fact a_bed_settles_on_2_ranks_as_on_one rests
 # --- beside plain Winnow: LAMMPS' contacts differ at the order of delta / R
 $winnow run bed.cfg -o plain --quiet >said 2>&1
 fact the_engine_follows_one_machine_for_20_steps \
@@ -206,6 +254,17 @@ fact a_periodic_box_cut_in_two_directions_is_that_of_one_rank \
 # --- checkpoint, resume, ends
 on 2 run bed.cfg -o half -s output.end=0.01 >said
 on 3 run bed.cfg -o half -s output.end=0.02 --resume >said
+on 2 run bed.cfg -o hurt -s output.end=0.001 >said
+damaged() {
+    printf x | dd of="$(ls hurt/checkpoint."$1".[012] | head -n 1)" bs=1 seek=20000 conv=notrunc 2>/dev/null
+    printf x | dd of="$(ls hurt/checkpoint."$1".[012] | tail -n 1)" bs=1 seek=20000 conv=notrunc 2>/dev/null
+    "$build/winnow-mpi" run bed.cfg -o hurt --resume --quiet >heard 2>&1
+    found=$?
+    cat heard
+    [ $found -ne 0 ] && grep -q damaged heard
+}
+fact a_damaged_file_of_cells_is_noticed damaged cells
+fact a_damaged_file_of_grains_is_noticed damaged grains
 fact a_run_on_2_ranks_goes_on_with_3_to_1e_6_d below '1.2e-9 1.2e-9 1e-7 1e-7' 800 far half
 pids_of() { # the ranks of the run in this folder, the first one first
     pgrep -f "winnow-mpi run bed.cfg -o $1" | while read -r pid; do
@@ -265,6 +324,14 @@ with 's/effects = {/effects = { saffman = {};/'
 fact an_effect_that_is_not_divided_is_refused refused "effects.saffman" other.cfg
 with 's/friction = 0.1/friction = 0.1; rolling_friction = 0.1/'
 fact rolling_friction_is_refused refused "particles.grains.rolling_friction" other.cfg
+with 's/bed = {/list = "none"; bed = {/'
+fact contacts_off_are_refused refused "particles.list" other.cfg
+with 's/settle = 0.0;/settle = 0.0; file = "bed.txt";/'
+fact a_bed_of_a_file_is_refused refused "particles.bed.file" other.cfg
+with 's/every = 1.0/every = 1.0; sorted = true/'
+fact sorted_output_is_refused refused "output.sorted" other.cfg
+with 's/cells = .10, 20, 4.;/cells = [10, 20, 4]; shear = [0.001, 0.0, 0.0];/'
+fact a_sheared_mesh_is_refused refused "mesh.shear" other.cfg
 for choice in averaging.method=kernel fluid.time=bdf2 fluid.outer_correctors=1 \
     exchange.slip_integration=exponential particles.integrator=symplectic-euler \
     'mesh.grading=[1.0,2.0,1.0]' particles.grains.restitution=0.05 averaging.scheme=crank-nicolson; do
@@ -277,7 +344,7 @@ one_machine() {
 fact winnow_itself_names_the_other_program one_machine
 estimated() {
     "$winnow" check bed.cfg -s engine=distributed >heard && grep -q 'time of one rank' heard &&
-        grep -q 'memory of one rank' heard
+        grep -q 'memory of all ranks' heard
 }
 fact check_estimates_both_times_and_the_memory estimated
 echo "$facts facts hold (ranks)"

@@ -74,7 +74,7 @@ draw() { # file
 chosen=$*
 if [ -z "$chosen" ]; then
     chosen=$(transcript age figures/*.txt | cut -d: -f1 | while read -r file; do
-        echo "$(sed -n '1s/^# slow, made at [^ :]* in \([0-9]*\) s.*/\1/p;1q' "$file") $file"
+        echo "$(sed -n '1s/^# slow, made at [^ :]* in \([0-9]*\) s.*/\1/p' "$file") $file"
     done | awk '{ print NF == 2 ? $1 : 1e6, $NF }' | sort -n | cut -d' ' -f2)
 fi
 # shellcheck disable=SC2086 # one word a file

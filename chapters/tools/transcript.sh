@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs the commands of transcripts and puts their output below them.
 #
-#   sh chapters/tools/transcript.sh [-w WINNOW] [check|age] FILE...
+#   sh chapters/tools/transcript.sh [-w WINNOW] [check|age|moved SECONDS] FILE...
 #
 # A transcript is a text file with lines that begin with "$ ": commands, run in
 # the top folder, where `winnow` is the one that was built. What they print goes
@@ -15,12 +15,17 @@
 # what it depends on was changed since then. age names the slow ones whose numbers
 # may have moved: the code of the rooms that their programs reach, or the files
 # that their commands name, is another than at that revision. Comments and layout
-# do not count.
+# do not count. moved runs those of them that took at most so many seconds, and
+# leaves out the ones that still print the same.
 set -u
 winnow=build/winnow
 [ "${1:-}" = -w ] && winnow=$2 && shift 2
 mode=write
-case ${1:-} in check | age) mode=$1 && shift ;; esac
+most=0
+case ${1:-} in
+check | age) mode=$1 && shift ;;
+moved) mode=age && most=$2 && shift 2 ;;
+esac
 PATH=$(cd "$(dirname "$winnow")" && pwd):$PATH
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -171,8 +176,19 @@ count_seconds() {
         "$work/times")
 }
 
+took() { sed -n '1s/^# slow, made at [^ :]* in \([0-9]*\) s.*/\1/p' "$1"; }
+
+# Whether it is cheap enough to try, and prints what it printed.
+still_prints() {
+    seconds=$(took "$1")
+    [ -n "$seconds" ] && [ "$seconds" -le "$most" ] || return
+    replay "$1" >"$new"
+    same "$1" "$new"
+}
+
 age() {
     revision=$(made_at "$1")
+    [ "$most" = 0 ] || ! still_prints "$1" || return 0
     if [ -z "$revision" ]; then
         echo "$1: made at a revision that it does not name"
     elif [ "${revision%+}" != "$revision" ] || ! unchanged "$1" "$revision"; then

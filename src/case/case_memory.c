@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/case_memory.h"
 
+#include <string.h>
+
 #include "base/alloc.h"
 #include "case/case_mesh.h"
+#include "coupling/processes.h"
 
 static const char insert[] = "particles.insert";
 
@@ -65,11 +68,22 @@ static const char *largest_key(const struct settings *s, double more)
     return bed(s) > inserted(s) ? "particles.bed.count" : insert;
 }
 
+/* A case that several machines hold (chapter "Past one machine"). */
+static int is_divided(const struct settings *s)
+{
+    static const char key[] = "engine";
+
+    return processes_engines[0] != NULL ||
+           (settings_has(s, key) &&
+            strcmp(settings_text(s, key), "distributed") == 0);
+}
+
 int case_memory_check(const struct settings *s, double more)
 {
     const double need = case_memory_bytes(s) + more, have = alloc_most();
     const double n = of_particles(s) / per_particle;
 
+    if (is_divided(s)) return 0;
     if (n > most_particles)
         return settings_wrong(
             s, bed(s) > inserted(s) ? "particles.bed.count" : insert,

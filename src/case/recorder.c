@@ -157,18 +157,6 @@ static void write_seconds(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static double cells_of(const struct simulation *sim)
-{
-    return sim->processes != NULL ? sim->processes->cells : sim->mesh->n_cells;
-}
-
-static double particles_of(const struct simulation *sim)
-{
-    return sim->particles == NULL   ? 0.0
-           : sim->processes != NULL ? sim->processes->particles
-                                    : sim->particles->n;
-}
-
 static double rate(double amount, double seconds)
 {
     return seconds > 0.0 ? amount / seconds : 0.0;
@@ -181,12 +169,12 @@ static void write_speed(struct summary *f, const struct recorder *r)
     if (sim->particles != NULL)
         summary_number(
             f, "particle_steps_per_second",
-            rate((double)sim->steps * sim->dem_steps * particles_of(sim),
+            rate((double)sim->steps * sim->dem_steps * processes_particles(sim),
                  sim->seconds.dem));
     if (sim->fluid != NULL)
         summary_number(
             f, "cell_steps_per_second",
-            rate((double)sim->steps * cells_of(sim), sim->seconds.cfd));
+            rate((double)sim->steps * processes_cells(sim), sim->seconds.cfd));
 }
 
 static void write_residuals(struct summary *f, const struct recorder *r)
@@ -245,8 +233,8 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
         summary_count(f, "seed",
                       settings_int(r->settings, "particles.bed.seed"));
     summary_count(f, "threads", omp_get_max_threads());
-    summary_count(f, "cells", (long)cells_of(sim));
-    summary_count(f, "particles", (long)particles_of(sim));
+    summary_count(f, "cells", (long)processes_cells(sim));
+    summary_count(f, "particles", (long)processes_particles(sim));
     write_life(f, r);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);

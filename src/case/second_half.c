@@ -62,7 +62,8 @@ static void put_bed(const struct second_half *h, double row[N])
     mass = processes_total(h->sim, mass);
     x = processes_total(h->sim, x);
     square = processes_total(h->sim, square);
-    processes_sum(h->sim, 3, p);
+    for (int k = 0; k < 3; k++)
+        p[k] = processes_total(h->sim, p[k]);
     if (mass == 0.0) return;
     const double gg = vector_dot(g, g);
     const double along = gg > 0.0 ? vector_dot(p, g) / sqrt(gg) : 0.0;

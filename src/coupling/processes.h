@@ -63,27 +63,13 @@ struct processes_engine {
 /* All of them, ended by NULL: there is one, or none. */
 extern const struct processes_engine *const processes_engines[];
 
-static inline void processes_join(const struct simulation *sim,
-                                  enum processes_order order)
-{
-    if (sim->processes != NULL) sim->processes->join(sim->processes, order);
-}
-
-static inline void processes_sum(const struct simulation *sim, int n, double *x)
-{
-    if (sim->processes != NULL) sim->processes->sum(sim->processes, n, x);
-}
-
-static inline double processes_total(const struct simulation *sim, double x)
-{
-    processes_sum(sim, 1, &x);
-    return x;
-}
-
-static inline int processes_largest(const struct simulation *sim, int x)
-{
-    return sim->processes == NULL ? x
-                                  : sim->processes->largest(sim->processes, x);
-}
+/* The same where sim->processes is NULL on one machine: then nothing happens, a
+ * sum is the number itself, and all cells and particles are those at hand. */
+void processes_join(const struct simulation *sim, enum processes_order order);
+void processes_sum(const struct simulation *sim, int n, double *x);
+double processes_total(const struct simulation *sim, double x);
+int processes_largest(const struct simulation *sim, int x);
+double processes_cells(const struct simulation *sim);
+double processes_particles(const struct simulation *sim);
 
 #endif

@@ -42,8 +42,8 @@ static const char *const ours[] = {"./summary.json",
                                    "./fluid.pvd",
                                    "./particles.pvd",
                                    "./surfaces.pvd",
-                                   "fluid/fluid_*.vt?",
-                                   "particles/particles_*.vtp",
+                                   "fluid/fluid_*vt?",
+                                   "particles/particles_*vtp",
                                    "surfaces/surfaces_*.vtp",
                                    "picture/particles.txt",
                                    "picture/void_fraction.txt",
@@ -63,10 +63,7 @@ static const char *const ours[] = {"./summary.json",
                                    "case/*",
                                    "./checkpoint",
                                    "./checkpoint.before",
-                                   "./checkpoint.cells.?",
-                                   "./checkpoint.grains.?",
-                                   "fluid/fluid_*.pvtr",
-                                   "particles/particles_*.pvtp"};
+                                   "./checkpoint.*.?"};
 enum {
     N_BELOW = sizeof below / sizeof below[0],
     N_OURS = sizeof ours / sizeof ours[0]

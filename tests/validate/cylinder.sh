@@ -4,6 +4,11 @@
 #
 #   sh tests/validate/cylinder.sh build/winnow [32 48 ...]   (cells a side)
 #
+# A run that was stopped goes on where it was saved when the script is called
+# again; seconds_each=900 ends it after so many seconds of wall clock, with code
+# 75 if something is left to do. Of three meshes the order is found too, and the
+# value that it leads to.
+#
 # The bands of the benchmark: drag 3.22 to 3.24, lift 0.99 to 1.01 at most, and a
 # Strouhal number of 0.295 to 0.305.
 set -eu
@@ -34,18 +39,64 @@ found() { # cells
         }' "$out/$1/forces.csv"
 }
 
+# Of each three meshes in turn the order q, for which the two differences of a
+# value are as those of (1 / cells)^q, and the value without cells; "-" where the
+# differences have two signs or do not shrink.
+order() {
+    awk '
+        # (n1^-q - n2^-q) / (n2^-q - n3^-q), which grows with q
+        function ratio(q) {
+            return (n[1]^-q - n[2]^-q) / (n[2]^-q - n[3]^-q)
+        }
+        function extrapolate(k,   R, low, high, q, i, rest) {
+            R = (v[2, k] - v[1, k]) / (v[3, k] - v[2, k] + 1e-99)
+            if (R <= ratio(0.01)) return " - -"
+            low = 0.01; high = 20
+            for (i = 0; i < 60; i++) {
+                q = 0.5 * (low + high)
+                if (ratio(q) < R) low = q; else high = q
+            }
+            rest = n[3]^-q / (n[2]^-q - n[3]^-q)
+            return sprintf(" %.1f %.4f", q, v[3, k] + (v[3, k] - v[2, k]) * rest)
+        }
+        /^#/ { next }
+        {
+            for (i = 1; i < 3; i++) {
+                n[i] = n[i + 1]
+                for (k = 2; k <= 4; k++) v[i, k] = v[i + 1, k]
+            }
+            n[3] = $1
+            for (k = 2; k <= 4; k++) v[3, k] = $k
+            if (++rows >= 3)
+                print "# to", n[3] ": order, value:" extrapolate(2) \
+                    extrapolate(3) extrapolate(4)
+        }' "$1"
+}
+
+# The run of one mesh up to its end; what it returns is that of the program.
+whole() { # cells
+    resume=
+    [ ! -e "$out/$1/checkpoint" ] || resume=--resume
+    # shellcheck disable=SC2086 # no word if there is nothing to resume
+    timeout --signal=INT "${seconds_each:-0}" \
+        winnow run cases/meshes/cylinder.cfg -o "$out/$1" --quiet $resume \
+        -s "mesh.polymesh=$PWD/$out/mesh-$1" -s fluid.inlet.inlet=1.5 \
+        -s fluid.step=5e-4 -s output.end=6.5 -s output.every=6.5 \
+        -s output.forces.0.velocity=1.0 -s output.history=5e-4 >/dev/null
+}
+
 for n; do
     mkdir -p "$out/mesh-$n"
     awk -f cases/meshes/extruded.awk -f cases/meshes/cylinder.awk \
         -v out="$out/mesh-$n" -v n="$n" -v nr="$n" -v nx=$((2 * n))
-    winnow run cases/meshes/cylinder.cfg -o "$out/$n" --quiet \
-        -s "mesh.polymesh=$PWD/$out/mesh-$n" -s fluid.inlet.inlet=1.5 \
-        -s fluid.step=5e-4 -s output.end=6.5 -s output.every=6.5 \
-        -s output.forces.0.velocity=1.0 -s output.history=5e-4 >/dev/null
+    ended=$(awk -F, 'END { print ($1 > 6.499) }' "$out/$n/forces.csv" 2>/dev/null || echo 0)
+    [ "$ended" = 1 ] || whole "$n" || exit 75
 done
 {
     echo "# Made by: sh tests/validate/cylinder.sh build/winnow $*"
     echo "# cells a side; largest drag and lift coefficient; Strouhal number"
     for n; do found "$n"; done
 } >figures/19-cylinder.txt
+order figures/19-cylinder.txt >"$out/orders"
+cat "$out/orders" >>figures/19-cylinder.txt
 cat figures/19-cylinder.txt

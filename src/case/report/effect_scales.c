@@ -145,11 +145,13 @@ static void dilute_scales(const struct settings *s, struct effect_scales *k,
     if (k->gravity > 0.0)
         k->slip = fmax(p->speed, fmin(terminal(s, k, k->eps_s),
                                       0.5 * k->gravity * in->end));
-    if (k->slip == 0.0) /* what the push alone would make of it */
+    if (k->slip == 0.0 && k->mu > 0.0) /* of the push alone */
         k->slip = k->push * k->d * k->d / (18.0 * k->mu);
     k->carried = 1;
     k->length = 0.5 * fmin(size[0], fmin(size[1], size[2]));
     k->shear = shear_of_walls(s);
+    if (k->push > 0.0 && k->mu > 0.0) /* at the wall of a channel */
+        k->shear = fmax(k->shear, k->push * k->length / k->mu);
     k->spin = p->spin;
     k->time = settings_real(s, "output.end");
     k->acceleration = k->slip / k->time;
@@ -166,6 +168,16 @@ static void settle_time(struct effect_scales *k)
         k->time = k->tau / 16.0;
     }
     k->acceleration = fmin(k->acceleration, k->slip / k->time);
+}
+
+/* Grains that are placed, but so many that a stream finds a bed. */
+static int is_crowd(const struct settings *s, const struct effect_scales *k,
+                    const struct case_scales *in)
+{
+    const double crowd = 0.05; /* [-] of the whole mesh */
+
+    return in->inlet > 0.0 && k->gravity > 0.0 &&
+           in->particles * volume(k) > crowd * case_mesh_volume(s);
 }
 
 struct effect_scales case_effects_scales(const struct settings *s,
@@ -187,7 +199,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
         }
         k.rho_f = settings_real(s, "fluid.density");
         k.mu = settings_real(s, "fluid.viscosity");
-        if (in->volume > 0.0)
+        if (in->volume > 0.0 || is_crowd(s, &k, in))
             bed_scales(s, &k, in);
         else
             dilute_scales(s, &k, in, &p);

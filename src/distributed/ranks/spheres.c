@@ -155,60 +155,6 @@ void spheres_strip(struct spheres *q)
     spheres_tell(q, "unfix move");
 }
 
-/* --- sums over the ranks -------------------------------------------------- */
-
-long spheres_all(const struct spheres *q, double *mean_diameter)
-{
-    const double *const R = lammps_extract_atom(q->lammps, "radius");
-    double sum[2] = {spheres_count(q), 0.0};
-
-    for (int i = 0; i < spheres_count(q); i++)
-        sum[1] += 2.0 * R[i];
-    MPI_Allreduce(MPI_IN_PLACE, sum, 2, MPI_DOUBLE, MPI_SUM, q->comm);
-    *mean_diameter = sum[0] > 0.0 ? sum[1] / sum[0] : 0.0;
-    return (long)sum[0];
-}
-
-/* The slab of cells of a direction. */
-static int slab(const struct partition *p, int k, double x)
-{
-    const double at = floor(x / p->size_m[k] * p->N[k]);
-
-    return at < 0.0 ? 0 : at > p->N[k] - 1.0 ? p->N[k] - 1 : (int)at;
-}
-
-void spheres_weigh(const struct spheres *q, double each, double *weight[3])
-{
-    double **const x = spheres_rows(q, "x");
-
-    for (int k = 0; k < 3; k++) {
-        double *const own = alloc_doubles(q->p->N[k]);
-        for (int i = 0; i < spheres_count(q); i++)
-            own[slab(q->p, k, x[i][k])] += each;
-        MPI_Allreduce(MPI_IN_PLACE, own, q->p->N[k], MPI_DOUBLE, MPI_SUM,
-                      q->comm);
-        for (int i = 0; i < q->p->N[k]; i++)
-            weight[k][i] += own[i];
-        free(own);
-    }
-}
-
-int spheres_share(const struct spheres *q)
-{
-    double **const x = spheres_rows(q, "x");
-    int *const n = alloc_ints(q->p->size);
-
-    for (int i = 0; i < spheres_count(q); i++) {
-        const int cell[3] = {slab(q->p, 0, x[i][0]), slab(q->p, 1, x[i][1]),
-                             slab(q->p, 2, x[i][2])};
-        n[partition_rank(q->p, cell)]++;
-    }
-    MPI_Allreduce(MPI_IN_PLACE, n, q->p->size, MPI_INT, MPI_SUM, q->comm);
-    const int own = n[q->p->rank];
-    free(n);
-    return own;
-}
-
 /* --- taking and giving ---------------------------------------------------- */
 
 /* The kept numbers of sphere i to LAMMPS' row, or the other way. */
