@@ -8,7 +8,7 @@ set format y "10^{%T}"
 set ylabel "error of the velocity [-]"
 set xlabel "step of the fluid / τ_p"
 set xrange [0.04:3]
-set yrange [3e-4:0.3]
+set yrange [3e-4:2]
 set key bottom right
 s = "< sed -n '/^## steps/,/^## cells/p' figures/20-settling.txt | awk 'NF == 6 && /^ *[0-9]/'"
 plot s using 2:4 with linespoints pointtype 7 pointsize 0.6 linetype 2 title "frozen", \

@@ -9,7 +9,7 @@ b = part("bead")
 set title "a bead of foam in water"
 set xlabel "t [ms]"
 set ylabel "v upwards [m/s]"
-set yrange [-0.06:0.72]
+set yrange [-0.06:0.84]
 set key top right
 plot b using 1:2 with lines linetype 1 title "with both", \
      b using 1:3 with lines linetype 2 title "no virtual mass", \

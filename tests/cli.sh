@@ -187,6 +187,10 @@ fact list_shows_every_key 0 "effects.gravity" "$winnow" list keys
 fact misspelt_kind_finds_the_one_meant 2 "did you mean drag?" "$winnow" list darg
 fact without_viscosity_every_estimate_is_a_number 1 "" \
     sh -c "'$winnow' check tiny.cfg -s fluid.viscosity=0 | grep nan"
+fact the_push_of_a_driven_flow_is_estimated 0 "100.8 %" \
+    sh -c "'$winnow' check '$top/cases/carried-bead.cfg' | grep viscous_stress"
+fact a_crowd_of_placed_grains_in_a_stream_is_a_bed 0 "0.3604 -" \
+    sh -c "'$winnow' check '$top/cases/ew18-liquid.cfg' | grep 'solids fraction'"
 fact eval_lists_its_equations 0 "XS11:2.13" "$winnow" eval
 fact eval_prints_one_line 0 "K = 0.31640625 [-]" "$winnow" eval XS11:3.6 zeta=0.5
 fact eval_knows_every_drag_law_by_its_name 0 "F = 13.6169545181 [-]" \

@@ -273,6 +273,16 @@ threads_change_no_bit() {
         grep -q '"threads": 2' threads/runs/threads=2/summary.json
 }
 fact threads_are_varied_and_change_no_bit threads_change_no_bit
+killed_run_is_a_result() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 -s output.end=9 --measure mean_height \
+        -o shot -j 2 --quiet >/dev/null 2>&1 &
+    pid=$!
+    until [ -s shot/runs/step=1e-5/history.csv ]; do sleep 0.02; done
+    # shellcheck disable=SC2046 # two processes, of that study alone
+    kill -9 $(ps -o pid= --ppid $pid)
+    wait $pid && [ "$(grep -c "exit code 137: ended by a signal" shot/study.md)" -eq 2 ]
+}
+fact a_run_that_a_signal_ends_is_a_result killed_run_is_a_result
 broken_run_is_a_result() {
     # A step of the springs that does not resolve them, and one refused for it.
     "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \

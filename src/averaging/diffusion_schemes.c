@@ -8,7 +8,9 @@ const struct key diffusion_keys[] = {
     {"averaging.scheme", KEY_NAME, "", "", "exponential",
      "time scheme of the diffusion", "SX15 5", ""},
     {"averaging.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-6",
-     "residual of the diffusion solver, over its scale", "", ""},
+     "residual of the diffusion solver, over its scale; an implicit scheme "
+     "exchanges momentum to about this share of it",
+     "", ""},
     {"averaging.bandwidth_variation", KEY_NAME, "", "", "uniform",
      "how the bandwidth of the diffusion varies: less what cells smear, or "
      "with the diameter of the grains",

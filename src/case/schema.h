@@ -28,9 +28,9 @@ int schema_knows(const struct key *const *tables, const char *path);
 
 /* Walks over the rows of all tables. */
 #define SCHEMA_EACH(found, tables)                                             \
-    for (const struct key *const *found##_table = (tables);                    \
-         *found##_table != NULL; found##_table++)                              \
-        for (const struct key *found = *found##_table; found->path != NULL;    \
+    for (const struct key *const *table_of_##found = (tables);                 \
+         *table_of_##found != NULL; table_of_##found++)                        \
+        for (const struct key *found = *table_of_##found; found->path != NULL; \
              found++)
 
 /* The name of a row within its group if the row is a direct member of the

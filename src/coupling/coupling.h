@@ -56,7 +56,9 @@ struct coupling_report {
     int substeps;             /* [-] of the last step */
     double shortest_time;     /* [s] smallest m_i / k_i */
     double exchange_residual; /* [-] |impulse on the fluid + impulse charged to
-                                 the particles| over their sum */
+                                 the particles| over their sum;
+                                 rounding, or what the tolerance of an implicit
+                                 diffusion leaves */
     double eps_lowest;        /* [-] smallest fluid fraction of a cell */
     double seen_lowest; /* [-] and smallest value interpolated to a particle,
                            which linear interpolation may make smaller */

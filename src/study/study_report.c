@@ -183,7 +183,11 @@ static char *reason_of(const struct run *r)
     }
     free(text);
     free(log);
-    if (reason == NULL) return strdup("its log.txt says nothing");
+    if (reason == NULL || reason[0] == '\0') {
+        free(reason);
+        return strdup(r->code > 128 ? "ended by a signal"
+                                    : "its log.txt says nothing");
+    }
     reason[strcspn(reason, "\n")] = '\0'; /* then follows what to try */
     return reason;
 }

@@ -29,6 +29,7 @@ van_der_waals {hamaker=1e-19;range=1e-5;}
 capillary {tension=0.01;range=5e-5;}
 stochastic_drag {sigma_low=0.1;sigma_high=0.1;time=0.01;}
 lubrication {roughness=1e-6;range=1e-4;}
+whole_drag {}
 EOF
 }
 

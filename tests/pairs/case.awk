@@ -332,7 +332,10 @@ function put_output(    h, p, i, n, f) {
             put("    { field = \"" f[i] "\"; position = " at(0.5, 0.15 * i, 0.5) "; }" (i < n ? "," : ""))
         put("  );")
     }
-    if (on("forces")) put("  forces = ( { name = \"walls\"; } ); walls = true;")
+    if (on("forces"))
+        put("  forces = ( { name = \"walls\"; }" \
+            (on("surface") ? ", { surfaces = \"extra\"; centre = " at(0.1, 0.2, 0.3) "; }" : "") \
+            " ); walls = true;")
     if (on("contacts")) put("  contacts = true;")
     if (v["shown"] == "all")
         put("  sorted = true; particles = \"mass material contact_force contact_number" \

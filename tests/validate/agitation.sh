@@ -46,7 +46,8 @@ count() { # NAME KEY
         "$out/$1/summary.json"
 }
 
-# NAME WORDS...: a row of a table. Temperatures as their roots, with errors.
+# NAME WORDS...: a row of a table. Temperatures as their roots, with errors; seconds
+# of the processor.
 row() {
     name=$1
     shift
@@ -59,17 +60,18 @@ row() {
         "$(value "$name" bed_height mean) $(value "$name" bed_height error)" \
         "$(value "$name" pressure_drop mean) $(value "$name" pressure_drop error) $weight" \
         "$(value "$name" drag_coefficient mean) $(value "$name" drag_coefficient deviation)" \
-        "$(value "$name" drag_coefficient integral_time) ${cuts:-0} ${uses:-1}" |
-        awk '{ n = NF - 14
+        "$(value "$name" drag_coefficient integral_time) ${cuts:-0} ${uses:-1}" \
+        "$(count "$name" processor)" |
+        awk '{ n = NF - 15
             for (i = 1; i <= n; i++) printf "%s ", $i
-            printf "%.4f %.4f %.4f %.4f %.3f %.3f %.4f %.4f %.2f %.3f %.3f %.4f\n",
+            printf "%.4f %.4f %.4f %.4f %.3f %.3f %.4f %.4f %.2f %.3f %.3f %.4f %.0f\n",
                 sqrt($(n + 1)), $(n + 2) / (2 * sqrt($(n + 1))),
                 sqrt($(n + 3)), $(n + 4) / (2 * sqrt($(n + 3))),
                 $(n + 5), $(n + 6), $(n + 7) / $(n + 9), $(n + 8) / $(n + 9),
-                $(n + 10), $(n + 11) / $(n + 10), $(n + 12), $(n + 13) / $(n + 14) }'
+                $(n + 10), $(n + 11) / $(n + 10), $(n + 12), $(n + 13) / $(n + 14), $(n + 15) }'
 }
 columns="sqrt_T_axial error sqrt_T_transverse error height error drop/weight error\
- C_d sigma/C_d T cuts"
+ C_d sigma/C_d T cuts seconds"
 
 # The rows of such a table by name, for the text; in which columns the words are.
 numbers() {

@@ -22,6 +22,7 @@ for part; do
     mueller)
         sh figures/27-mueller.sh run C-0.9-1 0.9 1 2.4e-3 18,50,4 18.0
         sh figures/27-mueller.sh run C-0.9-2 0.9 2 2.4e-3 18,50,4 18.0
+        sh figures/27-mueller.sh run Bp-0.9-1 0.9 1 2.4e-3 12,32,3 18.0
         { echo "# Made by sh tests/validate/beds.sh build/winnow mueller"
           sh figures/27-mueller.sh collect; } >out/27-table
         mv out/27-table figures/27-mueller.txt

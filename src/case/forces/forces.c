@@ -274,8 +274,8 @@ static void *create(const struct settings *s, const struct simulation *sim,
 
 static const struct key keys[] = {
     {"output.forces", KEY_LIST, "", "", "",
-     "forces and torques of the fluid on walls, each { patches, ... }, and of "
-     "grains on surfaces: rows of forces.csv",
+     "forces and torques of the fluid on walls, each { patches, ... }, without "
+     "its buoyancy, and of grains on surfaces: rows of forces.csv",
      "", ""},
     {"output.forces.name", KEY_TEXT, "", "", "",
      "what its columns begin with; left out: the patches or surfaces", "", ""},

@@ -32,7 +32,8 @@ static int check_surfaces(const struct settings *s, int i)
 
     if (text[strspn(text, " ")] == '\0')
         return settings_wrong(s, forces_list, "surfaces is empty; name some");
-    for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
+    for (; !is_surface(s, text) && sscanf(text, " %63[^ ]%n", word, &used) == 1;
+         text += used)
         if (!is_surface(s, word))
             return settings_wrong(s, forces_list,
                                   "there is no surface %s in "

@@ -26,6 +26,7 @@ int surface_loads_has_word(const char *text, const char *word)
 {
     const size_t length = strlen(word);
 
+    if (strcmp(text, word) == 0) return 1; /* it may have blanks itself */
     for (const char *at = text; *(at += strspn(at, " ")) != '\0';
          at += strcspn(at, " "))
         if (strcspn(at, " ") == length && strncmp(at, word, length) == 0)

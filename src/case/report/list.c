@@ -35,12 +35,13 @@ static void print_source(const char *source)
  */
 static void print_needs(const char *needs)
 {
-    const char *const not = strchr(needs, '!');
-    const int length = not != NULL ? (int)(not -needs) : (int)strlen(needs);
+    const char *const without = strchr(needs, '!');
+    const int length =
+        without != NULL ? (int)(without - needs) : (int)strlen(needs);
 
     if (length > 0)
-        printf("; needs %.*s", not != NULL ? length - 1 : length, needs);
-    if (not != NULL) printf("; not with %s", not +1);
+        printf("; needs %.*s", without != NULL ? length - 1 : length, needs);
+    if (without != NULL) printf("; not with %s", without + 1);
 }
 
 static void print_key(const struct key *key, const char *indent)

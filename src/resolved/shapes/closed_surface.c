@@ -8,12 +8,13 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
-#include "dem/surfaces/triangles.h"
+#include "resolved/shapes/triangle_tree.h"
 
 struct closed_surface {
     struct body_outline outline; /* first, because the body gives it back */
-    struct triangles *triangles;
-    struct triangle_list *found; /* work space */
+    double (*corner)[3][3];
+    struct triangle_tree *tree;
+    int *last; /* [-] the nearest of the last point */
     /* [-] of each triangle; across the edge from corner k to the next one; in
      * corner k. Not of length 1 but for the first. */
     double (*face)[3], (*edge)[3][3], (*point)[3][3];
@@ -27,7 +28,7 @@ static const double on_edge = 1e-9;
 static const double *normal_at(const struct closed_surface *s, int t,
                                const double q[3])
 {
-    const double(*const x)[3] = (const double(*)[3])s->triangles->corner[t];
+    const double(*const x)[3] = (const double(*)[3])s->corner[t];
     double ab[3], ac[3], area[3];
     int on = 0,
         off = 0; /* corners with a weight: the last; how many have none */
@@ -51,51 +52,24 @@ static const double *normal_at(const struct closed_surface *s, int t,
     return s->point[t][on == 4 ? 2 : on == 2 ? 1 : 0];
 }
 
-/* A sphere of this radius around y reaches the box of all triangles, and a
- * little farther. */
-static double first_reach(const struct triangles *t, const double y[3])
-{
-    double most = 0.0, width = 0.0;
-
-    for (int k = 0; k < 3; k++) {
-        most = fmax(most, fmax(t->lo[k] - y[k], y[k] - t->hi[k]));
-        width = fmax(width, (t->hi[k] - t->lo[k]) / t->cells[k]);
-    }
-    return most + width;
-}
-
 static double distance(const struct body_outline *o, const double y[3])
 {
     const struct closed_surface *const s = (const struct closed_surface *)o;
-    double best = HUGE_VAL, away[3] = {0}, reach = first_reach(s->triangles, y);
-    const double *n = NULL;
+    double q[3], r[3];
 
-    while (best > reach * reach || n == NULL) {
-        if (n != NULL) reach = sqrt(best) * (1.0 + 1e-12);
-        triangles_near(s->triangles, y, reach, s->found);
-        for (int j = 0; j < s->found->n; j++) {
-            const int t = s->found->number[j];
-            double q[3], r[3];
-            triangle_nearest((const double(*)[3])s->triangles->corner[t], y, q);
-            vector_between(y, q, r);
-            const double square = vector_dot(r, r);
-            if (square >= best) continue;
-            best = square;
-            n = normal_at(s, t, q);
-            memcpy(away, r, sizeof away);
-        }
-        if (n == NULL) reach *= 2.0;
-    }
-    return vector_dot(away, n) < 0.0 ? -sqrt(best) : sqrt(best);
+    *s->last = triangle_tree_nearest(s->tree, y, *s->last, q);
+    vector_between(y, q, r);
+    const double far = vector_length(r);
+    return vector_dot(r, normal_at(s, *s->last, q)) < 0.0 ? -far : far;
 }
 
 static void release(struct body_outline *o)
 {
     struct closed_surface *const s = (struct closed_surface *)o;
 
-    triangles_free(s->triangles);
-    free(s->found->number);
-    free(s->found);
+    triangle_tree_free(s->tree);
+    free(s->corner);
+    free(s->last);
     free(s->face);
     free(s->edge);
     free(s->point);
@@ -235,8 +209,7 @@ static double angle_in(const double x[3][3], int k)
 static void join_points(struct closed_surface *s, int n, const int *number)
 {
     for (int c = 0; c < 3 * n; c++) {
-        const double(*const x)[3] =
-            (const double(*)[3])s->triangles->corner[c / 3];
+        const double(*const x)[3] = (const double(*)[3])s->corner[c / 3];
         const int to = number[c];
         vector_along(s->point[to / 3][to % 3], angle_in(x, c % 3),
                      s->face[c / 3], s->point[to / 3][to % 3]);
@@ -249,7 +222,7 @@ static void join_points(struct closed_surface *s, int n, const int *number)
 static const char *join(struct closed_surface *s, int n)
 {
     int *const number = alloc_ints(3 * n);
-    double(*const corner)[3][3] = s->triangles->corner;
+    double(*const corner)[3][3] = s->corner;
 
     number_corners(n, corner, number);
     s->face = alloc_zeroed((size_t)n, sizeof *s->face);
@@ -265,9 +238,11 @@ static const char *join(struct closed_surface *s, int n)
 
 /* --- the whole ------------------------------------------------------------ */
 
-static void set_frame(struct closed_surface *s, int n, double (*corner)[3][3])
+/* The corners and the box around them, from the centroid. */
+static void set_frame(struct closed_surface *s, int n)
 {
     struct body_outline *const o = &s->outline;
+    double(*const corner)[3][3] = s->corner;
 
     set_moments(o, n, corner);
     if (o->volume < 0.0) {
@@ -275,31 +250,33 @@ static void set_frame(struct closed_surface *s, int n, double (*corner)[3][3])
         set_moments(o, n, corner);
     }
     if (!(o->volume > 0.0)) memset(o->centre, 0, sizeof o->centre);
-    for (int c = 0; c < 9 * n; c++)
-        corner[c / 9][c / 3 % 3][c % 3] -= o->centre[c % 3];
-    s->triangles = triangles_create(n, corner);
-    for (int k = 0; k < 3; k++)
-        o->half[k] = fmax(s->triangles->hi[k], -s->triangles->lo[k]);
+    for (int c = 0; c < 9 * n; c++) {
+        double *const x = &corner[c / 9][c / 3 % 3][c % 3];
+        *x -= o->centre[c % 3];
+        o->half[c % 3] = fmax(o->half[c % 3], fabs(*x));
+    }
 }
 
 struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
                                            const char **trouble)
 {
     struct closed_surface *const s = alloc_zeroed(1, sizeof *s);
-    double(*const own)[3][3] = alloc_zeroed((size_t)n, sizeof *own);
 
-    memcpy(own, corner, (size_t)n * sizeof *own);
+    s->corner = alloc_zeroed((size_t)n, sizeof *s->corner);
+    memcpy(s->corner, corner, (size_t)n * sizeof *s->corner);
     s->outline.distance = distance;
     s->outline.free = release;
-    s->found = alloc_zeroed(1, sizeof *s->found);
-    set_frame(s, n, own);
-    free(own);
+    s->last = alloc_ints(1);
+    set_frame(s, n);
     s->outline.n_triangles = n;
-    s->outline.corner = s->triangles->corner;
+    s->outline.corner = s->corner;
     *trouble = join(s, n);
     if (*trouble == NULL && !(s->outline.volume > 0.0))
         *trouble = "it has no volume";
-    if (*trouble == NULL) return &s->outline;
+    if (*trouble == NULL) {
+        s->tree = triangle_tree_create(n, s->corner);
+        return &s->outline;
+    }
     release(&s->outline);
     return NULL;
 }
