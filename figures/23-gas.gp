@@ -12,16 +12,20 @@ set xlabel "time [{/:Italic d / u}_{in}]"
 set xrange [0:120]
 set ylabel "height of the bed [{/:Italic d}]" offset 1,0
 set yrange [18:28]
-set key bottom right samplen 2
-plot for [i=0:5] series index i using 1:4 with lines linetype i + 1 linewidth 1.5 \
-         title word(ways, i + 1)
 unset key
+colour = "3 1 2 4 1 2"
+style(i) = i < 4 ? 1 : 2
+plot for [i=0:5] series index i using 1:4 with lines linetype word(colour, i + 1) + 0 \
+         dashtype style(i) linewidth 1.5
 set ylabel "root of axial granular temperature [{/:Italic u}_{in}]" offset 1,0
 set yrange [0:1]
-plot for [i=0:5] series index i using 1:(sqrt($2)) with lines linetype i + 1 linewidth 1
+plot for [i=0:5] series index i using 1:(sqrt($2)) with lines \
+         linetype word(colour, i + 1) + 0 dashtype style(i) linewidth 1
 set xlabel "height [{/:Italic d}]"
 set ylabel "fluid fraction" offset 1,0
-set xrange [0:40]
+set xrange [0:50]
 set yrange [0.4:1]
-plot for [i=0:5] profile index i using 1:2 with lines linetype i + 1 linewidth 1.5
+set key bottom right samplen 2 font "sans,11"
+plot for [i=0:5] profile index i using 1:2 with lines linetype word(colour, i + 1) + 0 \
+         dashtype style(i) linewidth 1.5 title word(ways, i + 1)
 unset multiplot
