@@ -304,10 +304,13 @@ lost() {
 fact a_lost_sphere_ends_all_ranks_with_3_and_leaves_the_last_state lost
 
 # --- refusals, all on the first rank, in one line
-refused() { # part, words of the case
+refused() { # part, words of the case; one rank says it, and needs no mpirun
     part=$1
     shift
-    code 2 "$part" 2 run "$@" -o refused && [ ! -e refused ] &&
+    "$build/winnow-mpi" run "$@" -o refused --quiet >heard 2>&1
+    found=$?
+    cat heard
+    [ $found -eq 2 ] && grep -qF -- "$part" heard && [ ! -e refused ] &&
         [ "$(grep -c '^winnow:' heard)" -eq 1 ]
 }
 fact fewer_columns_than_ranks_are_refused_by_number \
@@ -317,7 +320,7 @@ with() { # case that has another line
     sed "$1" bed.cfg >other.cfg
 }
 with 's/bed = {/surfaces = ( { name = "w"; shape = "plane"; point = [0.0, 0.001, 0.0]; normal = [0.0, 1.0, 0.0]; } ); bed = {/'
-fact surfaces_are_refused refused "particles.surfaces" other.cfg
+fact surfaces_are_refused_on_2_ranks code 2 "particles.surfaces" 2 run other.cfg -o refused
 with 's/effects = {/effects = { virtual_mass = {};/'
 fact virtual_mass_is_refused refused "effects.virtual_mass" other.cfg
 with 's/effects = {/effects = { saffman = {};/'

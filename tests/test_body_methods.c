@@ -31,7 +31,7 @@ static double drag_by(enum body_method method, double vn, int steps,
 START_TEST(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
 {
     struct pool p;
-    const double short_step = drag_by(BODY_METHOD_FICTITIOUS, 0.1, 600, &p);
+    const double short_step = drag_by(BODY_METHOD_FICTITIOUS, 0.1, 300, &p);
     pool_free(&p);
     const double long_step = drag_by(BODY_METHOD_FICTITIOUS, 1.0, 100, &p);
     pool_free(&p);
@@ -48,7 +48,7 @@ START_TEST(ls_5_17_the_fluid_inside_moves_with_the_body)
     struct pool p;
     double worst = 0.0, flow[3];
 
-    drag_by(BODY_METHOD_FICTITIOUS, 0.1, 300, &p);
+    drag_by(BODY_METHOD_FICTITIOUS, 0.1, 120, &p);
     fluid_mean_flow(p.fluid, flow);
     for (int j = 0; j < p.bodies->n_links; j++) {
         const struct hold_link *const l = &p.bodies->link[j];
@@ -101,7 +101,7 @@ END_TEST
 START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
 {
     struct pool p;
-    const double short_step = drag_by(BODY_METHOD_PISO_IB, 0.3, 260, &p);
+    const double short_step = drag_by(BODY_METHOD_PISO_IB, 0.3, 150, &p);
     pool_free(&p);
     const double long_step = drag_by(BODY_METHOD_PISO_IB, 3.0, 100, &p);
     double worst = 0.0, flow[3];

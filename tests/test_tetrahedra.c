@@ -24,16 +24,17 @@ static struct manufactured_error made(const char *convection, int n)
     return manufactured_run(&a);
 }
 
-/* Without the terms of skewness.h the order is 0.5. */
+/* Without the terms of skewness.h the order is 0.5; with the weight of boxes in
+ * least squares it is 1.47, and the error 0.0254 to 0.0259. */
 START_TEST(a_flow_on_tetrahedra_has_an_order_of_one_and_a_half)
 {
     const struct manufactured_error coarse = made(schemes[_i], 4);
     const struct manufactured_error fine = made(schemes[_i], 8);
 
-    ck_assert_double_gt(log2(coarse.u / fine.u), 1.45);
+    ck_assert_double_gt(log2(coarse.u / fine.u), 1.5);
     ck_assert_double_gt(log2(coarse.u_max / fine.u_max), 1.2);
     ck_assert_double_gt(log2(coarse.p / fine.p), 0.5);
-    ck_assert_double_lt(fine.u, 0.03);
+    ck_assert_double_lt(fine.u, 0.0245);
 }
 END_TEST
 

@@ -50,9 +50,10 @@ double *skewness_normal_equations(const struct mesh *m, const double *off)
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             double d[3];
             link_of(m, off, c, m->cell_face[a], d);
+            const double square = vector_dot(d, d);
             for (int i = 0, n = 0; i < 3; i++)
                 for (int j = i; j < 3; j++, n++)
-                    matrix[6 * c + n] += d[i] * d[j] / vector_dot(d, d);
+                    matrix[6 * c + n] += d[i] * d[j] / (square * square);
         }
     return matrix;
 }
@@ -72,7 +73,8 @@ static void pressure_slopes(int first, int last, struct fluid *fl)
                                   : m->owner[f] == c ? fl->p[m->neighbour[f]]
                                                      : fl->p[m->owner[f]];
             link_of(m, g->off, c, f, d);
-            vector_along(right, (beyond - fl->p[c]) / vector_dot(d, d), d,
+            const double square = vector_dot(d, d);
+            vector_along(right, (beyond - fl->p[c]) / (square * square), d,
                          right);
         }
         vector_solve(&g->normal_equations[6 * c], right, &fl->grad_p[3 * c]);

@@ -23,9 +23,9 @@
  * otherwise amplify themselves. */
 double *skewness_of(const struct mesh *m);
 
-/* The sums of d d / |d|^2 over the links of each cell [-], 6 each (vector.h),
- * of a boundary face with the part of the link normal to it; NULL for a mesh
- * without tetrahedra. */
+/* The sums of d d / |d|^4 over the links of each cell [1/m^2], 6 each
+ * (vector.h), of a boundary face with the part of the link normal to it; NULL
+ * for a mesh without tetrahedra. */
 double *skewness_normal_equations(const struct mesh *m, const double *off);
 
 /* Adds the term to p_face, from the gradients of the linear values. */

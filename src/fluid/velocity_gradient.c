@@ -50,15 +50,18 @@ static void invert(double m[6])
         m[i] = inverse[i] / det;
 }
 
-/* Adds the terms of face f of cell c: d d / |d|^2 to the matrix, and d (u_other
- * - u_c) / |d|^2 to the right-hand sides. */
+/* Adds the terms of face f of cell c: weight d d to the matrix, and weight d
+ * (u_other - u_c) to the right-hand sides. The weight is 1 / |d|^2; among
+ * tetrahedra, of which no two neighbours are opposite each other, the square of
+ * that, since the error of a difference grows with |d|^2. */
 static void add_face(const struct mesh *m, const double *u, const double *u_b,
                      int c, int f, double matrix[6], double right[9])
 {
     const double sign = m->owner[f] == c ? 1.0 : -1.0;
     const double *const l = &m->d[3 * f];
     const double d[3] = {sign * l[0], sign * l[1], sign * l[2]};
-    const double weight = 1.0 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const double weight = 1.0 / (m->skewed == 2 ? square * square : square);
     const double *const beyond = f >= m->n_internal
                                      ? &u_b[3 * (f - m->n_internal)]
                                  : m->owner[f] == c ? &u[3 * m->neighbour[f]]

@@ -3,8 +3,9 @@
  *
  * Gauss: (1/V) sum u_f S, u_f linear between the two cells of a face. Least
  * squares: the gradient that best gives the differences to all neighbours,
- * weighted by one over the distance squared; exact for a linear field on any
- * mesh. Only schemes that need more than two cells use it.
+ * weighted by one over the distance squared, on tetrahedra to the fourth power;
+ * exact for a linear field on any mesh. Only schemes that need more than two
+ * cells use it.
  */
 #ifndef FLUID_VELOCITY_GRADIENT_H
 #define FLUID_VELOCITY_GRADIENT_H
