@@ -9,6 +9,7 @@ set yrange [0:0.6]
 set ylabel "root of granular temperature [{/:Italic u}_{in}]" offset 1,0
 set xlabel "cells in a diameter"
 set xrange [0.3:2.2]
+set xtics 0.5
 set key bottom right
 plot "<awk '$2 == 1' " . table using 1:3:4 with yerrorlines linetype 1 pointtype 7 title "along the flow", \
      "<awk '$2 == 1' " . table using 1:5:6 with yerrorlines linetype 2 pointtype 9 title "across it"
