@@ -333,7 +333,8 @@ short flow.cfg -o kept -s output.end=0.003 >out 2>&1
 rm -rf cache
 stop_settling KILL kept
 check "the run before can go on" short flow.cfg -o kept --resume
-check "with the bits of one piece" cmp kept/history.csv full/history.csv
+short flow.cfg -o whole >out 2>&1
+check "with the bits of one piece" cmp kept/history.csv whole/history.csv
 
 check "a bed is settled" says 'settled in' "$winnow" run wide.cfg -o bed1
 check "and found again" says 'was settled before' "$winnow" run wide.cfg -o bed2
