@@ -405,6 +405,8 @@ interrupted() {
         number=$([ "${number:-}" = TERM ] && echo HUP || echo TERM)
         rm -f kept.bed
         signalled $number "$moment" bed.cfg -o heard --quiet
+        # While the picture is drawn it ends gnuplot, which is said.
+        ! grep -qs 'no picture: gnuplot' said || : >heard/bed.png
         of_one_run heard && no_part . &&
             case $code in
             0) grep -q '"done"' heard/summary.json ;;
