@@ -56,6 +56,19 @@ static int applies(const struct settings *s, const struct effect *e)
            settings_has(s, "exchange");
 }
 
+/* 1 if the case names an effect that takes the place of this one. */
+static int is_replaced(const struct settings *s, const struct effect *e)
+{
+    for (int i = 0; effects[i] != NULL; i++) {
+        const struct key *const key = effects[i]->keys;
+        const char *const instead = strchr(key->needs, '!');
+        if (instead != NULL && strcmp(instead + 1, e->keys[0].path) == 0 &&
+            settings_has(s, key->path))
+            return 1;
+    }
+    return 0;
+}
+
 /* The time of the effect over that of the whole run without it [-]. */
 static double cost_of(const struct effect *e, const struct case_scales *in,
                       int flow)
@@ -67,13 +80,12 @@ static double cost_of(const struct effect *e, const struct case_scales *in,
     return 1e-9 * ns * in->end / in->dt / case_cost_of(in, flow);
 }
 
-static void effect_line(const struct effect *e, double cost, int named,
+static void effect_line(const struct effect *e, double cost, const char *words,
                         const struct effect_estimate *estimate)
 {
     char told[160];
 
-    snprintf(told, sizeof told, "%7.3g %%   %s", 100.0 * cost,
-             verdict(named, estimate));
+    snprintf(told, sizeof told, "%7.3g %%   %s", 100.0 * cost, words);
     line(e->name, 100.0 * estimate->share, "%", told, estimate->remark);
 }
 
@@ -93,7 +105,10 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
         const struct effect_estimate estimate = e->estimate(k);
-        effect_line(e, cost_of(e, in, k->rho_f > 0.0), named, &estimate);
+        effect_line(e, cost_of(e, in, k->rho_f > 0.0),
+                    is_replaced(s, e) ? "off, replaced"
+                                      : verdict(named, &estimate),
+                    &estimate);
     }
     free(all);
 }
