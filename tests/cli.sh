@@ -420,7 +420,7 @@ fact whole_drag_takes_the_place_of_the_pressure_gradient 2 \
     "effects.whole_drag takes the place of effects.pressure_gradient: leave one out" \
     "$winnow" check "$top/cases/small-bed.cfg" -s "effects.whole_drag={}"
 fact an_effect_whose_place_is_taken_is_not_called_for 0 \
-    "pressure_gradient .* off, replaced" "$winnow" check "$top/cases/ew18-liquid.cfg"
+    "off, replaced" "$winnow" check "$top/cases/ew18-liquid.cfg"
 fact what_excludes_another_key_says_so 0 "; not with effects.pressure_gradient" \
     "$winnow" explain effects.whole_drag
 fact explain_names_the_models_of_a_key 0 "gidaspow: Ergun's packed bed" \
