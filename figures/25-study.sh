@@ -4,8 +4,11 @@
 #
 #   25-study.sh NAME
 set -eu
-winnow study "cases/studies/$1.cfg" -o "out/study-$1" --quiet >/dev/null
-cp "out/study-$1/study.svg" "figures/25-$1.svg"
+said=$(winnow study "cases/studies/$1.cfg" -o "out/study-$1" --quiet 2>&1) ||
+    { echo "$said" && exit 1; }
+# A study whose errors are all zero, as those of threads are, has no picture.
+svg=out/study-$1/study.svg
+[ ! -e "$svg" ] || cp "$svg" "figures/25-$1.svg"
 awk -F ' *[|] *' '
     function pad(text, width, left) {
         while (length(text) < width) text = left ? text " " : " " text
