@@ -584,9 +584,5 @@ sed 's/"fixed"; },/"fixed"; } );/
     bodies.cfg >clump.cfg
 fact a_clump_that_turns_goes_on_to_the_same_bits 0 "" gone_on clump
 
-
-if [ $failed -gt 0 ]; then
-    echo "$failed facts of the command line do not hold"
-    exit 1
-fi
-echo "$facts facts hold (command line)"
+echo "command line: $facts passed, $failed failed"
+[ $failed -eq 0 ]
