@@ -275,6 +275,19 @@ threads_change_no_bit() {
         grep -q '"threads": 2' threads/runs/threads=2/summary.json
 }
 fact threads_are_varied_and_change_no_bit threads_change_no_bit
+# Then the finest is no judge of the others: both are within any limit, the cheaper
+# is advised, and there is no error to be drawn.
+same_bits_are_compared_by_cost() {
+    "$winnow" study grains.cfg -s threads=1,2 -s particles.bed.count=20 --measure mean_height \
+        --cost seconds.total -o threads >heard 2>&1 || return 1
+    cat heard
+    cheaper=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "total [s]") t = i; next }
+        best == "" || $t < best { best = $t; name = $1 } END { print name }' threads/study.csv)
+    [ "$(grep -c '| 0 % |' threads/study.md)" -eq 2 ] &&
+        [ "$(grep -c "^- for .* %: .* error 0 %: $cheaper\$" heard)" -eq 3 ] &&
+        grep -q 'no picture: all variants agree to the last bit' heard && [ ! -e threads/study.gp ]
+}
+fact the_same_bits_as_the_finest_are_compared_by_cost same_bits_are_compared_by_cost
 killed_run_is_a_result() {
     "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 -s output.end=9 --measure mean_height \
         -o shot -j 2 --quiet >/dev/null 2>&1 &

@@ -124,6 +124,29 @@ START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
 }
 END_TEST
 
+/* Seeds that give the same bits have no standard error, though their sum
+ * rounds; those that scatter have that of their scatter, of 0.1 and 0.3 it is
+ * 0.1, or their own if it is larger. */
+START_TEST(a_mean_over_seeds_has_the_error_of_their_scatter)
+{
+    struct curve of[] = {line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.0),
+                         line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.6)};
+    struct curve mean = curve_mean(3, of);
+
+    ck_assert_double_eq(mean.error[0], 0.0);
+    curve_free(&mean);
+    mean = curve_mean(2, of);
+    ck_assert_double_eq_tol(mean.value[1], 0.2, 1e-16); /* rounding */
+    ck_assert_double_eq_tol(mean.error[1], 0.1, 1e-16);
+    curve_free(&mean);
+    mean = curve_mean(2, &of[2]);
+    ck_assert_double_eq_tol(mean.error[1], 0.3, 1e-16); /* 0.6 / 2 */
+    curve_free(&mean);
+    for (int i = 0; i < 4; i++)
+        curve_free(&of[i]);
+}
+END_TEST
+
 /* x_k = phi x_k-1 + noise: neighbours are alike, and the mean of n is as
  * uncertain as that of n (1 - phi) / (1 + phi) independent samples, 1/19 of
  * them for phi = 0.9. The error of an error from a few dozen blocks is some
@@ -331,6 +354,7 @@ FACTS("study")
     FACT(sizes_fall_from_coarse_to_fine);
     FACT(richardson_finds_the_order_and_the_limit);
     FACT(changes_that_turn_back_or_are_chance_have_no_order);
+    FACT(a_mean_over_seeds_has_the_error_of_their_scatter);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);
