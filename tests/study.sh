@@ -391,8 +391,5 @@ case = "channel.cfg"; vary = (); measure = ();
 END
 fact a_study_file_with_a_wrong_key refused 'did you mean measures' wrong.cfg
 
-if [ $failed -gt 0 ]; then
-    echo "study: $failed of $((facts + failed)) facts do not hold"
-    exit 1
-fi
-echo "study: $facts facts hold"
+echo "study: $facts passed, $failed failed"
+[ $failed -eq 0 ]
