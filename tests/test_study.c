@@ -51,6 +51,23 @@ START_TEST(values_split_at_top_level_commas_and_keys_cross)
 }
 END_TEST
 
+/* A group that a case does not have cannot be written as a value. */
+START_TEST(a_value_as_is_sets_nothing)
+{
+    struct choices c = {0};
+    struct texts set = {0};
+
+    ck_assert_int_eq(choices_add(&c, "effects.saffman=as-is, {}"), 0);
+    choices_overrides(&c, 0, "", &set);
+    ck_assert_int_eq(set.n, 0);
+    choices_overrides(&c, 1, "", &set);
+    ck_assert_int_eq(set.n, 1);
+    ck_assert_str_eq(set.text[0], "effects.saffman={}");
+    texts_free(&set);
+    choices_free(&c);
+}
+END_TEST
+
 /* A step gets smaller; of cells only those that change count, and more of them
  * are smaller. */
 START_TEST(sizes_fall_from_coarse_to_fine)
@@ -351,6 +368,7 @@ END_TEST
 FACTS("study")
 {
     FACT(values_split_at_top_level_commas_and_keys_cross);
+    FACT(a_value_as_is_sets_nothing);
     FACT(sizes_fall_from_coarse_to_fine);
     FACT(richardson_finds_the_order_and_the_limit);
     FACT(changes_that_turn_back_or_are_chance_have_no_order);
