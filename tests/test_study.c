@@ -297,6 +297,33 @@ START_TEST(a_formula_is_computed_as_one_writes_it)
 }
 END_TEST
 
+/* Measured values come as other programs write them: lines that end with CR LF,
+ * blanks around commas, empty fields, a last line without an end. What is not
+ * there is a gap, drawn across; beyond the ends nothing is known. */
+START_TEST(a_table_of_measured_values_may_have_gaps)
+{
+    char dir[64];
+    struct truth t;
+
+    scratch_make(dir);
+    const char *const path = scratch_path(dir, "a.csv");
+    scratch_write(path,
+                  "x [m], q [-]\r\n0 , 1\r\n\r\n1,\r\n2,nan\r\n# no\r\n4, 3");
+    ck_assert_int_eq(truth_parse(&t, path), 0);
+    ck_assert_double_eq_tol(truth_value(&t, 1.0), 1.5, 1e-15); /* rounding */
+    ck_assert_double_eq(truth_value(&t, 4.0), 3.0);
+    ck_assert_double_nan(truth_value(&t, 4.1));
+    truth_free(&t);
+    scratch_write(path, "x,q\n0,1\n1;2\n");
+    ck_assert_int_eq(truth_parse(&t, path), 2);
+    truth_free(&t);
+    scratch_write(path, "x,q\n0,1\n1,2\n2");
+    ck_assert_int_eq(truth_parse(&t, path), 2);
+    truth_free(&t);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* The key of `winnow eval`, with the time left to the samples: the end of the
  * course is the stream, its start the acceleration u_f / tau_p, which
  * XS11:3.17 gives by another way; the next term is of relative order
@@ -378,6 +405,7 @@ FACTS("study")
     FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
     FACT(a_formula_is_computed_as_one_writes_it);
+    FACT(a_table_of_measured_values_may_have_gaps);
     FACT(xs11_4_1_is_a_truth_in_time);
     FACT(the_case_as_it_stands_is_found_among_its_variants);
 }
