@@ -275,6 +275,19 @@ threads_change_no_bit() {
         grep -q '"threads": 2' threads/runs/threads=2/summary.json
 }
 fact threads_are_varied_and_change_no_bit threads_change_no_bit
+# Then the finest is no judge of the others: both are within any limit, the cheaper
+# is advised, and there is no error to be drawn.
+same_bits_are_compared_by_cost() {
+    "$winnow" study grains.cfg -s threads=1,2 -s particles.bed.count=20 --measure mean_height \
+        --cost seconds.total -o threads >heard 2>&1 || return 1
+    cat heard
+    cheaper=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "total [s]") t = i; next }
+        best == "" || $t < best { best = $t; name = $1 } END { print name }' threads/study.csv)
+    [ "$(grep -c '| 0 % |' threads/study.md)" -eq 2 ] &&
+        [ "$(grep -c "^- for .* %: .* error 0 %: $cheaper\$" heard)" -eq 3 ] &&
+        grep -q 'no picture: all variants agree to the last bit' heard && [ ! -e threads/study.gp ]
+}
+fact the_same_bits_as_the_finest_are_compared_by_cost same_bits_are_compared_by_cost
 killed_run_is_a_result() {
     "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 -s output.end=9 --measure mean_height \
         -o shot -j 2 --quiet >/dev/null 2>&1 &
@@ -306,6 +319,15 @@ seeds_have_errors() {
     paste expected found | awk '{ exit !($2 > 0 && $1 / $2 > 0.99 && $1 / $2 < 1.01) }'
 }
 fact seeds_give_a_standard_error seeds_have_errors
+# A group that is set as a whole has no seed of its own, and an effect may have one.
+seeds_go_last() {
+    "$winnow" study grains.cfg -s 'particles.bed={count=20;diameter=1.2e-3;settle=0.02;}' \
+        -s 'effects.stochastic_drag=as-is,{sigma_low=0.3;sigma_high=0.2;time=0.01;}' \
+        -s exchange.treatment=explicit -s output.end=0.002 --seeds 2 --measure mean_height \
+        -o group --quiet >/dev/null || return 1
+    [ "$(column group/study.csv mean_height | sort -u | wc -l)" -eq 4 ]
+}
+fact seeds_reach_into_groups_that_are_set_and_into_effects seeds_go_last
 dry_run_writes_nothing() {
     "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height \
         -o dry --dry-run >said || return 1
@@ -357,7 +379,7 @@ fact nothing_to_look_at refused 'what is to be looked at' channel.cfg -s fluid.s
 fact nothing_to_compare refused 'nothing to compare' channel.cfg --measure u_x
 fact a_truth_that_is_none refused 'expected a formula' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth finset
-fact seeds_where_nothing_is_random refused 'the case has none' \
+fact seeds_where_nothing_is_random refused 'no group with a seed' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --seeds 3
 fact a_number_twice refused 'a value is there twice' channel.cfg -s fluid.step=0.1,1e-1 --measure u_x
 fact a_time_after_the_end refused 'after output.end' \
@@ -366,6 +388,8 @@ fact a_column_that_the_case_has_not refused 'for want of' \
     channel.cfg -s fluid.step=0.1,0.2 --measure mean_height
 fact a_truth_of_nothing refused 'no error is relative to that' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth 1-1
+fact seeds_that_are_varied_as_well refused 'is varied, so that --seeds' \
+    grains.cfg -s particles.bed.seed=1,2 --measure mean_height --seeds 2
 printf 'time [s],u [m/s]\n0.1,1\n0,1\n' >falling.csv
 fact a_table_that_falls refused 'the first rising' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth falling.csv

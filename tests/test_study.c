@@ -51,6 +51,23 @@ START_TEST(values_split_at_top_level_commas_and_keys_cross)
 }
 END_TEST
 
+/* A group that a case does not have cannot be written as a value. */
+START_TEST(a_value_as_is_sets_nothing)
+{
+    struct choices c = {0};
+    struct texts set = {0};
+
+    ck_assert_int_eq(choices_add(&c, "effects.saffman=as-is, {}"), 0);
+    choices_overrides(&c, 0, "", &set);
+    ck_assert_int_eq(set.n, 0);
+    choices_overrides(&c, 1, "", &set);
+    ck_assert_int_eq(set.n, 1);
+    ck_assert_str_eq(set.text[0], "effects.saffman={}");
+    texts_free(&set);
+    choices_free(&c);
+}
+END_TEST
+
 /* A step gets smaller; of cells only those that change count, and more of them
  * are smaller. */
 START_TEST(sizes_fall_from_coarse_to_fine)
@@ -120,6 +137,29 @@ START_TEST(changes_that_turn_back_or_are_chance_have_no_order)
     ck_assert_double_nan(statistics_richardson(h, -4.0));
     ck_assert_double_nan(curve_changes(&of[0], &of[1], &of[4]));
     for (int i = 0; i < 5; i++)
+        curve_free(&of[i]);
+}
+END_TEST
+
+/* Seeds that give the same bits have no standard error, though their sum
+ * rounds; those that scatter have that of their scatter, of 0.1 and 0.3 it is
+ * 0.1, or their own if it is larger. */
+START_TEST(a_mean_over_seeds_has_the_error_of_their_scatter)
+{
+    struct curve of[] = {line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.0),
+                         line_of(0.1, 0.1, 0.0), line_of(0.1, 0.3, 0.6)};
+    struct curve mean = curve_mean(3, of);
+
+    ck_assert_double_eq(mean.error[0], 0.0);
+    curve_free(&mean);
+    mean = curve_mean(2, of);
+    ck_assert_double_eq_tol(mean.value[1], 0.2, 1e-16); /* rounding */
+    ck_assert_double_eq_tol(mean.error[1], 0.1, 1e-16);
+    curve_free(&mean);
+    mean = curve_mean(2, &of[2]);
+    ck_assert_double_eq_tol(mean.error[1], 0.3, 1e-16); /* 0.6 / 2 */
+    curve_free(&mean);
+    for (int i = 0; i < 4; i++)
         curve_free(&of[i]);
 }
 END_TEST
@@ -257,6 +297,33 @@ START_TEST(a_formula_is_computed_as_one_writes_it)
 }
 END_TEST
 
+/* Measured values come as other programs write them: lines that end with CR LF,
+ * blanks around commas, empty fields, a last line without an end. What is not
+ * there is a gap, drawn across; beyond the ends nothing is known. */
+START_TEST(a_table_of_measured_values_may_have_gaps)
+{
+    char dir[64];
+    struct truth t;
+
+    scratch_make(dir);
+    const char *const path = scratch_path(dir, "a.csv");
+    scratch_write(path,
+                  "x [m], q [-]\r\n0 , 1\r\n\r\n1,\r\n2,nan\r\n# no\r\n4, 3");
+    ck_assert_int_eq(truth_parse(&t, path), 0);
+    ck_assert_double_eq_tol(truth_value(&t, 1.0), 1.5, 1e-15); /* rounding */
+    ck_assert_double_eq(truth_value(&t, 4.0), 3.0);
+    ck_assert_double_nan(truth_value(&t, 4.1));
+    truth_free(&t);
+    scratch_write(path, "x,q\n0,1\n1;2\n");
+    ck_assert_int_eq(truth_parse(&t, path), 2);
+    truth_free(&t);
+    scratch_write(path, "x,q\n0,1\n1,2\n2");
+    ck_assert_int_eq(truth_parse(&t, path), 2);
+    truth_free(&t);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* The key of `winnow eval`, with the time left to the samples: the end of the
  * course is the stream, its start the acceleration u_f / tau_p, which
  * XS11:3.17 gives by another way; the next term is of relative order
@@ -328,14 +395,17 @@ END_TEST
 FACTS("study")
 {
     FACT(values_split_at_top_level_commas_and_keys_cross);
+    FACT(a_value_as_is_sets_nothing);
     FACT(sizes_fall_from_coarse_to_fine);
     FACT(richardson_finds_the_order_and_the_limit);
     FACT(changes_that_turn_back_or_are_chance_have_no_order);
+    FACT(a_mean_over_seeds_has_the_error_of_their_scatter);
     FACT(flyvbjerg89_blocks_find_the_error_of_a_correlated_mean);
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
     FACT(a_formula_is_computed_as_one_writes_it);
+    FACT(a_table_of_measured_values_may_have_gaps);
     FACT(xs11_4_1_is_a_truth_in_time);
     FACT(the_case_as_it_stands_is_found_among_its_variants);
 }

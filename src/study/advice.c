@@ -35,9 +35,9 @@ static int best_for(const struct outcomes *o, int m, double most)
         if (!out->ended || !(out->cost <= most)) continue;
         if (!isfinite(out->of[m].error)) continue;
         const struct outcome *const so_far = &o->variant[best < 0 ? v : best];
-        const double ratio = out->of[m].error / so_far->of[m].error;
-        if (best < 0 || ratio < 0.999 ||
-            (ratio < 1.001 && out->cost < so_far->cost))
+        if (best < 0 || out->of[m].error < 0.999 * so_far->of[m].error ||
+            (out->of[m].error <= 1.001 * so_far->of[m].error &&
+             out->cost < so_far->cost))
             best = v;
     }
     return best;
@@ -97,23 +97,26 @@ static void put_limits(const struct outcomes *o, int m, FILE *out)
     }
 }
 
-/* What half and twice the cost of the variant that the case itself is buy. */
+/* What half, the same and twice the cost of the variant that the case itself is
+ * buy. */
 static void put_standing(const struct outcomes *o, int m, FILE *out)
 {
     const int v = o->standing;
     static const struct {
         double of;
         const char *words;
-    } share[] = {{0.5, "half of that buys "}, {2.0, "twice of that buys "}};
+    } share[] = {{0.5, "half of that buys "},
+                 {1.0, "no more than that buys "},
+                 {2.0, "twice of that buys "}};
 
     if (v < 0 || !isfinite(o->variant[v].cost)) return;
     fputs("- the case as it stands: ", out);
     put_variant(o, v, m, out);
     fputc('\n', out);
     if (!isfinite(o->variant[v].of[m].error)) return;
-    for (int i = 0, told = v; i < 2; i++) {
+    for (int i = 0, told = v; i < 3; i++) {
         const int other = best_for(o, m, share[i].of * o->variant[v].cost);
-        if (other < 0 || other == told) continue;
+        if (other < 0 || other == told || other == v) continue;
         told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);

@@ -180,10 +180,12 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
         const struct choice *const of = &c->of[i];
         const int entry = of->n == 1 ? 0 : choices_entry(c, variant, i);
 
-        for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++)
-            if (strcmp(of->key.text[k], but) != 0)
-                texts_add(set, "%s=%s", of->key.text[k],
-                          of->value.text[entry * of->key.n + k]);
+        for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++) {
+            const char *const value = of->value.text[entry * of->key.n + k];
+            if (strcmp(of->key.text[k], but) == 0) continue;
+            if (strcmp(value, CHOICES_AS_IS) == 0) continue;
+            texts_add(set, "%s=%s", of->key.text[k], value);
+        }
     }
 }
 

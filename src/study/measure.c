@@ -296,7 +296,7 @@ struct curve measure_take(const struct measure *m, const char *folder)
         return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
     char *const path = file_join(folder, m->file);
-    struct results_table *const t = results_table_read(path);
+    struct results_table *const t = results_table_read(path, NULL);
     if (t != NULL) found = from_table(m, t);
     results_table_free(t);
     free(path);

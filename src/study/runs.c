@@ -102,16 +102,16 @@ static char *name_of(const struct plan *p, const struct run *r)
 
 static int create(const struct plan *p, struct run *r)
 {
-    int code;
+    int code = plan_overrides(p, r->variant, r->seed, &r->overrides);
+    struct settings *const s =
+        code == 0 ? plan_case(p, &r->overrides, &code) : NULL;
 
+    if (s == NULL) return code;
     r->code = RUN_TO_DO;
-    plan_overrides(p, r->variant, r->seed, &r->overrides);
     r->name = name_of(p, r);
     char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
     free(runs);
-    struct settings *const s = plan_case(p, r->variant, r->seed, &code);
-    if (s == NULL) return code;
     r->expected = case_cost_seconds(s);
     r->contents = contents_of(s);
     r->identity = identity_of(p, r);
@@ -121,19 +121,17 @@ static int create(const struct plan *p, struct run *r)
 
 struct run *runs_create(const struct plan *p, int *n, int *code)
 {
-    struct run *runs;
-    int at = 0;
+    const int seeds = p->words.seeds, times = p->words.times;
 
-    *n = choices_variants(&p->choices) * p->words.seeds * p->words.times;
-    runs = alloc_zeroed((size_t)*n, sizeof *runs);
+    *n = choices_variants(&p->choices) * seeds * times;
     *code = 0;
-    for (int v = 0; at < *n; v++)
-        for (int k = 0; k < p->words.seeds; k++)
-            for (int t = 0; t < p->words.times && *code == 0; t++, at++) {
-                runs[at] = (struct run){.variant = v, .seed = k, .time = t};
-                *code = create(p, &runs[at]);
-                if (*code != 0) at = *n;
-            }
+    struct run *const runs = alloc_zeroed((size_t)*n, sizeof *runs);
+    for (int i = 0; i < *n && *code == 0; i++) {
+        runs[i].variant = i / times / seeds;
+        runs[i].seed = i / times % seeds;
+        runs[i].time = i % times;
+        *code = create(p, &runs[i]);
+    }
     if (*code == 0) return runs;
     runs_free(*n, runs);
     return NULL;
@@ -152,9 +150,11 @@ void runs_free(int n, struct run *runs)
 
 int runs_standing(const struct plan *p, int n, const struct run *runs)
 {
-    int code, found = -1;
-    struct settings *const s = plan_case(p, -1, 0, &code);
+    struct texts set = {0};
+    int found = -1, code = plan_overrides(p, -1, 0, &set);
+    struct settings *const s = code == 0 ? plan_case(p, &set, &code) : NULL;
 
+    texts_free(&set);
     if (s == NULL) return -1;
     const unsigned long own = contents_of(s);
     for (int i = 0; i < n && found < 0; i++)

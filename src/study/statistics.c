@@ -20,11 +20,13 @@ double statistics_mean(int n, const double *x)
 
 double statistics_error(int n, const double *x)
 {
-    const double mean = statistics_mean(n, x);
-    double squares = 0.0;
+    double sum = 0.0, squares = 0.0;
 
+    /* From the first, so that equal samples have exactly no scatter. */
     for (int i = 0; i < n; i++)
-        squares += (x[i] - mean) * (x[i] - mean);
+        sum += x[i] - x[0];
+    for (int i = 0; i < n; i++)
+        squares += pow(x[i] - x[0] - sum / n, 2.0);
     return n > 1 ? sqrt(squares / ((double)n * (n - 1))) : 0.0;
 }
 

@@ -307,6 +307,20 @@ static int write_script(const struct outcomes *o, int panels)
     return file_commit(f);
 }
 
+static int say_why_there_is_none(const struct outcomes *o)
+{
+    int same = 1;
+
+    for (int m = 0; m < o->plan->n_measures; m++)
+        for (int v = 0; v < o->n; v++)
+            same &= o->variant[v].of[m].error == 0.0;
+    fprintf(stderr, "winnow: study: no picture: %s\n",
+            same ? "all variants agree to the last bit, so that nothing but "
+                   "their cost is left to compare; it is in study.md"
+                 : "no error above 0 is known");
+    return 0;
+}
+
 int study_report_picture(const struct outcomes *o)
 {
     static const char *const kinds[][2] = {{"svg", "study.svg"},
@@ -315,10 +329,7 @@ int study_report_picture(const struct outcomes *o)
 
     for (int m = 0; m < o->plan->n_measures; m++)
         panels += points(o, m, -1) > 0;
-    if (panels == 0) {
-        fputs("winnow: study: no picture, for no error is known\n", stderr);
-        return 0;
-    }
+    if (panels == 0) return say_why_there_is_none(o);
     if (write_script(o, panels) != 0) return 1;
     for (int i = 0; i < 2; i++) {
         const struct gnuplot g = {.folder = o->plan->words.dir,
