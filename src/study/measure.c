@@ -232,10 +232,24 @@ static struct curve point(double x, double value, double error)
     return c;
 }
 
+/* The column with the standard error of a mean, "u_x_error" of "u_x_mean"; -1
+ * if there is none. */
+static int error_column(const struct results_table *t, int column)
+{
+    const char *const name = t->name[column];
+    const char *const end = strstr(name, "_mean ");
+    char error[MEASURE_NAME];
+
+    if (end == NULL) return -1;
+    snprintf(error, sizeof error, "%.*s_error", (int)(end - name), name);
+    return results_column(t, error);
+}
+
 /* The rows that count: first and last column, from .. to. */
 static struct curve within(const struct measure *m,
                            const struct results_table *t, int column)
 {
+    const int error = error_column(t, column);
     const double *const last = t->value + (t->n_rows - 1) * t->n_columns;
     const double near = 1e-9 * fabs(last[0]);
     const double from = isfinite(m->from)        ? m->from
@@ -250,6 +264,7 @@ static struct curve within(const struct measure *m,
         if (row[0] < from - near || row[0] > to + near) continue;
         if (!isfinite(row[column])) continue; /* a cell that nobody was in */
         c.x[c.n] = row[0];
+        if (error >= 0 && isfinite(row[error])) c.error[c.n] = row[error];
         c.value[c.n++] = row[column];
     }
     return c;
