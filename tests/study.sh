@@ -381,6 +381,16 @@ fact a_truth_that_is_none refused 'expected a formula' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth finset
 fact seeds_where_nothing_is_random refused 'no group with a seed' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --seeds 3
+fact a_key_twice_in_one_choice refused 'a key is there twice' \
+    channel.cfg -s fluid.step:fluid.step=0.1:0.1,0.2:0.2 --measure u_x
+fact a_bracket_that_is_not_closed refused 'a bracket or a quote without' \
+    channel.cfg -s 'mesh.cells=[1,8,1,[1,16,1]' --measure u_x
+fact a_value_too_few refused 'not as many values' \
+    channel.cfg -s fluid.step:fluid.density=0.1:9,0.2 --measure u_x
+fact a_time_before_the_start refused 'before 0 s' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure mean:u_x@-0.1
+fact a_time_that_is_no_number refused 'expected @FROM' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure mean:u_x@nan
 fact a_number_twice refused 'a value is there twice' channel.cfg -s fluid.step=0.1,1e-1 --measure u_x
 fact a_time_after_the_end refused 'after output.end' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x@0.5

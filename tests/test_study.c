@@ -274,6 +274,30 @@ START_TEST(a_measure_reduces_a_column_as_it_says)
 }
 END_TEST
 
+/* A profile says of each mean how sure it is, or nan after too few samples. */
+START_TEST(a_profile_comes_with_its_standard_errors)
+{
+    char dir[64];
+    const struct measure m = {.how = MEASURE_CURVE,
+                              .file = "profile.csv",
+                              .column = 1,
+                              .from = NAN,
+                              .to = NAN};
+
+    scratch_make(dir);
+    scratch_write(scratch_path(dir, "profile.csv"),
+                  "x [m],us_y_mean [m/s],us_y_std [m/s],us_y_error [m/s]\n"
+                  "0,1,0.3,0.1\n1,nan,nan,nan\n2,3,0.3,nan\n");
+    struct curve c = measure_take(&m, dir);
+    ck_assert_int_eq(c.n, 2);
+    ck_assert_double_eq(c.error[0], 0.1);
+    ck_assert_double_eq(c.value[1], 3.0);
+    ck_assert_double_eq(c.error[1], 0.0);
+    curve_free(&c);
+    scratch_clear(dir);
+}
+END_TEST
+
 /* --- truths --------------------------------------------------------------- */
 
 static double truth_of(const char *text, double x)
@@ -404,6 +428,7 @@ FACTS("study")
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
+    FACT(a_profile_comes_with_its_standard_errors);
     FACT(a_formula_is_computed_as_one_writes_it);
     FACT(a_table_of_measured_values_may_have_gaps);
     FACT(xs11_4_1_is_a_truth_in_time);
