@@ -143,7 +143,7 @@ END_TEST
 
 /* The fluid is solved to 1e-10 of what flows, of 2e-4 N s; that the loads of
  * the last particle step have been paid by half only would be 1e-8. */
-START_TEST(ls_5_5_momentum_of_grains_bodies_and_fluid_is_constant)
+START_TEST(momentum_of_grains_bodies_and_fluid_is_constant)
 {
     struct simulation *const sim = build(averages[_i], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -169,7 +169,7 @@ END_TEST
  */
 
 /* A grain that falls on a fixed body stays on it, at rest on its top. */
-START_TEST(ls_5_5_grains_do_not_enter_a_body)
+START_TEST(grains_do_not_enter_a_body)
 {
     struct simulation *const sim = build(averages[2], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -200,7 +200,6 @@ FACTS("bodies_among_grains")
                   N_AVERAGES);
     FACT_FOR_EACH(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains,
                   N_AVERAGES);
-    FACT_FOR_EACH(ls_5_5_momentum_of_grains_bodies_and_fluid_is_constant,
-                  N_AVERAGES);
-    FACT(ls_5_5_grains_do_not_enter_a_body);
+    FACT_FOR_EACH(momentum_of_grains_bodies_and_fluid_is_constant, N_AVERAGES);
+    FACT(grains_do_not_enter_a_body);
 }
