@@ -136,10 +136,10 @@ advice_agrees() {
 fact advice_is_the_cheapest_row_within_the_limit advice_agrees
 # 0.32 s are eight steps of 0.04 s, and eleven of 0.03 s are 0.33 s.
 times_that_differ_are_told() {
-    "$winnow" study channel.cfg -s fluid.step=0.04,0.02 --measure u_x -o even >said 2>&1 &&
+    "$winnow" study channel.cfg -s fluid.step=0.04,0.02 --measure u_x -o even >even.said 2>&1 &&
         "$winnow" study channel.cfg -s fluid.step=0.03,0.02 --measure u_x -o odd >heard 2>&1
-    cat said heard
-    ! grep -q 'last values' said && grep -q 'last values are those of 0.32 to 0.33 s' heard
+    cat even.said heard
+    ! grep -q 'last values' even.said && grep -q 'last values are those of 0.32 to 0.33 s' heard
 }
 fact last_values_of_different_times_are_told times_that_differ_are_told
 picture_is_there() {
