@@ -219,6 +219,21 @@ static void print_substeps(const struct settings *s,
              "the error of the drag", 1.0, 0);
 }
 
+/* The force of a dashpot jumps when a contact begins and ends. Without one, e =
+ * 1, the integrator has its own order. */
+static void print_particles(const struct settings *s,
+                            const struct case_scales *k, int flow)
+{
+    const char *const e = "particles.grains.restitution";
+    const double order =
+        settings_has(s, e) && settings_real(s, e) == 1.0 ? 2.0 : 1.0;
+
+    line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
+         "the error of an impact", order, 1);
+    line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
+         "the error of an impact", order, 0);
+}
+
 void report_accuracy(const struct settings *s, const struct case_scales *k)
 {
     const int flow = settings_has(s, "fluid");
@@ -231,10 +246,5 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_correctors(s, k);
     if (settings_has(s, "averaging")) print_bandwidth(s);
     if (settings_has(s, "exchange")) print_substeps(s, k);
-    if (k->particles == 0) return;
-    /* The force of a dashpot jumps when a contact begins and ends. */
-    line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
-         "the error of an impact", 1.0, 1);
-    line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
-         "the error of an impact", 1.0, 0);
+    if (k->particles > 0) print_particles(s, k, flow);
 }
