@@ -444,15 +444,61 @@ START_TEST(every_law_and_method_has_its_functions)
     }
     for (int i = 0; drag_laws[i] != NULL; i++) {
         const struct drag_law *const law = drag_laws[i];
-        ck_assert_msg(law->resistance != NULL && law->eps_min < law->eps_max &&
-                          law->Re_min < law->Re_max,
-                      "%s", law->name);
+        ck_assert_msg(
+            (law->resistance != NULL || law->own_keys != NULL) &&
+                (law->resistance == NULL) == (law->resistance_with != NULL) &&
+                law->eps_min < law->eps_max && law->Re_min < law->Re_max,
+            "%s", law->name);
     }
     for (int i = 0; averaging_methods[i] != NULL; i++) {
         const struct averaging_method *const a = averaging_methods[i];
         ck_assert_msg(a->create != NULL && a->free != NULL &&
                           a->spread != NULL && a->gather != NULL,
                       "%s", a->name);
+    }
+}
+END_TEST
+
+/* A model's own keys are numbers that always have a value, no more than it has
+ * room for, and one of the tables that make them known. */
+static void check_own_keys(const char *name, const struct key *own,
+                           const struct key *const *tables)
+{
+    int n = 0, listed = 0;
+
+    for (int t = 0; own != NULL && t < KEY_TABLES; t++)
+        listed |= tables[t] == own;
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++, n++)
+        ck_assert_msg((k->type == KEY_REAL || k->type == KEY_INT ||
+                       k->type == KEY_BOOL) &&
+                          (k->fallback == NULL || k->fallback[0] != '\0'),
+                      "%s: %s", name, k->path);
+    ck_assert_msg(own == NULL || (listed && n > 0 && n <= MODEL_NUMBERS), "%s",
+                  name);
+}
+
+/* What a drag law is tested with is its default, where there is one. */
+START_TEST(every_key_of_a_models_own_has_a_value)
+{
+    for (int i = 0; contact_laws[i] != NULL; i++) {
+        int n = 0;
+        const struct key *k = contact_laws[i]->own_keys;
+        for (; k != NULL && k->path != NULL; k++)
+            n += strncmp(k->path, "particles.grains.", 17) == 0;
+        ck_assert_int_le(n, MODEL_NUMBERS);
+    }
+    for (int i = 0; averaging_methods[i] != NULL; i++)
+        check_own_keys(averaging_methods[i]->name,
+                       averaging_methods[i]->own_keys,
+                       averaging_methods[i]->keys);
+    for (int i = 0; drag_laws[i] != NULL; i++) {
+        const struct drag_law *const law = drag_laws[i];
+        int n = 0;
+        check_own_keys(law->name, law->own_keys, law->keys);
+        for (const struct key *k = law->own_keys; k != NULL && k->path != NULL;
+             k++, n++)
+            if (!schema_is_required(k))
+                ck_assert_double_eq(law->own[n], atof(k->fallback));
     }
 }
 END_TEST
@@ -548,6 +594,7 @@ FACTS("scene")
     FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
     FACT(every_descriptor_of_every_kind_is_complete);
     FACT(every_law_and_method_has_its_functions);
+    FACT(every_key_of_a_models_own_has_a_value);
     FACT(every_key_has_one_row);
     FACT(list_shows_every_model_and_key);
 }

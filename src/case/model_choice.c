@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/model_choice.h"
 
+#include "averaging/averaging.h"
 #include "case/schema.h"
+#include "coupling/drag.h"
+#include "dem/contact.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -137,9 +140,30 @@ static int missing(const struct settings *s, const struct kind *kind,
     return 0;
 }
 
+/* A key that a model alone reads, given where another one is chosen. */
+static int check_own(const struct settings *s, const char *kind,
+                     const struct key *own)
+{
+    int code = 0;
+
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++)
+        if (code == 0 && settings_has(s, k->path))
+            code = model_choice_unread(s, kind, k->path);
+    return code;
+}
+
 int model_choice_check(const struct settings *s)
 {
     struct model m;
+    int code = 0;
+
+    for (int i = 0; drag_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "drag", drag_laws[i]->own_keys);
+    for (int i = 0; contact_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "contact", contact_laws[i]->own_keys);
+    for (int i = 0; averaging_methods[i] != NULL && code == 0; i++)
+        code = check_own(s, "averaging", averaging_methods[i]->own_keys);
+    if (code != 0) return code;
 
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)

@@ -275,9 +275,8 @@ static int check_particles(const struct settings *s)
 {
     const int bed = settings_has(s, "particles.bed");
     const int place = settings_has(s, "particles.place");
-    int code = model_choice_check(s);
+    int code = check_integrator(s);
 
-    if (code == 0) code = check_integrator(s);
     if (code == 0) code = case_materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = check_mesh_walls(s);
@@ -388,6 +387,7 @@ int validate_case(const struct settings *s)
                               "to compute");
     code = case_steps_check(s);
     if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
+    if (code == 0) code = model_choice_check(s);
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);

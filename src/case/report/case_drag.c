@@ -10,6 +10,7 @@
 #include "coupling/drag_laws/fluidization.h"
 #include "coupling/stability.h"
 #include "base/vector.h"
+#include "case/build.h"
 #include "case/check_line.h"
 #include "case/particle_options.h"
 
@@ -18,9 +19,10 @@ static double relaxation_time(const struct settings *s,
                               const struct drag_scales *k, double d,
                               double eps_s)
 {
+    const struct drag_law law = build_drag_law(s);
+
     return drag_relaxation_time(
-        drag_law_named(settings_text(s, "exchange.drag")),
-        settings_real(s, "particles.grains.density"), eps_s,
+        &law, settings_real(s, "particles.grains.density"), eps_s,
         settings_real(s, "fluid.density"), settings_real(s, "fluid.viscosity"),
         d, k->inlet / (1.0 - eps_s));
 }
@@ -41,21 +43,20 @@ static double mean_diameter(const struct settings *s)
 static void print_range(const struct settings *s, const struct drag_scales *k,
                         double eps_f)
 {
-    const struct drag_law *const law =
-        drag_law_named(settings_text(s, "exchange.drag"));
+    const struct drag_law law = build_drag_law(s);
     const double Re = coefficient_reynolds(
         eps_f, settings_real(s, "fluid.density"),
         settings_real(s, "fluid.viscosity"), k->d, k->inlet / eps_f);
     char remark[128];
 
-    if (eps_f < law->eps_min || eps_f > law->eps_max) {
+    if (eps_f < law.eps_min || eps_f > law.eps_max) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
-                 law->name, law->eps_min, law->eps_max);
+                 law.name, law.eps_min, law.eps_max);
         check_line("fluid fraction", eps_f, "-", remark);
     }
-    if (k->inlet > 0.0 && !(Re >= law->Re_min && Re <= law->Re_max)) {
+    if (k->inlet > 0.0 && !(Re >= law.Re_min && Re <= law.Re_max)) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
-                 law->name, law->Re_min, law->Re_max);
+                 law.name, law.Re_min, law.Re_max);
         check_line("Re of the inlet", Re, "-", remark);
     }
 }

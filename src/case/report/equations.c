@@ -246,26 +246,33 @@ static const struct equation others[] = {
      "= 0.8; (3/4) C_d eps_s alpha rho_f u_r alpha^-2.65 / d above",
      "alpha [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", gidaspow_beta},
-    {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
+    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};
 
-static const struct equation *const tables[] = {
-    others, equations_forces, equations_ew18, equations_drag, NULL};
+static const struct equation *const tables[] = {others, equations_forces,
+                                                equations_ew18, NULL};
 
-const struct equation *equations_at(int i)
+int equations_at(int i, struct equation *e)
 {
     for (int t = 0; tables[t] != NULL; t++)
-        for (const struct equation *e = tables[t]; e->key != NULL; e++)
-            if (i-- == 0) return e;
-    return NULL;
+        for (const struct equation *row = tables[t]; row->what != NULL; row++)
+            if (i-- == 0) {
+                *e = *row;
+                return 1;
+            }
+    return equations_drag(i, e);
 }
 
-const struct equation *equations_named(const char *key)
+int equations_named(const char *key, struct equation *e)
 {
-    const struct equation *e;
+    for (int i = 0; equations_at(i, e); i++)
+        if (strcmp(e->key, key) == 0) return 1;
+    *e = (struct equation){.what = NULL};
+    return 0;
+}
 
-    for (int i = 0; (e = equations_at(i)) != NULL; i++)
-        if (strcmp(e->key, key) == 0) return e;
-    return NULL;
+double equations_value(const struct equation *e, const double *in)
+{
+    return e->value != NULL ? e->value(in) : equations_drag_value(e, in);
 }
 
 int equations_inputs(const struct equation *e)

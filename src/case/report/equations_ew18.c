@@ -139,4 +139,4 @@ const struct equation equations_ew18[] = {
      "(24 eps^2) (1 / eps + 3 eps (1 - eps) + 8.4 Re^-0.343) / (1 + 10^(3 (1 - "
      "eps)) Re^(-0.5 - 2 (1 - eps)))",
      "eps [-], Re [-]", "g", "-", "drag_beetstra_factor", beetstra_factor},
-    {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
+    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};

@@ -43,4 +43,4 @@ const struct equation equations_forces[] = {
      "F = rho_f (pi d^2 / 4) C_LR u_r^2 / 2",
      "rho_f [kg/m^3], C_LR [-], d [m], u_r [m/s]", "F", "N", "spin_force",
      magnus_lift},
-    {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL}};
+    {"", NULL, NULL, "", NULL, NULL, NULL, NULL}};

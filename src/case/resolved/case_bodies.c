@@ -90,6 +90,13 @@ double case_bodies_stiffness(const struct settings *s)
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
 }
 
+double case_bodies_impact_time(const struct settings *s)
+{
+    return contact_linear_time(case_bodies_stiffness(s),
+                               settings_real(s, "bodies.restitution"),
+                               lightest(s));
+}
+
 /* Particle steps in a step of the fluid: 25 in an impact. */
 int case_bodies_dem_steps(const struct settings *s)
 {

@@ -50,11 +50,12 @@ static void wall_fact(char line[LINE], const struct dem_options *o)
 {
     const struct material_pair p =
         materials_pair(&o->material, o->materials, 0, o->materials->wall);
-    const double known[] = {p.of[1]->young, p.of[1]->poisson, p.stiffness,
-                            p.tangential,   p.restitution,    p.friction,
-                            p.rolling};
+    double known[7 + MODEL_NUMBERS] = {
+        p.of[1]->young, p.of[1]->poisson, p.stiffness, p.tangential,
+        p.restitution,  p.friction,       p.rolling};
 
-    fact(line, "wall", 7, known);
+    memcpy(&known[7], p.of[1]->own, sizeof p.of[1]->own);
+    fact(line, "wall", o->law->own_keys != NULL ? 7 + MODEL_NUMBERS : 7, known);
 }
 
 static void attraction_fact(char line[LINE], const struct attraction *a)
@@ -92,6 +93,7 @@ static int facts(char text[FACTS][LINE], const struct bed_options *bed,
     fact(text[n++], "restitution", 1, &m->restitution);
     fact(text[n++], "friction", 1, &m->friction);
     if (m->rolling > 0.0) fact(text[n++], "rolling", 1, &m->rolling);
+    if (o->law->own_keys != NULL) fact(text[n++], "own", MODEL_NUMBERS, m->own);
     if (o->materials != NULL) wall_fact(text[n++], o);
     if (o->n_surfaces > 0)
         snprintf(text[n++], LINE, "surfaces %d crc32 %08lx\n", o->n_surfaces,

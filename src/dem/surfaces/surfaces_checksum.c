@@ -32,7 +32,10 @@ static unsigned long add_pair(unsigned long sum, const struct dem_options *o,
                             p.tangential,   p.restitution,    p.friction,
                             p.rolling};
 
-    return add(sum, known, sizeof known);
+    sum = add(sum, known, sizeof known);
+    return o->law->own_keys != NULL
+               ? add(sum, p.of[1]->own, sizeof p.of[1]->own)
+               : sum;
 }
 
 unsigned long surfaces_checksum(const struct dem_options *o)
