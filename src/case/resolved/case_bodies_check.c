@@ -145,15 +145,17 @@ static int none(const struct settings *s)
 }
 
 /* Of a box or cylinder as wide as this [m], and half as wide along the axes as
- * `extent`. */
+ * `extent`. One cell in a direction is a flow in two dimensions. */
 static int check_block(const struct settings *s, const char *of, int i,
                        double thin, const double extent[3])
 {
     const int fixed =
         strcmp(settings_item_text(s, of, i, "motion"), "fixed") == 0;
     double lo[3], hi[3], h[3], x[3];
+    int n[3];
 
     case_mesh_ends(s, lo, hi);
+    settings_counts(s, "mesh.cells", n);
     case_bodies_cell_widths(s, h);
     settings_item_vector(s, of, i, "position", x);
     for (int k = 0; k < 3; k++) {
@@ -163,7 +165,7 @@ static int check_block(const struct settings *s, const char *of, int i,
                                   "number %d at [%g, %g, %g] m is not inside "
                                   "the box",
                                   i, x[0], x[1], x[2]);
-        if (thin < case_bodies_least_cells * h[k])
+        if (n[k] > 1 && thin < case_bodies_least_cells * h[k])
             return settings_wrong(s, of,
                                   "number %d is %.3g cells wide; expected at "
                                   "least %g, better 12",
