@@ -78,21 +78,20 @@ static char *name_of(const struct plan *p, const struct run *r)
 {
     char *const label = choices_label(&p->choices, r->variant, -1);
     char *const name = alloc_zeroed(LONGEST_NAME + 64, 1);
-    size_t n = 0;
+    const char *c = label;
     int changed = 0;
+    size_t n = 0;
 
-    for (const char *c = label; *c != '\0'; c++) {
-        if (*c == ' ' && c[-1] == ',') continue;
-        if (n == LONGEST_NAME) changed = 1;
-        if (n == LONGEST_NAME) break;
-        const int plain = isalnum((unsigned char)*c) ||
-                          strchr("=.+-_", *c) != NULL ||
-                          (*c == ',' && c[1] == ' ');
-        name[n++] = *c == ',' && c[1] == ' ' ? '+' : plain ? *c : '_';
-        changed |= !plain;
+    for (; *c != '\0' && n < LONGEST_NAME; c++) {
+        const int between = strncmp(c, ", ", 2) == 0;
+        const int plain =
+            isalnum((unsigned char)*c) || strchr("=.+-_", *c) != NULL;
+        name[n++] = between ? '+' : plain ? *c : '_';
+        changed |= !between && !plain;
+        c += between;
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
-    if (changed)
+    if (changed || *c != '\0')
         n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
     if (p->words.seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
     if (p->words.times > 1) sprintf(name + n, "+time-%d", r->time);
