@@ -121,6 +121,18 @@ int model_choice_unread(const struct settings *s, const char *kind,
                           settings_text(s, k->key), names);
 }
 
+/* 0 if the i-th group of the list chooses a model of the kind, and another one.
+ */
+static int chooses(const struct settings *s, const struct kind *kind,
+                   const char *list, int i, const struct model *m)
+{
+    char of[SCHEMA_TEXT];
+    const char *const key = split(kind->key, of);
+
+    return strcmp(of, list) != 0 ||
+           strcmp(settings_item_text(s, list, i, key), m->name) == 0;
+}
+
 /* The key that a model asks for, in a group or in each group of a list. */
 static int missing(const struct settings *s, const struct kind *kind,
                    const struct model *m, const char *path)
@@ -134,7 +146,7 @@ static int missing(const struct settings *s, const struct kind *kind,
                    : settings_wrong(s, kind->key, "%s asks for %s", m->name,
                                     path);
     for (int i = 0; i < settings_length(s, list); i++)
-        if (!settings_item_has(s, list, i, key))
+        if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
             return settings_wrong(s, list, "%s asks for the %s of %s", m->name,
                                   key, settings_item_text(s, list, i, "name"));
     return 0;
