@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/input.h"
+#include "base/interrupt.h"
 #include "base/version.h"
 #include "case/case_cost.h"
 #include "case/resume/case_text.h"
@@ -19,7 +20,7 @@
 enum { LONGEST_NAME = 100 };
 
 /* Exit codes of a run that are no result of it. */
-enum { NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum { NOT_WRITTEN = 4 };
 
 /* --- what a run is -------------------------------------------------------- */
 
@@ -129,7 +130,7 @@ struct run *runs_create(const struct plan *p, int *n, int *code)
         runs[i].variant = i / times / seeds;
         runs[i].seed = i / times % seeds;
         runs[i].time = i % times;
-        *code = create(p, &runs[i]);
+        *code = interrupt_arrived() ? INTERRUPT_CODE : create(p, &runs[i]);
     }
     if (*code == 0) return runs;
     runs_free(*n, runs);
@@ -191,7 +192,7 @@ static void look(struct run *r)
     const double code = results_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
-    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPTED)
+    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPT_CODE)
         r->code = (int)code;
 }
 

@@ -104,6 +104,8 @@ static int study(const struct command_line *l)
     else if (runs != NULL)
         code = perform(&p, n, runs);
     if (runs != NULL) runs_free(n, runs);
+    if (runs == NULL && code == INTERRUPT_CODE)
+        fputs("winnow: interrupted before the first run\n", stderr);
     plan_free(&p);
     return code;
 }
