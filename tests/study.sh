@@ -267,6 +267,17 @@ stopped_goes_on() {
     [ "$(column whole/study.csv mean_height)" = "$(column stopped/study.csv mean_height)" ]
 }
 fact a_study_that_is_stopped_goes_on_in_the_middle_of_its_runs stopped_goes_on
+# Thousands of cases take a while to read; a signal does not wait for the last one.
+stops_while_it_reads() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --seeds 1000 --times 4 \
+        --measure mean_height -o read >/dev/null 2>heard &
+    pid=$!
+    sleep 0.3
+    kill $pid
+    wait $pid
+    [ $? -eq 130 ] && grep -q 'before the first run' heard && [ ! -e read ]
+}
+fact a_study_is_stopped_while_it_reads_its_cases stops_while_it_reads
 # The same folder with another case: nothing of the old one is taken for it.
 changed_case_is_done_again() {
     before=$(cat killed/runs/step=2e-5/summary.json)

@@ -18,7 +18,7 @@ static int cheapest_within(const struct outcomes *o, int m, double limit)
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const out = &o->variant[v];
         if (!out->ended || !isfinite(out->cost)) continue;
-        if (!outcome_is_surely(&out->of[m], -1, limit)) continue;
+        if (!outcome_is_within(&out->of[m], limit)) continue;
         if (best < 0 || out->cost < o->variant[best].cost) best = v;
     }
     return best;

@@ -273,12 +273,12 @@ static struct curve within(const struct measure *m,
 /* All rows as one number. */
 static struct curve reduced(const struct measure *m, const struct curve *c)
 {
-    double length, best = c->value[0];
+    double best = c->value[0];
     int at = 0;
 
     if (m->how == MEASURE_MEAN)
         return point(NAN, statistics_mean(c->n, c->value),
-                     statistics_block_error(c->n, c->value, &length));
+                     statistics_block_error(c->n, c->value));
     if (m->how == MEASURE_LAST && isfinite(m->from))
         return point(m->from, statistics_between(c->n, c->x, c->value, m->from),
                      0.0);
