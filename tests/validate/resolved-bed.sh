@@ -6,7 +6,7 @@
 #   sh tests/validate/resolved-bed.sh build/winnow [RE...]
 #
 # Re_in is 4, 6, 8 or 11 (8). By default the small bed: 4 x 4 x 15 d, 128 grains, 8 cells
-# in a diameter, up to 30 d/u_in: ten minutes for each. In the environment WIDTH=8 CELLS=12
+# in a diameter, up to 10 d/u_in: some minutes for each. In the environment WIDTH=8 CELLS=12
 # END=100 make it that of EW18, 512 grains and 1.7 million cells: two hours and more
 # for each, and 3.2 GB.
 set -eu
@@ -14,7 +14,7 @@ PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
 [ $# -gt 0 ] || set -- 8
 out=out/validate-resolved-bed
-W=${WIDTH:-4} cells=${CELLS:-8} end=${END:-30}
+W=${WIDTH:-4} cells=${CELLS:-8} end=${END:-10}
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 mkdir -p $out
 
