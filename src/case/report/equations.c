@@ -172,17 +172,17 @@ static const struct equation others[] = {
      "tau_p = rho_s eps_s / beta",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
      "tau_p", "s", "drag_relaxation_time", relaxation_time},
-    {"XS11:4.1", "velocity of a particle at rest that a fluid takes along",
+    {"XS11:4.1", "velocity of a particle that is released from rest in a fluid",
      "du/dt = (u_f - u) / tau_p, tau_p of XS11:3.17 at u_r = |u_f - u|, u = 0 "
      "at t = 0",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
      "t "
      "[s]",
      "u", "m/s", "exact_taken_along", taken_along},
-    {"SX15:6", "Gaussian kernel that diffusion amounts to",
+    {"SX15:6", "Gaussian kernel equivalent to diffusion",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
      "diffusion_kernel", gauss},
-    {"SX15:14", "weight of the past in a fading time mean",
+    {"SX15:14", "weight of the past in an exponential moving average",
      "alpha = 1 / (1 + dt / b_t)", "dt [s], b_t [s]", "alpha", "-",
      "time_average_weight", fading_weight},
     {"LS:4.4", "damping of the linear contact for a restitution e",

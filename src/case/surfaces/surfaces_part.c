@@ -37,7 +37,7 @@ static void print_speed(double speed, const struct case_scales *k)
     check_line("highest speed", speed, "m/s",
                "of any point of them in the box");
     if (k->particles > 0 && speed > 0.0)
-        check_line("way of it in a particle step / d", speed * k->dem_dt / k->d,
+        check_line("its path in a particle step / d", speed * k->dem_dt / k->d,
                    "-", "of the smallest particle");
 }
 

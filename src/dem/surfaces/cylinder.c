@@ -44,7 +44,7 @@ static const char *wrong(const struct surface *s)
 
 const struct surface_shape surface_cylinder = {
     .name = "cylinder",
-    .what = "the particles inside or outside, no ends",
+    .what = "an infinite cylinder, with the particles inside or outside",
     .equations = "",
     .function = "meet_cylinder",
     .keys = {surface_point_keys, surface_axis_keys, surface_radius_keys},

@@ -25,7 +25,7 @@ static const struct key plane_keys[] = {
 
 const struct surface_shape surface_plane = {
     .name = "plane",
-    .what = "its solid behind it, no end",
+    .what = "an infinite plane with its solid behind it",
     .equations = "",
     .function = "meet_plane",
     .keys = {surface_point_keys, plane_keys},
