@@ -336,6 +336,14 @@ killed_run_is_a_result() {
     wait $pid && [ "$(grep -c "exit code 137: ended by a signal" shot/study.md)" -eq 2 ]
 }
 fact a_run_that_a_signal_ends_is_a_result killed_run_is_a_result
+finest_may_break_down() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
+        --measure mean_height -o no-finest >heard 2>&1 || return 1
+    cat heard
+    grep -q 'no error is known: the finest has not come to its end' heard &&
+        [ -e no-finest/runs/step=2e-5 ] # one key ends with .step, another with _step
+}
+fact if_the_finest_breaks_down_that_is_told finest_may_break_down
 broken_run_is_a_result() {
     # A step of the springs that does not resolve them, and one refused for it.
     "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
