@@ -447,7 +447,7 @@ fact a_truth_of_nothing refused 'no error is relative to that' \
 fact seeds_that_are_varied_as_well refused 'is varied, so that --seeds' \
     grains.cfg -s particles.bed.seed=1,2 --measure mean_height --seeds 2
 printf 'time [s],u [m/s]\n0.1,1\n0,1\n' >falling.csv
-fact a_table_that_falls refused 'the first rising' \
+fact a_table_that_falls refused 'does not rise' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth falling.csv
 fact more_runs_than_anybody_waits_for refused 'more than 10000 runs' \
     grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height --seeds 1000 --times 1000
