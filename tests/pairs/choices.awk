@@ -99,7 +99,7 @@ BEGIN {
     # Particles go round along an axis; an oblique box does so in x and z.
     if (letter != "f")
         apart("mesh", "sheared", "periodic", "y xyz",
-              "particles go round a period along x, y or z only|y is not periodic")
+              "for particles a period must be along x, y or z|y is not periodic")
     # Attractions know the sides of the box, and no other walls.
     apart("mesh", "slanted", "cohesion", "van_der_waals capillary all",
           "not on the walls of this mesh")
