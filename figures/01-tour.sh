@@ -10,7 +10,7 @@ awk -F'[:,]' '
     { gsub(/[ "]/, "") }
     /seconds:[{]/ { inside = 1; next }
     /[}]/ { inside = 0; next }
-    inside && $1 == "total" { next }
+    inside && ($1 == "total" || $1 == "processor") { next }
     inside { part[++n] = $1; time[n] = $2; total += $2; next }
     $2 ~ /^[-0-9]/ && $1 !~ /^(exit_code|seed|threads)$/ { print $1 " = " $2 }
     END {

@@ -4,7 +4,7 @@ set terminal svg size 900,400 dynamic font "sans,14" background "#ffffff"
 set output "figures/15-heap.svg"
 data = "figures/15-heap.txt"
 set xlabel "time [s]"
-set ylabel "energy [uJ]"
+set ylabel "energy [μJ]"
 set xrange [0:0.7]
 set key outside right reverse Left
 set style fill solid 1.0 noborder

@@ -110,8 +110,8 @@ static struct particles *gas(void)
     return ps;
 }
 
-/* Energy where nobody touches is kinetic; a mean over looks hides the few
- * springs that are drawn at a time. */
+/* The kinetic energy, as the mean of many samples: a few springs are compressed
+ * at each of them. */
 static void energy(void)
 {
     struct particles *const ps = gas();
@@ -126,14 +126,15 @@ static void energy(void)
 
     if (dem_run(dem, 0, &r) != 0) exit(1);
     first = r.translation;
-    printf("# step, mean of 50 looks at the kinetic energy over the first\n");
-    for (int k = 1; k <= 40; k++) {
+    printf(
+        "# step, mean of 200 samples of the kinetic energy over the first\n");
+    for (int k = 1; k <= 10; k++) {
         double sum = 0.0;
-        for (int look = 0; look < 50; look++) {
+        for (int sample = 0; sample < 200; sample++) {
             if (dem_run(dem, 500, &r) != 0) exit(1);
             sum += r.translation;
         }
-        printf("%d %.6f\n", 25000 * k, sum / 50.0 / first);
+        printf("%d %.6f\n", 100000 * k, sum / 200.0 / first);
     }
     dem_free(dem);
     particles_free(ps);

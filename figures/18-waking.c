@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What two threads cost each other: an OpenMP region with nothing to do, a
- * meeting at our barrier when both come at once, and when one has slept. */
+ * barrier of ours at which both arrive at once, and one at which one has slept.
+ */
 #include <omp.h>
 #include <stdio.h>
 #include <time.h>
@@ -21,7 +22,7 @@ static double region(void)
     return (clock_now() - begin) / TIMES;
 }
 
-static double meeting(struct barrier *b)
+static double both_awake(struct barrier *b)
 {
     double begin = 0.0;
 
@@ -35,8 +36,8 @@ static double meeting(struct barrier *b)
     return (clock_now() - begin) / TIMES;
 }
 
-/* One comes a millisecond late; how long until the other, who sleeps by then,
- * has answered at the next meeting? */
+/* One thread is a millisecond late; how long until the other, who sleeps by
+ * then, has answered at the next barrier? */
 static double waking(struct barrier *b)
 {
     double sum = 0.0;
@@ -61,7 +62,7 @@ int main(void)
 
     region(); /* the threads are made */
     printf("region = %.1f us\n", 1e6 * region());
-    printf("meeting = %.1f us\n", 1e6 * meeting(b));
+    printf("barrier = %.1f us\n", 1e6 * both_awake(b));
     printf("waking = %.1f us\n", 1e6 * waking(b));
     barrier_free(b);
     return 0;

@@ -33,7 +33,7 @@ plot c using 1:2 with lines linetype 2 title "one-way", \
      c using 1:3 with lines linetype 1 title "two-way", \
      c using 1:4 with points pointtype 6 pointsize 0.8 linecolor "#000000" title "four-way"
 set title "a bead that oil carries along a channel"
-set ylabel "ahead of the oil [um/s]"
+set ylabel "ahead of the oil [μm/s]"
 set yrange [-16:28]
 set key at 0.59, 16 right top
 c = "< grep '^[0-9]' figures/22-carry.txt"

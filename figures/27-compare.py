@@ -230,10 +230,10 @@ def sides(table):
         print(f"{r.name:14s} " + " ".join(f"{t:+.3f}" for t in turns))
 
 
-def measures(r):
+def measures(r, end=4.0):
     """Offsets in void fraction; distances of the even part; the mirror error at 25 mm."""
     seen = references()
-    lines = [r.mean(field, height, 1.0) for field, height in LINES]
+    lines = [r.mean(field, height, 1.0, min(end, r.end)) for field, height in LINES]
     found = [parts(line, seen["measured", *key])[1] for line, key in zip(lines[:2], LINES)]
     found += [parts(even(line), seen["measured", *key])[0] for line, key in zip(lines, LINES)]
     return found + [mirror(lines[3])]

@@ -570,6 +570,14 @@ fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
 fact body_does_not_meet_itself 2 "meets itself across the period" \
     body -s mesh.periodic=[false,false,true] -s bodies.spheres.1.diameter=0.06 \
     -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; bottom_top="slip";}'
+fact fixed_body_has_no_velocity 2 "number 0 is fixed and has a velocity" \
+    body -s 'bodies.spheres.0.velocity=[1.0,0.0,0.0]'
+fact box_asks_for_three_cells 2 "bodies.boxes: number 0 is 1.2 cells wide" \
+    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.01,0.05];})'
+fact box_is_in_the_box 2 "bodies.boxes: number 0 at [0.5, 0.05, 0.05] m is not inside" \
+    body -s 'bodies.boxes=({position=[0.5,0.05,0.05]; size=[0.05,0.05,0.05];})'
+fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \
+    "$winnow" run bodies.cfg -o deep -s bodies.spheres.1.position=[0.05,0.03993,0.05]
 fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grading=[2.0,1.0,1.0]
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&

@@ -143,7 +143,7 @@ END_TEST
 
 /* The fluid is solved to 1e-10 of what flows, of 2e-4 N s; that the loads of
  * the last particle step have been paid by half only would be 1e-8. */
-START_TEST(ls_5_5_momentum_of_grains_bodies_and_fluid_is_constant)
+START_TEST(momentum_of_grains_bodies_and_fluid_is_constant)
 {
     struct simulation *const sim = build(averages[_i], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -169,7 +169,7 @@ END_TEST
  * next step, with velocities that have changed since. A body that goes without
  * the difference is off by 7e-12 N s in these 20 steps; 1e-17 is what rounding
  * and the fluid's solution leave. */
-START_TEST(ls_5_5_momentum_is_constant_where_the_loads_are_found_anew)
+START_TEST(momentum_is_constant_where_the_loads_are_found_anew)
 {
     struct simulation *const sim = build(averages[0], "");
     double before[3], after[3], scale = 0.0;
@@ -193,7 +193,7 @@ END_TEST
  */
 
 /* A grain that falls on a fixed body stays on it, at rest on its top. */
-START_TEST(ls_5_5_grains_do_not_enter_a_body)
+START_TEST(grains_do_not_enter_a_body)
 {
     struct simulation *const sim = build(averages[2], "");
     const struct solid_bodies *const b = bodies_of(sim);
@@ -224,8 +224,7 @@ FACTS("bodies_among_grains")
                   N_AVERAGES);
     FACT_FOR_EACH(xs11_3_9_nothing_of_a_body_is_interpolated_to_grains,
                   N_AVERAGES);
-    FACT_FOR_EACH(ls_5_5_momentum_of_grains_bodies_and_fluid_is_constant,
-                  N_AVERAGES);
-    FACT(ls_5_5_momentum_is_constant_where_the_loads_are_found_anew);
-    FACT(ls_5_5_grains_do_not_enter_a_body);
+    FACT_FOR_EACH(momentum_of_grains_bodies_and_fluid_is_constant, N_AVERAGES);
+    FACT(momentum_is_constant_where_the_loads_are_found_anew);
+    FACT(grains_do_not_enter_a_body);
 }

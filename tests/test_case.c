@@ -4,6 +4,7 @@
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/contact.h"
+#include "dem/surfaces/surface.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/report/report.h"
@@ -432,6 +433,24 @@ START_TEST(every_descriptor_of_every_kind_is_complete)
 }
 END_TEST
 
+/* A model's own keys are numbers that always have a value, no more than it has
+ * room for, and one of the tables that make them known. */
+static void check_own_keys(const char *name, const struct key *own,
+                           const struct key *const *tables)
+{
+    int n = 0, listed = 0;
+
+    for (int t = 0; own != NULL && t < KEY_TABLES; t++)
+        listed |= tables[t] == own;
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++, n++)
+        ck_assert_msg((k->type == KEY_REAL || k->type == KEY_INT ||
+                       k->type == KEY_BOOL) &&
+                          (k->fallback == NULL || k->fallback[0] != '\0'),
+                      "%s: %s", name, k->path);
+    ck_assert_msg(own == NULL || (listed && n > 0 && n <= MODEL_NUMBERS), "%s",
+                  name);
+}
+
 /* A law that lacks one of its functions would not be refused, but called. */
 START_TEST(every_law_and_method_has_its_functions)
 {
@@ -456,26 +475,17 @@ START_TEST(every_law_and_method_has_its_functions)
                           a->spread != NULL && a->gather != NULL,
                       "%s", a->name);
     }
+    for (int i = 0; surface_shapes[i] != NULL; i++) {
+        const struct surface_shape *const s = surface_shapes[i];
+        const int drawn_apart =
+            s == &surface_plane || s == &surface_cylinder || s == &surface_stl;
+        ck_assert_msg((s->nearest != NULL || s == &surface_stl) &&
+                          (s->point != NULL || drawn_apart),
+                      "%s", s->name);
+        check_own_keys(s->name, s->own_keys, s->keys);
+    }
 }
 END_TEST
-
-/* A model's own keys are numbers that always have a value, no more than it has
- * room for, and one of the tables that make them known. */
-static void check_own_keys(const char *name, const struct key *own,
-                           const struct key *const *tables)
-{
-    int n = 0, listed = 0;
-
-    for (int t = 0; own != NULL && t < KEY_TABLES; t++)
-        listed |= tables[t] == own;
-    for (const struct key *k = own; k != NULL && k->path != NULL; k++, n++)
-        ck_assert_msg((k->type == KEY_REAL || k->type == KEY_INT ||
-                       k->type == KEY_BOOL) &&
-                          (k->fallback == NULL || k->fallback[0] != '\0'),
-                      "%s: %s", name, k->path);
-    ck_assert_msg(own == NULL || (listed && n > 0 && n <= MODEL_NUMBERS), "%s",
-                  name);
-}
 
 /* What a drag law is tested with is its default, where there is one. */
 START_TEST(every_key_of_a_models_own_has_a_value)

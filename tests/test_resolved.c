@@ -343,7 +343,7 @@ END_TEST
 /* A heavy sphere on a spring in a thick fluid comes to rest where the spring
  * carries its weight less that of the fluid; along z it cannot move. Half of
  * the way, or twice, would be a lost displaced mass. */
-START_TEST(ls_5_5_a_spring_carries_the_weight_in_the_fluid)
+START_TEST(a_spring_carries_the_weight_in_the_fluid)
 {
     const double d = 0.4, V = M_PI / 6.0 * d * d * d, k[3] = {40.0, 40.0, 0.0};
     const double x[3] = {0.5, 0.5, 0.5};
@@ -377,6 +377,6 @@ FACTS("resolved")
     FACT(ew18_2_momentum_of_fluid_and_bodies_is_constant);
     FACT(ew18_16_the_torque_on_a_sphere_that_spins);
     FACT(ew18_3_a_free_sphere_loses_its_spin_by_the_torque);
-    FACT(ls_5_5_a_spring_carries_the_weight_in_the_fluid);
+    FACT(a_spring_carries_the_weight_in_the_fluid);
     FACT(ew18_6_to_9_numbers_of_glass_in_water);
 }

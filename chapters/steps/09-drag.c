@@ -37,6 +37,7 @@ static field mob[2]; /* [m^3 s/kg] how u_k follows the slope of p; 0 at walls */
 static field F[2];   /* [N/m^3] from the grain, on the same faces */
 
 static double x[2], v[2]; /* [m], [m/s] the grain */
+static double force[2];   /* [N] drag on it */
 static double path[MOST][2];
 
 /* No wall moves: the mean of the velocities on both sides is zero. */
@@ -123,9 +124,9 @@ static double move_grain(void)
     const double size = hypot(slip[0], slip[1]);
     memset(F, 0, sizeof F);
     for (int k = 0; k < 2; k++) {
-        const double f = drag(size) * slip[k]; /* [N] */
-        F[k][c] = F[k][c + next[k]] = -0.5 * f / (dx * dx * depth);
-        v[k] += (f / m - k * g * (1.0 - rho_f / rho_s)) * dt;
+        force[k] = drag(size) * slip[k];
+        F[k][c] = F[k][c + next[k]] = -0.5 * force[k] / (dx * dx * depth);
+        v[k] += (force[k] / m - k * g * (1.0 - rho_f / rho_s)) * dt;
         x[k] += v[k] * dt;
     }
     return size;
@@ -188,7 +189,7 @@ int main(int argc, char **argv)
 {
     const double t_end = argc > 1 ? atof(argv[1]) : 0.5;
     const int n_steps = (int)lround(t_end / dt);
-    double slip = 0.0, tau = 0.0, settled = 0.0;
+    double slip = 0.0, tau = 0.0, settled = 0.0, reaction = 0.0;
 
     x[0] = 0.4 * NX * dx;
     x[1] = 0.9 * NY * dx;
@@ -200,6 +201,8 @@ int main(int argc, char **argv)
         slip = move_grain();
         if (n < MOST) memcpy(path[n], x, sizeof x);
     }
+    for (int c = 0; c < CELLS; c++)
+        reaction += F[1][c] * dx * dx * depth;
     for (int n = 0; n < 50;
          n++) { /* (9.5) for the steady slip, by repetition */
         tau = rho_s * pi / 6.0 * d * d * d / drag(settled);
@@ -209,6 +212,8 @@ int main(int argc, char **argv)
            t_end, v[1], slip);
     printf("steady slip = %.9g m/s, Re = %.9g, tau = %.9g s\n", settled,
            rho_f * d * settled / mu, tau);
+    printf("drag on the grain = %.9g N, on the liquid = %.9g N\n", force[1],
+           reaction);
     write_vtk(create(argv[0], ".vtk"));
     write_svg(create(argv[0], ".svg"), n_steps);
     return 0;

@@ -2,7 +2,9 @@
 #
 # The TeX source beside each formula is left out; upright words such as Re,
 # which pandoc writes letter by letter in a way that MathML Core has dropped,
-# become one word again; and parentheses grow only around something tall.
+# become one word again; dots, tildes and bars stand above the middle of their letter
+# (as combining characters they stand beside it); and parentheses grow only around
+# something tall.
 
 # The formula, with parentheses that grow only around something tall.
 function small(s,    n, part, k, depth, mark, out) {
@@ -44,6 +46,11 @@ function small(s,    n, part, k, depth, mark, out) {
         $0 = substr($0, 1, RSTART - 1) "<mi mathvariant=\"normal\">" word \
              "</mi>" substr($0, RSTART + RLENGTH)
     }
+    gsub(/<mo accent="true">\314\207</, "<mo accent=\"true\">\313\231<") # dot
+    gsub(/<mo accent="true">\314\203</, "<mo accent=\"true\">\313\234<") # tilde
+    gsub(/<mo accent="true">\302\257</, "<mo accent=\"true\">\342\200\276<") # bar
+    gsub(/<mo>\342\204\223</, "<mi>\342\204\223<") # a script l is no operator
+    gsub(/<\/mo>\342\204\223/, "&")
     done = ""
     while ((a = index($0, "<math display=")) > 0) {
         done = done substr($0, 1, a - 1)

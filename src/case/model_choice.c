@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/model_choice.h"
 
+#include "averaging/averaging.h"
 #include "case/schema.h"
+#include "coupling/drag.h"
+#include "dem/contact.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -118,6 +121,18 @@ int model_choice_unread(const struct settings *s, const char *kind,
                           settings_text(s, k->key), names);
 }
 
+/* 0 if the i-th group of the list chooses a model of the kind, and another one.
+ */
+static int chooses(const struct settings *s, const struct kind *kind,
+                   const char *list, int i, const struct model *m)
+{
+    char of[SCHEMA_TEXT];
+    const char *const key = split(kind->key, of);
+
+    return strcmp(of, list) != 0 ||
+           strcmp(settings_item_text(s, list, i, key), m->name) == 0;
+}
+
 /* The key that a model asks for, in a group or in each group of a list. */
 static int missing(const struct settings *s, const struct kind *kind,
                    const struct model *m, const char *path)
@@ -131,15 +146,36 @@ static int missing(const struct settings *s, const struct kind *kind,
                    : settings_wrong(s, kind->key, "%s asks for %s", m->name,
                                     path);
     for (int i = 0; i < settings_length(s, list); i++)
-        if (!settings_item_has(s, list, i, key))
+        if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
             return settings_wrong(s, list, "%s asks for the %s of %s", m->name,
                                   key, settings_item_text(s, list, i, "name"));
     return 0;
 }
 
+/* A key that a model alone reads, given where another one is chosen. */
+static int check_own(const struct settings *s, const char *kind,
+                     const struct key *own)
+{
+    int code = 0;
+
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++)
+        if (code == 0 && settings_has(s, k->path))
+            code = model_choice_unread(s, kind, k->path);
+    return code;
+}
+
 int model_choice_check(const struct settings *s)
 {
     struct model m;
+    int code = 0;
+
+    for (int i = 0; drag_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "drag", drag_laws[i]->own_keys);
+    for (int i = 0; contact_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "contact", contact_laws[i]->own_keys);
+    for (int i = 0; averaging_methods[i] != NULL && code == 0; i++)
+        code = check_own(s, "averaging", averaging_methods[i]->own_keys);
+    if (code != 0) return code;
 
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)

@@ -9,6 +9,7 @@
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_gaps.h"
 
 const double mark_firmness = 1e3;
 
@@ -105,10 +106,19 @@ struct marking {
     const struct fluid *fl;
 };
 
+/* Bodies that have no contacts may overlap, but not where a spring moves one.
+ */
 static void claim(void *by, int i, int c, const double r[3], double s)
 {
+    struct solid_bodies *const b = ((struct marking *)by)->b;
+
     (void)r;
-    if (s <= 0.0) ((struct marking *)by)->b->body_of[c] = i + 1;
+    if (s > 0.0) return;
+    const int j = b->body_of[c] - 1;
+    if (b->springs > 0 && j >= 0 && j != i &&
+        (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
+        b->met |= !body_gaps_touch(b, i, j);
+    b->body_of[c] = i + 1;
 }
 
 static void release(void *by, int i, int c, const double r[3], double s)

@@ -18,7 +18,7 @@ static int cheapest_within(const struct outcomes *o, int m, double limit)
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const out = &o->variant[v];
         if (!out->ended || !isfinite(out->cost)) continue;
-        if (!outcome_is_surely(&out->of[m], -1, limit)) continue;
+        if (!outcome_is_within(&out->of[m], limit)) continue;
         if (best < 0 || out->cost < o->variant[best].cost) best = v;
     }
     return best;
@@ -126,12 +126,39 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
     }
 }
 
+/* The last row of a run is that of its last step at which one was due. Without
+ * an equation in time to compare with, the others need values of one time. */
+static void put_times(const struct outcomes *o, int m, FILE *out)
+{
+    const struct measure *const of = &o->plan->measure[m];
+    const enum truth_kind kind = o->plan->truth[m].kind;
+    double first = INFINITY, last = -INFINITY;
+    char from[NUMBER_LENGTH], to[NUMBER_LENGTH];
+
+    if (of->how != MEASURE_LAST || isfinite(of->from)) return;
+    if (kind != TRUTH_FINEST && kind != TRUTH_EXTRAPOLATED) return;
+    for (int v = 0; v < o->n; v++) {
+        const struct curve *const c = &o->variant[v].of[m].found;
+        if (c->n == 0 || !isfinite(c->x[0])) continue;
+        first = fmin(first, c->x[0]);
+        last = fmax(last, c->x[0]);
+    }
+    if (!(last - first > 1e-6 * last)) return;
+    fprintf(out,
+            "- the last values are those of %s to %s s, and a part of the "
+            "differences is that of the times: give %s@TIME, or an output.end "
+            "and output.history that all steps divide\n",
+            number_rounded(first, 4, from), number_rounded(last, 4, to),
+            of->text);
+}
+
 void study_report_advice(const struct outcomes *o, FILE *out)
 {
     for (int m = 0; m < o->plan->n_measures; m++) {
         if (o->plan->truth[m].kind == TRUTH_NONE) continue;
         fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
                 o->plan->truth[m].text);
+        put_times(o, m, out);
         const char *const why = nothing_known(o, m);
         if (why != NULL) {
             fprintf(out, "- no error is known: %s\n", why);

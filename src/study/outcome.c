@@ -250,10 +250,9 @@ int outcome_is_resolved(const struct finding *f)
     return f->error > 2.0 * f->doubt;
 }
 
-int outcome_is_surely(const struct finding *f, int sign, double limit)
+int outcome_is_within(const struct finding *f, double limit)
 {
-    return sign < 0 ? f->error + 2.0 * f->doubt <= limit
-                    : f->error - 2.0 * f->doubt > limit;
+    return f->error + 2.0 * f->doubt <= limit;
 }
 
 int outcome_is_chance(const struct finding *a, const struct finding *b)

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/input.h"
+#include "base/interrupt.h"
 #include "base/version.h"
 #include "case/case_cost.h"
 #include "case/resume/case_text.h"
@@ -19,7 +20,7 @@
 enum { LONGEST_NAME = 100 };
 
 /* Exit codes of a run that are no result of it. */
-enum { NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum { NOT_WRITTEN = 4 };
 
 /* --- what a run is -------------------------------------------------------- */
 
@@ -78,21 +79,20 @@ static char *name_of(const struct plan *p, const struct run *r)
 {
     char *const label = choices_label(&p->choices, r->variant, -1);
     char *const name = alloc_zeroed(LONGEST_NAME + 64, 1);
-    size_t n = 0;
+    const char *c = label;
     int changed = 0;
+    size_t n = 0;
 
-    for (const char *c = label; *c != '\0'; c++) {
-        if (*c == ' ' && c[-1] == ',') continue;
-        if (n == LONGEST_NAME) changed = 1;
-        if (n == LONGEST_NAME) break;
-        const int plain = isalnum((unsigned char)*c) ||
-                          strchr("=.+-_", *c) != NULL ||
-                          (*c == ',' && c[1] == ' ');
-        name[n++] = *c == ',' && c[1] == ' ' ? '+' : plain ? *c : '_';
-        changed |= !plain;
+    for (; *c != '\0' && n < LONGEST_NAME; c++) {
+        const int between = strncmp(c, ", ", 2) == 0;
+        const int plain =
+            isalnum((unsigned char)*c) || strchr("=.+-_", *c) != NULL;
+        name[n++] = between ? '+' : plain ? *c : '_';
+        changed |= !between && !plain;
+        c += between;
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
-    if (changed)
+    if (changed || *c != '\0')
         n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
     if (p->words.seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
     if (p->words.times > 1) sprintf(name + n, "+time-%d", r->time);
@@ -130,7 +130,7 @@ struct run *runs_create(const struct plan *p, int *n, int *code)
         runs[i].variant = i / times / seeds;
         runs[i].seed = i / times % seeds;
         runs[i].time = i % times;
-        *code = create(p, &runs[i]);
+        *code = interrupt_arrived() ? INTERRUPT_CODE : create(p, &runs[i]);
     }
     if (*code == 0) return runs;
     runs_free(*n, runs);
@@ -192,7 +192,7 @@ static void look(struct run *r)
     const double code = results_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
-    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPTED)
+    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPT_CODE)
         r->code = (int)code;
 }
 

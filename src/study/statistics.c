@@ -38,17 +38,15 @@ static int halve(int n, double *x)
     return n / 2;
 }
 
-double statistics_block_error(int n, const double *x, double *length)
+double statistics_block_error(int n, const double *x)
 {
     double *const block = alloc_doubles(n);
-    const double single = statistics_error(n, x);
-    double largest = n < FEWEST_BLOCKS ? 0.0 : single;
+    double largest = n < FEWEST_BLOCKS ? 0.0 : statistics_error(n, x);
 
     memcpy(block, x, (size_t)n * sizeof *x);
     for (int m = halve(n, block); m >= FEWEST_BLOCKS; m = halve(m, block))
         largest = fmax(largest, statistics_error(m, block));
     free(block);
-    *length = single > 0.0 ? fmax(1.0, pow(largest / single, 2.0)) : 1.0;
     return largest;
 }
 

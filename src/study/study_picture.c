@@ -7,6 +7,7 @@
  */
 #include "study/study_report.h"
 
+#include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
 #include "output/gnuplot.h"
@@ -201,26 +202,26 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
 /* The orders of a line: their median, the higher of two; nan if there are
  * none. */
 static double median_order(const struct outcomes *o, int m, int first)
 {
-    double median = NAN;
+    double *const orders = alloc_doubles(o->n);
+    int n = 0;
 
-    for (int v = 0, most = -1; v < o->n; v++) {
-        const double own = o->variant[v].of[m].order;
-        int below = 0, all = 0;
-        for (int w = 0; w < o->n; w++) {
-            const double other = o->variant[w].of[m].order;
-            if (!is_on(o, first, w) || !isfinite(other)) continue;
-            all++;
-            below += other < own;
-        }
-        if (!is_on(o, first, v) || !isfinite(own)) continue;
-        if (2 * below > all || below <= most) continue;
-        most = below;
-        median = own;
-    }
+    for (int v = 0; v < o->n; v++)
+        if (is_on(o, first, v) && isfinite(o->variant[v].of[m].order))
+            orders[n++] = o->variant[v].of[m].order;
+    qsort(orders, (size_t)n, sizeof *orders, compare);
+    const double median = n > 0 ? orders[n / 2] : NAN;
+    free(orders);
     return median;
 }
 

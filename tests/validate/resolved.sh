@@ -168,7 +168,7 @@ suspension_case() {
         printf "mesh = { size = [%s, %s, %s]; cells = [%d, %d, %d]; periodic = [true, true, true]; };\n", L, L, L, c, c, c
         printf "fluid = { density = 1.0; viscosity = 0.125; step = %s; time = \"bdf2\"; convection = \"linear\"; tolerance = 1e-6;\n", dt
         printf "  mean_gradient = [0.0, %.9g, 0.0]; };\n", -9 * g * n * 3.14159265358979 / 6 / (c / 12) ^ 3
-        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
+        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
         printf "effects = { gravity = [0.0, -%s, 0.0]; };\n", g
         printf "output = { end = %s; every = %s; };\n", end, end
     }' >"$out/$1.cfg"
@@ -192,8 +192,29 @@ suspension() {
 97 56 0.010 16
 95 60 0.008 18
 52 54 0.008 15
-35 54 0.008 12
+35 54 0.008 9
 TABLE
+}
+
+# sigma(Re_p, eps) and the integral time for effects.stochastic_drag, from the samples of
+# `suspension`. The error of sigma is that of so many samples that are 2 T apart.
+coefficients() {
+    awk '
+        BEGIN { print "# eps  Re_p  C_d  sigma(C_d)  error  over C_d  T to the first zero, mean over 4 to 5 [d/u_in]; sigma by EW18s authors" }
+        /^#/ { next }
+        {
+            eps = $5; Re = $4; C = $9; sigma = $9 * $10; dt = $15 == 97 ? 0.01 : 0.008
+            error = sigma / sqrt(2 * $8 * dt / (2 * $11))
+            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $11, $12, 512.875 * Re ^ -1.54919
+            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $11
+            if (n == 1) low = Re
+            high = Re
+        }
+        END {
+            b = (n * xy - sx * sy) / (n * xx - sx * sx); a = exp((sy - b * sx) / n)
+            printf "# sigma = %.1f Re_p^%.3f\n", a, b
+            printf "# sigma_low = %.2f; Re_low = %.2f; sigma_high = %.2f; Re_high = %.2f; time = %.2f;\n", a * low ^ b, low, a * high ^ b, high, T / n
+        }' figures/24-suspension.txt
 }
 
 # The rebound from a floor over the Stokes number, for rough and for smooth spheres:
@@ -338,10 +359,10 @@ ten() {
     echo "# time [s], height of the centre [mm] of 1100, 1700, 2300 kg/m^3, mean height of the bed"
     for rho in 1100 1700 2300; do
         once ten-$rho cases/sphere-in-bed.cfg -s bodies.spheres.0.density=$rho \
-            -s output.end=1.0 -s output.every=0.5 -s output.history=0.01
+            -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     done
     once ten-held cases/sphere-in-bed.cfg -s bodies.spheres.0.motion=fixed \
-        -s output.end=1.0 -s output.every=0.5 -s output.history=0.01
+        -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     awk -F, '
         FNR == 1 { file++; for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
         file < 4 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
@@ -350,7 +371,7 @@ ten() {
         $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-2300/bodies.csv \
         $out/ten-1700/history.csv
     echo "# held: time [s]; fluid, grains, sum over V g [kg/m^3]; as in the table of the held ones"
-    for span in "0.2 0.0" "0.4 0.2" "1.0 0.6"; do
+    for span in "0.2 0.0" "0.5 0.2"; do
         # shellcheck disable=SC2086 # two words
         { printf '# '; held_of ten-held 22 8000 0.018 0.010 $span; }
     done

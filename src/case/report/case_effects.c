@@ -100,7 +100,12 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
         const int named = settings_has(s, e->keys[0].path);
         double numbers[16] = {0.0};
 
-        if (e->estimate == NULL || !applies(s, e)) continue;
+        if (!applies(s, e) || (e->estimate == NULL && !named)) continue;
+        if (e->estimate == NULL) {
+            printf("  %-38s %10s %-4s %7.3g %%   named; no estimate\n", e->name,
+                   "-", "", 100.0 * cost_of(e, in, k->rho_f > 0.0));
+            continue;
+        }
         if (named) table_numbers(s, e->keys, numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;

@@ -97,7 +97,7 @@ struct surface case_walls_surface(const struct settings *s)
     const struct mesh *const m = settings_mesh(s);
     const int n = all_triangles(m, NULL);
     double(*const corner)[3][3] = alloc_zeroed((size_t)n, sizeof *corner);
-    struct surface made = {.name = case_walls_name, .shape = SURFACE_TRIANGLES};
+    struct surface made = {.name = case_walls_name, .shape = &surface_stl};
 
     all_triangles(m, corner);
     made.triangles = triangles_create(n, corner);

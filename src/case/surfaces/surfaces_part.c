@@ -52,8 +52,7 @@ static void print(const struct settings *s, const struct case_scales *k)
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < n; i++) {
         const double reach = surface_reach(&made[i], lo, hi);
-        if (made[i].shape == SURFACE_TRIANGLES)
-            triangles += made[i].triangles->n;
+        if (made[i].triangles != NULL) triangles += made[i].triangles->n;
         speed = fmax(speed, motion_speed(&made[i].motion, reach));
     }
     puts("Walls besides the box");

@@ -30,7 +30,7 @@ const struct sizes_law *sizes_law_named(const char *name)
 
 const char *sizes_wrong(const struct sizes_options *o)
 {
-    if (o->max > 0.0 && o->min >= o->max) return "least must be below most";
+    if (o->max > 0.0 && o->min >= o->max) return "min must be below max";
     return o->law->wrong(o);
 }
 
@@ -39,6 +39,7 @@ struct sizes *sizes_create(const struct sizes_options *o)
     struct sizes *const s = alloc_zeroed(1, sizeof *s);
 
     s->law = o->law;
+    memcpy(s->own, o->own, sizeof s->own);
     o->law->shape(s, o);
     return s;
 }

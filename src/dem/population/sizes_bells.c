@@ -88,7 +88,7 @@ static const char *bell_wrong(const struct sizes_options *o)
 
     o->law->shape(&s, o);
     if (s.high - s.low < least_left)
-        return "least and most leave less than 1e-6 of it";
+        return "min and max leave less than 1e-6 of it";
     return NULL;
 }
 
@@ -97,8 +97,8 @@ static const char *normal_wrong(const struct sizes_options *o)
     if (!(o->mean > 0.0 && o->deviation > 0.0))
         return "it asks for mean > 0 and deviation > 0";
     if (!(o->min > 0.0 && o->max > 0.0))
-        return "it asks for least and most: a bell has no ends of its own, "
-               "and its diameters would even be negative";
+        return "it asks for min and max: a bell extends without end, and its "
+               "diameters would even be negative";
     if (o->by_mass)
         return "it counts by number only; for shares by mass give a table";
     return bell_wrong(o);

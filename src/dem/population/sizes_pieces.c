@@ -106,7 +106,7 @@ static void shape_table(struct sizes *s, const struct sizes_options *o)
 
 static const char *uniform_wrong(const struct sizes_options *o)
 {
-    return o->min > 0.0 && o->max > 0.0 ? NULL : "it asks for least and most";
+    return o->min > 0.0 && o->max > 0.0 ? NULL : "it asks for min and max";
 }
 
 static const char *points_wrong(const struct sizes_options *o, int table)
