@@ -269,6 +269,30 @@ CASE
     done
 }
 
+# Sixteen spheres five times as heavy as the fluid settle on a floor: how nearly they come
+# to rest. Half a minute.
+pile() {
+    echo "# C_v  root of the mean square of the speed [m/s] after 3, 6, 9, 12 s"
+    for C in 2 0.5; do
+        awk -v C=$C 'BEGIN {
+            print "title = \"A pile\"; mesh = { size = [1.0, 1.6, 1.0]; cells = [12, 19, 12]; };"
+            print "fluid = { density = 1.0; viscosity = 0.02; step = 0.01; time = \"bdf2\";"
+            print "  sides = \"no-slip\"; bottom_top = \"no-slip\"; front_back = \"no-slip\"; };"
+            printf "bodies = { virtual_mass = %g; spheres = (", C
+            srand(3)
+            for (y = 0.25; y < 1.4; y += 0.36) for (x = 0.25; x < 0.9; x += 0.42) for (z = 0.25; z < 0.9; z += 0.42)
+                printf "%s{ position = [%.4f, %.4f, %.4f]; diameter = 0.33; density = 5.0; }", n++ ? ",\n" : "", x + 0.08 * rand(), y, z + 0.08 * rand()
+            print " ); };\neffects = { gravity = [0.0, -1.0, 0.0]; };"
+            print "output = { end = 12.0; every = 12.0; history = 0.5; };"
+        }' >$out/pile.cfg
+        run pile $out/pile.cfg
+        awk -F, -v C=$C 'NR > 1 { t = sprintf("%.1f", $1); sum[t] += $6 ^ 2 + $7 ^ 2 + $8 ^ 2; n[t]++ }
+            END { printf "%4s", C
+                  for (t = 3; t < 13; t += 3) { k = sprintf("%.1f", t); printf " %8.5f", sqrt(sum[k] / n[k]) }
+                  print "" }' $out/pile/bodies.csv
+    done
+}
+
 # Drafting, kissing, tumbling: when the gap closes, and when the order has changed.
 two() {
     run two cases/two-spheres-fall.cfg

@@ -31,7 +31,7 @@ int grain_table_is(const char *path)
 
     if (f == NULL) return 0;
     while (fgets(line, sizeof line, f) != NULL) {
-        at = strspn(line, " \t\r\n");
+        at = strspn(line, " \t\r\n" CSV_UTF_8);
         if (line[at] != '\0' && line[at] != '#') break;
         line[at = 0] = '\0';
     }
