@@ -110,6 +110,7 @@ vtk: $B/winnow $B/tests/test_vtk
 	@sh tests/vtk.sh $B
 tools:
 	@sh tests/book.sh
+	@sh tests/tally.sh
 steps-check: $B/winnow $(STEPS)
 	@sh tests/steps.sh $B
 commands: $B/winnow

@@ -18,7 +18,7 @@ int main(void)
     double corner[2][3][3] = {{{0, 0, -1}, {0, 0, 1}, {-1, 0, 0}},
                               {{0, 0, -1}, {1, 0, 0}, {0, 0, 1}}};
     const struct surface floor = {.name = "floor",
-                                  .shape = SURFACE_TRIANGLES,
+                                  .shape = &surface_stl,
                                   .triangles = triangles_create(2, corner)};
     const struct dem_options o = {.law = &contact_hertz,
                                   .material = {.young = 5e6,

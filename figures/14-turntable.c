@@ -17,7 +17,7 @@ static const double turn = 3.0, v = 0.1;         /* [rad/s], [m/s] */
 int main(void)
 {
     const struct surface table = {.name = "table",
-                                  .shape = SURFACE_PLANE,
+                                  .shape = &surface_plane,
                                   .normal = {0.0, 1.0, 0.0},
                                   .motion = {.spin = {0.0, turn, 0.0}}};
     const struct dem_options o = {

@@ -66,7 +66,7 @@ static double viscosity(double k, double rho, double d, double slip)
 
     for (int i = 0; i < 200; i++) {
         const double mu = sqrt(low * high);
-        if (V * law->resistance(0.45, rho, mu, d, slip) < k)
+        if (V * drag_resistance(law, 0.45, rho, mu, d, slip) < k)
             low = mu;
         else
             high = mu;

@@ -8,6 +8,7 @@ shape, what is chance; and whether what was measured can be true.
     27-compare.py seeds TABLE              between runs that differ by their seed
     27-compare.py profile TABLE            the even part of the profiles, to compare with
     27-compare.py sides TABLE              which way round the bed goes, every 2 s
+    27-compare.py vary TABLE               what one choice after the other moves
 
 Means are from FROM [s], 1 if not given. In the columns: the root mean square of the
 difference at the measured places; offset, its mean; shape, what is left of it; even, the
@@ -229,5 +230,36 @@ def sides(table):
         print(f"{r.name:14s} " + " ".join(f"{t:+.3f}" for t in turns))
 
 
+def measures(r, end=4.0):
+    """Offsets in void fraction; distances of the even part; the mirror error at 25 mm."""
+    seen = references()
+    lines = [r.mean(field, height, 1.0, min(end, r.end)) for field, height in LINES]
+    found = [parts(line, seen["measured", *key])[1] for line, key in zip(lines[:2], LINES)]
+    found += [parts(even(line), seen["measured", *key])[0] for line, key in zip(lines, LINES)]
+    return found + [mirror(lines[3])]
+
+
+def vary(table):
+    """Beside each number a star if it is farther from the mean of the runs that differ
+    by their seed alone than two standard deviations of one such run from that mean."""
+    rows = {r.name: measures(r) for r in runs(table) if r.end > 2.0}
+    same = [found for name, found in rows.items() if name.startswith("seed-")]
+    n = len(same)
+    means = [sum(column) / n for column in zip(*same)]
+    errors = [math.sqrt(sum((v - m) ** 2 for v in column) / (n - 1) * (1 + 1 / n)) if n > 1
+              else math.inf for column, m in zip(zip(*same), means)]
+    print("# offset of eps_f at 16.4, 31.2 mm; rms of the even part: eps_f at 16.4, 31.2 mm,")
+    print("# us_y at 15, 25 mm [m/s]; mirror error of us_y at 25 mm; to time [s]")
+    ends = {r.name: r.end for r in runs(table)}
+    for name, found in rows.items():
+        cells = [f"{v:+.3f}{'*' if abs(v - m) > 2 * e else ' '}" if i < 2 else
+                 f"{v:.3f}{'*' if abs(v - m) > 2 * e else ' '}"
+                 for i, (v, m, e) in enumerate(zip(found, means, errors))]
+        print(f"{name:16s} {' '.join(cells)} {ends[name]:g}")
+    print(f"{'2 errors':16s} " + " ".join(f"{2 * e:.3f} " if i > 1 else f" {2 * e:.3f} "
+                                          for i, e in enumerate(errors)))
+
+
 if __name__ == "__main__":
-    {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides, "profile": profile}[sys.argv[1]](*sys.argv[2:])
+    {"distance": distance, "flux": flux, "seeds": seeds, "sides": sides, "profile": profile,
+     "vary": vary}[sys.argv[1]](*sys.argv[2:])

@@ -24,7 +24,7 @@ int main(void)
             for (int k = 0; drag_laws[k] != NULL; k++) {
                 const struct drag_law *const law = drag_laws[k];
                 const double u = Re[r] / eps; /* d, rho_f and mu are 1 */
-                const double F = law->resistance(eps, 1.0, 1.0, 1.0, u);
+                const double F = drag_resistance(law, eps, 1.0, 1.0, 1.0, u);
                 if (eps < law->eps_min - 1e-9 || eps > law->eps_max)
                     printf(" ?");
                 else

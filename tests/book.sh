@@ -260,8 +260,5 @@ if command -v pandoc >/dev/null; then
     fact two_pages_of_one_name_are_told 1 "a page of this name" sh "$tools/book.sh" out
 fi
 
-if [ $failed -gt 0 ]; then
-    echo "$failed facts of the book's tools do not hold"
-    exit 1
-fi
-echo "$facts facts hold (tools of the book)"
+echo "tools of the book: $facts passed, $failed failed"
+[ $failed -eq 0 ]

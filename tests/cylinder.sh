@@ -8,6 +8,7 @@ winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failed=0
+facts=0
 
 mkdir "$work/mesh"
 awk -f cases/meshes/extruded.awk -f cases/meshes/cylinder.awk \
@@ -18,17 +19,17 @@ awk -f cases/meshes/extruded.awk -f cases/meshes/cylinder.awk \
 # fact NAME VALUE FROM TO
 fact() {
     if awk "BEGIN { exit !($2 >= $3 && $2 <= $4) }"; then
-        echo "    $1: $2 in $3 to $4"
+        facts=$((facts + 1)) && echo "    $1: $2 in $3 to $4"
     else
         echo "FAILED $1: $2 not in $3 to $4"
-        failed=1
+        failed=$((failed + 1))
     fi
 }
 
-echo "cylinder, 2D-1:"
 last() { tail -n 1 "$work/run/$1" | cut -d, -f"$2"; }
 fact st96_2d1_drag_coefficient "$(last forces.csv 13)" 5.57 5.59
 fact st96_2d1_lift_coefficient "$(last forces.csv 14)" 0.0104 0.0110
 fact st96_2d1_pressure_drop \
     "$(last probes.csv 2-3 | awk -F, '{ print $1 - $2 }')" 0.1172 0.1176
-exit $failed
+echo "cylinder, 2D-1: $facts passed, $failed failed"
+[ $failed -eq 0 ]

@@ -350,5 +350,5 @@ estimated() {
         grep -q 'memory of all ranks' heard
 }
 fact check_estimates_both_times_and_the_memory estimated
-echo "$facts facts hold (ranks)"
+echo "ranks: $facts passed, $failed failed"
 [ $failed -eq 0 ]

@@ -7,6 +7,10 @@
 #
 # The same seeds each time. "long" tries more moments.
 set -u
+# A process that was started by nohup never hears of a hangup, nor do its children.
+if [ -z "${HEARS:-}" ] && env --default-signal=HUP true 2>/dev/null; then
+    HEARS=hangups exec env --default-signal=HUP,INT,TERM sh "$0" "$@"
+fi
 winnow=$(cd "$(dirname "${1:-build/winnow}")" && pwd)/winnow
 extent=${2:-quick}
 work=$(mktemp -d)
@@ -457,8 +461,5 @@ if [ "$extent" = long ] && mkdir -p disk && mount -t tmpfs -o size=64k none disk
     done
 fi
 
-if [ $failed -gt 0 ]; then
-    echo "$failed faults do not end as they should"
-    exit 1
-fi
-echo "$facts facts hold (faults, $extent)"
+echo "faults, $extent: $facts passed, $failed failed"
+[ $failed -eq 0 ]

@@ -152,7 +152,7 @@ static int replay(int n, char **dir)
         scene_free(&s);
     }
     clear_folder(work);
-    printf("fuzz: %d scenes, %d not as they should be\n", n, failed);
+    printf("scenes of the fuzzer: %d passed, %d failed\n", n - failed, failed);
     return failed > 0;
 }
 

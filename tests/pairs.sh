@@ -139,9 +139,12 @@ awk -v every=$every 'NR % every == 1 % every { print $1 }' "$work/list" \
     >"$work/chosen"
 xargs -P $jobs -I{} sh "$0" "$1" one {} "$work" <"$work/chosen"
 ran=$(wc -l <"$work/chosen")
+failed=0
 if [ -e "$work/failed" ]; then
-    echo "$(wc -l <"$work/failed") of $ran cases failed; they are in $work"
-    exit 1
+    failed=$(wc -l <"$work/failed")
+    echo "the cases that failed are in $work"
+else
+    rm -rf "$work"
 fi
-rm -rf "$work"
-echo "$ran cases hold (pairs of choices)"
+echo "pairs of choices, seed $seed: $((ran - failed)) passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -15,7 +15,8 @@
 static inline double published_factor(const struct drag_law *law, double eps_f,
                                       double Re)
 {
-    return law->resistance(eps_f, 1.0, 1.0, 1.0, Re / eps_f) / (18.0 * eps_f);
+    return drag_resistance(law, eps_f, 1.0, 1.0, 1.0, Re / eps_f) /
+           (18.0 * eps_f);
 }
 
 /* C_d of one sphere. Clift78: the standard curve of Clift, Grace and Weber, by
@@ -66,7 +67,7 @@ static inline double published_bed_drop(const struct drag_law *law, double U)
     const double eps = 0.4, d = 8e-4, rho = 1000.0, mu = 1e-3;
 
     return (1.0 - eps) / gsl_pow_2(eps) * U *
-           law->resistance(eps, rho, mu, d, U / eps);
+           drag_resistance(law, eps, rho, mu, d, U / eps);
 }
 
 /* The safety rule KTA 3102.3 (Re/(1 - eps_f) of 1 to 1e5), where Ergun's is

@@ -23,13 +23,15 @@ run() { # program
     sed -n 's/^[^:]*:[0-9]*:P:[^:]*:\([^:]*\):.*/    \1/p' "$log" | uniq >"$1.facts"
     passed=$(wc -l <"$1.facts")
     count=$((count + passed))
-    echo "$(basename "$1"): $passed facts"
     cat "$1.facts"
+    wrong=$(grep -c ':[FE]:' "$log")
     if [ $code -ne 0 ] || grep -q ':[FE]:' "$log" || [ "$passed" -eq 0 ]; then
+        [ "$wrong" -gt 0 ] || wrong=1 # it ended early, or has no fact
         grep ':[FE]:' "$log" || cat "$1.out"
         grep -A 12 -E 'Sanitizer|runtime error' "$1.out" # why it ended early
-        failed=$((failed + 1))
     fi
+    echo "$(basename "$1"): $passed passed, $wrong failed"
+    failed=$((failed + wrong))
 }
 
 [ -d "$1" ] && set -- "$1"/test_*
@@ -37,8 +39,5 @@ for program in "$@"; do
     case ${program##*/} in *.*) continue ;; esac
     run "$program"
 done
-if [ "$failed" -gt 0 ]; then
-    echo "$failed test programs failed"
-    exit 1
-fi
-[ $# -eq 1 ] || echo "$count passed, 0 failed"
+[ $# -eq 1 ] || echo "together: $count and $failed"
+[ "$failed" -eq 0 ]

@@ -209,8 +209,5 @@ for program in "$top"/chapters/steps/*.c; do
     fi
 done
 
-if [ $failed -gt 0 ]; then
-    echo "$failed facts of the twelve steps do not hold"
-    exit 1
-fi
-echo "$facts facts hold (twelve steps)"
+echo "twelve steps: $facts passed, $failed failed"
+[ $failed -eq 0 ]

@@ -134,6 +134,14 @@ advice_agrees() {
     grep '^- for 1 %' time/study.md | grep -qF -- ": $best"
 }
 fact advice_is_the_cheapest_row_within_the_limit advice_agrees
+# 0.32 s are eight steps of 0.04 s, and eleven of 0.03 s are 0.33 s.
+times_that_differ_are_told() {
+    "$winnow" study channel.cfg -s fluid.step=0.04,0.02 --measure u_x -o even >even.said 2>&1 &&
+        "$winnow" study channel.cfg -s fluid.step=0.03,0.02 --measure u_x -o odd >heard 2>&1
+    cat even.said heard
+    ! grep -q 'last values' even.said && grep -q 'last values are those of 0.32 to 0.33 s' heard
+}
+fact last_values_of_different_times_are_told times_that_differ_are_told
 picture_is_there() {
     grep -q '</svg>' time/study.svg && [ -s time/study.png ]
 }
@@ -170,6 +178,14 @@ fact the_step_of_a_flow_costs_and_gains_what_check_says \
     holds channel.cfg 'fluid.step halved' time 'time=euler' 5
 fact its_cells_cost_and_gain_what_check_says \
     holds channel.cfg 'mesh.cells doubled, fluid.step halved' cells 'cells=' 5
+# Without a dashpot; its microseconds tell nothing.
+spring_gains() {
+    said=$(estimate spring.cfg 'particles.step halved' | cut -d ' ' -f 2)
+    found=$(rows spring 5 step= | awk '{ print $NF / $(NF - 1) }')
+    echo "error $said found $found"
+    within "$said" "$found"
+}
+fact the_step_of_grains_that_lose_nothing_gains_what_check_says spring_gains
 sphere=$top/cases/settling-sphere.cfg
 "$winnow" study "$sphere" -s fluid.step=4e-3,2e-3,1e-3 -s output.end=0.032 \
     --measure mean_fall_velocity --truth extrapolated -o sphere --times 2 --quiet
@@ -191,8 +207,19 @@ sed 's/"linear"/"upwind"/; s/32, 32, 1/24, 24, 1/; s/= 2.5e-3/= 1e-2/; s/step = 
      s/30.0/12.0/' "$top/cases/cavity.cfg" >cavity.cfg
 "$winnow" study cavity.cfg -s fluid.convection=upwind,second-upwind --measure probe.0 \
     --times 2 --truth -0.2326 -o convection --quiet
+# Near the fastest upward flow [Ghia82] linear convection has no error that happens to
+# be none, as it has near the other.
+sed 's/"upwind"/"linear"/' cavity.cfg >linear.cfg
+"$winnow" study linear.cfg -s fluid.convection=linear,upwind --measure probe.1 \
+    --times 2 --truth 0.17527 -o linear --quiet
+"$winnow" study linear.cfg -s fluid.convection=linear,second-upwind --measure probe.1 \
+    --times 2 --truth 0.17527 -o second --quiet
 fact second_order_convection_costs_and_gains_what_check_says \
     holds cavity.cfg 'fluid.convection = second-upwind' convection 'convection=' 5
+fact linear_convection_costs_and_gains_what_check_says_over_upwind \
+    holds linear.cfg 'fluid.convection = upwind' linear 'convection=' 5
+fact and_second_order_upwind_over_linear \
+    holds linear.cfg 'fluid.convection = second-upwind' second 'convection=' 5
 "$winnow" study "$top/cases/cavity.cfg" -s fluid.tolerance=1e-4,1e-8,1e-13 --times 3 \
     -s output.end=0.4 -s output.history=0.4 --measure probe.0 -o tolerance --quiet
 sed 's/step = 0.02;/&tolerance = 1e-6;/' "$top/cases/cavity.cfg" >sixth.cfg
@@ -240,6 +267,17 @@ stopped_goes_on() {
     [ "$(column whole/study.csv mean_height)" = "$(column stopped/study.csv mean_height)" ]
 }
 fact a_study_that_is_stopped_goes_on_in_the_middle_of_its_runs stopped_goes_on
+# Thousands of cases take a while to read; a signal does not wait for the last one.
+stops_while_it_reads() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --seeds 1000 --times 4 \
+        --measure mean_height -o read >/dev/null 2>heard &
+    pid=$!
+    sleep 0.3
+    kill $pid
+    wait $pid
+    [ $? -eq 130 ] && grep -q 'before the first run' heard && [ ! -e read ]
+}
+fact a_study_is_stopped_while_it_reads_its_cases stops_while_it_reads
 # The same folder with another case: nothing of the old one is taken for it.
 changed_case_is_done_again() {
     before=$(cat killed/runs/step=2e-5/summary.json)
@@ -275,6 +313,19 @@ threads_change_no_bit() {
         grep -q '"threads": 2' threads/runs/threads=2/summary.json
 }
 fact threads_are_varied_and_change_no_bit threads_change_no_bit
+# Then the finest is no judge of the others: both are within any limit, the cheaper
+# is advised, and there is no error to be drawn.
+same_bits_are_compared_by_cost() {
+    "$winnow" study grains.cfg -s threads=1,2 -s particles.bed.count=20 --measure mean_height \
+        --cost seconds.total -o threads >heard 2>&1 || return 1
+    cat heard
+    cheaper=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "total [s]") t = i; next }
+        best == "" || $t < best { best = $t; name = $1 } END { print name }' threads/study.csv)
+    [ "$(grep -c '| 0 % |' threads/study.md)" -eq 2 ] &&
+        [ "$(grep -c "^- for .* %: .* error 0 %: $cheaper\$" heard)" -eq 3 ] &&
+        grep -q 'no picture: all variants agree to the last bit' heard && [ ! -e threads/study.gp ]
+}
+fact the_same_bits_as_the_finest_are_compared_by_cost same_bits_are_compared_by_cost
 killed_run_is_a_result() {
     "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 -s output.end=9 --measure mean_height \
         -o shot -j 2 --quiet >/dev/null 2>&1 &
@@ -285,6 +336,14 @@ killed_run_is_a_result() {
     wait $pid && [ "$(grep -c "exit code 137: ended by a signal" shot/study.md)" -eq 2 ]
 }
 fact a_run_that_a_signal_ends_is_a_result killed_run_is_a_result
+finest_may_break_down() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
+        --measure mean_height -o no-finest >heard 2>&1 || return 1
+    cat heard
+    grep -q 'no error is known: the finest has not come to its end' heard &&
+        [ -e no-finest/runs/step=2e-5 ] # one key ends with .step, another with _step
+}
+fact if_the_finest_breaks_down_that_is_told finest_may_break_down
 broken_run_is_a_result() {
     # A step of the springs that does not resolve them, and one refused for it.
     "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
@@ -306,6 +365,15 @@ seeds_have_errors() {
     paste expected found | awk '{ exit !($2 > 0 && $1 / $2 > 0.99 && $1 / $2 < 1.01) }'
 }
 fact seeds_give_a_standard_error seeds_have_errors
+# A group that is set as a whole has no seed of its own, and an effect may have one.
+seeds_go_last() {
+    "$winnow" study grains.cfg -s 'particles.bed={count=20;diameter=1.2e-3;settle=0.02;}' \
+        -s 'effects.stochastic_drag=as-is,{sigma_low=0.3;sigma_high=0.2;time=0.01;}' \
+        -s exchange.treatment=explicit -s output.end=0.002 --seeds 2 --measure mean_height \
+        -o group --quiet >/dev/null || return 1
+    [ "$(column group/study.csv mean_height | sort -u | wc -l)" -eq 4 ]
+}
+fact seeds_reach_into_groups_that_are_set_and_into_effects seeds_go_last
 dry_run_writes_nothing() {
     "$winnow" study grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height \
         -o dry --dry-run >said || return 1
@@ -357,8 +425,18 @@ fact nothing_to_look_at refused 'what is to be looked at' channel.cfg -s fluid.s
 fact nothing_to_compare refused 'nothing to compare' channel.cfg --measure u_x
 fact a_truth_that_is_none refused 'expected a formula' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth finset
-fact seeds_where_nothing_is_random refused 'the case has none' \
+fact seeds_where_nothing_is_random refused 'no group with a seed' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --seeds 3
+fact a_key_twice_in_one_choice refused 'a key is there twice' \
+    channel.cfg -s fluid.step:fluid.step=0.1:0.1,0.2:0.2 --measure u_x
+fact a_bracket_that_is_not_closed refused 'a bracket or a quote without' \
+    channel.cfg -s 'mesh.cells=[1,8,1,[1,16,1]' --measure u_x
+fact a_value_too_few refused 'not as many values' \
+    channel.cfg -s fluid.step:fluid.density=0.1:9,0.2 --measure u_x
+fact a_time_before_the_start refused 'before 0 s' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure mean:u_x@-0.1
+fact a_time_that_is_no_number refused 'expected @FROM' \
+    channel.cfg -s fluid.step=0.1,0.2 --measure mean:u_x@nan
 fact a_number_twice refused 'a value is there twice' channel.cfg -s fluid.step=0.1,1e-1 --measure u_x
 fact a_time_after_the_end refused 'after output.end' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x@0.5
@@ -366,8 +444,10 @@ fact a_column_that_the_case_has_not refused 'for want of' \
     channel.cfg -s fluid.step=0.1,0.2 --measure mean_height
 fact a_truth_of_nothing refused 'no error is relative to that' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth 1-1
+fact seeds_that_are_varied_as_well refused 'is varied, so that --seeds' \
+    grains.cfg -s particles.bed.seed=1,2 --measure mean_height --seeds 2
 printf 'time [s],u [m/s]\n0.1,1\n0,1\n' >falling.csv
-fact a_table_that_falls refused 'the first rising' \
+fact a_table_that_falls refused 'does not rise' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth falling.csv
 fact more_runs_than_anybody_waits_for refused 'more than 10000 runs' \
     grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height --seeds 1000 --times 1000
@@ -378,8 +458,5 @@ case = "channel.cfg"; vary = (); measure = ();
 END
 fact a_study_file_with_a_wrong_key refused 'did you mean measures' wrong.cfg
 
-if [ $failed -gt 0 ]; then
-    echo "study: $failed of $((facts + failed)) facts do not hold"
-    exit 1
-fi
-echo "study: $facts facts hold"
+echo "study: $facts passed, $failed failed"
+[ $failed -eq 0 ]

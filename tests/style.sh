@@ -222,24 +222,18 @@ guards() {
     done
 }
 
-layout
-alone
-guards
-rooms
-seams
-names
-variables
-lengths
-casts
-text
-if [ "$extent" = long ]; then
-    clang_too
-    tidy
-    unused
-fi
-if [ -s "$found" ]; then
-    cat "$found"
-    echo "style: $(wc -l <"$found") things are not as they should be"
-    exit 1
-fi
-echo "style: as it should be"
+facts=0
+failed=0
+for rule in layout alone guards rooms seams names variables lengths casts text \
+    $(long "clang_too tidy unused"); do
+    : >"$found"
+    $rule
+    if [ -s "$found" ]; then
+        echo "FAILED $rule, $(wc -l <"$found") times:" && cat "$found"
+        failed=$((failed + 1))
+    else
+        facts=$((facts + 1))
+    fi
+done
+echo "style, $extent: $facts passed, $failed failed"
+[ $failed -eq 0 ]

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bodies at the ends of the box: at a seam, and on the way out. */
+/* Bodies at the ends of the box: at a seam, and on the way out; and what those
+ * on springs come upon. */
 #include "resolved.h"
 
 #include <string.h>
@@ -136,8 +137,71 @@ START_TEST(ew18_2_a_body_leaves_through_an_outlet)
 }
 END_TEST
 
+/* A small box of next to no fluid. */
+static void create_void(struct pool *p)
+{
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {10, 10, 10},
+                                   .rho = 1e-9,
+                                   .mu = 1e-9,
+                                   .dt = 1e-3,
+                                   .n = 2};
+
+    pool_create(p, &o);
+    p->bodies->contacts.material =
+        (struct material){.stiffness = 100.0, .restitution = 1.0};
+}
+
+/* A free sphere hits one of the same mass on a soft spring, and stops, as it
+ * would if that were free. One that could not be pushed would throw it back.
+ * The spring's share of the impulse comes one particle step late, of 28. */
+START_TEST(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it)
+{
+    const struct body_shape sphere = body_shape_sphere(0.3);
+    struct pool p;
+
+    create_void(&p);
+    solid_bodies_add(p.bodies, &sphere, (double[3]){0.3, 0.5, 0.5}, 1.0,
+                     BODY_FREE);
+    solid_bodies_add(p.bodies, &sphere, (double[3]){0.601, 0.5, 0.5}, 1.0,
+                     BODY_FIXED);
+    solid_bodies_set_spring(p.bodies, 1, (double[3]){1e-6, 0.0, 0.0});
+    const struct particles *const ps = p.bodies->ps;
+    ps->vx[0] = 1.0;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    for (int i = 0; i < 60; i++)
+        ck_assert_int_eq(body_motion_advance(p.bodies, p.fluid->options.dt), 0);
+    ck_assert_double_eq_tol(ps->vx[0], 0.0, 0.05);
+    ck_assert_double_eq_tol(ps->vx[0] + ps->vx[1], 1.0, 0.05);
+    pool_free(&p);
+}
+END_TEST
+
+/* Two boxes have no contacts. Prescribed ones may overlap, but one on a spring
+ * would go through what should stop it. */
+START_TEST(a_box_on_a_spring_does_not_go_through_another_in_silence)
+{
+    const struct body_shape box = body_shape_box((double[3]){0.3, 0.3, 0.3});
+    struct pool p;
+
+    create_void(&p);
+    solid_bodies_add(p.bodies, &box, (double[3]){0.3, 0.5, 0.5}, 1.0,
+                     BODY_PRESCRIBED);
+    solid_bodies_add(p.bodies, &box, (double[3]){0.45, 0.5, 0.5}, 1.0,
+                     BODY_FIXED);
+    if (_i == 1)
+        solid_bodies_set_spring(p.bodies, 1, (double[3]){1.0, 0.0, 0.0});
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    ck_assert_int_eq(fluid_step(p.fluid), 0);
+    ck_assert_int_eq(body_motion_advance(p.bodies, p.fluid->options.dt), _i);
+    pool_free(&p);
+}
+END_TEST
+
 FACTS("body_places")
 {
     FACT_FOR_EACH(ew18_2_bodies_at_a_seam_move_as_in_the_middle, 7);
     FACT(ew18_2_a_body_leaves_through_an_outlet);
+    FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it);
+    FACT_FOR_EACH(a_box_on_a_spring_does_not_go_through_another_in_silence, 2);
 }

@@ -4,6 +4,7 @@
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"
 #include "dem/contact.h"
+#include "dem/surfaces/surface.h"
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/report/report.h"
@@ -99,11 +100,11 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
         "particles.bed.sizes=snad"};
     int code;
 
-    refused("particles.integrator=heun", "goes without a fluid");
+    refused("particles.integrator=heun", "is for cases without exchange");
     refused("particles.bed={count=3;}", "give either diameter or sizes");
     refused("particles.bed.sizes=sand", "not both");
     refused("particles.sizes=({name=\"a\";distribution=\"normal\";})",
-            "a, which is normal: it asks for mean");
+            "a, which is normal: it needs mean");
     refused("particles.sizes=({name=\"a\";distribution=\"gauss\";})",
             "expected");
     struct settings *const s =
@@ -127,8 +128,8 @@ START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
         "particles.surfaces=({name=\"floor\";shape=\"plane\";"
         "point=[0.0,0.01,0.0];normal=[0.0,1.0,0.0];})",
         "particles.prescribed=({id=0;velocity=[0.1,0.0,0.0];})"};
-    static const char *const why[2] = {"knows no surfaces; verlet does",
-                                       "knows no prescribed particles"};
+    static const char *const why[2] = {"does not support surfaces; verlet does",
+                                       "does not support prescribed particles"};
 
     for (int k = 0; k < 2; k++) {
         const char *const overrides[] = {methods[_i], asked[k]};
@@ -234,9 +235,9 @@ END_TEST
 START_TEST(contact_law_requires_its_constants)
 {
     refused("particles.contact=linear",
-            "linear asks for particles.grains.stiffness");
+            "linear needs particles.grains.stiffness");
     refused("particles.grains={density=1;restitution=1;friction=0;}",
-            "hertz asks for particles.grains.young");
+            "hertz needs particles.grains.young");
 }
 END_TEST
 
@@ -248,7 +249,7 @@ START_TEST(materials_are_known_by_their_names)
     refused("particles.walls={material=\"grain\";}", "did you mean grains?");
     refused("particles.walls={material=\"\";}", "no material");
     refused("particles.materials=({name=\"steel\";restitution=1;friction=0;})",
-            "hertz asks for the young of steel");
+            "hertz needs the young of steel");
     refused("particles.materials=(" STEEL "," STEEL ")",
             "the name steel is given twice");
     refused("particles.pairs=({between=\"grains\";and=\"grains\";})",
@@ -330,7 +331,7 @@ END_TEST
 
 START_TEST(bed_must_fit_into_the_box)
 {
-    refused("particles.bed.diameter=0.02", "more than the box has room for");
+    refused("particles.bed.diameter=0.02", "larger than the box");
     refused("particles.bed.count=100000", "would fill 171 % of the box");
     refused("particles.place=({position=[0.01,0.01,0.01];diameter=1e-3;})",
             "not both");
@@ -339,7 +340,7 @@ END_TEST
 
 START_TEST(averaging_by_a_bandwidth_requires_one)
 {
-    refused("averaging={method=\"kernel\";}", "asks for averaging.bandwidth");
+    refused("averaging={method=\"kernel\";}", "needs averaging.bandwidth");
 }
 END_TEST
 
@@ -432,6 +433,24 @@ START_TEST(every_descriptor_of_every_kind_is_complete)
 }
 END_TEST
 
+/* A model's own keys are numbers that always have a value, no more than it has
+ * room for, and one of the tables that make them known. */
+static void check_own_keys(const char *name, const struct key *own,
+                           const struct key *const *tables)
+{
+    int n = 0, listed = 0;
+
+    for (int t = 0; own != NULL && t < KEY_TABLES; t++)
+        listed |= tables[t] == own;
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++, n++)
+        ck_assert_msg((k->type == KEY_REAL || k->type == KEY_INT ||
+                       k->type == KEY_BOOL) &&
+                          (k->fallback == NULL || k->fallback[0] != '\0'),
+                      "%s: %s", name, k->path);
+    ck_assert_msg(own == NULL || (listed && n > 0 && n <= MODEL_NUMBERS), "%s",
+                  name);
+}
+
 /* A law that lacks one of its functions would not be refused, but called. */
 START_TEST(every_law_and_method_has_its_functions)
 {
@@ -444,15 +463,52 @@ START_TEST(every_law_and_method_has_its_functions)
     }
     for (int i = 0; drag_laws[i] != NULL; i++) {
         const struct drag_law *const law = drag_laws[i];
-        ck_assert_msg(law->resistance != NULL && law->eps_min < law->eps_max &&
-                          law->Re_min < law->Re_max,
-                      "%s", law->name);
+        ck_assert_msg(
+            (law->resistance != NULL || law->own_keys != NULL) &&
+                (law->resistance == NULL) == (law->resistance_with != NULL) &&
+                law->eps_min < law->eps_max && law->Re_min < law->Re_max,
+            "%s", law->name);
     }
     for (int i = 0; averaging_methods[i] != NULL; i++) {
         const struct averaging_method *const a = averaging_methods[i];
         ck_assert_msg(a->create != NULL && a->free != NULL &&
                           a->spread != NULL && a->gather != NULL,
                       "%s", a->name);
+    }
+    for (int i = 0; surface_shapes[i] != NULL; i++) {
+        const struct surface_shape *const s = surface_shapes[i];
+        const int drawn_apart =
+            s == &surface_plane || s == &surface_cylinder || s == &surface_stl;
+        ck_assert_msg((s->nearest != NULL || s == &surface_stl) &&
+                          (s->point != NULL || drawn_apart),
+                      "%s", s->name);
+        check_own_keys(s->name, s->own_keys, s->keys);
+    }
+}
+END_TEST
+
+/* What a drag law is tested with is its default, where there is one. */
+START_TEST(every_key_of_a_models_own_has_a_value)
+{
+    for (int i = 0; contact_laws[i] != NULL; i++) {
+        int n = 0;
+        const struct key *k = contact_laws[i]->own_keys;
+        for (; k != NULL && k->path != NULL; k++)
+            n += strncmp(k->path, "particles.grains.", 17) == 0;
+        ck_assert_int_le(n, MODEL_NUMBERS);
+    }
+    for (int i = 0; averaging_methods[i] != NULL; i++)
+        check_own_keys(averaging_methods[i]->name,
+                       averaging_methods[i]->own_keys,
+                       averaging_methods[i]->keys);
+    for (int i = 0; drag_laws[i] != NULL; i++) {
+        const struct drag_law *const law = drag_laws[i];
+        int n = 0;
+        check_own_keys(law->name, law->own_keys, law->keys);
+        for (const struct key *k = law->own_keys; k != NULL && k->path != NULL;
+             k++, n++)
+            if (!schema_is_required(k))
+                ck_assert_double_eq(law->own[n], atof(k->fallback));
     }
 }
 END_TEST
@@ -548,6 +604,7 @@ FACTS("scene")
     FACT(numbers_of_an_effect_come_in_the_order_of_its_keys);
     FACT(every_descriptor_of_every_kind_is_complete);
     FACT(every_law_and_method_has_its_functions);
+    FACT(every_key_of_a_models_own_has_a_value);
     FACT(every_key_has_one_row);
     FACT(list_shows_every_model_and_key);
 }

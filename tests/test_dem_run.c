@@ -220,7 +220,7 @@ END_TEST
  * without contacts: 20 % of the mean diameter, while 10 % are expected. */
 START_TEST(the_deepest_overlap_is_known_with_its_two_and_its_place)
 {
-    const struct surface floor = {.shape = SURFACE_PLANE,
+    const struct surface floor = {.shape = &surface_plane,
                                   .normal = {0.0, 0.0, 1.0},
                                   .point = {0.0, 0.0, -0.05}};
     static const double x[3][3] = {

@@ -200,7 +200,7 @@ START_TEST(a_wall_that_moves_does_the_work_that_it_gives)
     struct particles *const ps = particles_create(1);
     struct dem_options o = spheres_options(&contact_linear, 2e-6, 0.1);
     const struct surface piston = {.name = "piston",
-                                   .shape = SURFACE_PLANE,
+                                   .shape = &surface_plane,
                                    .point = {-0.01, 0.0, 0.0},
                                    .normal = {1.0, 0.0, 0.0},
                                    .motion = {.velocity = {0.2, 0.0, 0.0}}};
@@ -273,7 +273,7 @@ START_TEST(dashpots_of_prescribed_spheres_know_their_own_mass)
     struct particles *const ps = particles_create(2);
     struct dem_options o = spheres_options(&contact_linear, 2e-5, 0.1);
     const struct surface plate = {.name = "plate",
-                                  .shape = SURFACE_PLANE,
+                                  .shape = &surface_plane,
                                   .point = {-0.006, 0.0, 0.0},
                                   .normal = {1.0, 0.0, 0.0}};
     const double m_star[] = {1.0, 1.0, 0.5};

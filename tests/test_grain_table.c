@@ -2,6 +2,7 @@
 #include "dem/population/grain_table.h"
 #include "base/csv.h"
 
+#include "base/csv.h"
 #include "facts.h"
 #include "scratch.h"
 
@@ -61,12 +62,17 @@ START_TEST(the_last_snapshot_of_a_dump_is_read)
 }
 END_TEST
 
+static const char *const marks[] = {"", CSV_UTF_8};
+
 START_TEST(a_table_is_read_by_the_names_of_its_columns)
 {
     long n;
-    const char *const path = file_of(
+    char text[128];
+    snprintf(
+        text, sizeof text, "%s%s", marks[_i],
         "# of a spreadsheet\n\"z [m]\";\"diameter [m]\";\"x [m]\";\"y [m]\"\n"
         "3;0.5;1;2\n\n6;0.25;4;5\n");
+    const char *const path = file_of(text);
     struct insertion_sphere *const list = insertion_read(path, &n);
 
     ck_assert_int_eq(n, 2);
@@ -161,7 +167,7 @@ FACTS("grain table")
     FACT(the_last_snapshot_of_a_dump_is_read);
     FACT(a_data_file_has_its_spheres_in_the_section_of_atoms);
     FACT(a_data_file_of_other_atoms_is_refused);
-    FACT(a_table_is_read_by_the_names_of_its_columns);
+    FACT_FOR_EACH(a_table_is_read_by_the_names_of_its_columns, 2);
     FACT(a_file_without_names_is_no_table);
     FACT(a_table_without_sizes_or_with_half_a_row_is_refused);
 }

@@ -15,7 +15,7 @@ static const double g = 9.81; /* [m/s^2] */
 static struct surface plate(const struct motion *m)
 {
     const struct surface s = {.name = "plate",
-                              .shape = SURFACE_PLANE,
+                              .shape = &surface_plane,
                               .normal = {0.0, 1.0, 0.0},
                               .motion = *m};
     return s;
@@ -27,7 +27,7 @@ static struct surface sheet(const struct motion *m)
     double corner[2][3][3] = {{{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}},
                               {{-3, 0, -3}, {3, 0, 3}, {-3, 0, 3}}};
     const struct surface s = {.name = "sheet",
-                              .shape = SURFACE_TRIANGLES,
+                              .shape = &surface_stl,
                               .triangles = triangles_create(2, corner),
                               .motion = *m};
     return s;
@@ -232,7 +232,7 @@ END_TEST
 START_TEST(sphere_in_a_drum_spins_with_the_wall)
 {
     const struct surface s = {.name = "drum",
-                              .shape = SURFACE_CYLINDER,
+                              .shape = &surface_cylinder,
                               .normal = {0.0, 0.0, 1.0},
                               .radius = 0.5,
                               .inside = 1,

@@ -296,7 +296,7 @@ END_TEST
 START_TEST(the_reference_loop_refuses_what_it_does_not_know)
 {
     const struct surface floor = {
-        .name = "floor", .shape = SURFACE_PLANE, .normal = {0.0, 1.0, 0.0}};
+        .name = "floor", .shape = &surface_plane, .normal = {0.0, 1.0, 0.0}};
     const struct prescribed_particle one = {.id = 0};
     struct particles *const ps = particles_create(1);
     struct dem_options o = bed_of(0, references[_i]);

@@ -182,8 +182,8 @@ START_TEST(xs11_3_15_inserted_spheres_count_in_the_next_fluid_step)
     ck_assert_int_eq(replacement_apply(sim, 0), 0);
     for (int i = 0; i < 40; i++) {
         const double k_i = particles_volume(sim->particles, i) *
-                           cp->options.law->resistance(cp->eps[i], s.rho, s.mu,
-                                                       0.7 * s.d, sqrt(0.24));
+                           drag_resistance(cp->options.law, cp->eps[i], s.rho,
+                                           s.mu, 0.7 * s.d, sqrt(0.24));
         ck_assert_double_eq_tol(cp->k[i] / k_i, 1.0, 1e-9);
         k += k_i;
     }

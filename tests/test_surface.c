@@ -21,7 +21,7 @@ static struct surface cylinder(int inside, double x, double y, double z)
 {
     const double length = sqrt(x * x + y * y + z * z);
     const struct surface s = {.name = "tube",
-                              .shape = SURFACE_CYLINDER,
+                              .shape = &surface_cylinder,
                               .point = {0.1, -0.2, 0.3},
                               .normal = {x / length, y / length, z / length},
                               .radius = 0.5,
@@ -69,7 +69,7 @@ START_TEST(a_triangle_has_two_sides_and_a_point_in_it_is_given_one)
 {
     double corner[1][3][3] = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}};
     const struct surface s = {.name = "sheet",
-                              .shape = SURFACE_TRIANGLES,
+                              .shape = &surface_stl,
                               .triangles = triangles_create(1, corner)};
     static const double height[] = {0.25, -0.25, 0.0};
     const double y[3] = {0.5, 0.5, height[_i]};
@@ -99,7 +99,7 @@ END_TEST
  * y = 0 has become x = 1, its normal (0, 1, 0) has become (-1, 0, 0). */
 START_TEST(a_sphere_touches_a_turned_plane_where_it_is_now)
 {
-    const struct surface s = {.shape = SURFACE_PLANE,
+    const struct surface s = {.shape = &surface_plane,
                               .normal = {0.0, 1.0, 0.0},
                               .motion = {.velocity = {0.0, 0.0, 0.5},
                                          .centre = {1.0, 0.0, 0.0},
@@ -122,11 +122,11 @@ START_TEST(a_surface_reaches_to_the_farthest_corner_from_its_centre)
 {
     double corner[1][3][3] = {{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}};
     const double lo[3] = {-5.0, -1.0, -1.0}, hi[3] = {4.0, 1.0, 2.0};
-    struct surface s = {.shape = SURFACE_PLANE,
+    struct surface s = {.shape = &surface_plane,
                         .motion = {.centre = {1.0, 0.0, 0.0}}};
     ck_assert_double_eq_tol(surface_reach(&s, lo, hi), sqrt(36.0 + 1.0 + 4.0),
                             1e-14);
-    s.shape = SURFACE_TRIANGLES;
+    s.shape = &surface_stl;
     s.triangles = triangles_create(1, corner);
     ck_assert_double_eq_tol(surface_reach(&s, lo, hi), sqrt(4.0 + 4.0), 1e-14);
     triangles_free((struct triangles *)(uintptr_t)s.triangles);
@@ -144,7 +144,7 @@ START_TEST(what_makes_no_surface_is_refused)
     s.radius = 0.5;
     s.normal[2] = 0.0;
     ck_assert_int_ne(surface_wrong(&s), 0);
-    s.shape = SURFACE_TRIANGLES;
+    s.shape = &surface_stl;
     ck_assert_int_ne(surface_wrong(&s), 0);
     capture_end(&c, text);
     ck_assert_ptr_nonnull(strstr(text, "\"tube\": its radius is not > 0"));
@@ -159,7 +159,7 @@ START_TEST(a_tenth_of_the_radius_is_how_deep_a_sphere_may_begin)
 {
     double corner[1][3][3] = {{{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}}};
     struct surface s = {.name = "floor",
-                        .shape = _i ? SURFACE_TRIANGLES : SURFACE_PLANE,
+                        .shape = _i ? &surface_stl : &surface_plane,
                         .normal = {0.0, 1.0, 0.0},
                         .triangles = triangles_create(1, corner),
                         .motion = at_rest};
@@ -195,7 +195,7 @@ static void slide(int neighbour, double found[4])
 {
     const double n = sqrt(5.0);
     const struct surface s = {.name = "slope",
-                              .shape = SURFACE_PLANE,
+                              .shape = &surface_plane,
                               .normal = {1.0 / n, 2.0 / n, 0.0}};
     struct particles *const ps = particles_create(2);
     struct dem_options o = spheres_options(&contact_linear, 1e-5, 1.0);

@@ -18,7 +18,7 @@ static struct surface plane(double x, double y, double z, double nx, double ny,
     const double length = sqrt(nx * nx + ny * ny + nz * nz);
     const struct surface s = {
         .name = "plane",
-        .shape = SURFACE_PLANE,
+        .shape = &surface_plane,
         .point = {x, y, z},
         .normal = {nx / length, ny / length, nz / length}};
     return s;
@@ -27,7 +27,7 @@ static struct surface plane(double x, double y, double z, double nx, double ny,
 static struct surface of_triangles(int n, double (*corner)[3][3])
 {
     const struct surface s = {.name = "triangles",
-                              .shape = SURFACE_TRIANGLES,
+                              .shape = &surface_stl,
                               .triangles = triangles_create(n, corner)};
     return s;
 }
@@ -122,7 +122,7 @@ END_TEST
 START_TEST(sphere_in_a_smooth_cylinder_keeps_its_angular_momentum)
 {
     const struct surface s = {.name = "tube",
-                              .shape = SURFACE_CYLINDER,
+                              .shape = &surface_cylinder,
                               .point = {0.1, 0.2, 0.0},
                               .normal = {0.0, 0.0, 1.0},
                               .radius = 0.5,
@@ -159,7 +159,7 @@ END_TEST
 START_TEST(sphere_rebounds_from_a_rod_at_its_radius)
 {
     const struct surface s = {.name = "rod",
-                              .shape = SURFACE_CYLINDER,
+                              .shape = &surface_cylinder,
                               .point = {0.0, 0.0, 0.0},
                               .normal = {0.6, 0.0, 0.8},
                               .radius = 0.2};

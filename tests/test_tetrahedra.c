@@ -10,31 +10,67 @@
 
 static const char *const schemes[] = {"linear", "second-upwind", "van-leer"};
 
-static struct manufactured_error made(const char *convection, int n)
+static struct manufactured_error made(const char *convection, int n,
+                                      double shake, double K)
 {
     const struct manufactured a = {.kind = MANUFACTURED_BOX,
                                    .n = n,
-                                   .shake = 0.1,
+                                   .shake = shake,
                                    .convection = convection,
                                    .time = "bdf2",
                                    .steady = 1,
                                    .dt = 0.32 / n,
-                                   .end = 0.32};
+                                   .end = 0.32,
+                                   .K = K};
 
     return manufactured_run(&a);
 }
 
-/* Without the terms of skewness.h the order is 0.5; with the weight of boxes in
- * least squares it is 1.47, and the error 0.0254 to 0.0259. */
-START_TEST(a_flow_on_tetrahedra_has_an_order_of_one_and_a_half)
+/* 1.7 is on the way to two: the next meshes have 1.8 and more. Without the
+ * terms of skewness.h the order is 0.5, without the one of the mean 1.54 and
+ * the error 0.022; with the weight of boxes in least squares it is 1.6. */
+START_TEST(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two)
 {
-    const struct manufactured_error coarse = made(schemes[_i], 4);
-    const struct manufactured_error fine = made(schemes[_i], 8);
+    const struct manufactured_error coarse = made(schemes[_i], 4, 0.1, 0.0);
+    const struct manufactured_error fine = made(schemes[_i], 8, 0.1, 0.0);
 
-    ck_assert_double_gt(log2(coarse.u / fine.u), 1.5);
-    ck_assert_double_gt(log2(coarse.u_max / fine.u_max), 1.2);
-    ck_assert_double_gt(log2(coarse.p / fine.p), 0.5);
-    ck_assert_double_lt(fine.u, 0.0245);
+    ck_assert_double_gt(log2(coarse.u / fine.u), 1.65);
+    ck_assert_double_gt(log2(coarse.u_max / fine.u_max), 1.4);
+    ck_assert_double_gt(log2(coarse.p / fine.p), 0.85);
+    ck_assert_double_lt(fine.u, 0.0195);
+}
+END_TEST
+
+/* Drag leaves less to viscosity. The errors are 0.0157 and, twice as shaken,
+ * 0.0170; without the term of the mean the order is 1.94. */
+START_TEST(a_flow_with_drag_on_tetrahedra_has_order_two)
+{
+    const struct manufactured_error coarse = made("linear", 4, 0.1, 20.0);
+    const struct manufactured_error fine = made("linear", 8, 0.1, 20.0);
+    const struct manufactured_error shaken = made("linear", 8, 0.2, 20.0);
+
+    ck_assert_double_gt(log2(coarse.u / fine.u), 1.95);
+    ck_assert_double_gt(log2(coarse.p / fine.p), 1.6);
+    ck_assert_double_gt(fine.u / shaken.u, 0.9);
+}
+END_TEST
+
+/* It grows by 10 %, and with the weights of (19.5) for viscosity, too, by 19 %:
+ * on finer meshes that grows on. */
+START_TEST(a_flow_does_not_suffer_from_shaken_tetrahedra)
+{
+    const double even = made("linear", 8, 0.1, 0.0).u;
+    const double shaken = made("linear", 8, 0.2, 0.0).u;
+
+    ck_assert_double_lt(shaken / even, 1.12);
+}
+END_TEST
+
+/* Drag as in a bed, 5000 kg/(m^3 s): with the linear mean for it, too, the
+ * error of p would be 5.7 Pa. */
+START_TEST(drag_keeps_its_own_weights_in_the_flux_between_tetrahedra)
+{
+    ck_assert_double_lt(made("linear", 8, 0.2, 5000.0).p, 5.3);
 }
 END_TEST
 
@@ -116,13 +152,14 @@ END_TEST
 
 /* --- a pipe --------------------------------------------------------------- */
 
-/* The polygon of 24 sides is 1.1 % narrower than the circle. Without the terms
- * of skewness.h it would be 4 % more, without that of convection alone 3 %, and
- * with slopes by Gauss 5 % more again. */
+/* The exact value is 1.02 on this polygon (figures/19-tetrahedra.c); these 2592
+ * cells have 0.973. Without the terms of skewness.h it would be 4 % more,
+ * without that of convection alone 3 %, and with slopes by Gauss 5 % more
+ * again. */
 START_TEST(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop)
 {
     ck_assert_double_eq_tol(pipe_of_tetrahedra(6, "second-upwind", NULL, 0.5),
-                            0.99, 0.02);
+                            0.973, 0.02);
 }
 END_TEST
 
@@ -139,7 +176,10 @@ END_TEST
 FACTS("tetrahedra")
 {
     tcase_set_timeout(facts, 120.0);
-    FACT_FOR_EACH(a_flow_on_tetrahedra_has_an_order_of_one_and_a_half, 3);
+    FACT_FOR_EACH(a_flow_on_tetrahedra_has_an_order_on_its_way_to_two, 3);
+    FACT(a_flow_with_drag_on_tetrahedra_has_order_two);
+    FACT(a_flow_does_not_suffer_from_shaken_tetrahedra);
+    FACT(drag_keeps_its_own_weights_in_the_flux_between_tetrahedra);
     FACT(a_fluid_at_rest_on_tetrahedra_has_its_pressure_to_second_order);
     FACT(a_linear_pressure_has_its_slope_on_tetrahedra);
     FACT(poiseuille_flow_in_a_pipe_of_tetrahedra_has_its_pressure_drop);

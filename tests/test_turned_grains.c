@@ -66,12 +66,12 @@ static void set_surfaces(struct scene *s)
     const double n = sqrt(14.0);
     s->surface[0] =
         (struct surface){.name = "plane",
-                         .shape = SURFACE_PLANE,
+                         .shape = &surface_plane,
                          .point = {-0.0405 / n, -0.1215 / n, 0.081 / n},
                          .normal = {1.0 / n, 3.0 / n, -2.0 / n},
                          .motion = shakes};
     s->surface[1] = (struct surface){.name = "tube",
-                                     .shape = SURFACE_CYLINDER,
+                                     .shape = &surface_cylinder,
                                      .material = 1,
                                      .normal = {2.0 / n, 1.0 / n, 3.0 / n},
                                      .radius = 0.0432,
@@ -82,7 +82,7 @@ static void set_surfaces(struct scene *s)
     for (int j = 0; j < 6; j++)
         turned_scale(s->in.L, corner[j / 3][j % 3]);
     s->surface[2] = (struct surface){.name = "sheet",
-                                     .shape = SURFACE_TRIANGLES,
+                                     .shape = &surface_stl,
                                      .triangles = triangles_create(2, corner),
                                      .motion = moves};
     for (int k = 0; k < SURFACES; k++) {

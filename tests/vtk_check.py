@@ -373,14 +373,18 @@ def check_run(folder):
 
 
 def main():
+    passed = failed = 0
     for folder in map(Path, sys.argv[1:]):
-        if list(folder.glob("*.pvd")):
-            check_run(folder)
-        else:
-            for path in sorted(folder.glob("*.vt[rp]")):
-                check_sample(path)
+        run = list(folder.glob("*.pvd"))
+        for path in [folder] if run else sorted(folder.glob("*.vt[rp]")):
+            before = len(faults)
+            (check_run if run else check_sample)(path)
+            if len(faults) == before:
+                passed += 1
+            else:
+                failed += 1
     print(*faults, sep="\n", end="\n" if faults else "")
-    print(f"vtk_check: {checks} checks, {len(faults)} faults")
+    print(f"runs and samples that VTK reads: {passed} passed, {failed} failed")
     return 2 if not checks else 1 if faults else 0
 
 

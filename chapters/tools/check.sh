@@ -8,8 +8,16 @@ winnow=${1:-build/winnow}
 build=$(dirname "$winnow")
 tools=$(dirname "$0")
 failed=0
+facts=0
 
-step() { "$@" || failed=1; }
+step() {
+    if "$@"; then
+        facts=$((facts + 1))
+    else
+        echo "FAILED $*" | cut -c -100
+        failed=$((failed + 1))
+    fi
+}
 
 text() {
     # shellcheck disable=SC2046 # one word a file
@@ -40,5 +48,5 @@ pages() {
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- text results solutions pages
 for part in "$@"; do $part; done
-[ $failed = 0 ] && echo "book: $* as the source says"
-exit $failed
+echo "the book's $*: $facts passed, $failed failed"
+[ $failed -eq 0 ]

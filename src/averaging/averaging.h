@@ -38,6 +38,7 @@ struct averaging_options {
     const struct averaging_region *regions; /* borrowed during create */
     int n_regions;                          /* [-] [0] */
     double cap;                             /* [-] on eps_s, pcm only [none] */
+    double own[MODEL_NUMBERS]; /* of the keys that the method alone reads */
     int fields;  /* [-] largest number of fields in one call [8] */
     void *parts; /* of a mesh that is a part of another one, borrowed [none] */
 };

@@ -7,7 +7,7 @@
 #ifndef AVERAGING_AVERAGING_METHOD_H
 #define AVERAGING_AVERAGING_METHOD_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 struct averaging_options;
 struct averaging_report;
@@ -30,6 +30,8 @@ struct averaging_method {
     double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) that is as
                                 wide, over the bandwidth; 0: none */
     int lays_grid;           /* 1: lays a grid with cells of a bandwidth */
+    const struct key *own_keys; /* of its tables, the one whose numbers are in
+                                   options.own (base/model.h); NULL: none */
     void *(*create)(const struct cell_of_particle *h,
                     const struct averaging_options *o);
     void (*free)(void *state);

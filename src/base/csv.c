@@ -104,6 +104,8 @@ static int read_lines(struct csv *t, char *text, char wrong[CSV_WRONG])
 int csv_parse(struct csv *t, char *text, char wrong[CSV_WRONG])
 {
     *t = (struct csv){.n_columns = 0};
+    if (strncmp(text, CSV_UTF_8, sizeof CSV_UTF_8 - 1) == 0)
+        text += sizeof CSV_UTF_8 - 1;
     t->value =
         alloc_zeroed(strlen(text) / 2 + CSV_COLUMNS + 1, sizeof *t->value);
     const int failed = read_lines(t, text, wrong);

@@ -3,10 +3,13 @@
  * The first line names the columns, separated by commas, semicolons or blanks;
  * what follows a name in brackets, its unit, is not read, and quotes around it
  * are dropped. Each further line has a number for each of them. Empty lines
- * and lines that begin with # are passed over.
+ * and lines that begin with # are passed over, and so is the mark of UTF-8 with
+ * which spreadsheets begin a file.
  */
 #ifndef BASE_CSV_H
 #define BASE_CSV_H
+
+#define CSV_UTF_8 "\xef\xbb\xbf"
 
 enum { CSV_COLUMNS = 64, CSV_NAME = 32, CSV_WRONG = 256 };
 

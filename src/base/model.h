@@ -20,4 +20,8 @@ struct model {
     int value;                          /* of the enumeration */
 };
 
+/* A model may have keys of its own: one of its tables, of numbers that nothing
+ * else reads. It is given them in the order of the rows; so many at most. */
+enum { MODEL_NUMBERS = 4 };
+
 #endif

@@ -26,7 +26,9 @@ static double bandwidth_of(const struct settings *s)
 
 struct averaging_options build_averaging_options(const struct settings *s)
 {
-    const struct averaging_options o = {
+    const struct averaging_method *const method =
+        averaging_method_named(settings_text(s, "averaging.method"));
+    struct averaging_options o = {
         .bandwidth = bandwidth_of(s),
         .scheme = settings_text(s, "averaging.scheme"),
         .steps = settings_int(s, "averaging.steps"),
@@ -36,6 +38,8 @@ struct averaging_options build_averaging_options(const struct settings *s)
                    : 0.0,
         .vary = settings_text(s, "averaging.bandwidth_variation"),
         .fields = 4};
+    if (method->own_keys != NULL)
+        table_numbers(s, method->own_keys, o.own, MODEL_NUMBERS);
     return o;
 }
 
@@ -58,10 +62,20 @@ static int create_averaging(const struct settings *s, struct simulation *sim)
     return sim->averaging == NULL ? 2 : 0;
 }
 
+struct drag_law build_drag_law(const struct settings *s)
+{
+    struct drag_law law = *drag_law_named(settings_text(s, "exchange.drag"));
+
+    if (law.own_keys != NULL)
+        table_numbers(s, law.own_keys, law.own, MODEL_NUMBERS);
+    return law;
+}
+
 void build_coupling(const struct settings *s, struct simulation *sim)
 {
+    const struct drag_law law = build_drag_law(s);
     const struct coupling_options o = {
-        .law = drag_law_named(settings_text(s, "exchange.drag")),
+        .law = &law,
         .treatment = (enum treatment)models_value(
             coupling_treatments, settings_text(s, "exchange.treatment")),
         .slip_integration = (enum slip_integration)models_value(

@@ -22,6 +22,7 @@ enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
 /* What the case says about parts, for `check` too. */
 struct averaging_options build_averaging_options(const struct settings *s);
+struct drag_law build_drag_law(const struct settings *s);
 
 /* What is built on the mesh, the particles and their averaging. */
 void build_coupling(const struct settings *s, struct simulation *sim);

@@ -7,10 +7,12 @@
 
 #include "base/alloc.h"
 #include "case/nearest.h"
+#include "case/schema.h"
 
 static const char first[] = "grains", list[] = "particles.materials",
                   pairs[] = "particles.pairs",
-                  wall[] = "particles.walls.material";
+                  wall[] = "particles.walls.material",
+                  of_grains[] = "particles.grains.";
 
 /* A number of the i-th group of a list, or what stands for its absence. */
 static double item_or(const struct settings *s, const char *of, int i,
@@ -39,16 +41,37 @@ int case_materials_number(const struct settings *s, const char *name)
     return -1;
 }
 
+/* The numbers of the keys that the contact law alone reads (contact.h). */
+static void read_own(const struct settings *s, int number, double *own)
+{
+    const struct key *k =
+        contact_law_named(settings_text(s, "particles.contact"))->own_keys;
+
+    for (int n = 0; k != NULL && k->path != NULL && n < MODEL_NUMBERS; k++) {
+        const char *const name = strrchr(k->path, '.') + 1;
+
+        if (strncmp(k->path, of_grains, strlen(of_grains)) != 0) continue;
+        if (!schema_is_required(k) || settings_has(s, k->path))
+            own[n] = settings_real(s, k->path);
+        if (number > 0 && settings_item_is_set(s, list, number - 1, name))
+            own[n] = settings_item_real(s, list, number - 1, name);
+        n++;
+    }
+}
+
 struct material case_materials_one(const struct settings *s, int number)
 {
-    return (struct material){.young = value(s, number, "young"),
-                             .poisson = value(s, number, "poisson"),
-                             .stiffness = value(s, number, "stiffness"),
-                             .tangential = value(s, number, "tangential_ratio"),
-                             .restitution = value(s, number, "restitution"),
-                             .friction = value(s, number, "friction"),
-                             .rolling = value(s, number, "rolling_friction"),
-                             .charge = value(s, number, "charge")};
+    struct material m = {.young = value(s, number, "young"),
+                         .poisson = value(s, number, "poisson"),
+                         .stiffness = value(s, number, "stiffness"),
+                         .tangential = value(s, number, "tangential_ratio"),
+                         .restitution = value(s, number, "restitution"),
+                         .friction = value(s, number, "friction"),
+                         .rolling = value(s, number, "rolling_friction"),
+                         .charge = value(s, number, "charge")};
+
+    read_own(s, number, m.own);
+    return m;
 }
 
 double case_materials_density(const struct settings *s, int number)

@@ -49,9 +49,9 @@ void case_overlap_tell(const struct simulation *sim, int *told)
     *told = 1;
     case_overlap_describe(sim, text);
     fprintf(stderr,
-            "winnow: t = %g s: %s: more than %g (%s). Grains are not as soft: "
-            "try a stiffer material with a smaller particles.step, or give the "
-            "key the overlap that is meant\n",
+            "winnow: t = %g s: %s: more than %g (%s). That is more than the "
+            "grains should have: try a stiffer material with a smaller "
+            "particles.step, or give the key the overlap that is meant\n",
             sim->t, text, dem_deepest(sim->dem).expected, expected);
 }
 

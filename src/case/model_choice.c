@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/model_choice.h"
 
+#include "averaging/averaging.h"
 #include "case/schema.h"
+#include "coupling/drag.h"
+#include "dem/contact.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -114,8 +117,20 @@ int model_choice_unread(const struct settings *s, const char *kind,
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
                                  used > 0 ? ", " : "", m.name);
     }
-    return settings_wrong(s, path, "%s does not read it; it is a key of %s",
+    return settings_wrong(s, path, "it is not used with %s; it is a key of %s",
                           settings_text(s, k->key), names);
+}
+
+/* 0 if the i-th group of the list chooses a model of the kind, and another one.
+ */
+static int chooses(const struct settings *s, const struct kind *kind,
+                   const char *list, int i, const struct model *m)
+{
+    char of[SCHEMA_TEXT];
+    const char *const key = split(kind->key, of);
+
+    return strcmp(of, list) != 0 ||
+           strcmp(settings_item_text(s, list, i, key), m->name) == 0;
 }
 
 /* The key that a model asks for, in a group or in each group of a list. */
@@ -128,18 +143,38 @@ static int missing(const struct settings *s, const struct kind *kind,
     if (!settings_is_list(s, list))
         return settings_has(s, path)
                    ? 0
-                   : settings_wrong(s, kind->key, "%s asks for %s", m->name,
-                                    path);
+                   : settings_wrong(s, kind->key, "%s needs %s", m->name, path);
     for (int i = 0; i < settings_length(s, list); i++)
-        if (!settings_item_has(s, list, i, key))
-            return settings_wrong(s, list, "%s asks for the %s of %s", m->name,
+        if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
+            return settings_wrong(s, list, "%s needs the %s of %s", m->name,
                                   key, settings_item_text(s, list, i, "name"));
     return 0;
+}
+
+/* A key that a model alone reads, given where another one is chosen. */
+static int check_own(const struct settings *s, const char *kind,
+                     const struct key *own)
+{
+    int code = 0;
+
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++)
+        if (code == 0 && settings_has(s, k->path))
+            code = model_choice_unread(s, kind, k->path);
+    return code;
 }
 
 int model_choice_check(const struct settings *s)
 {
     struct model m;
+    int code = 0;
+
+    for (int i = 0; drag_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "drag", drag_laws[i]->own_keys);
+    for (int i = 0; contact_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "contact", contact_laws[i]->own_keys);
+    for (int i = 0; averaging_methods[i] != NULL && code == 0; i++)
+        code = check_own(s, "averaging", averaging_methods[i]->own_keys);
+    if (code != 0) return code;
 
     for (const struct kind *const *k = kinds; *k != NULL; k++)
         for (int i = 0; (*k)->model(i, &m); i++)

@@ -339,8 +339,8 @@ const struct command command_run = {
     "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
     "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended, --fresh settles its bed anew, --quiet "
-    "prints nothing but what is wrong",
+    "continues where the run in DIR ended, --fresh settles its bed anew, "
+    "--quiet prints errors only",
     "osj-rf",
     1,
     1,

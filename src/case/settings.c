@@ -133,31 +133,33 @@ static int type_fits(const struct key *key, enum key_type type)
 static const config_setting_t *find(const struct settings *s, const char *path,
                                     enum key_type type)
 {
-    const struct key *const key = schema_find(s->tables, path);
     const config_setting_t *const found = config_lookup(&s->tree, path);
 
-    assert(type_fits(key, type) && found != NULL);
-    (void)key, (void)type;
+    assert(type_fits(schema_find(s->tables, path), type) && found != NULL);
+    (void)type;
     return found;
 }
 
-/* The same for a key of the i-th group of a list. */
+/* A key of the i-th group of a list, or NULL. */
+static const config_setting_t *member(const struct settings *s,
+                                      const char *list, int i, const char *key)
+{
+    const config_setting_t *const groups = find(s, list, KEY_LIST);
+    return config_setting_get_member(
+        config_setting_get_elem(groups, (unsigned)i), key);
+}
+
+/* The same where its row has the type and it is there. */
 static const config_setting_t *find_in(const struct settings *s,
                                        const char *list, int i,
                                        const char *name, enum key_type type)
 {
-    const config_setting_t *const groups = find(s, list, KEY_LIST);
-    const config_setting_t *found;
-    const struct key *key;
+    const config_setting_t *const found = member(s, list, i, name);
     char path[SCHEMA_TEXT];
 
     snprintf(path, sizeof path, "%s.%s", list, name);
-    key = schema_find(s->tables, path);
-    assert(type_fits(key, type) && i >= 0 && i < config_setting_length(groups));
-    found = config_setting_get_member(
-        config_setting_get_elem(groups, (unsigned)i), name);
-    assert(found != NULL);
-    (void)key, (void)type;
+    assert(type_fits(schema_find(s->tables, path), type) && found != NULL);
+    (void)type;
     return found;
 }
 
@@ -249,15 +251,14 @@ static int series_length(const config_setting_t *found)
 static void series_point(const config_setting_t *found, int i, double *time,
                          double *value)
 {
-    const config_setting_t *point;
-
     assert(i >= 0 && i < series_length(found));
     if (!config_setting_is_list(found)) {
         *time = 0.0;
         *value = real(found);
         return;
     }
-    point = config_setting_get_elem(found, (unsigned)i);
+    const config_setting_t *const point =
+        config_setting_get_elem(found, (unsigned)i);
     *time = real(config_setting_get_elem(point, 0));
     *value = real(config_setting_get_elem(point, 1));
 }
@@ -290,11 +291,14 @@ int settings_length(const struct settings *s, const char *list)
 int settings_item_has(const struct settings *s, const char *list, int i,
                       const char *key)
 {
-    const config_setting_t *const groups = find(s, list, KEY_LIST);
-    const config_setting_t *const found = config_setting_get_member(
-        config_setting_get_elem(groups, (unsigned)i), key);
-
+    const config_setting_t *const found = member(s, list, i, key);
     return found != NULL && !source_is_default(found);
+}
+
+int settings_item_is_set(const struct settings *s, const char *list, int i,
+                         const char *key)
+{
+    return member(s, list, i, key) != NULL;
 }
 
 double settings_item_real(const struct settings *s, const char *list, int i,

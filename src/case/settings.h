@@ -64,6 +64,10 @@ int settings_is_list(const struct settings *s, const char *path);
 int settings_length(const struct settings *s, const char *list);
 int settings_item_has(const struct settings *s, const char *list, int i,
                       const char *key);
+/* 1 if it has a value, its own or a default; 0 too where there is no such key.
+ */
+int settings_item_is_set(const struct settings *s, const char *list, int i,
+                         const char *key);
 double settings_item_real(const struct settings *s, const char *list, int i,
                           const char *key);
 int settings_item_int(const struct settings *s, const char *list, int i,

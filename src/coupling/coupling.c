@@ -24,6 +24,8 @@ struct coupling *coupling_create(struct simulation *sim,
     struct coupling *const cp = alloc_zeroed(1, sizeof *cp);
 
     cp->options = *options;
+    cp->law = *options->law;
+    cp->options.law = &cp->law;
     cp->report.eps_lowest = cp->report.seen_lowest =
         1.0; /* unchanged in one-way coupling */
     cp->u_f = alloc_doubles(3 * n);

@@ -69,6 +69,7 @@ struct replacement;
 struct coupling {
     struct coupling_options options;
     struct coupling_report report;
+    struct drag_law law; /* that of the options, copied */
     /* One row a particle; all follow the particles when these are sorted. */
     double *u_f;    /* [m/s] fluid velocity, 3 */
     double *eps;    /* [-] fluid fraction */

@@ -124,21 +124,21 @@ const struct drag_law *drag_law_named(const char *name)
 double drag_beta(const struct drag_law *law, double eps_s, double rho_f,
                  double mu, double d, double u_r)
 {
-    return eps_s * law->resistance(1.0 - eps_s, rho_f, mu, d, u_r);
+    return eps_s * drag_resistance(law, 1.0 - eps_s, rho_f, mu, d, u_r);
 }
 
 double drag_coefficient(const struct drag_law *law, double eps_s, double rho_f,
                         double mu, double d, double u_r)
 {
     const double V_p = M_PI / 6.0 * d * d * d, eps_f = 1.0 - eps_s;
-    return V_p * law->resistance(eps_f, rho_f, mu, d, u_r) / eps_f;
+    return V_p * drag_resistance(law, eps_f, rho_f, mu, d, u_r) / eps_f;
 }
 
 double drag_relaxation_time(const struct drag_law *law, double rho_s,
                             double eps_s, double rho_f, double mu, double d,
                             double u_r)
 {
-    return rho_s / law->resistance(1.0 - eps_s, rho_f, mu, d, u_r);
+    return rho_s / drag_resistance(law, 1.0 - eps_s, rho_f, mu, d, u_r);
 }
 
 double drag_force(double rho_f, double C_D, double d, double u_r)

@@ -32,9 +32,9 @@ static double drag_rate(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
     const struct particles *const ps = sim->particles;
-    return volume(ps, i) * sim->coupling->options.law->resistance(
-                               sim->coupling->eps[i], o->rho, o->mu, ps->d[i],
-                               slip_speed(sim, i));
+    return volume(ps, i) * drag_resistance(sim->coupling->options.law,
+                                           sim->coupling->eps[i], o->rho, o->mu,
+                                           ps->d[i], slip_speed(sim, i));
 }
 
 /* k of all particles for the slip they have now, with what effects make of it.

@@ -16,18 +16,19 @@
 #ifndef DEM_CONTACT_H
 #define DEM_CONTACT_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 /* The material of grains and walls. */
 struct material {
-    double young;       /* [Pa] E; law "hertz" */
-    double poisson;     /* [-] nu; law "hertz" */
-    double stiffness;   /* [N/m] k; law "linear" */
-    double tangential;  /* [-] k_t / k of law "linear"; 0: 2/7 */
-    double restitution; /* [-] e; 0: critical damping [LS 4.11, 4.12] */
-    double friction;    /* [-] mu */
-    double rolling;     /* [-] mu_r: resists M <= mu_r R* F_n; 0: none */
-    double charge;      /* [C] of a sphere (electrostatic.h) */
+    double young;              /* [Pa] E; law "hertz" */
+    double poisson;            /* [-] nu; law "hertz" */
+    double stiffness;          /* [N/m] k; law "linear" */
+    double tangential;         /* [-] k_t / k of law "linear"; 0: 2/7 */
+    double restitution;        /* [-] e; 0: critical damping [LS 4.11, 4.12] */
+    double friction;           /* [-] mu */
+    double rolling;            /* [-] mu_r: resists M <= mu_r R* F_n; 0: none */
+    double charge;             /* [C] of a sphere (electrostatic.h) */
+    double own[MODEL_NUMBERS]; /* of the keys that the law alone reads */
 };
 
 /* The properties of a pair of materials (materials.h). */
@@ -42,12 +43,13 @@ struct material_pair {
 
 /* The constants of a law in the loop, computed once. */
 struct contact_constants {
-    double normal;     /* linear: k [N/m]; hertz: E* [Pa] */
-    double tangential; /* linear: k_t [N/m]; hertz: G* [Pa] */
-    double damping_n;  /* [-] damping ratio, normal */
-    double damping_t;  /* [-] eta_t / eta_n */
-    double friction;   /* [-] mu */
-    double rolling;    /* [-] mu_r */
+    double normal;             /* linear: k [N/m]; hertz: E* [Pa] */
+    double tangential;         /* linear: k_t [N/m]; hertz: G* [Pa] */
+    double damping_n;          /* [-] damping ratio, normal */
+    double damping_t;          /* [-] eta_t / eta_n */
+    double friction;           /* [-] mu */
+    double rolling;            /* [-] mu_r */
+    double own[MODEL_NUMBERS]; /* of the law's own keys, as it sees fit */
 };
 
 /* What a law says of one contact. */
@@ -71,6 +73,11 @@ struct contact_law {
     const char *equations;              /* keys in chapters/references.md */
     const char *function;               /* the one that computes it */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    /* Of these the table of its own keys (base/model.h), numbers of a material:
+     * "particles.grains.NAME", whose values are in material.own. Where there
+     * are rows "particles.materials.NAME" too, other materials have their own,
+     * and else that of the grains. */
+    const struct key *own_keys;
     struct contact_constants (*constants)(const struct material_pair *p);
     /* Duration [s] of a head-on impact at v [m/s]; R* [m], m* [kg]. */
     double (*duration)(const struct material *m, double R_star, double m_star,

@@ -183,6 +183,9 @@ int refusal_export(const struct settings *s)
     if (n > WORDS_MATERIALS)
         return settings_wrong(s, "particles.materials", "%d at most",
                               WORDS_MATERIALS);
+    if (!words_has_law(s))
+        return refuse(s, "particles.contact",
+                      "LAMMPS has Hertz's spring and a linear one");
     if (case_materials_have_rolling(s))
         return refuse(s, "particles.grains.rolling_friction",
                       "LAMMPS' law of it is another one");
@@ -191,7 +194,7 @@ int refusal_export(const struct settings *s)
         if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
             return refuse(s, grains,
                           "LAMMPS' dashpot is not as strong as a restitution "
-                          "so small asks for");
+                          "so small needs");
     return check_keys(s, "particles");
 }
 

@@ -12,6 +12,14 @@
 #include "case/case_materials.h"
 #include "case/case_steps.h"
 #include "dem/contact_hertz.h"
+#include "dem/contact_linear.h"
+
+int words_has_law(const struct settings *s)
+{
+    const struct contact_law *const law =
+        contact_law_named(settings_text(s, "particles.contact"));
+    return law == &contact_hertz || law == &contact_linear;
+}
 
 struct words words_of(const struct settings *s, double d)
 {

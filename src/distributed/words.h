@@ -29,6 +29,9 @@ struct words {
 /* Takes one line, without its end. */
 typedef void words_tell(void *to, const char *line);
 
+/* 1 if LAMMPS has the contact law of the case. */
+int words_has_law(const struct settings *s);
+
 /* What the case says; d [m] is the mean diameter, of which the list of
  * neighbours is wider by a sixth where the case does not say how much. */
 struct words words_of(const struct settings *s, double d);

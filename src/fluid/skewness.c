@@ -139,9 +139,49 @@ FACE_KERNEL inner_flux(int f, int o, int n, const struct fluid *fl)
     fl->phi[f] += (1.0 - pressure->m_face[f] * per_flux) * eps * flux;
 }
 
+/* The part that the neighbours have of the resistance of a cell: that of
+ * viscosity and convection, without the drag and the time derivative. */
+static double resistance_of_neighbours(const struct fluid *fl, int c)
+{
+    double local = fl->levels->ddt[c];
+
+    if (fl->levels->ddt_older != NULL) local += fl->levels->ddt_older[c];
+    if (fl->options.coupled) local += fl->K[c] * fl->mesh->V[c];
+    return (fl->momentum->diag[c] - local) * fl->pressure->per_force[c] /
+           fl->eps[c];
+}
+
+/* The flux is a mean of the two velocities, weighted with (1 - w) / m_P and w /
+ * m_N. That is right for drag and inertia, which are forces of one cell. For
+ * those of the neighbours it replaces this mean by the linear one less the
+ * height of a parabola's chord, w (1 - w) (grad u_N - grad u_P) . d / 2. */
+FACE_KERNEL inner_mean(int f, int o, int n, const struct fluid *fl)
+{
+    const double *const slope = fl->momentum->velocity_gradient;
+    const double *const d = &fl->mesh->d[3 * f], *const S = &fl->mesh->S[3 * f];
+    const double w = fl->mesh->w[f];
+    const double r_o = (1.0 - w) * resistance_of_neighbours(fl, o);
+    const double r_n = w * resistance_of_neighbours(fl, n);
+    const double eps = w * fl->eps[o] + (1.0 - w) * fl->eps[n];
+    double difference = 0.0, chord = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        const double bend = vector_dot(&slope[9 * n + 3 * k], d) -
+                            vector_dot(&slope[9 * o + 3 * k], d);
+        chord += S[k] * 0.5 * w * (1.0 - w) * bend;
+        difference += S[k] * (fl->eps[n] * fl->u[3 * n + k] -
+                              fl->eps[o] * fl->u[3 * o + k]);
+    }
+    fl->phi[f] +=
+        fl->pressure->m_face[f] *
+        (((1.0 - w) * r_o - w * r_n) * difference - (r_o + r_n) * eps * chord);
+}
+
 void skewness_add_fluxes(struct fluid *fl)
 {
     FOR_EACH_FACE(fl->faces, 24, inner_flux, fl);
+    if (fl->geometry->normal_equations != NULL)
+        FOR_EACH_FACE(fl->faces, 32, inner_mean, fl);
 }
 
 /* The share of linear in the weights of a scheme of two cells [-]. */

@@ -13,10 +13,13 @@ static int bodies_effect_move(void *memory, struct simulation *sim)
 const char *bodies_effect_trouble(const void *memory)
 {
     const struct solid_bodies *const b = memory;
+
+    if (b->met)
+        return "a body on a spring has come into another one, and contacts are "
+               "those of spheres and clumps:";
     return b->dem_report.lost > 0
                ? "a body left the box, or its velocity is no longer finite; "
-                 "try "
-                 "a smaller fluid.step or a higher bodies.stiffness:"
+                 "try a smaller fluid.step or a higher bodies.stiffness:"
                : NULL;
 }
 

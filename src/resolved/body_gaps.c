@@ -160,7 +160,7 @@ static int acts_on(const struct solid_bodies *b, int i, int j)
 {
     if (i == j || !(can_move(b, i) || can_move(b, j))) return 0;
     if (is_clump(b, i)) return !is_clump(b, j) || i < j;
-    return b->motion[i] == BODY_FREE && body_shape_balls(&b->shape[j]) == 0;
+    return can_move(b, i) && body_shape_balls(&b->shape[j]) == 0;
 }
 
 double body_gaps_each(struct solid_bodies *b, double reach, double dt,
@@ -182,6 +182,48 @@ double body_gaps_each(struct solid_bodies *b, double reach, double dt,
             if (is_clump(b, i) && b->motion[i] == BODY_FREE)
                 most = fmax(most,
                             beside_walls(b, &box, &ball, &g, reach, dt, act));
+        }
+    return most;
+}
+
+int body_gaps_touch(const struct solid_bodies *b, int i, int j)
+{
+    return b->dem != NULL && (body_shape_balls(&b->shape[i]) > 0 ||
+                              body_shape_balls(&b->shape[j]) > 0);
+}
+
+/* How deep the deepest ball of i is in j [m]; 0 where it may be. */
+static double too_deep(const struct solid_bodies *b,
+                       const struct box_domain *box, int i, int j)
+{
+    const struct particles *const ps = b->ps;
+    double most = 0.0;
+
+    for (int k = 0; k < body_shape_balls(&b->shape[i]); k++) {
+        const struct body_ball ball = body_shape_ball(&b->shape[i], k);
+        const double r[3] = {
+            box_domain_nearest(box, 0, ps->x[i] + ball.at[0] - ps->x[j]),
+            box_domain_nearest(box, 1, ps->y[i] + ball.at[1] - ps->y[j]),
+            box_domain_nearest(box, 2, ps->z[i] + ball.at[2] - ps->z[j])};
+        const double depth = ball.R - body_shape_distance(&b->shape[j], r);
+        if (depth > 0.1 * ball.R) most = fmax(most, depth);
+    }
+    return most;
+}
+
+double body_gaps_deepest(const struct solid_bodies *b, int pair[2])
+{
+    const struct box_domain box =
+        box_domain_of(b->contacts.lo, b->contacts.hi, b->contacts.periodic);
+    double most = 0.0;
+
+    for (int i = 0; i < b->ps->n; i++)
+        for (int j = 0; j < b->ps->n; j++) {
+            if (i == j || !(can_move(b, i) || can_move(b, j))) continue;
+            const double depth = too_deep(b, &box, i, j);
+            if (depth <= most) continue;
+            most = depth;
+            pair[0] = i, pair[1] = j;
         }
     return most;
 }

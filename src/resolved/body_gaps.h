@@ -34,4 +34,11 @@ double body_gaps_each(struct solid_bodies *b, double reach, double dt,
 void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
                     const double J[3]);
 
+/* 1 if contacts keep bodies i and j apart. */
+int body_gaps_touch(const struct solid_bodies *b, int i, int j);
+
+/* How deep a ball is in another body by more than a tenth of its radius, where
+ * one of the two can move [m], and these two; 0: nowhere. */
+double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
+
 #endif

@@ -116,7 +116,7 @@ static int drift(struct solid_bodies *b, double dt)
 }
 
 /* The velocities of those on springs after a step [s], the spring first: as
- * symplectic Euler does it. */
+ * symplectic Euler does it. Contacts push them as in the last particle step. */
 static void pull_springs(struct solid_bodies *b, double step)
 {
     const struct dem_options *const o = &b->contacts;
@@ -125,7 +125,8 @@ static void pull_springs(struct solid_bodies *b, double step)
 
     for (int i = 0; i < ps->n; i++) {
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-        const double e[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
+        const double e[3] = {ps->ex[i] + ps->cfx[i], ps->ey[i] + ps->cfy[i],
+                             ps->ez[i] + ps->cfz[i]};
         double *const v[3] = {&ps->vx[i], &ps->vy[i], &ps->vz[i]};
         for (int k = 0; k < 3 && b->motion[i] == BODY_SPRING; k++) {
             const double stiff = b->spring[3 * i + k];
@@ -156,7 +157,7 @@ static int move_once(struct solid_bodies *b, double step)
 /* Contacts and lubrication act in each particle step. The report is of all. */
 int body_motion_run(struct solid_bodies *b, int n, double step)
 {
-    int failed = 0;
+    int failed = b->met;
 
     if (b->dem == NULL && b->springs == 0) return drift(b, n * step);
     if (b->dem != NULL && b->springs == 0 && b->blocks == 0 &&

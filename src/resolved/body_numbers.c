@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_numbers.h"
 
+#include <gsl/gsl_math.h>
+#include <math.h>
+
 double body_numbers_reynolds(double rho, double V, double L, double mu)
 {
     return rho * V * L / mu; /* [EW18 6] */
@@ -19,4 +22,11 @@ double body_numbers_density_ratio(double rho_p, double rho)
 double body_numbers_stokes(double rho_r, double Re)
 {
     return rho_r * Re / 18.0; /* [EW18 9] */
+}
+
+double body_numbers_impact_gain(double rho_r, double C_v, double steps)
+{
+    const double whole = rho_r + 0.5; /* with the added mass of a sphere */
+    const double late = (C_v - 0.5) / whole; /* steps */
+    return exp(0.5 * M_PI * M_PI / steps * late * sqrt((rho_r + C_v) / whole));
 }

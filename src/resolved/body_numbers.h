@@ -19,4 +19,9 @@ double body_numbers_density_ratio(double rho_p, double rho);
 /* rho_r Re / 18 [-] [EW18 9]. */
 double body_numbers_stokes(double rho_r, double Re);
 
+/* Speed after an impact over that before it [-] that the virtual mass C_v makes
+ * of 1, at most: the impact lasts `steps` steps of the fluid by the mass with
+ * C_v, and the spring acts (C_v - 1/2)/(rho_r + 1/2) of a step late (24.13). */
+double body_numbers_impact_gain(double rho_r, double C_v, double steps);
+
 #endif

@@ -79,16 +79,20 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b);
 }
 
-/* A cylinder along an axis of the box may be longer than that. */
+/* A box, or a cylinder along an axis, may be longer than the box of the flow.
+ */
 static double volume_within(const struct solid_bodies *b,
                             const struct body_shape *shape)
 {
     const double *const lo = b->contacts.lo, *const hi = b->contacts.hi;
     struct body_shape cut = *shape;
 
-    for (int k = 0; k < 3 && shape->kind == BODY_CYLINDER; k++)
-        if (fabs(shape->axis[k]) == 1.0 && hi[k] > lo[k])
-            cut.half[1] = fmin(cut.half[1], 0.5 * (hi[k] - lo[k]));
+    for (int k = 0; k < 3 && hi[k] > lo[k]; k++) {
+        const double half = 0.5 * (hi[k] - lo[k]);
+        if (shape->kind == BODY_BOX) cut.half[k] = fmin(cut.half[k], half);
+        if (shape->kind == BODY_CYLINDER && fabs(shape->axis[k]) == 1.0)
+            cut.half[1] = fmin(cut.half[1], half);
+    }
     return body_shape_volume(&cut);
 }
 

@@ -1,5 +1,5 @@
-/* solid_bodies.h -- bodies larger than the cells, with the flow around them
- * resolved. Chapter "Resolving the grains".
+/* solid_bodies.h -- bodies of many cells, with the flow around them resolved.
+ * Chapter "Resolving the grains".
  *
  * The fluid fills the whole box. Where a body is, a friction holds it to the
  * velocity of the body [EW18 1-4]:
@@ -27,6 +27,7 @@ struct solid_bodies {
     struct squeeze_film lubrication;
     struct particles *ps;       /* centres, velocities, masses */
     int springs, blocks, moves; /* [-] on springs; no spheres; any moves */
+    int met;         /* [-] 1: two overlap that have no contacts (mark.c) */
     double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
@@ -72,8 +73,7 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
 void solid_bodies_set_spring(struct solid_bodies *b, int i,
                              const double spring[3]);
 
-/* All are there, and hold the fluid, which is borrowed, from now on. Non-zero
- * after a message. */
+/* All are there, and hold the borrowed fluid from now on. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);
 void solid_bodies_state(struct solid_bodies *b, struct state *s);
 

@@ -18,7 +18,7 @@ static int cheapest_within(const struct outcomes *o, int m, double limit)
     for (int v = 0; v < o->n; v++) {
         const struct outcome *const out = &o->variant[v];
         if (!out->ended || !isfinite(out->cost)) continue;
-        if (!outcome_is_surely(&out->of[m], -1, limit)) continue;
+        if (!outcome_is_within(&out->of[m], limit)) continue;
         if (best < 0 || out->cost < o->variant[best].cost) best = v;
     }
     return best;
@@ -35,9 +35,9 @@ static int best_for(const struct outcomes *o, int m, double most)
         if (!out->ended || !(out->cost <= most)) continue;
         if (!isfinite(out->of[m].error)) continue;
         const struct outcome *const so_far = &o->variant[best < 0 ? v : best];
-        const double ratio = out->of[m].error / so_far->of[m].error;
-        if (best < 0 || ratio < 0.999 ||
-            (ratio < 1.001 && out->cost < so_far->cost))
+        if (best < 0 || out->of[m].error < 0.999 * so_far->of[m].error ||
+            (out->of[m].error <= 1.001 * so_far->of[m].error &&
+             out->cost < so_far->cost))
             best = v;
     }
     return best;
@@ -70,6 +70,7 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
 /* Why there is no error of any variant; NULL if there is one. */
 static const char *nothing_known(const struct outcomes *o, int m)
 {
+    const enum truth_kind kind = o->plan->truth[m].kind;
     int ended = 0, found = 0;
 
     for (int v = 0; v < o->n; v++) {
@@ -80,7 +81,11 @@ static const char *nothing_known(const struct outcomes *o, int m)
     }
     return ended == 0   ? "no variant has come to its end"
            : found == 0 ? "the runs have no such measure"
-                        : "where it was measured the truth is unknown, or 0";
+           : kind == TRUTH_FINEST && !o->variant[o->n - 1].ended
+               ? "the finest has not come to its end"
+           : kind == TRUTH_EXTRAPOLATED
+               ? "nothing could be extrapolated"
+               : "where it was measured the truth is unknown, or 0";
 }
 
 static void put_limits(const struct outcomes *o, int m, FILE *out)
@@ -97,23 +102,26 @@ static void put_limits(const struct outcomes *o, int m, FILE *out)
     }
 }
 
-/* What half and twice the cost of the variant that the case itself is buy. */
+/* What half, the same and twice the cost of the variant that the case itself is
+ * buy. */
 static void put_standing(const struct outcomes *o, int m, FILE *out)
 {
     const int v = o->standing;
     static const struct {
         double of;
         const char *words;
-    } share[] = {{0.5, "half of that buys "}, {2.0, "twice of that buys "}};
+    } share[] = {{0.5, "half of that buys "},
+                 {1.0, "no more than that buys "},
+                 {2.0, "twice of that buys "}};
 
     if (v < 0 || !isfinite(o->variant[v].cost)) return;
     fputs("- the case as it stands: ", out);
     put_variant(o, v, m, out);
     fputc('\n', out);
     if (!isfinite(o->variant[v].of[m].error)) return;
-    for (int i = 0, told = v; i < 2; i++) {
+    for (int i = 0, told = v; i < 3; i++) {
         const int other = best_for(o, m, share[i].of * o->variant[v].cost);
-        if (other < 0 || other == told) continue;
+        if (other < 0 || other == told || other == v) continue;
         told = other;
         fprintf(out, "- %s", share[i].words);
         put_variant(o, other, m, out);
@@ -123,12 +131,39 @@ static void put_standing(const struct outcomes *o, int m, FILE *out)
     }
 }
 
+/* The last row of a run is that of its last step at which one was due. Without
+ * an equation in time to compare with, the others need values of one time. */
+static void put_times(const struct outcomes *o, int m, FILE *out)
+{
+    const struct measure *const of = &o->plan->measure[m];
+    const enum truth_kind kind = o->plan->truth[m].kind;
+    double first = INFINITY, last = -INFINITY;
+    char from[NUMBER_LENGTH], to[NUMBER_LENGTH];
+
+    if (of->how != MEASURE_LAST || isfinite(of->from)) return;
+    if (kind != TRUTH_FINEST && kind != TRUTH_EXTRAPOLATED) return;
+    for (int v = 0; v < o->n; v++) {
+        const struct curve *const c = &o->variant[v].of[m].found;
+        if (c->n == 0 || !isfinite(c->x[0])) continue;
+        first = fmin(first, c->x[0]);
+        last = fmax(last, c->x[0]);
+    }
+    if (!(last - first > 1e-6 * last)) return;
+    fprintf(out,
+            "- the last values are those of %s to %s s, and a part of the "
+            "differences is that of the times: give %s@TIME, or an output.end "
+            "and output.history that all steps divide\n",
+            number_rounded(first, 4, from), number_rounded(last, 4, to),
+            of->text);
+}
+
 void study_report_advice(const struct outcomes *o, FILE *out)
 {
     for (int m = 0; m < o->plan->n_measures; m++) {
         if (o->plan->truth[m].kind == TRUTH_NONE) continue;
         fprintf(out, "%s, against %s:\n", o->plan->measure[m].text,
                 o->plan->truth[m].text);
+        put_times(o, m, out);
         const char *const why = nothing_known(o, m);
         if (why != NULL) {
             fprintf(out, "- no error is known: %s\n", why);

@@ -16,8 +16,8 @@ static int refuse(const char *text, const char *why)
 }
 
 /* The length of the text up to the separator, or to its end, outside of
- * brackets and quotes. */
-static size_t length_to(const char *text, char separator)
+ * brackets and quotes; *open is set if one of these is not closed. */
+static size_t length_to(const char *text, char separator, int *open)
 {
     int depth = 0, quoted = 0;
     size_t n = 0;
@@ -29,6 +29,7 @@ static size_t length_to(const char *text, char separator)
         depth += strchr("([{", text[n]) != NULL;
         depth -= strchr(")]}", text[n]) != NULL;
     }
+    *open = depth != 0 || quoted;
     return n;
 }
 
@@ -44,17 +45,21 @@ static void add_trimmed(struct texts *t, const char *text, size_t length)
     texts_add(t, "%.*s", (int)length, text);
 }
 
-/* Adds the parts between separators; 1 if one of them is empty. */
-static int split(const char *text, char separator, struct texts *parts)
+/* Adds the parts between separators. What is wrong, or NULL. */
+static const char *split(const char *text, char separator, struct texts *parts)
 {
-    int empty = 0;
+    const char *why = NULL;
+    int open;
 
     for (;; text++) {
-        const size_t length = length_to(text, separator);
+        const size_t length = length_to(text, separator, &open);
         add_trimmed(parts, text, length);
-        empty |= parts->text[parts->n - 1][0] == '\0';
+        if (parts->text[parts->n - 1][0] == '\0')
+            why = "a value is missing: between entries stands a comma, between "
+                  "values of keys that change together a colon";
+        if (open) why = "a bracket or a quote without its other";
         text += length;
-        if (*text == '\0') return empty;
+        if (*text == '\0') return why;
     }
 }
 
@@ -63,22 +68,22 @@ static const char *read_choice(struct choice *c, const char *text)
 {
     const char *const equal = strchr(text, '=');
     struct texts keys = {0}, entries = {0};
-    int wrong = equal == NULL || equal == text;
 
-    if (wrong) return "expected path.to.key=value,value,...";
+    if (equal == NULL || equal == text)
+        return "expected path.to.key=value,value,...";
     add_trimmed(&keys, text, (size_t)(equal - text));
-    split(keys.text[0], ':', &c->key);
-    split(equal + 1, ',', &entries);
+    const char *why = split(keys.text[0], ':', &c->key);
+    if (why == NULL) why = split(equal + 1, ',', &entries);
     c->n = entries.n;
-    for (int i = 0; i < c->n && !wrong; i++)
-        wrong = split(entries.text[i], c->key.n > 1 ? ':' : '\0', &c->value) ||
-                c->value.n != (i + 1) * c->key.n;
+    for (int i = 0; i < c->n && why == NULL; i++) {
+        why = split(entries.text[i], c->key.n > 1 ? ':' : '\0', &c->value);
+        if (why == NULL && c->value.n != (i + 1) * c->key.n)
+            why = "an entry has not as many values, with colons between, as "
+                  "there are keys";
+    }
     texts_free(&keys);
     texts_free(&entries);
-    return wrong ? "an entry without a value for each key; between entries "
-                   "stands a comma, between values of keys that change "
-                   "together a colon"
-                 : NULL;
+    return why;
 }
 
 static int is_known(const struct choices *c, const char *key)
@@ -126,6 +131,10 @@ int choices_add(struct choices *c, const char *text)
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
     for (int k = 0; k < one.key.n && why == NULL; k++)
         if (is_known(c, one.key.text[k])) why = "the key was given before";
+    for (int k = 1; k < one.key.n && why == NULL; k++)
+        for (int l = 0; l < k; l++)
+            if (strcmp(one.key.text[k], one.key.text[l]) == 0)
+                why = "a key is there twice";
     if (why != NULL) {
         choice_free(&one);
         return refuse(text, why);
@@ -180,10 +189,12 @@ void choices_overrides(const struct choices *c, int variant, const char *but,
         const struct choice *const of = &c->of[i];
         const int entry = of->n == 1 ? 0 : choices_entry(c, variant, i);
 
-        for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++)
-            if (strcmp(of->key.text[k], but) != 0)
-                texts_add(set, "%s=%s", of->key.text[k],
-                          of->value.text[entry * of->key.n + k]);
+        for (int k = 0; k < of->key.n && (variant >= 0 || of->n == 1); k++) {
+            const char *const value = of->value.text[entry * of->key.n + k];
+            if (strcmp(of->key.text[k], but) == 0) continue;
+            if (strcmp(value, CHOICES_AS_IS) == 0) continue;
+            texts_add(set, "%s=%s", of->key.text[k], value);
+        }
     }
 }
 
@@ -198,7 +209,8 @@ const char *choices_value(const struct choices *c, int variant, const char *key)
     return NULL;
 }
 
-/* The last part of a key, where no other key of the study ends so; else all. */
+/* The last part of a key, where no other key of the study has the same; else
+ * all. */
 static const char *short_key(const struct choices *c, const char *key)
 {
     const char *const dot = strrchr(key, '.');
@@ -207,8 +219,9 @@ static const char *short_key(const struct choices *c, const char *key)
     for (int i = 0; i < c->n; i++)
         for (int k = 0; k < c->of[i].key.n; k++) {
             const char *const other = c->of[i].key.text[k];
-            const size_t n = strlen(other), m = strlen(last);
-            if (other != key && n >= m && strcmp(other + n - m, last) == 0)
+            const char *const point = strrchr(other, '.');
+            if (other != key &&
+                strcmp(point != NULL ? point + 1 : other, last) == 0)
                 return key;
         }
     return last;

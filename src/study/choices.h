@@ -2,6 +2,7 @@
  *
  *     fluid.step=4e-3,2e-3,1e-3                            a key, three values
  *     mesh.cells:fluid.step=[8,8,8]:2e-3,[16,16,16]:1e-3   two keys together
+ *     effects.saffman=as-is,{}                             without and with it
  *     threads=1,2                                          no key: run -j 1
  *
  * Commas separate values where they stand in no brackets, braces or quotes, and
@@ -12,6 +13,9 @@
 #define STUDY_CHOICES_H
 
 #include "study/texts.h"
+
+/* The value that leaves a key as the case has it, there or not. */
+#define CHOICES_AS_IS "as-is"
 
 /* One choice: entry i sets the k-th of its keys to the value
  * i * key.n + k. */

@@ -33,6 +33,26 @@ double curve_at(const struct curve *c, double x, double *error)
     return between(c, c->value, x);
 }
 
+struct curve curve_mean(int n, const struct curve *of)
+{
+    struct curve mean = curve_create(of[0].n);
+    double *const q = alloc_doubles(n);
+
+    for (int i = 0; i < mean.n; i++) {
+        double squares = 0.0;
+        for (int k = 0; k < n; k++) {
+            const int same = of[k].n == mean.n;
+            q[k] = same ? of[k].value[i] : curve_at(&of[k], of[0].x[i], NULL);
+            squares += same ? of[k].error[i] * of[k].error[i] : 0.0;
+        }
+        mean.x[i] = of[0].x[i];
+        mean.value[i] = statistics_mean(n, q);
+        mean.error[i] = fmax(sqrt(squares) / n, statistics_error(n, q));
+    }
+    free(q);
+    return mean;
+}
+
 double curve_changes(const struct curve *a, const struct curve *b,
                      const struct curve *c)
 {

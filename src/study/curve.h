@@ -16,6 +16,10 @@ void curve_free(struct curve *c);
  * the standard error there. */
 double curve_at(const struct curve *c, double x, double *error);
 
+/* The mean of n > 0 curves at the points of the first. Its standard error is
+ * the larger of two: from their scatter, and from their own errors. */
+struct curve curve_mean(int n, const struct curve *of);
+
 /* Of three curves, at the points of the last one: the size of the change from
  * the first to the second over that from the second to the third, sums of
  * squares under the roots; negative if the second goes the other way. nan if

@@ -50,7 +50,7 @@ static const char *take_how(struct measure *m, const char *text)
     return text;
 }
 
-/* Reads "@FROM", "@FROM..TO" or nothing. */
+/* Reads "@FROM", "@FROM..TO" or nothing; non-zero if it is none of them. */
 static int take_range(struct measure *m, const char *text)
 {
     char *end;
@@ -60,12 +60,13 @@ static int take_range(struct measure *m, const char *text)
     m->from = strtod(text + 1, &end);
     /* "0.3..0.6": the number has taken the first of the two points. */
     if (end > text + 1 && end[-1] == '.' && end[0] == '.') end--;
-    if (end == text + 1) return 1;
+    if (end == text + 1 || !isfinite(m->from)) return 1;
     if (end[0] == '\0') return 0;
     if (strncmp(end, "..", 2) != 0 || m->how == MEASURE_LAST) return 1;
     text = end + 2;
     m->to = strtod(text, &end);
-    return end == text || *end != '\0' || !(m->to > m->from);
+    return end == text || *end != '\0' || !(m->to > m->from) ||
+           !isfinite(m->to);
 }
 
 /* "probe.1", "profile.0": the number; -1 if it is not that word. */
@@ -212,6 +213,8 @@ int measure_parse(struct measure *m, const char *text, const struct settings *s)
     if (locate(m, s) != 0) return 2;
     const int in_time = strcmp(m->file, "history.csv") == 0 ||
                         strcmp(m->file, "probes.csv") == 0;
+    if (in_time && (m->from < 0.0))
+        return refuse(m, "begins before 0 s, the start of the run");
     return in_time && m->from > settings_real(s, "output.end")
                ? refuse(m, "begins after output.end, the end of the run")
                : 0;
@@ -229,10 +232,24 @@ static struct curve point(double x, double value, double error)
     return c;
 }
 
+/* The column with the standard error of a mean, "u_x_error" of "u_x_mean"; -1
+ * if there is none. */
+static int error_column(const struct results_table *t, int column)
+{
+    const char *const name = t->name[column];
+    const char *const end = strstr(name, "_mean ");
+    char error[MEASURE_NAME];
+
+    if (end == NULL) return -1;
+    snprintf(error, sizeof error, "%.*s_error", (int)(end - name), name);
+    return results_column(t, error);
+}
+
 /* The rows that count: first and last column, from .. to. */
 static struct curve within(const struct measure *m,
                            const struct results_table *t, int column)
 {
+    const int error = error_column(t, column);
     const double *const last = t->value + (t->n_rows - 1) * t->n_columns;
     const double near = 1e-9 * fabs(last[0]);
     const double from = isfinite(m->from)        ? m->from
@@ -247,6 +264,7 @@ static struct curve within(const struct measure *m,
         if (row[0] < from - near || row[0] > to + near) continue;
         if (!isfinite(row[column])) continue; /* a cell that nobody was in */
         c.x[c.n] = row[0];
+        if (error >= 0 && isfinite(row[error])) c.error[c.n] = row[error];
         c.value[c.n++] = row[column];
     }
     return c;
@@ -255,12 +273,12 @@ static struct curve within(const struct measure *m,
 /* All rows as one number. */
 static struct curve reduced(const struct measure *m, const struct curve *c)
 {
-    double length, best = c->value[0];
+    double best = c->value[0];
     int at = 0;
 
     if (m->how == MEASURE_MEAN)
         return point(NAN, statistics_mean(c->n, c->value),
-                     statistics_block_error(c->n, c->value, &length));
+                     statistics_block_error(c->n, c->value));
     if (m->how == MEASURE_LAST && isfinite(m->from))
         return point(m->from, statistics_between(c->n, c->x, c->value, m->from),
                      0.0);
@@ -296,7 +314,7 @@ struct curve measure_take(const struct measure *m, const char *folder)
         return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
     char *const path = file_join(folder, m->file);
-    struct results_table *const t = results_table_read(path);
+    struct results_table *const t = results_table_read(path, NULL);
     if (t != NULL) found = from_table(m, t);
     results_table_free(t);
     free(path);

@@ -7,6 +7,7 @@
  *     max:max_overlap   min:...     the largest, the smallest
  *     curve:us_y                    the whole course, here of a probe's field
  *     probe.1   profile.0           probes and profiles by number, from 0
+ *                                   (a profile with its standard errors)
  *     worst.overlap                 a number of summary.json
  *     surfaces.csv/NAME             a column of another table of the run
  */

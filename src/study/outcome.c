@@ -32,59 +32,25 @@ static void take_cost(const struct outcomes *o, int v, double *mean,
     }
 }
 
-/* Adds a curve at the points of the first one; those beyond it are nan. */
-static void add(struct curve *sum, double *squares, const struct curve *c)
-{
-    for (int i = 0; i < sum->n; i++) {
-        const int same = c->n == sum->n;
-        const double q =
-            same ? c->value[i]
-                 : statistics_between(c->n, c->x, c->value, sum->x[i]);
-        const double e = same ? c->error[i] : 0.0;
-
-        sum->value[i] += q;
-        squares[i] += q * q;
-        sum->error[i] += e * e;
-    }
-}
-
-/* Of n seeds: the mean, and the larger of two standard errors, that from the
- * scatter of the seeds and that from the blocks of each. */
-static void divide(struct curve *sum, const double *squares, int n)
-{
-    for (int i = 0; i < sum->n; i++) {
-        const double mean = sum->value[i] / n;
-        const double scatter = fmax(0.0, squares[i] / n - mean * mean);
-
-        sum->value[i] = mean;
-        sum->error[i] = sqrt(sum->error[i]) / n;
-        if (n > 1) sum->error[i] = fmax(sum->error[i], sqrt(scatter / (n - 1)));
-    }
-}
-
 static struct curve mean_of_seeds(const struct outcomes *o, int v,
                                   const struct measure *m)
 {
-    struct curve sum = {0};
-    double *squares = NULL;
+    struct curve *const of =
+        alloc_zeroed((size_t)o->plan->words.seeds, sizeof *of);
+    struct curve mean = {0};
     int n = 0;
 
     for (int i = 0; i < o->n_runs; i++) {
         const struct run *const r = &o->run[i];
         if (r->variant != v || r->time != 0) continue;
-        struct curve c = measure_take(m, r->folder);
-        if (c.n > 0 && n == 0) {
-            sum = curve_create(c.n);
-            memcpy(sum.x, c.x, (size_t)c.n * sizeof *c.x);
-            squares = alloc_doubles(c.n);
-        }
-        if (c.n > 0) add(&sum, squares, &c);
-        n += c.n > 0;
-        curve_free(&c);
+        of[n] = measure_take(m, r->folder);
+        n += of[n].n > 0;
     }
-    if (n > 0) divide(&sum, squares, n);
-    free(squares);
-    return sum;
+    if (n > 0) mean = curve_mean(n, of);
+    for (int i = 0; i < n; i++)
+        curve_free(&of[i]);
+    free(of);
+    return mean;
 }
 
 static const struct measure processor = {
@@ -110,14 +76,10 @@ static void take_variant(struct outcomes *o, int v)
 
 /* --- the truth ------------------------------------------------------------ */
 
-/* The last entry of every choice. */
-static int finest(const struct outcomes *o, int v)
+/* The finest variant has the last entry of every choice. */
+static int finest(const struct outcomes *o)
 {
-    const struct choices *const c = &o->plan->choices;
-
-    for (int i = 0; i < c->n; i++)
-        v = choices_with(c, v, i, c->of[i].n - 1);
-    return v;
+    return o->n - 1;
 }
 
 /* The last three entries of a line, from coarse to fine. */
@@ -152,11 +114,9 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     if (t->kind == TRUTH_NONE) return NAN;
     if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
         return truth_value(t, x);
-    if (t->kind == TRUTH_FINEST) {
-        const int last = finest(o, v);
-        return curve_at(&o->variant[last].of[m].found, x,
-                        last == v ? NULL : doubt);
-    }
+    if (t->kind == TRUTH_FINEST)
+        return curve_at(&o->variant[finest(o)].of[m].found, x,
+                        v == finest(o) ? NULL : doubt);
     const struct last_three l = last_of(o, v, m);
     const double more = 1.0 / (pow(l.h[1] / l.h[2], l.p) - 1.0);
     double of_fine, of_coarse;
@@ -166,37 +126,57 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     return fine + more * (fine - coarse); /* (25.2) */
 }
 
+/* 1 if the variant is what it would be compared with. */
+static int is_reference(const struct outcomes *o, int v, int m)
+{
+    return o->plan->truth[m].kind == TRUTH_FINEST && v == finest(o);
+}
+
 /* Compares a variant with the truth where there is one. */
 static void compare(const struct outcomes *o, int v, int m)
 {
     struct finding *const f = &o->variant[v].of[m];
-    double square = 0.0, truths = 0.0, values = 0.0, doubts = 0.0, one = NAN;
-    double own = 0.0;
+    double values = 0.0, own = 0.0; /* sums of squares, all points */
+    double differences = 0.0, truths = 0.0, doubts = 0.0; /* with a truth */
     int n = 0;
 
+    f->truth = NAN;
     for (int i = 0; i < f->found.n; i++) {
         double doubt;
-        const double q = f->found.value[i];
+        const double q = f->found.value[i], e = f->found.error[i];
         const double q_0 = truth_at(o, v, m, f->found.x[i], &doubt);
 
         values += q * q;
-        own += f->found.error[i] * f->found.error[i];
+        own += e * e;
         if (!isfinite(q_0)) continue;
-        square += (q - q_0) * (q - q_0);
+        differences += (q - q_0) * (q - q_0);
         truths += q_0 * q_0;
-        doubts += f->found.error[i] * f->found.error[i] + doubt * doubt;
-        one = q_0;
+        doubts += e * e + doubt * doubt;
+        f->truth = q_0;
         n++;
     }
-    const int single = f->found.n == 1;
-    f->value = single            ? f->found.value[0]
+    f->value = f->found.n == 1   ? f->found.value[0]
                : f->found.n == 0 ? NAN
                                  : sqrt(values / f->found.n);
-    f->truth = single || n == 0 ? one : sqrt(truths / n);
-    f->error = n > 0 && truths > 0.0 ? sqrt(square / truths) : NAN;
-    f->doubt = sqrt(n > 0 && truths > 0.0 ? doubts / truths : own / values);
-    if (o->plan->truth[m].kind == TRUTH_FINEST && finest(o, v) == v)
-        f->error = NAN; /* the truth itself */
+    if (f->found.n > 1 && n > 0) f->truth = sqrt(truths / n);
+    f->error = truths > 0.0 && !is_reference(o, v, m)
+                   ? sqrt(differences / truths)
+                   : NAN;
+    f->doubt = sqrt(truths > 0.0 ? doubts / truths : own / values);
+}
+
+/* A variant that has found the same as the finest, to the last bit, is as good
+ * as that, whatever the truth is. Then the finest is no judge of the others
+ * alone: both have the error 0, without a doubt, and differ in cost only. */
+static void compare_finest(const struct outcomes *o, int m)
+{
+    struct finding *const f = &o->variant[finest(o)].of[m];
+
+    for (int v = 0; v < finest(o); v++) {
+        struct finding *const other = &o->variant[v].of[m];
+        if (o->plan->truth[m].kind != TRUTH_FINEST) return;
+        if (other->error == 0.0) other->doubt = f->error = f->doubt = 0.0;
+    }
 }
 
 /* --- orders --------------------------------------------------------------- */
@@ -234,6 +214,7 @@ struct outcomes outcomes_create(const struct plan *p, int n_runs,
     for (int m = 0; m < p->n_measures; m++) {
         for (int v = 0; v < o.n; v++)
             compare(&o, v, m);
+        compare_finest(&o, m);
         for (int v = 0; v < o.n; v++)
             o.variant[v].of[m].order = order_of(&o, v, m);
     }
@@ -262,10 +243,9 @@ int outcome_is_resolved(const struct finding *f)
     return f->error > 2.0 * f->doubt;
 }
 
-int outcome_is_surely(const struct finding *f, int sign, double limit)
+int outcome_is_within(const struct finding *f, double limit)
 {
-    return sign < 0 ? f->error + 2.0 * f->doubt <= limit
-                    : f->error - 2.0 * f->doubt > limit;
+    return f->error + 2.0 * f->doubt <= limit;
 }
 
 int outcome_is_chance(const struct finding *a, const struct finding *b)

@@ -50,9 +50,9 @@ void outcomes_free(struct outcomes *o);
  * last three do not approach each other, or the truth is no extrapolation. */
 double outcomes_fitted_order(const struct outcomes *o, int variant, int m);
 
-/* 1 if the error of the measure is surely below (sign < 0) or above the limit:
- * by more than two standard errors. */
-int outcome_is_surely(const struct finding *f, int sign, double limit);
+/* 1 if the error of the measure is surely within the limit: by two standard
+ * errors. */
+int outcome_is_within(const struct finding *f, double limit);
 
 /* 1 if chance explains the difference of two errors, up to two standard errors
  * of it. */

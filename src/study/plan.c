@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "case/case_file.h"
+#include "case/schema.h"
 
 #include <math.h>
 #include <omp.h>
@@ -12,6 +13,9 @@
 #include <string.h>
 
 enum { MOST_RUNS = 10000 };
+
+/* How the path of a seed ends. */
+#define SEED ".seed"
 
 static int wrong(const char *what, const char *why)
 {
@@ -38,47 +42,85 @@ static void add_output(struct plan *p, const struct settings *s)
                   number_text(settings_real(s, "output.end"), end));
 }
 
-/* The keys of all seeds of the case, and their values. */
-static int add_seeds(struct plan *p, const struct settings *s)
+struct settings *plan_case(const struct plan *p, const struct texts *set,
+                           int *code)
 {
-    const char *const list = "particles.insert";
-
-    if (settings_has(s, "particles") && settings_has(s, "particles.bed"))
-        p->seed[p->n_seeds++] = (struct plan_seed){
-            "particles.bed.seed", settings_int(s, "particles.bed.seed")};
-    for (int i = 0; settings_is_list(s, list) && i < settings_length(s, list) &&
-                    p->n_seeds < PLAN_SEEDS;
-         i++) {
-        struct plan_seed *const one = &p->seed[p->n_seeds++];
-        snprintf(one->key, sizeof one->key, "%s.%d.seed", list, i);
-        one->value = settings_item_int(s, list, i, "seed");
-    }
-    return p->words.seeds == 1 || p->n_seeds > 0
-               ? 0
-               : wrong("--seeds", ": the case has none: no particles.bed and "
-                                  "no particles.insert");
+    return case_file_read(p->words.case_file, set->n,
+                          (const char *const *)set->text, code);
 }
 
-void plan_overrides(const struct plan *p, int variant, int seed,
-                    struct texts *set)
+/* Adds what sets the seed of a group of the case, or those of a list, to so
+ * much more than it is. */
+static void add_seed(const struct settings *s, const char *path, int more,
+                     struct texts *set)
+{
+    const int length = (int)(strlen(path) - strlen(SEED));
+    char *const group = strndup(path, (size_t)length);
+    const int there = settings_has(s, group);
+
+    if (there && settings_is_list(s, group))
+        for (int i = 0; i < settings_length(s, group); i++)
+            texts_add(set, "%s.%d" SEED "=%d", group, i,
+                      settings_item_int(s, group, i, SEED + 1) + more);
+    else if (there)
+        texts_add(set, "%s=%d", path, settings_int(s, path) + more);
+    free(group);
+}
+
+static int is_seed(const char *path)
+{
+    const size_t n = strlen(path), m = strlen(SEED);
+
+    return n > m && strcmp(path + n - m, SEED) == 0;
+}
+
+/* The seeds of all groups that the case has with these overrides. */
+static int add_seeds(const struct plan *p, int more, struct texts *set)
+{
+    const struct key *tables[CASE_FILE_TABLES];
+    int code;
+    struct settings *const s = plan_case(p, set, &code);
+
+    if (s == NULL) return code;
+    case_file_tables(tables);
+    SCHEMA_EACH (key, tables)
+        if (is_seed(key->path)) add_seed(s, key->path, more, set);
+    settings_free(s);
+    return 0;
+}
+
+int plan_overrides(const struct plan *p, int variant, int seed,
+                   struct texts *set)
 {
     for (int i = 0; i < p->fixed.n; i++)
         texts_add(set, "%s", p->fixed.text[i]);
-    for (int i = 0; i < p->n_seeds && p->words.seeds > 1; i++)
-        texts_add(set, "%s=%d", p->seed[i].key, p->seed[i].value + seed);
     choices_overrides(&p->choices, variant, PLAN_THREADS, set);
+    /* Last, for a choice may be the group that a seed stands in. */
+    return p->words.seeds > 1 ? add_seeds(p, seed, set) : 0;
 }
 
-struct settings *plan_case(const struct plan *p, int variant, int seed,
-                           int *code)
+/* --seeds set all seeds that there are; one in some variant, which nothing else
+ * varies. */
+static int check_seeds(const struct plan *p)
 {
-    struct texts set = {0};
+    const struct choices *const c = &p->choices;
+    int found = 0, code = 0;
 
-    plan_overrides(p, variant, seed, &set);
-    struct settings *const s = case_file_read(
-        p->words.case_file, set.n, (const char *const *)set.text, code);
-    texts_free(&set);
-    return s;
+    for (int i = 0; i < c->n; i++)
+        for (int k = 0; k < c->of[i].key.n && c->of[i].n > 1; k++)
+            if (is_seed(c->of[i].key.text[k]))
+                return wrong(c->of[i].key.text[k],
+                             ": is varied, so that --seeds cannot set it");
+    for (int v = 0; v < choices_variants(c) && code == 0 && !found; v++) {
+        struct texts set = {0};
+        code = plan_overrides(p, v, 0, &set);
+        found = set.n > 0 && strstr(set.text[set.n - 1], SEED "=") != NULL;
+        texts_free(&set);
+    }
+    return code != 0 || found
+               ? code
+               : wrong("--seeds", ": the case has no group with a seed, such "
+                                  "as particles.bed or particles.insert");
 }
 
 /* --- the plan as a whole -------------------------------------------------- */
@@ -167,13 +209,17 @@ static const char *default_dir(struct study_words *w)
 static int complete(struct plan *p)
 {
     struct study_words *const w = &p->words;
+    struct texts first = {0};
     int code = add_choices(p);
-    struct settings *const s = code == 0 ? plan_case(p, 0, 0, &code) : NULL;
 
+    if (code != 0) return code;
+    choices_overrides(&p->choices, 0, PLAN_THREADS, &first);
+    struct settings *const s = plan_case(p, &first, &code);
+    texts_free(&first);
     if (s == NULL) return code;
     code = add_measures(p, s);
-    if (code == 0) code = add_seeds(p, s);
     if (code == 0) add_output(p, s);
+    if (code == 0 && w->seeds > 1) code = check_seeds(p);
     if (w->title == NULL)
         w->title = texts_add(&w->made, "%s", settings_text(s, "title"));
     if (w->dir == NULL) w->dir = default_dir(w);

@@ -11,10 +11,12 @@
 
 /* --- tables --------------------------------------------------------------- */
 
+static const char blanks[] = " \t\r";
+
 /* The names of a head line, which lasts for `length` bytes. */
 static void take_names(struct results_table *t, const char *line, size_t length)
 {
-    const char *const end = line + length;
+    const char *const end = line + length - (line[length - 1] == '\r');
 
     t->n_columns = 1;
     for (const char *p = line; p < end; p++)
@@ -28,17 +30,24 @@ static void take_names(struct results_table *t, const char *line, size_t length)
     }
 }
 
-/* One row of numbers; 0 if the line is not one. */
+/* One row of numbers, nan where a field is empty; 0 if the line is not one. */
 static int take_row(struct results_table *t, const char *line)
 {
     double *const row = t->value + t->n_columns * t->n_rows;
 
     for (int i = 0; i < t->n_columns; i++) {
+        const char *const ends = i + 1 < t->n_columns ? "," : "\n";
         char *end;
-        row[i] = strtod(line, &end);
-        if (end == line || *end != (i + 1 < t->n_columns ? ',' : '\n'))
-            return 0;
-        line = end + 1;
+
+        line += strspn(line, blanks);
+        row[i] = NAN;
+        if (*line != '\0' && strchr(",\n", *line) == NULL) {
+            row[i] = strtod(line, &end);
+            if (end == line) return 0;
+            line = end + strspn(end, blanks);
+        }
+        if (*line != *ends && !(*line == '\0' && *ends == '\n')) return 0;
+        line++;
     }
     t->n_rows++;
     return 1;
@@ -46,33 +55,46 @@ static int take_row(struct results_table *t, const char *line)
 
 static int count_lines(const char *text)
 {
-    int n = 0;
+    int n = 1; /* the last may have no end */
 
     for (; (text = strchr(text, '\n')) != NULL; text++)
         n++;
     return n;
 }
 
-struct results_table *results_table_read(const char *path)
+/* Takes the head and the rows of a text; the number of the first line that is
+ * none of them, or 0. */
+static int take_lines(struct results_table *t, const char *text)
+{
+    const int lines = count_lines(text);
+
+    for (int line = 1; line <= lines; line++) {
+        const size_t length = strcspn(text, "\n");
+        const char c = text[strspn(text, blanks)];
+
+        if (c != '#' && c != '\n' && c != '\0' && t->name == NULL) {
+            take_names(t, text, length);
+            t->value = alloc_doubles(t->n_columns * lines);
+        } else if (c != '#' && c != '\n' && c != '\0' && !take_row(t, text))
+            return line;
+        text += length + 1;
+    }
+    return 0;
+}
+
+struct results_table *results_table_read(const char *path, int *wrong)
 {
     const char *why;
     size_t length;
     char *const text = input_text(path, &length, &why);
     struct results_table *const t = alloc_zeroed(1, sizeof *t);
-    int wrong = text == NULL;
+    char *const last = text != NULL ? strrchr(text, '\n') : NULL;
 
-    for (const char *line = text, *end;
-         !wrong && (end = strchr(line, '\n')) != NULL; line = end + 1) {
-        if (*line == '#' || *line == '\n') continue;
-        if (t->name != NULL) {
-            wrong = !take_row(t, line);
-            continue;
-        }
-        take_names(t, line, (size_t)(end - line));
-        t->value = alloc_doubles(t->n_columns * count_lines(text));
-    }
+    if (last != NULL && wrong == NULL) last[1] = '\0';
+    const int line = text != NULL ? take_lines(t, text) : 0;
+    if (wrong != NULL) *wrong = text == NULL ? -1 : line;
     free(text);
-    if (!wrong && t->n_rows > 0) return t;
+    if (line == 0 && t->n_rows > 0) return t;
     results_table_free(t);
     return NULL;
 }

@@ -10,9 +10,12 @@ struct results_table {
     double *value;
 };
 
-/* NULL, without a message, if there is no such file or no such table in it.
- * Lines that begin with # are left out, and so is a last one that is cut. */
-struct results_table *results_table_read(const char *path);
+/* A head and rows of as many numbers; lines that begin with # and empty ones
+ * are left out, and an empty field is nan. NULL, without a message, if there is
+ * no such table; *wrong is then the line that is no row, 0 if there are no
+ * rows, -1 if there is no such file. If `wrong` is NULL the table is that of a
+ * run, and a last line without an end was cut, and is left out. */
+struct results_table *results_table_read(const char *path, int *wrong);
 void results_table_free(struct results_table *t);
 
 /* The column of a name without its unit; of a probe, "us_y(0.1 0.2 0.3) [m/s]",

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/input.h"
+#include "base/interrupt.h"
 #include "base/version.h"
 #include "case/case_cost.h"
 #include "case/resume/case_text.h"
@@ -19,7 +20,7 @@
 enum { LONGEST_NAME = 100 };
 
 /* Exit codes of a run that are no result of it. */
-enum { NOT_WRITTEN = 4, INTERRUPTED = 130 };
+enum { NOT_WRITTEN = 4 };
 
 /* --- what a run is -------------------------------------------------------- */
 
@@ -78,21 +79,20 @@ static char *name_of(const struct plan *p, const struct run *r)
 {
     char *const label = choices_label(&p->choices, r->variant, -1);
     char *const name = alloc_zeroed(LONGEST_NAME + 64, 1);
-    size_t n = 0;
+    const char *c = label;
     int changed = 0;
+    size_t n = 0;
 
-    for (const char *c = label; *c != '\0'; c++) {
-        if (*c == ' ' && c[-1] == ',') continue;
-        if (n == LONGEST_NAME) changed = 1;
-        if (n == LONGEST_NAME) break;
-        const int plain = isalnum((unsigned char)*c) ||
-                          strchr("=.+-_", *c) != NULL ||
-                          (*c == ',' && c[1] == ' ');
-        name[n++] = *c == ',' && c[1] == ' ' ? '+' : plain ? *c : '_';
-        changed |= !plain;
+    for (; *c != '\0' && n < LONGEST_NAME; c++) {
+        const int between = strncmp(c, ", ", 2) == 0;
+        const int plain =
+            isalnum((unsigned char)*c) || strchr("=.+-_", *c) != NULL;
+        name[n++] = between ? '+' : plain ? *c : '_';
+        changed |= !between && !plain;
+        c += between;
     }
     if (n == 0) n = (size_t)sprintf(name, "as-it-stands");
-    if (changed)
+    if (changed || *c != '\0')
         n += (size_t)sprintf(name + n, "-%08x", (unsigned)checksum_of(label));
     if (p->words.seeds > 1) n += (size_t)sprintf(name + n, "+seed-%d", r->seed);
     if (p->words.times > 1) sprintf(name + n, "+time-%d", r->time);
@@ -102,16 +102,16 @@ static char *name_of(const struct plan *p, const struct run *r)
 
 static int create(const struct plan *p, struct run *r)
 {
-    int code;
+    int code = plan_overrides(p, r->variant, r->seed, &r->overrides);
+    struct settings *const s =
+        code == 0 ? plan_case(p, &r->overrides, &code) : NULL;
 
+    if (s == NULL) return code;
     r->code = RUN_TO_DO;
-    plan_overrides(p, r->variant, r->seed, &r->overrides);
     r->name = name_of(p, r);
     char *const runs = file_join(p->words.dir, "runs");
     r->folder = file_join(runs, r->name);
     free(runs);
-    struct settings *const s = plan_case(p, r->variant, r->seed, &code);
-    if (s == NULL) return code;
     r->expected = case_cost_seconds(s);
     r->contents = contents_of(s);
     r->identity = identity_of(p, r);
@@ -121,19 +121,17 @@ static int create(const struct plan *p, struct run *r)
 
 struct run *runs_create(const struct plan *p, int *n, int *code)
 {
-    struct run *runs;
-    int at = 0;
+    const int seeds = p->words.seeds, times = p->words.times;
 
-    *n = choices_variants(&p->choices) * p->words.seeds * p->words.times;
-    runs = alloc_zeroed((size_t)*n, sizeof *runs);
+    *n = choices_variants(&p->choices) * seeds * times;
     *code = 0;
-    for (int v = 0; at < *n; v++)
-        for (int k = 0; k < p->words.seeds; k++)
-            for (int t = 0; t < p->words.times && *code == 0; t++, at++) {
-                runs[at] = (struct run){.variant = v, .seed = k, .time = t};
-                *code = create(p, &runs[at]);
-                if (*code != 0) at = *n;
-            }
+    struct run *const runs = alloc_zeroed((size_t)*n, sizeof *runs);
+    for (int i = 0; i < *n && *code == 0; i++) {
+        runs[i].variant = i / times / seeds;
+        runs[i].seed = i / times % seeds;
+        runs[i].time = i % times;
+        *code = interrupt_arrived() ? INTERRUPT_CODE : create(p, &runs[i]);
+    }
     if (*code == 0) return runs;
     runs_free(*n, runs);
     return NULL;
@@ -152,9 +150,11 @@ void runs_free(int n, struct run *runs)
 
 int runs_standing(const struct plan *p, int n, const struct run *runs)
 {
-    int code, found = -1;
-    struct settings *const s = plan_case(p, -1, 0, &code);
+    struct texts set = {0};
+    int found = -1, code = plan_overrides(p, -1, 0, &set);
+    struct settings *const s = code == 0 ? plan_case(p, &set, &code) : NULL;
 
+    texts_free(&set);
     if (s == NULL) return -1;
     const unsigned long own = contents_of(s);
     for (int i = 0; i < n && found < 0; i++)
@@ -192,7 +192,7 @@ static void look(struct run *r)
     const double code = results_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
-    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPTED)
+    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPT_CODE)
         r->code = (int)code;
 }
 

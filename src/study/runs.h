@@ -25,8 +25,8 @@ struct run {
 enum { RUN_TO_DO = -1 };
 
 /* The runs of a plan: for each variant its seeds, for each of them its
- * repetitions. *n is their number. NULL after a message; *code is then 2 or 4.
- */
+ * repetitions. *n is their number. NULL with *code 2 or 4 after a message, or
+ * 130 if a signal came. */
 struct run *runs_create(const struct plan *p, int *n, int *code);
 void runs_free(int n, struct run *runs);
 

@@ -20,11 +20,13 @@ double statistics_mean(int n, const double *x)
 
 double statistics_error(int n, const double *x)
 {
-    const double mean = statistics_mean(n, x);
-    double squares = 0.0;
+    double sum = 0.0, squares = 0.0;
 
+    /* From the first, so that equal samples have exactly no scatter. */
     for (int i = 0; i < n; i++)
-        squares += (x[i] - mean) * (x[i] - mean);
+        sum += x[i] - x[0];
+    for (int i = 0; i < n; i++)
+        squares += pow(x[i] - x[0] - sum / n, 2.0);
     return n > 1 ? sqrt(squares / ((double)n * (n - 1))) : 0.0;
 }
 
@@ -36,17 +38,15 @@ static int halve(int n, double *x)
     return n / 2;
 }
 
-double statistics_block_error(int n, const double *x, double *length)
+double statistics_block_error(int n, const double *x)
 {
     double *const block = alloc_doubles(n);
-    const double single = statistics_error(n, x);
-    double largest = n < FEWEST_BLOCKS ? 0.0 : single;
+    double largest = n < FEWEST_BLOCKS ? 0.0 : statistics_error(n, x);
 
     memcpy(block, x, (size_t)n * sizeof *x);
     for (int m = halve(n, block); m >= FEWEST_BLOCKS; m = halve(m, block))
         largest = fmax(largest, statistics_error(m, block));
     free(block);
-    *length = single > 0.0 ? fmax(1.0, pow(largest / single, 2.0)) : 1.0;
     return largest;
 }
 

@@ -14,10 +14,8 @@ double statistics_mean(int n, const double *x);
 double statistics_error(int n, const double *x);
 
 /* Standard error of the mean of a time series: the largest that blocks of 1, 2,
- * 4, ... samples give, with at least 8 blocks; 0 for fewer than 8 samples.
- * *length is the number of samples that count as one, 2 tau / dt with the
- * autocorrelation time tau. */
-double statistics_block_error(int n, const double *x, double *length);
+ * 4, ... samples give, with at least 8 blocks; 0 for fewer than 8 samples. */
+double statistics_block_error(int n, const double *x);
 
 /* y at x = at, linear between the points; nan beyond them. x rises. */
 double statistics_between(int n, const double *x, const double *y, double at);

@@ -20,28 +20,19 @@
 
 enum { NOT_WRITTEN = 4 };
 
-static double seconds_of(int n, const struct run *runs)
+static void say_what_would_run(const struct plan *p, int n, struct run *runs)
 {
-    double sum = 0.0;
+    const int ended = runs_look(n, runs);
+    double seconds = 0.0;
 
-    for (int i = 0; i < n; i++)
-        if (runs[i].code == RUN_TO_DO) sum += runs[i].expected;
-    return sum;
-}
-
-static void say_what_would_run(const struct plan *p, int n,
-                               const struct run *runs)
-{
-    const int ended = runs_look(n, (struct run *)runs);
-    const double seconds = seconds_of(n, runs);
-
-    for (int i = 0; i < n; i++)
-        printf("%s  %s\n", runs[i].code == RUN_TO_DO ? "to do" : "done ",
-               runs[i].name);
-    printf(
-        "%d runs, %d of them done; the others take about %.3g s of processor "
-        "time, after settling, %d at a time\n",
-        n, ended, seconds, p->words.jobs);
+    for (int i = 0; i < n; i++) {
+        const int to_do = runs[i].code == RUN_TO_DO;
+        printf("%s  %s\n", to_do ? "to do" : "done ", runs[i].name);
+        seconds += to_do ? runs[i].expected : 0.0;
+    }
+    printf("%d runs, %d of them done; the others take about %.3g s of "
+           "processor time, after settling, %d at a time\n",
+           n, ended, seconds, p->words.jobs);
 }
 
 /* The folder, kept for this study as long as the descriptor is open; negative
@@ -113,6 +104,8 @@ static int study(const struct command_line *l)
     else if (runs != NULL)
         code = perform(&p, n, runs);
     if (runs != NULL) runs_free(n, runs);
+    if (runs == NULL && code == INTERRUPT_CODE)
+        fputs("winnow: interrupted before the first run\n", stderr);
     plan_free(&p);
     return code;
 }

@@ -7,6 +7,7 @@
  */
 #include "study/study_report.h"
 
+#include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
 #include "output/gnuplot.h"
@@ -66,24 +67,28 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
             o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
 }
 
-/* The front: for each variant that no cheaper one beats, in order of cost. */
+/* 1 if the variant costs more than the last of the front, and is better by more
+ * than chance. */
+static int goes_on(const struct outcomes *o, int m, int last, int v)
+{
+    const struct outcome *const of = &o->variant[v];
+
+    if (!is_shown(o, m, v) || last < 0) return is_shown(o, m, v);
+    const struct outcome *const before = &o->variant[last];
+    return of->cost >= before->cost && of->of[m].error < before->of[m].error &&
+           !outcome_is_chance(&of->of[m], &before->of[m]);
+}
+
+/* The front: the variants that no cheaper one equals, in order of cost. */
 static void put_front(const struct outcomes *o, int m, FILE *out)
 {
-    double cost = 0.0, error = INFINITY;
-
-    for (;;) {
-        int next = -1;
-        for (int v = 0; v < o->n; v++) {
-            const double own = o->variant[v].cost;
-            if (is_shown(o, m, v) && own >= cost &&
-                o->variant[v].of[m].error < error &&
-                (next < 0 || own < o->variant[next].cost))
+    for (int last = -1, next; last < o->n; last = next) {
+        next = o->n;
+        for (int v = 0; v < o->n; v++)
+            if (goes_on(o, m, last, v) &&
+                (next == o->n || o->variant[v].cost < o->variant[next].cost))
                 next = v;
-        }
-        if (next < 0) return;
-        cost = o->variant[next].cost;
-        error = o->variant[next].of[m].error;
-        put_point(o, m, next, out);
+        if (next < o->n) put_point(o, m, next, out);
     }
 }
 
@@ -201,26 +206,26 @@ static void put_ranges(const struct outcomes *o, int m, FILE *out)
     put_range("y", low[1] / 2.0, 1.6 * high[1], out);
 }
 
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
 /* The orders of a line: their median, the higher of two; nan if there are
  * none. */
 static double median_order(const struct outcomes *o, int m, int first)
 {
-    double median = NAN;
+    double *const orders = alloc_doubles(o->n);
+    int n = 0;
 
-    for (int v = 0, most = -1; v < o->n; v++) {
-        const double own = o->variant[v].of[m].order;
-        int below = 0, all = 0;
-        for (int w = 0; w < o->n; w++) {
-            const double other = o->variant[w].of[m].order;
-            if (!is_on(o, first, w) || !isfinite(other)) continue;
-            all++;
-            below += other < own;
-        }
-        if (!is_on(o, first, v) || !isfinite(own)) continue;
-        if (2 * below > all || below <= most) continue;
-        most = below;
-        median = own;
-    }
+    for (int v = 0; v < o->n; v++)
+        if (is_on(o, first, v) && isfinite(o->variant[v].of[m].order))
+            orders[n++] = o->variant[v].of[m].order;
+    qsort(orders, (size_t)n, sizeof *orders, compare);
+    const double median = n > 0 ? orders[n / 2] : NAN;
+    free(orders);
     return median;
 }
 
@@ -307,6 +312,20 @@ static int write_script(const struct outcomes *o, int panels)
     return file_commit(f);
 }
 
+static int say_why_there_is_none(const struct outcomes *o)
+{
+    int same = 1;
+
+    for (int m = 0; m < o->plan->n_measures; m++)
+        for (int v = 0; v < o->n; v++)
+            same &= o->variant[v].of[m].error == 0.0;
+    fprintf(stderr, "winnow: study: no picture: %s\n",
+            same ? "all variants agree to the last bit, so that nothing but "
+                   "their cost is left to compare; it is in study.md"
+                 : "no error above 0 is known");
+    return 0;
+}
+
 int study_report_picture(const struct outcomes *o)
 {
     static const char *const kinds[][2] = {{"svg", "study.svg"},
@@ -315,10 +334,7 @@ int study_report_picture(const struct outcomes *o)
 
     for (int m = 0; m < o->plan->n_measures; m++)
         panels += points(o, m, -1) > 0;
-    if (panels == 0) {
-        fputs("winnow: study: no picture, for no error is known\n", stderr);
-        return 0;
-    }
+    if (panels == 0) return say_why_there_is_none(o);
     if (write_script(o, panels) != 0) return 1;
     for (int i = 0; i < 2; i++) {
         const struct gnuplot g = {.folder = o->plan->words.dir,

@@ -5,6 +5,7 @@
 #include "case/source.h"
 #include "study/study.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,6 +104,16 @@ static int take_option(struct study_words *w, const char *option,
     return wrong(option, why);
 }
 
+/* 1 if a word is an option and its value in one, -j2, -oDIR, -skey=value, as
+ * those of the other commands may be. */
+static int is_glued(const char *word)
+{
+    return strncmp(word, "-j", 2) == 0   ? isdigit((unsigned char)word[2])
+           : strncmp(word, "-s", 2) == 0 ? strchr(word, '=') != NULL
+           : strncmp(word, "-o", 2) == 0 ? word[2] != '\0'
+                                         : 0;
+}
+
 static int take_words(struct study_words *w, int n, const char *const *words)
 {
     for (int i = 0; i < n; i++) {
@@ -113,7 +124,10 @@ static int take_words(struct study_words *w, int n, const char *const *words)
             w->quiet = 1;
         else if (strcmp(word, "--dry-run") == 0)
             w->dry = 1;
-        else if (word[0] == '-') {
+        else if (is_glued(word)) {
+            const char option[] = {'-', word[1], '\0'};
+            code = take_option(w, option, word + 2);
+        } else if (word[0] == '-') {
             code = take_option(w, word, i + 1 < n ? words[i + 1] : NULL);
             i++;
         } else if (w->file != NULL)

@@ -18,26 +18,51 @@ static int is_table(const char *text)
     return n > 4 && strcmp(text + n - 4, ".csv") == 0;
 }
 
+static int refuse(const struct truth *t, int code, const char *why)
+{
+    fprintf(stderr, "winnow: study: truth %s: %s\n", t->text, why);
+    return code;
+}
+
+/* The first two columns of a table, but for rows without a value. */
+static int take_columns(struct truth *t, const struct results_table *table)
+{
+    struct curve *const c = &t->table;
+    const int m = table->n_columns;
+
+    if (m < 2) return refuse(t, 2, "has one column; expected x and a value");
+    *c = curve_create(table->n_rows);
+    c->n = 0;
+    for (int i = 0; i < table->n_rows; i++) {
+        const double x = table->value[i * m], q = table->value[i * m + 1];
+        if (isnan(q)) continue;
+        if (isnan(x) || (c->n > 0 && x <= c->x[c->n - 1]))
+            return refuse(t, 2,
+                          "its first column does not rise from row to "
+                          "row");
+        c->x[c->n] = x;
+        c->value[c->n++] = q;
+    }
+    return c->n > 0 ? 0 : refuse(t, 2, "has no values in its second column");
+}
+
 static int read_table(struct truth *t)
 {
-    struct results_table *const table = results_table_read(t->text);
-    const int n = table != NULL && table->n_columns > 1 ? table->n_rows : 0;
-    int rises = n > 0;
+    int wrong, code;
+    char why[128];
+    struct results_table *const table = results_table_read(t->text, &wrong);
 
     t->kind = TRUTH_TABLE;
-    t->table = curve_create(n);
-    for (int i = 0; i < n; i++) {
-        t->table.x[i] = table->value[i * table->n_columns];
-        t->table.value[i] = table->value[i * table->n_columns + 1];
-        rises &= i == 0 || t->table.x[i] > t->table.x[i - 1];
-    }
+    snprintf(why, sizeof why,
+             "line %d is not a row of numbers with commas between, one for "
+             "each name of the head line",
+             wrong);
+    code = table != NULL ? take_columns(t, table)
+           : wrong < 0   ? refuse(t, 4, "cannot be read")
+           : wrong > 0   ? refuse(t, 2, why)
+                         : refuse(t, 2, "has no head line with rows below");
     results_table_free(table);
-    if (rises) return 0;
-    fprintf(stderr,
-            "winnow: study: truth %s: cannot be read as a table of two columns "
-            "or more, with a head line and commas, the first rising\n",
-            t->text);
-    return n > 0 ? 2 : 4;
+    return code;
 }
 
 double truth_value(const struct truth *t, double x)
@@ -66,11 +91,8 @@ int truth_parse(struct truth *t, const char *text)
     const double one = truth_value(t, 0.3), other = truth_value(t, 0.7);
     if (isfinite(one) && one != 0.0) return 0;
     if (isfinite(other) && other != 0.0) return 0;
-    fprintf(stderr,
-            "winnow: study: truth %s: is %g everywhere, and no error is "
-            "relative to that\n",
-            text, one);
-    return 2;
+    return refuse(t, 2,
+                  "is 0 or nan everywhere, and no error is relative to that");
 }
 
 void truth_free(struct truth *t)

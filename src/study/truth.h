@@ -1,12 +1,16 @@
 /* truth.h -- what the measures of a study are compared with.
  *
- *     0.0574  0.05*(1-exp(-t/4e-4))   a formula; t, x, y, z are the first
- * column XS11:4.1 u=0.05 d=8.3e-5 ...    an equation of `winnow eval`; an input
- * t or x that is left out is the column's measured.csv                    the
- * first two columns of a table, of which the first rises finest the last entry
- * of every choice extrapolated                    Richardson's, along the axis,
- * from the last three entries; its order is told none the measure is only
- * listed
+ *     0.0574, 0.05*(1-exp(-t/4e-4))
+ *                     a formula; t, x, y, z are the first column
+ *     XS11:4.1 u=0.05 d=8.3e-5 ...
+ *                     an equation of `winnow eval`; an input t or x that is
+ *                     left out is the first column
+ *     measured.csv    the first two columns of a table, of which the first
+ *                     rises; a row without a value is a gap, drawn across
+ *     finest          the last entry of every choice
+ *     extrapolated    Richardson's, along the axis, from the last three
+ *                     entries; its order is told
+ *     none            the measure is only listed
  */
 #ifndef STUDY_TRUTH_H
 #define STUDY_TRUTH_H

@@ -3,7 +3,7 @@
 # coarse averaging, with a Gaussian, and with a random part of the drag. A run that
 # is done is not made again, so that what was interrupted goes on.
 #
-#   sh tests/validate/agitation.sh build/winnow [liquid|treatments|choices|kernels|gas ...]
+#   sh tests/validate/agitation.sh build/winnow [liquid|measured|treatments|choices|kernels|gas ...]
 #
 # liquid takes three to eight minutes for each Reynolds number of RE (4 6 8 11),
 # choices and kernels half an hour, gas three quarters of one. END=60 in the environment ends each run at 60, to try
@@ -142,6 +142,23 @@ liquid() {
     done
 }
 
+# The random part that resolved grains have here, at the two upper velocities; the others
+# from `liquid`.
+measured() {
+    case=cases/ew18-liquid-measured.cfg
+    run measured-8 $case -s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] \
+        -s effects.stochastic_drag.time=0.55
+    run measured-11 $case
+    {
+        made measured
+        echo "# Re_in way $columns"
+        for re in 8 11; do
+            grep "^$re [gr]" figures/23-liquid.txt
+            row measured-$re $re measured
+        done
+    } >$figures/23-measured.txt
+}
+
 # What EW18 leaves open, varied once each, at Re_in = 11; and other random numbers.
 choices() {
     grain=particles.grains random=effects.stochastic_drag
@@ -267,5 +284,5 @@ gas() {
     done
 }
 
-[ $# -gt 0 ] || set -- liquid treatments choices kernels gas
+[ $# -gt 0 ] || set -- liquid measured treatments choices kernels gas
 for part in "$@"; do $part; done

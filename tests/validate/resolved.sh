@@ -142,6 +142,21 @@ densities() {
     done
 }
 
+# As run, but not again where it is done; one that was interrupted goes on.
+once() {
+    to=$out/$1
+    shift
+    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
+    again=
+    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
+    echo "$*" >"$to.begun"
+    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
+        tail -n 3 "$to.log" >&2
+        exit 1
+    }
+    echo "$*" >"$to.done"
+}
+
 # NAME GRAINS CELLS STEP END: EW18's grains in a periodic box, 12 cells a diameter, in
 # units of d, u_in and the density of the fluid; carried by the mean gradient.
 suspension_case() {
@@ -153,19 +168,19 @@ suspension_case() {
         printf "mesh = { size = [%s, %s, %s]; cells = [%d, %d, %d]; periodic = [true, true, true]; };\n", L, L, L, c, c, c
         printf "fluid = { density = 1.0; viscosity = 0.125; step = %s; time = \"bdf2\"; convection = \"linear\"; tolerance = 1e-6;\n", dt
         printf "  mean_gradient = [0.0, %.9g, 0.0]; };\n", -9 * g * n * 3.14159265358979 / 6 / (c / 12) ^ 3
-        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
+        printf "bodies = { filter = 2.0; stiffness = 30000.0; restitution = 0.9; friction = 0.3; virtual_mass = 0.5;\n  spheres = (\n@include \"%s.spheres\"\n  ); };\n", name
         printf "effects = { gravity = [0.0, -%s, 0.0]; };\n", g
         printf "output = { end = %s; every = %s; };\n", end, end
     }' >"$out/$1.cfg"
 }
 
-# The drag on grains that are resolved, at three fluid fractions: an hour and a half.
+# The drag on grains that are resolved, at four fluid fractions: an hour.
 suspension() {
     echo "# eps  whole force over Beetstra's  then as tests/validate/samples.awk says"
     while read -r n cells step end; do
         name=suspension-$n-$cells
         suspension_case "$name" "$n" "$cells" "$step" "$end"
-        run "$name" "$out/$name.cfg"
+        once "$name" "$out/$name.cfg"
         found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
             "$out/$name/history.csv" "$out/$name/bodies.csv")
         eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / ($cells / 12) ^ 3 }")
@@ -174,10 +189,32 @@ suspension() {
         echo "$law" | awk -v eps="$eps" -v rest="$found" '
             { printf "%s  %.3f  %s\n", eps, 9 * 6.046875 * 3.14159265358979 / 6 / $3, rest }'
     done <<TABLE
-97 56 0.010 21.1
-95 60 0.008 28
+97 56 0.010 16
+95 60 0.008 18
 52 54 0.008 15
+35 54 0.008 9
 TABLE
+}
+
+# sigma(Re_p, eps) and the integral time for effects.stochastic_drag, from the samples of
+# `suspension`. The error of sigma is that of so many samples that are 2 T apart.
+coefficients() {
+    awk '
+        BEGIN { print "# eps  Re_p  C_d  sigma(C_d)  error  over C_d  T to the first zero, mean over 4 to 5 [d/u_in]; sigma by EW18s authors" }
+        /^#/ { next }
+        {
+            eps = $5; Re = $4; C = $9; sigma = $9 * $10; dt = $15 == 97 ? 0.01 : 0.008
+            error = sigma / sqrt(2 * $8 * dt / (2 * $11))
+            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $11, $12, 512.875 * Re ^ -1.54919
+            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $11
+            if (n == 1) low = Re
+            high = Re
+        }
+        END {
+            b = (n * xy - sx * sy) / (n * xx - sx * sx); a = exp((sy - b * sx) / n)
+            printf "# sigma = %.1f Re_p^%.3f\n", a, b
+            printf "# sigma_low = %.2f; Re_low = %.2f; sigma_high = %.2f; Re_high = %.2f; time = %.2f;\n", a * low ^ b, low, a * high ^ b, high, T / n
+        }' figures/24-suspension.txt
 }
 
 # The rebound from a floor over the Stokes number, for rough and for smooth spheres:
@@ -200,6 +237,59 @@ rebound() {
                       printf "%6s %7.2f %8.3f %8.3f\n", rough, st, back / u / 0.97, exp(-35 / st) }' \
                 $out/rebound/bodies.csv
         done
+    done
+}
+
+# A sphere without losses bounces off a wall in a thin fluid: what the virtual mass adds.
+# Each density ratio, C_v, and steps that the impact lasts, by the mass with C_v; half a
+# minute.
+impact() {
+    echo "# rho_p/rho  C_v  steps of an impact  speed after over before  bound (24.13)"
+    for how in "8 2 4" "8 2 8" "8 2 16" "8 1 8" "8 0.5 8" "8 0 8" "4 2 8" "4 2 16" "4 0.5 8" "20 2 8" "20 0.5 8"; do
+        # shellcheck disable=SC2086 # three words
+        set -- $how
+        step=$(awk "BEGIN { print 0.04 / $3 }")
+        stiffness=$(awk "BEGIN { p = 3.14159265358979; print ($1 + $2) * p * p * p / 6 / 0.0016 }")
+        cat >$out/impact.cfg <<CASE
+title = "An impact";
+mesh = { size = [4.0, 4.0, 4.0]; cells = [24, 24, 24]; };
+fluid = { density = 1.0; viscosity = 1e-4; step = $step; time = "bdf2"; convection = "upwind"; tolerance = 1e-6;
+          sides = "slip"; front_back = "slip"; bottom = "slip"; top = "slip"; };
+bodies = { restitution = 1.0; virtual_mass = $2; stiffness = $stiffness; lubrication = false;
+           spheres = ( { position = [2.0, 0.6, 2.0]; diameter = 1.0; density = $1.0; velocity = [0.0, -1.0, 0.0]; } ); };
+output = { end = 0.2; every = 0.2; history = $step; };
+CASE
+        run impact $out/impact.cfg
+        awk -F, -v r="$1" -v C="$2" -v n="$3" '
+            NR > 1 && $4 > 0.5 && $7 < 0 { before = -$7 }
+            NR > 1 && $4 > 0.5 && $7 > 0 && !after { after = $7 }
+            END { p = 3.14159265358979; w = r + 0.5
+                  printf "%6s %6s %4s %12.3f %8.3f\n", r, C, n, after / before,
+                         exp(p * p / 2 / n * (C - 0.5) / w * sqrt((r + C) / w)) }' $out/impact/bodies.csv
+    done
+}
+
+# Sixteen spheres five times as heavy as the fluid settle on a floor: how nearly they come
+# to rest. Half a minute.
+pile() {
+    echo "# C_v  root of the mean square of the speed [m/s] after 3, 6, 9, 12 s"
+    for C in 2 0.5; do
+        awk -v C=$C 'BEGIN {
+            print "title = \"A pile\"; mesh = { size = [1.0, 1.6, 1.0]; cells = [12, 19, 12]; };"
+            print "fluid = { density = 1.0; viscosity = 0.02; step = 0.01; time = \"bdf2\";"
+            print "  sides = \"no-slip\"; bottom_top = \"no-slip\"; front_back = \"no-slip\"; };"
+            printf "bodies = { virtual_mass = %g; spheres = (", C
+            srand(3)
+            for (y = 0.25; y < 1.4; y += 0.36) for (x = 0.25; x < 0.9; x += 0.42) for (z = 0.25; z < 0.9; z += 0.42)
+                printf "%s{ position = [%.4f, %.4f, %.4f]; diameter = 0.33; density = 5.0; }", n++ ? ",\n" : "", x + 0.08 * rand(), y, z + 0.08 * rand()
+            print " ); };\neffects = { gravity = [0.0, -1.0, 0.0]; };"
+            print "output = { end = 12.0; every = 12.0; history = 0.5; };"
+        }' >$out/pile.cfg
+        run pile $out/pile.cfg
+        awk -F, -v C=$C 'NR > 1 { t = sprintf("%.1f", $1); sum[t] += $6 ^ 2 + $7 ^ 2 + $8 ^ 2; n[t]++ }
+            END { printf "%4s", C
+                  for (t = 3; t < 13; t += 3) { k = sprintf("%.1f", t); printf " %8.5f", sqrt(sum[k] / n[k]) }
+                  print "" }' $out/pile/bodies.csv
     done
 }
 
@@ -287,6 +377,30 @@ bed() {
     done
 }
 
+# The case itself, of ten grains: light, as the bed, heavy, and one that is held. Twelve
+# minutes.
+ten() {
+    echo "# time [s], height of the centre [mm] of 1100, 1700, 2300 kg/m^3, mean height of the bed"
+    for rho in 1100 1700 2300; do
+        once ten-$rho cases/sphere-in-bed.cfg -s bodies.spheres.0.density=$rho \
+            -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
+    done
+    once ten-held cases/sphere-in-bed.cfg -s bodies.spheres.0.motion=fixed \
+        -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
+    awk -F, '
+        FNR == 1 { file++; for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
+        file < 4 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
+        { t = sprintf("%.3f", $1); H = 2e3 * $at["mean_height"]
+          printf "%.2f %.3f %.3f %.3f %.2f\n", t, y[1, t], y[2, t], y[3, t], H }' \
+        $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-2300/bodies.csv \
+        $out/ten-1700/history.csv
+    echo "# held: time [s]; fluid, grains, sum over V g [kg/m^3]; as in the table of the held ones"
+    for span in "0.2 0.0" "0.5 0.2"; do
+        # shellcheck disable=SC2086 # two words
+        { printf '# '; held_of ten-held 22 8000 0.018 0.010 $span; }
+    done
+}
+
 # WIDTH COUNT VELOCITY END: a sphere of six grains that is held in the middle of a bed,
 # 14 mm deep when it is packed; means from 0.6 s on, or over the second half.
 held_in() {
@@ -299,19 +413,24 @@ held_in() {
         -s "output.end=$end" -s "output.every=$end"
 }
 
-# WIDTH COUNT VELOCITY END FROM: what the fluid and the grains give it.
-held_row() {
-    awk -F, -v W="$1" -v N="$2" -v u="$3" -v end="$4" -v from="$5" '
+# NAME WIDTH COUNT VELOCITY DIAMETER END FROM: what the fluid and the grains give it.
+held_of() {
+    awk -F, -v W="$2" -v N="$3" -v u="$4" -v D="$5" -v end="$6" -v from="$7" '
         NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
         $1 > from && $1 < end + 1e-6 {
             n++; f += $at["force_on_bodies_y"]; g += $at["force_of_grains_y"]
             p += $at["pressure_drop"]; H += 2 * $at["mean_height"] }
-        END { V = 3.14159265358979 * 2.16e-7 / 6; Vg = 9.81 * V
+        END { V = 3.14159265358979 * D ^ 3 / 6; Vg = 9.81 * V
               eps = 1 - N * 3.14159265358979e-9 / 6 / (W * W * 1e-6 * H / n - V)
               printf "%2d %5s  %3.1f to %4.2f  %4.0f %4.0f %4.0f  %5.3f %4.0f   %5.2f %5.2f\n", W, u, from, end,
                      f / n / Vg, g / n / Vg, (f + g) / n / Vg, eps, 1500 * (1 - eps),
                      (f + g) / n / Vg / (1500 * (1 - eps)), f / n / V / (p / H) }' \
-        "$out/held-$1-$3/history.csv"
+        "$out/$1/history.csv"
+}
+
+# WIDTH COUNT VELOCITY END FROM
+held_row() {
+    held_of "held-$1-$3" "$1" "$2" "$3" 0.006 "$4" "$5"
 }
 
 # Beds of two widths, fluidized and packed: five minutes.

@@ -255,7 +255,7 @@ static void two_grid_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method two_grid_method = {
     .name = "two-grid",
-    .what = "pcm on a coarser grid, then moved to the mesh",
+    .what = "pcm on a coarser grid, then mapped to the mesh",
     .equations = "LS section 5.4",
     .function = "two_grid_spread",
     .keys = {averaging_bandwidth_keys},

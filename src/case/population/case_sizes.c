@@ -30,6 +30,10 @@ static struct sizes_options options(const struct settings *s, int i)
         .max = given(s, i, "max"),
         .by_mass = strcmp(settings_item_text(s, list, i, "by"), "mass") == 0};
 
+    int n = 0;
+    for (const struct key *k = o.law->own_keys; k != NULL && k->path != NULL;
+         k++)
+        o.own[n++] = given(s, i, strrchr(k->path, '.') + 1);
     if (!settings_item_has(s, list, i, "points")) return o;
     o.n = settings_item_points(s, list, i, "points");
     double(*const point)[2] = alloc_zeroed((size_t)o.n, sizeof *point);

@@ -10,6 +10,7 @@
 #include "coupling/drag_laws/fluidization.h"
 #include "coupling/stability.h"
 #include "base/vector.h"
+#include "case/build.h"
 #include "case/check_line.h"
 #include "case/particle_options.h"
 
@@ -18,9 +19,10 @@ static double relaxation_time(const struct settings *s,
                               const struct drag_scales *k, double d,
                               double eps_s)
 {
+    const struct drag_law law = build_drag_law(s);
+
     return drag_relaxation_time(
-        drag_law_named(settings_text(s, "exchange.drag")),
-        settings_real(s, "particles.grains.density"), eps_s,
+        &law, settings_real(s, "particles.grains.density"), eps_s,
         settings_real(s, "fluid.density"), settings_real(s, "fluid.viscosity"),
         d, k->inlet / (1.0 - eps_s));
 }
@@ -41,21 +43,20 @@ static double mean_diameter(const struct settings *s)
 static void print_range(const struct settings *s, const struct drag_scales *k,
                         double eps_f)
 {
-    const struct drag_law *const law =
-        drag_law_named(settings_text(s, "exchange.drag"));
+    const struct drag_law law = build_drag_law(s);
     const double Re = coefficient_reynolds(
         eps_f, settings_real(s, "fluid.density"),
         settings_real(s, "fluid.viscosity"), k->d, k->inlet / eps_f);
     char remark[128];
 
-    if (eps_f < law->eps_min || eps_f > law->eps_max) {
+    if (eps_f < law.eps_min || eps_f > law.eps_max) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
-                 law->name, law->eps_min, law->eps_max);
+                 law.name, law.eps_min, law.eps_max);
         check_line("fluid fraction", eps_f, "-", remark);
     }
-    if (k->inlet > 0.0 && !(Re >= law->Re_min && Re <= law->Re_max)) {
+    if (k->inlet > 0.0 && !(Re >= law.Re_min && Re <= law.Re_max)) {
         snprintf(remark, sizeof remark, "OUTSIDE of %s's data, %g to %g",
-                 law->name, law->Re_min, law->Re_max);
+                 law.name, law.Re_min, law.Re_max);
         check_line("Re of the inlet", Re, "-", remark);
     }
 }
@@ -100,12 +101,12 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
                    : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
     check_line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
                "mass of the bed over that of the fluid in it");
-    check_line("swing of the pressure",
+    check_line("amplification of the pressure",
                stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
                k->eps_s < densest
-                   ? "part of it left after a step: it dies out"
+                   ? "factor in a step: it decays"
                    : "NOT STABLE: it grows where the bed is packed");
-    check_line("densest bed without it", densest, "-",
+    check_line("largest stable solid fraction", densest, "-",
                helped ? "eps_s, with virtual mass"
                       : "eps_s, without virtual mass");
 }

@@ -100,7 +100,12 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
         const int named = settings_has(s, e->keys[0].path);
         double numbers[16] = {0.0};
 
-        if (e->estimate == NULL || !applies(s, e)) continue;
+        if (!applies(s, e) || (e->estimate == NULL && !named)) continue;
+        if (e->estimate == NULL) {
+            printf("  %-38s %10s %-4s %7.3g %%   named; no estimate\n", e->name,
+                   "-", "", 100.0 * cost_of(e, in, k->rho_f > 0.0));
+            continue;
+        }
         if (named) table_numbers(s, e->keys, numbers, 16);
         k->numbers = named ? numbers : NULL;
         k->pair = named ? pair_of(e, numbers, all, n) : NULL;
@@ -143,7 +148,7 @@ static void print_ways(const struct settings *s, int needed)
 
     line("ways of the coupling", needed, "-",
          has == needed  ? "as it is"
-         : has == 0     ? "they meet, the fluid does not feel them; CALLED FOR"
+         : has == 0     ? "contacts without a reaction on the fluid; CALLED FOR"
          : has > needed ? "more than is called for; enough would be"
                         : "CALLED FOR",
          has == needed ? "" : only[needed]);
@@ -155,9 +160,9 @@ static void print_coupling(const struct settings *s,
     const int needed = ways_called_for(k->eps_s, particles);
 
     line("solids fraction", k->eps_s, "-",
-         k->eps_s > 1e-3   ? "over 1e-3: particles meet"
-         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: the fluid feels them"
-                           : "below 1e-6: the fluid does not feel them",
+         k->eps_s > 1e-3   ? "over 1e-3: particles collide"
+         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: particles act on the fluid"
+                           : "below 1e-6: particles do not act on the fluid",
          "");
     line("mass loading", stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
          "of the particles over the fluid where they are", "");

@@ -14,9 +14,9 @@
 #include "case/case_mesh.h"
 
 /* What flows fastest: velocities [m/s], and the largest Courant number over the
- * step [1/s]. */
+ * step; and how fast viscosity crosses a cell, nu / h^2 [1/s]. */
 struct rates {
-    double inlet, wall, mean, courant;
+    double inlet, wall, mean, courant, viscous;
 };
 
 /* The narrowest cell of a box along k, as its inverse [1/m]. */
@@ -171,6 +171,11 @@ static struct rates rates_of(const struct settings *s)
         r.mean = vector_length(u);
         r.courant = fmax(r.courant, fill_rate(m, u));
     }
+    const int directions = mesh_dimensions(m); /* 0 of a mesh of polyhedra */
+    if (directions != 1)                       /* nothing is split in one */
+        r.viscous = settings_real(s, "fluid.viscosity") /
+                    settings_real(s, "fluid.density") * mesh_diffusion_rate(m) /
+                    (directions > 0 ? 2.0 * directions : 6.0);
     mesh_free(m);
     return r;
 }
@@ -179,6 +184,21 @@ static void line(const char *name, double value, const char *unit,
                  const char *remark)
 {
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
+}
+
+/* The residual of the splitting is carried into the next step, so that the
+ * velocities on both sides of a wall's face take turns: their difference by
+ * about fluid.piso_tolerance times nu dt / h^2 of itself. */
+static void print_viscous(const struct settings *s, double number)
+{
+    const double part = settings_real(s, "fluid.piso_tolerance") * number;
+    char remark[96];
+
+    if (part < 2e-3) return;
+    snprintf(remark, sizeof remark,
+             "HIGH: forces on walls to %.1g; fluid.piso_tolerance = %.0e", part,
+             pow(10.0, floor(log10(1e-3 / number))));
+    line("nu dt / h^2", number, "-", remark);
 }
 
 void case_flow_print(const struct settings *s, double dt, double eps_s)
@@ -192,6 +212,7 @@ void case_flow_print(const struct settings *s, double dt, double eps_s)
     if (r.inlet > 0.0) line("inlet", r.inlet, "m/s", "superficial, largest");
     if (r.wall > 0.0) line("moving walls", r.wall, "m/s", "the fastest");
     if (r.mean > 0.0) line("mean flow", r.mean, "m/s", "superficial");
+    print_viscous(s, r.viscous * dt);
     if (rate <= 0.0) return;
     if (eps_s > 0.0)
         snprintf(remark, sizeof remark, "between grains at eps_s = %g", eps_s);

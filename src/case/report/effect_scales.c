@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "base/vector.h"
+#include "case/build.h"
 #include "case/case_limits.h"
 #include "case/case_mesh.h"
 #include "case/particle_options.h"
@@ -71,9 +72,10 @@ static double volume(const struct effect_scales *k)
 static double drag_at(const struct settings *s, const struct effect_scales *k,
                       double eps_s, double w)
 {
+    const struct drag_law law = build_drag_law(s);
+
     return volume(k) * w *
-           drag_law_named(settings_text(s, "exchange.drag"))
-               ->resistance(1.0 - eps_s, k->rho_f, k->mu, k->d, w);
+           drag_resistance(&law, 1.0 - eps_s, k->rho_f, k->mu, k->d, w);
 }
 
 /* The slip at which the drag carries the weight less the buoyancy. */

@@ -79,18 +79,18 @@ static void print_eval_of(const struct equation *e)
 
 static void print_eval(const char *key)
 {
-    const struct equation *e;
+    struct equation e;
 
-    for (int i = 0; (e = equations_at(i)) != NULL; i++)
-        if (is_wanted(e->key, key)) print_eval_of(e);
+    for (int i = 0; equations_at(i, &e); i++)
+        if (is_wanted(e.key, key)) print_eval_of(&e);
 }
 
 static void print_formula(const char *key, int indent)
 {
-    const struct equation *e;
+    struct equation e;
 
-    for (int i = 0; (e = equations_at(i)) != NULL; i++)
-        if (is_wanted(e->key, key)) printf("%*s%s\n", indent, "", e->formula);
+    for (int i = 0; equations_at(i, &e); i++)
+        if (is_wanted(e.key, key)) printf("%*s%s\n", indent, "", e.formula);
 }
 
 static const struct equation_index_row *row_of(const char *key)
@@ -201,7 +201,7 @@ int equation_index_is_function(const char *word)
 /* What is no equation of the documents may be one of eval: a drag law. */
 int equation_index_explain(const char *key)
 {
-    const struct equation *e;
+    struct equation e;
     int found = 0;
 
     if (is_document(key)) return list_document(key);
@@ -211,9 +211,9 @@ int equation_index_explain(const char *key)
             if (found++ > 0) putchar('\n');
             print_equation(r);
         }
-    if (found == 0 && (e = equations_named(key)) != NULL) {
-        printf("%s: %s\n  %s\n", e->key, e->what, e->formula);
-        print_eval_of(e);
+    if (found == 0 && equations_named(key, &e)) {
+        printf("%s: %s\n  %s\n", e.key, e.what, e.formula);
+        print_eval_of(&e);
         return 0;
     }
     return found > 0 ? 0 : unknown(key);

@@ -12,23 +12,23 @@
 
 void eval_list(void)
 {
-    const struct equation *e;
+    struct equation e;
 
-    for (int i = 0; (e = equations_at(i)) != NULL; i++) {
-        printf("%-10s %s\n", e->key, e->what);
-        printf("%-10s %s -> %s [%s], by %s\n", "", e->inputs, e->out, e->unit,
-               e->function);
+    for (int i = 0; equations_at(i, &e); i++) {
+        printf("%-10s %s\n", e.key, e.what);
+        printf("%-10s %s -> %s [%s], by %s\n", "", e.inputs, e.out, e.unit,
+               e.function);
     }
 }
 
 static int unknown_key(const char *key)
 {
-    const struct equation *e;
+    struct equation e;
     struct nearest n;
 
     nearest_init(&n, key);
-    for (int i = 0; (e = equations_at(i)) != NULL; i++)
-        nearest_offer(&n, e->key);
+    for (int i = 0; equations_at(i, &e); i++)
+        nearest_offer(&n, e.key);
     if (nearest_best(&n) != NULL)
         fprintf(stderr, "winnow: no equation %s; did you mean %s?\n", key,
                 nearest_best(&n));
@@ -75,18 +75,18 @@ static int read_inputs(const struct equation *e, int n,
 
 int eval_print(const char *key, int n, const char *const *inputs)
 {
-    const struct equation *const e = equations_named(key);
-    double x[EQUATIONS_INPUTS], value;
+    struct equation e;
+    double x[EQUATIONS_INPUTS];
 
-    if (e == NULL) return unknown_key(key);
-    if (read_inputs(e, n, inputs, x) != 0) return 2;
-    value = e->value(x);
+    if (!equations_named(key, &e)) return unknown_key(key);
+    if (read_inputs(&e, n, inputs, x) != 0) return 2;
+    const double value = equations_value(&e, x);
     if (!isfinite(value)) {
         fprintf(stderr, "winnow: eval %s: %s has no value for these inputs\n",
-                key, e->out);
+                key, e.out);
         return 2;
     }
-    printf("%s = %.12g [%s]\n", e->out, value, e->unit);
+    printf("%s = %.12g [%s]\n", e.out, value, e.unit);
     return 0;
 }
 

@@ -91,27 +91,49 @@ static double time_of_flow(const struct settings *s,
     return time_with(k, 1, 1.0, 1.0, 1.0 + share * (by - 1.0));
 }
 
-/* The error of upwind convection is to that of second order as a length of the
- * flow to the width of a cell: N / 4 of a cavity of N cells a side, N being the
- * geometric mean of the sides here. Blended convection has half of it. Upwind
- * takes 0.7 of the time (study convection). */
+/* What a convection scheme takes and leaves in a cavity of N cells a side
+ * (study convection): the error over that of second-upwind, a share of N, at
+ * least `least`; and the time of the flow's equations over that of upwind. */
+static const struct scheme_cost {
+    const char *name;
+    double share, least, time;
+} scheme_costs[] = {{"upwind", 0.25, 1.0, 1.0},
+                    {"blended", 0.125, 1.0, 1.0},
+                    {"linear", 0.0, 1.8, 1.0},
+                    {"van-leer", 0.0, 1.7, 1.4},
+                    {"second-upwind", 0.0, 1.0, 1.4}};
+enum { SCHEME_COSTS = sizeof scheme_costs / sizeof scheme_costs[0] };
+
+/* From one scheme to the other, N cells a side. */
+static void print_scheme(const struct settings *s, const struct case_scales *k,
+                         const struct scheme_cost *from,
+                         const struct scheme_cost *to, double N)
+{
+    char name[64];
+
+    if (from == to) return;
+    snprintf(name, sizeof name, "fluid.convection = %s", to->name);
+    line_by(name, time_of_flow(s, k, to->time / from->time),
+            "the error of convection",
+            fmax(from->share * N, from->least) /
+                fmax(to->share * N, to->least));
+}
+
+/* N is the geometric mean of the sides here. */
 static void print_convection(const struct settings *s,
                              const struct case_scales *k)
 {
+    const struct scheme_cost *from = scheme_costs;
     const char *const name = settings_text(s, "fluid.convection");
-    const double share = strcmp(name, "blended") == 0 ? 0.125 : 0.25;
-    const double longer = 1.4, shorter = 1.0 / longer;
     double cells;
     const int directions = directions_of(s, &cells);
-    const double by = fmax(1.0, share * pow(cells, 1.0 / directions));
+    const double N = pow(cells, 1.0 / fmax(directions, 1.0));
 
-    if (directions == 0) return;
-    if (order_of_cells(s) == 1.0)
-        line_by("fluid.convection = second-upwind", time_of_flow(s, k, longer),
-                "the error of convection", by);
-    else
-        line_by("fluid.convection = upwind", time_of_flow(s, k, shorter),
-                "the error of convection", 1.0 / by);
+    while (from < scheme_costs + SCHEME_COSTS && strcmp(from->name, name) != 0)
+        from++;
+    if (directions == 0 || from == scheme_costs + SCHEME_COSTS) return;
+    print_scheme(s, k, from, &scheme_costs[SCHEME_COSTS - 1], N);
+    if (order_of_cells(s) > 1.0) print_scheme(s, k, from, scheme_costs, N);
 }
 
 /* Iterations go with the digits that are asked for, and what else there is to
@@ -172,9 +194,8 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
 static void print_bandwidth(const struct settings *s)
 {
     if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
-    line("averaging.bandwidth halved", 1.0, "what it takes off a wave", 2.0, 1);
-    line("averaging.bandwidth doubled", 1.0, "what it takes off a wave", 2.0,
-         0);
+    line("averaging.bandwidth halved", 1.0, "the damping of a wave", 2.0, 1);
+    line("averaging.bandwidth doubled", 1.0, "the damping of a wave", 2.0, 0);
 }
 
 /* A sub-step asks for the drag of each particle once, which was seen to cost as
@@ -197,6 +218,21 @@ static void print_substeps(const struct settings *s,
              "the error of the drag", 1.0, 0);
 }
 
+/* The force of a dashpot jumps when a contact begins and ends. Without one, e =
+ * 1, the integrator has its own order. */
+static void print_particles(const struct settings *s,
+                            const struct case_scales *k, int flow)
+{
+    const char *const e = "particles.grains.restitution";
+    const double order =
+        settings_has(s, e) && settings_real(s, e) == 1.0 ? 2.0 : 1.0;
+
+    line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
+         "the error of an impact", order, 1);
+    line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
+         "the error of an impact", order, 0);
+}
+
 void report_accuracy(const struct settings *s, const struct case_scales *k)
 {
     const int flow = settings_has(s, "fluid");
@@ -209,10 +245,5 @@ void report_accuracy(const struct settings *s, const struct case_scales *k)
     if (flow) print_correctors(s, k);
     if (settings_has(s, "averaging")) print_bandwidth(s);
     if (settings_has(s, "exchange")) print_substeps(s, k);
-    if (k->particles == 0) return;
-    /* The force of a dashpot jumps when a contact begins and ends. */
-    line("particles.step halved", time_with(k, flow, 1.0, 2.0, 1.0),
-         "the error of an impact", 1.0, 1);
-    line("particles.step doubled", time_with(k, flow, 1.0, 0.5, 1.0),
-         "the error of an impact", 1.0, 0);
+    if (k->particles > 0) print_particles(s, k, flow);
 }

@@ -23,6 +23,7 @@
 #include "resolved/among/among_effect.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/body_gaps.h"
 #include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
@@ -90,6 +91,13 @@ double case_bodies_stiffness(const struct settings *s)
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
 }
 
+double case_bodies_impact_time(const struct settings *s)
+{
+    return contact_linear_time(case_bodies_stiffness(s),
+                               settings_real(s, "bodies.restitution"),
+                               lightest(s));
+}
+
 /* Particle steps in a step of the fluid: 25 in an impact. */
 int case_bodies_dem_steps(const struct settings *s)
 {
@@ -124,14 +132,14 @@ static void add_one(const struct settings *s, const char *of, int i,
 {
     const enum body_motion motion = motion_of(s, of, i);
     const int has_mass = motion == BODY_FREE || motion == BODY_SPRING;
-    double x[3], v[3], w[3] = {0.0, 0.0, 0.0};
+    double x[3], v[3], k[3], w[3] = {0.0, 0.0, 0.0};
 
     settings_item_vector(s, of, i, "position", x);
     settings_item_vector(s, of, i, "velocity", v);
     if (of == list || shape->outline != NULL)
         settings_item_vector(s, of, i, "spin", w);
-    for (int k = 0; k < 3 && shape->outline != NULL; k++)
-        x[k] += shape->outline->centre[k];
+    for (int e = 0; e < 3 && shape->outline != NULL; e++)
+        x[e] += shape->outline->centre[e];
     const int at = solid_bodies_add(
         b, shape, x, has_mass ? settings_item_real(s, of, i, "density") : 1.0,
         motion);
@@ -140,8 +148,11 @@ static void add_one(const struct settings *s, const char *of, int i,
         b->ps->wx[at] = w[0], b->ps->wy[at] = w[1], b->ps->wz[at] = w[2];
     }
     if (motion != BODY_SPRING) return;
-    settings_item_vector(s, of, i, "spring", v);
-    solid_bodies_set_spring(b, at, v);
+    settings_item_vector(s, of, i, "spring", k);
+    solid_bodies_set_spring(b, at, k);
+    b->ps->vx[at] = k[0] > 0.0 ? v[0] : 0.0;
+    b->ps->vy[at] = k[1] > 0.0 ? v[1] : 0.0;
+    b->ps->vz[at] = k[2] > 0.0 ? v[2] : 0.0;
 }
 
 /* Of a list of clumps or surfaces. Non-zero after a message. */
@@ -202,6 +213,20 @@ static struct squeeze_film gaps(const struct settings *s)
                      : 0.0};
 }
 
+/* Non-zero after a message. */
+static int overlap(const struct settings *s, const struct solid_bodies *b)
+{
+    int pair[2];
+    const double depth = body_gaps_deepest(b, pair);
+
+    if (depth == 0.0) return 0;
+    return settings_wrong(s, "bodies",
+                          "body %d begins %g m deep in body %d (counted as in "
+                          "bodies.csv: spheres, boxes, cylinders, clumps, "
+                          "surfaces)",
+                          pair[0], depth, pair[1]);
+}
+
 static struct solid_bodies *create(const struct settings *s)
 {
     const struct dem_options dem = contacts(s);
@@ -223,7 +248,7 @@ static struct solid_bodies *create(const struct settings *s)
     struct solid_bodies *const b =
         solid_bodies_create(n, cells[0] * cells[1] * cells[2],
                             settings_real(s, "fluid.density"), &o);
-    if (add_all(s, b) == 0) return b;
+    if (add_all(s, b) == 0 && overlap(s, b) == 0) return b;
     solid_bodies_free(b);
     return NULL;
 }

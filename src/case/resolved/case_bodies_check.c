@@ -8,6 +8,7 @@
 #include "base/vector.h"
 #include "case/case_mesh.h"
 #include "case/resolved/case_outlines.h"
+#include "resolved/body_shape.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -107,36 +108,108 @@ static const char *const lists[] = {"bodies.spheres", "bodies.boxes",
                                     "bodies.surfaces"};
 enum { LISTS = sizeof lists / sizeof *lists };
 
-static int check_springs(const struct settings *s)
+/* What is fixed has no velocity. */
+static int check_velocity(const struct settings *s, const char *of, int i)
+{
+    double v[3];
+
+    settings_item_vector(s, of, i, "velocity", v);
+    if (vector_length(v) == 0.0 ||
+        strcmp(settings_item_text(s, of, i, "motion"), "fixed") != 0)
+        return 0;
+    return settings_wrong(s, of,
+                          "number %d is fixed and has a velocity; motion = "
+                          "\"prescribed\" keeps it",
+                          i);
+}
+
+static int check_motions(const struct settings *s)
 {
     int code = 0;
 
     for (int l = 0; l < LISTS; l++)
-        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
+        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++) {
             code = check_spring(s, lists[l], i);
+            if (code == 0) code = check_velocity(s, lists[l], i);
+        }
     return code;
 }
 
-static int check_blocks(const struct settings *s)
+static int none(const struct settings *s)
 {
-    const int cylinders = settings_length(s, "bodies.cylinders");
     int all = 0;
 
     for (int l = 0; l < LISTS; l++)
         all += settings_length(s, lists[l]);
-    if (all == 0)
-        return settings_wrong(s, "bodies",
-                              "there is no body; give spheres, boxes, "
-                              "cylinders, clumps or surfaces");
-    for (int i = 0; i < cylinders; i++) {
-        double axis[3];
-        settings_item_vector(s, "bodies.cylinders", i, "axis", axis);
-        if (vector_length(axis) == 0.0)
-            return settings_wrong(s, "bodies.cylinders",
-                                  "the axis of cylinder %d has no direction",
-                                  i);
+    return all == 0;
+}
+
+/* Of a box or cylinder as wide as this [m], and half as wide along the axes as
+ * `extent`. One cell in a direction is a flow in two dimensions. */
+static int check_block(const struct settings *s, const char *of, int i,
+                       double thin, const double extent[3])
+{
+    const int fixed =
+        strcmp(settings_item_text(s, of, i, "motion"), "fixed") == 0;
+    double lo[3], hi[3], h[3], x[3];
+    int n[3];
+
+    case_mesh_ends(s, lo, hi);
+    settings_counts(s, "mesh.cells", n);
+    case_bodies_cell_widths(s, h);
+    settings_item_vector(s, of, i, "position", x);
+    for (int k = 0; k < 3; k++) {
+        const double reach = fixed ? extent[k] : 0.0;
+        if (x[k] + reach < lo[k] || x[k] - reach > hi[k])
+            return settings_wrong(s, of,
+                                  "number %d at [%g, %g, %g] m is not inside "
+                                  "the box",
+                                  i, x[0], x[1], x[2]);
+        if (n[k] > 1 && thin < case_bodies_least_cells * h[k])
+            return settings_wrong(s, of,
+                                  "number %d is %.3g cells wide; expected at "
+                                  "least %g, better 12",
+                                  i, thin / h[k], case_bodies_least_cells);
     }
     return 0;
+}
+
+static int check_box(const struct settings *s, const char *of, int i)
+{
+    double size[3], extent[3];
+
+    settings_item_vector(s, of, i, "size", size);
+    const struct body_shape box = body_shape_box(size);
+    body_shape_extent(&box, extent);
+    return check_block(s, of, i, fmin(size[0], fmin(size[1], size[2])), extent);
+}
+
+static int check_cylinder(const struct settings *s, const char *of, int i)
+{
+    const double d = settings_item_real(s, of, i, "diameter"),
+                 length = settings_item_real(s, of, i, "length");
+    double axis[3], extent[3];
+
+    settings_item_vector(s, of, i, "axis", axis);
+    if (vector_length(axis) == 0.0)
+        return settings_wrong(s, of, "the axis of cylinder %d has no direction",
+                              i);
+    const struct body_shape cylinder = body_shape_cylinder(d, length, axis);
+    body_shape_extent(&cylinder, extent);
+    return check_block(s, of, i, fmin(d, length), extent);
+}
+
+static int check_blocks(const struct settings *s)
+{
+    static const char boxes[] = "bodies.boxes",
+                      cylinders[] = "bodies.cylinders";
+    int code = 0;
+
+    for (int i = 0; i < settings_length(s, boxes) && code == 0; i++)
+        code = check_box(s, boxes, i);
+    for (int i = 0; i < settings_length(s, cylinders) && code == 0; i++)
+        code = check_cylinder(s, cylinders, i);
+    return code;
 }
 
 static int any_moves(const struct settings *s)
@@ -189,10 +262,14 @@ int case_bodies_check(const struct settings *s)
     if (!settings_has(s, "bodies")) return 0;
     int code = check_mesh(s);
 
+    if (none(s))
+        return settings_wrong(s, "bodies",
+                              "there is no body; give spheres, boxes, "
+                              "cylinders, clumps or surfaces");
     if (settings_has(s, "particles") && code == 0) code = check_particles(s);
     for (int i = 0; i < settings_length(s, list) && code == 0; i++)
         code = check_sphere(s, i);
-    if (code == 0) code = check_springs(s);
+    if (code == 0) code = check_motions(s);
     if (code == 0) code = case_outlines_check(s);
     return code != 0 ? code : check_blocks(s);
 }

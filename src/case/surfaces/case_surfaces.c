@@ -16,6 +16,7 @@
 
 static const char list[] = "particles.surfaces",
                   prescribed[] = "particles.prescribed";
+static const char *const directions[] = {"normal", "axis"};
 
 static struct motion motion_of(const struct settings *s, const char *of, int i)
 {
@@ -44,10 +45,18 @@ static void direction(const struct settings *s, int i, const char *key,
         n[k] /= length;
 }
 
-static enum surface_shape shape_of(const struct settings *s, int i)
+static const struct surface_shape *shape_of(const struct settings *s, int i)
 {
-    return (enum surface_shape)models_value(
-        surface_shapes, settings_item_text(s, list, i, "shape"));
+    return surface_shape_named(settings_item_text(s, list, i, "shape"));
+}
+
+/* 1 if one of its tables has the key particles.surfaces.NAME. */
+static int reads(const struct surface_shape *shape, const char *name)
+{
+    for (int t = 0; t < KEY_TABLES && shape->keys[t] != NULL; t++)
+        for (const struct key *k = shape->keys[t]; k->path != NULL; k++)
+            if (strcmp(strrchr(k->path, '.') + 1, name) == 0) return 1;
+    return 0;
 }
 
 static struct triangles *read_triangles(const struct settings *s, int i,
@@ -78,21 +87,30 @@ static int material_of(const struct settings *s, int i)
     return case_materials_number(s, settings_item_text(s, list, i, "material"));
 }
 
+/* The members of struct surface that the shape reads, and its own numbers. */
 static int fill(const struct settings *s, int i, struct surface *one)
 {
+    const struct surface_shape *const shape = shape_of(s, i);
+    int n = 0;
+
     *one = (struct surface){.name = settings_item_text(s, list, i, "name"),
-                            .shape = shape_of(s, i),
+                            .shape = shape,
                             .material = material_of(s, i),
                             .motion = motion_of(s, list, i)};
     settings_item_vector(s, list, i, "point", one->point);
-    direction(s, i, one->shape == SURFACE_PLANE ? "normal" : "axis",
-              one->normal);
-    if (one->shape == SURFACE_CYLINDER) {
+    for (int k = 0; k < 2; k++)
+        if (reads(shape, directions[k]))
+            direction(s, i, directions[k], one->normal);
+    if (reads(shape, "radius"))
         one->radius = settings_item_real(s, list, i, "radius");
+    if (reads(shape, "particles"))
         one->inside =
             strcmp(settings_item_text(s, list, i, "particles"), "inside") == 0;
-    }
-    if (one->shape != SURFACE_TRIANGLES) return 0;
+    for (const struct key *k = shape->own_keys; k != NULL && k->path != NULL;
+         k++)
+        one->own[n++] =
+            settings_item_real(s, list, i, strrchr(k->path, '.') + 1);
+    if (shape->nearest != NULL) return 0;
     one->triangles = read_triangles(s, i, one->point);
     return one->triangles == NULL;
 }
@@ -170,36 +188,28 @@ static int check_name(const struct settings *s, int i)
         s, list, settings_item_text(s, list, i, "material"));
 }
 
-/* What each shape asks for, and what belongs to others. */
+/* Each key belongs to the shapes that read it, and a direction has a length. */
 static int check_shape(const struct settings *s, int i)
 {
-    static const struct {
-        const char *key;
-        enum surface_shape of;
-        int asked;
-    } keys[] = {
-        {"normal", SURFACE_PLANE, 0},    {"axis", SURFACE_CYLINDER, 0},
-        {"radius", SURFACE_CYLINDER, 1}, {"particles", SURFACE_CYLINDER, 0},
-        {"file", SURFACE_TRIANGLES, 1},  {"scale", SURFACE_TRIANGLES, 0}};
+    const struct surface_shape *const shape = shape_of(s, i);
     const char *const name = settings_item_text(s, list, i, "name");
-    const char *const shape = settings_item_text(s, list, i, "shape");
-    double n[3];
 
-    for (int k = 0; k < 6; k++) {
-        const int own = keys[k].of == shape_of(s, i);
-        const int given = settings_item_has(s, list, i, keys[k].key);
-        if (own && keys[k].asked && !given)
-            return settings_wrong(s, list, "%s is a %s: it asks for %s", name,
-                                  shape, keys[k].key);
-        if (!own && given)
-            return settings_wrong(s, list, "%s is a %s: it has no %s", name,
-                                  shape, keys[k].key);
-    }
+    for (int other = 0; surface_shapes[other] != NULL; other++)
+        for (int t = 0; surface_shapes[other]->keys[t] != NULL; t++)
+            for (const struct key *k = surface_shapes[other]->keys[t];
+                 k->path != NULL; k++) {
+                const char *const key = strrchr(k->path, '.') + 1;
+                if (settings_item_has(s, list, i, key) && !reads(shape, key))
+                    return settings_wrong(s, list, "%s is a %s: it has no %s",
+                                          name, shape->name, key);
+            }
     for (int k = 0; k < 2; k++) {
-        settings_item_vector(s, list, i, keys[k].key, n);
-        if (keys[k].of == shape_of(s, i) && !(vector_length(n) > 0.0))
+        double n[3];
+        if (!reads(shape, directions[k])) continue;
+        settings_item_vector(s, list, i, directions[k], n);
+        if (!(vector_length(n) > 0.0))
             return settings_wrong(s, list, "the %s of %s has no direction",
-                                  keys[k].key, name);
+                                  directions[k], name);
     }
     return 0;
 }
@@ -211,7 +221,7 @@ static int check_plane(const struct settings *s, int i)
     int periodic[3];
     double n[3];
 
-    if (shape_of(s, i) != SURFACE_PLANE) return 0;
+    if (shape_of(s, i) != &surface_plane) return 0;
     case_mesh_periodic(s, periodic);
     direction(s, i, "normal", n);
     for (int k = 0; k < 3; k++)
@@ -250,8 +260,8 @@ static int check_driven(const struct settings *s, int i)
     const struct motion m = motion_of(s, prescribed, i);
     if (vector_length(m.spin) > 0.0 &&
         !settings_item_has(s, prescribed, i, "centre"))
-        return settings_wrong(
-            s, prescribed, "particle %d has a spin: it asks for a centre", id);
+        return settings_wrong(s, prescribed,
+                              "particle %d has a spin: it needs a centre", id);
     return check_motion(s, prescribed, i);
 }
 

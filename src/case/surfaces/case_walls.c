@@ -97,7 +97,7 @@ struct surface case_walls_surface(const struct settings *s)
     const struct mesh *const m = settings_mesh(s);
     const int n = all_triangles(m, NULL);
     double(*const corner)[3][3] = alloc_zeroed((size_t)n, sizeof *corner);
-    struct surface made = {.name = case_walls_name, .shape = SURFACE_TRIANGLES};
+    struct surface made = {.name = case_walls_name, .shape = &surface_stl};
 
     all_triangles(m, corner);
     made.triangles = triangles_create(n, corner);
@@ -140,8 +140,8 @@ static int check_periods(const struct settings *s)
             along |= fabs(P[k]) >= (1.0 - 1e-9) * vector_length(P);
         if (along) continue;
         return settings_wrong(s, "particles",
-                              "particles go round a period along x, y or z "
-                              "only; this mesh has one along [%g, %g, %g] m",
+                              "for particles a period must be along x, y or z; "
+                              "this mesh has one along [%g, %g, %g] m",
                               P[0], P[1], P[2]);
     }
     return 0;

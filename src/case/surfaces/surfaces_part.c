@@ -37,7 +37,7 @@ static void print_speed(double speed, const struct case_scales *k)
     check_line("highest speed", speed, "m/s",
                "of any point of them in the box");
     if (k->particles > 0 && speed > 0.0)
-        check_line("way of it in a particle step / d", speed * k->dem_dt / k->d,
+        check_line("its path in a particle step / d", speed * k->dem_dt / k->d,
                    "-", "of the smallest particle");
 }
 
@@ -52,8 +52,7 @@ static void print(const struct settings *s, const struct case_scales *k)
     case_mesh_ends(s, lo, hi);
     for (int i = 0; i < n; i++) {
         const double reach = surface_reach(&made[i], lo, hi);
-        if (made[i].shape == SURFACE_TRIANGLES)
-            triangles += made[i].triangles->n;
+        if (made[i].triangles != NULL) triangles += made[i].triangles->n;
         speed = fmax(speed, motion_speed(&made[i].motion, reach));
     }
     puts("Walls besides the box");

@@ -66,16 +66,33 @@ static void set_skip_release(const struct dem *dem, int looks)
     neighbours_barrier(nb);
 }
 
+/* The loads over `kicks` first kicks, for surfaces with a momentum of their
+ * own. */
+static void push_surfaces(const struct dem *dem, double kicks)
+{
+    struct neighbours *const nb = fast_of(dem)->neighbours;
+    const struct chunk_range mine = neighbours_static_range(nb);
+    const double dt = dem->options.integrator->first * dem->options.step;
+
+    if (nb->surfaces == NULL) return;
+    for (int s = mine.first; s < mine.last; s++)
+        surface_contacts_push(&nb->surfaces->chunk[s], &nb->surfaces->scene,
+                              kicks * dt);
+}
+
 /* Rebuilds lists and forces after particles were changed between runs; the time
- * does not advance. */
+ * does not advance. The first kick then has these loads, and not those of the
+ * last step, which the surfaces have got. */
 static int start(struct dem *dem, double *margin)
 {
+    push_surfaces(dem, -1.0);
     *margin =
         neighbours_refresh(fast_of(dem)->neighbours, fast_of(dem)->min_margin);
     if (*margin < 0.0) return 1;
     set_skip_release(dem, 1);
     compute_loads(dem, 0.0);
     set_skip_release(dem, 0);
+    push_surfaces(dem, 1.0);
     return 0;
 }
 

@@ -12,7 +12,7 @@
 #ifndef DEM_POPULATION_SIZES_H
 #define DEM_POPULATION_SIZES_H
 
-#include "base/key.h"
+#include "base/model.h"
 
 struct sizes;
 struct sizes_options;
@@ -24,6 +24,8 @@ struct sizes_law {
     const char *equations;              /* keys in chapters/references.md */
     const char *function;               /* the one that computes it */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    const struct key *own_keys;         /* of these the one whose numbers are in
+                                           options.own (base/model.h); NULL: none */
     /* What is wrong with the options, as the end of a sentence; or NULL. */
     const char *(*wrong)(const struct sizes_options *o);
     void (*shape)(struct sizes *s, const struct sizes_options *o);
@@ -38,13 +40,14 @@ const struct sizes_law *sizes_law_named(const char *name);
 /* The options of a case; 0 if not set. */
 struct sizes_options {
     const struct sizes_law *law;
-    double mean, deviation; /* [m] normal, before the cut-offs */
-    double median;          /* [m] lognormal, before the cut-offs */
-    double ratio;           /* [-] lognormal: its 84 % quantile over it */
-    double min, max;        /* [m] cut-offs; of uniform the ends */
-    int by_mass;            /* 1: the shares are of the mass, not of the number
-                               of particles */
-    int n;                  /* [-] discrete, table: points */
+    double mean, deviation;    /* [m] normal, before the cut-offs */
+    double median;             /* [m] lognormal, before the cut-offs */
+    double ratio;              /* [-] lognormal: its 84 % quantile over it */
+    double min, max;           /* [m] cut-offs; of uniform the ends */
+    double own[MODEL_NUMBERS]; /* of the keys that the law alone reads */
+    int by_mass; /* 1: the shares are of the mass, not of the number
+                    of particles */
+    int n;       /* [-] discrete, table: points */
     const double (*point)[2]; /* [m] d; [-] discrete: its share, of any sum;
                                  table: the share below d, from 0 to 1 */
 };

@@ -14,7 +14,8 @@ struct piece {
 
 struct sizes {
     const struct sizes_law *law;
-    double min, max; /* [m] */
+    double min, max;           /* [m] */
+    double own[MODEL_NUMBERS]; /* of the keys that the law alone reads */
     /* normal, of d [m]; lognormal, of ln(d / 1 m) [-] */
     double mu, sigma;
     double low, high; /* [-] shares of the whole bell below the cut-offs */

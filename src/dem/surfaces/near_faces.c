@@ -73,7 +73,7 @@ static void find_faces(struct near_faces *l, const struct surface_scene *scene,
                        double skin)
 {
     const struct surface *const s = &scene->surface[surface];
-    const int many = s->shape == SURFACE_TRIANGLES;
+    const int many = s->triangles != NULL;
     struct near_face f = {.surface = surface};
     double x[3], y[3];
 

@@ -9,40 +9,25 @@
 #ifndef DEM_SURFACES_SURFACE_H
 #define DEM_SURFACES_SURFACE_H
 
-#include "base/model.h"
+#include "dem/surfaces/surface_shape.h"
 #include "dem/surfaces/motion.h"
 #include "dem/surfaces/triangles.h"
 
-enum surface_shape {
-    SURFACE_PLANE,
-    SURFACE_CYLINDER,
-    SURFACE_TRIANGLES,
-    SURFACE_SPHERE
-};
-/* What a case can choose, ended by NULL; a sphere is a body (src/resolved). */
-extern const struct model *const surface_shapes[];
-
 struct surface {
     const char *name; /* borrowed */
-    enum surface_shape shape;
-    int material;     /* [-] number of it */
-    double point[3];  /* [m] on the plane, on the axis; or centre */
-    double normal[3]; /* [-] out of the solid; or the axis */
-    double radius;    /* [m] of cylinder, sphere */
-    int inside;       /* [-] 1: particles are within it */
-    const struct triangles *triangles; /* borrowed */
+    const struct surface_shape *shape;
+    int material;              /* [-] number of it */
+    double point[3];           /* [m] on the plane, on the axis; or centre */
+    double normal[3];          /* [-] out of the solid; or the axis */
+    double radius;             /* [m] of cylinder, sphere */
+    int inside;                /* [-] 1: particles are within it */
+    double own[MODEL_NUMBERS]; /* of the keys that the shape alone reads */
+    const struct triangles *triangles; /* borrowed; NULL of other shapes */
     struct motion motion;              /* the places above are of time 0 */
 };
 
-/* What one face of a surface is to a point. */
-struct surface_hit {
-    double r;    /* [m] distance; negative in the solid of plane, cylinder */
-    double n[3]; /* [-] from the face to the point */
-    double q[3]; /* [m] the nearest point of the face */
-};
-
-/* The face of a plane or a cylinder is number 0, that of triangles the number
- * of one. y and the answer are in the frame of the surface, as at time 0. */
+/* The only face of a shape is number 0, that of triangles the number of one. y
+ * and the answer are in the frame of the surface, as at time 0. */
 struct surface_hit surface_nearest(const struct surface *s, int face,
                                    const double y[3]);
 
@@ -52,8 +37,8 @@ struct surface_hit surface_nearest_moved(const struct surface *s, int face,
                                          const struct pose *p,
                                          const double x[3]);
 
-/* Is the point the image of no other in the solid of a plane or a cylinder,
- * deeper than R? Triangles have no solid: 0. */
+/* 1 if x is in the solid of a shape, deeper than R. Triangles have no solid: 0.
+ */
 int surface_contains(const struct surface *s, const struct pose *p,
                      const double x[3], double R);
 
@@ -62,8 +47,7 @@ int surface_contains(const struct surface *s, const struct pose *p,
 double surface_reach(const struct surface *s, const double lo[3],
                      const double hi[3]);
 
-/* At most one message if its numbers make no surface: an axis or a normal
- * without a direction, a radius that is not positive. Non-zero then. */
+/* Non-zero after one message if its numbers make no surface. */
 int surface_wrong(const struct surface *s);
 
 #endif

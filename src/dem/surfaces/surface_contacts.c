@@ -169,6 +169,7 @@ static void accumulate_load(struct surface_contacts *c, int q, struct chunk *s,
         impulse[k] -= dt * load[k];
         angular[k] -= dt * torque[k];
         c->received[t->surface].force[k] -= load[k];
+        c->received[t->surface].torque[k] -= torque[k];
     }
     c->received[t->surface].work += dt * vector_dot(load, t->v);
 }
@@ -227,8 +228,10 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     two.velocity = c->velocity;
     two.material = c->material;
     two.own_inverse_mass = NULL; /* put_spheres has regarded it */
-    for (int a = 0; a < scene->n; a++)
+    for (int a = 0; a < scene->n; a++) {
         memset(c->received[a].force, 0, sizeof c->received[a].force);
+        memset(c->received[a].torque, 0, sizeof c->received[a].torque);
+    }
     chunk_begin_budget(&c->pairs.energy);
     if (n > 0) {
         memset(c->pairs.load, 0, 2 * (size_t)n * sizeof *c->pairs.load);
@@ -239,5 +242,18 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     for (int q = 0; q < n; q++) {
         accumulate_load(c, q, s, c->pose, dt);
         save_contact(c, q);
+    }
+}
+
+void surface_contacts_push(struct surface_contacts *c,
+                           const struct surface_scene *scene, double t)
+{
+    for (int a = 0; a < scene->n; a++) {
+        struct surface_received *const r = &c->received[a];
+        if (scene->surface[a].motion.carrier == NULL) continue;
+        for (int k = 0; k < 3; k++) {
+            r->impulse[k] += t * r->force[k];
+            r->angular[k] += t * r->torque[k];
+        }
     }
 }

@@ -1,5 +1,5 @@
-/* surface_contacts.h -- the forces of surfaces on a chunk's particles. Chapter
- * 14.
+/* surface_contacts.h -- the forces of surfaces on a chunk's particles.
+ * Chapter "Walls".
  *
  * A contact is computed as one of two spheres, by the same loop and law as any
  * other (contact_sweep.h): behind the surface lies a sphere of the same radius
@@ -21,8 +21,7 @@ struct surface_history {
     int owner, id;
     double n[3];          /* [-] */
     double xi[3];         /* [m] the spring */
-    double roll_angle[3]; /* [rad] and that of rolling friction, where there is
-                             any */
+    double roll_angle[3]; /* [rad] that of rolling friction, if there is any */
 };
 
 /* Owners in ascending order. */
@@ -37,6 +36,7 @@ struct surface_received {
     double angular[3]; /* [N m s] about the centre of its motion */
     double work;       /* [J] that it did on the particles */
     double force[3];   /* [N] when the loads were last computed */
+    double torque[3];  /* [N m] */
 };
 
 struct surface_contacts {
@@ -50,9 +50,8 @@ struct surface_contacts {
     int *material;                /* [-] of these; where there are several */
     int capacity;                 /* [-] contacts that fit in */
     struct pose *pose;            /* of each surface, at `time` [s] */
-    struct pose
-        *built; /* when the neighbour list was made, at `built_time` [s] */
-    double time, built_time;
+    struct pose *built;           /* at the last rebuild of the list */
+    double time, built_time;      /* [s] */
     struct surface_received *received;
 };
 
@@ -67,6 +66,10 @@ void surface_contacts_add_loads(struct surface_contacts *c,
                                 struct chunk *s, const struct bodies *b,
                                 contact_sweep *sweep,
                                 const struct contact_constants *k, double dt);
+
+/* Adds the present loads over t [s] to the totals of carried surfaces. */
+void surface_contacts_push(struct surface_contacts *c,
+                           const struct surface_scene *scene, double t);
 
 void surface_contacts_save(struct surface_histories *f,
                            const struct surface_history *one);

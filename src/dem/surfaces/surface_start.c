@@ -13,8 +13,7 @@ static double distance(const struct surface *s, const struct pose *p,
 {
     double r = R, y[3];
 
-    if (s->shape != SURFACE_TRIANGLES)
-        return surface_nearest_moved(s, 0, p, x).r;
+    if (s->triangles == NULL) return surface_nearest_moved(s, 0, p, x).r;
     motion_origin(p, x, y);
     triangles_near(s->triangles, y, R, near);
     for (int q = 0; q < near->n; q++)

@@ -172,7 +172,7 @@ static int jumps_through(const struct surface_contacts *c,
 {
     static const double here[3] = {0.0, 0.0, 0.0};
 
-    if (scene->surface[surface].shape != SURFACE_TRIANGLES) return 0;
+    if (scene->surface[surface].triangles == NULL) return 0;
     for (int f = 0; f < scene->surface[surface].triangles->n; f++)
         if (crosses(c, scene, surface, f, here, b, i)) return 1;
     return 0;
@@ -215,7 +215,7 @@ static int crossed(const struct surface_contacts *c,
 {
     for (int f = own->first; f < own->last; f++) {
         const struct near_face *const face = &c->list.face[f];
-        if (scene->surface[face->surface].shape == SURFACE_TRIANGLES &&
+        if (scene->surface[face->surface].triangles != NULL &&
             crosses(c, scene, face->surface, face->face, face->shift, b,
                     own->owner))
             return face->surface;

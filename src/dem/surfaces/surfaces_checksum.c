@@ -10,11 +10,22 @@ static unsigned long add(unsigned long sum, const void *bytes, size_t n)
     return crc32_z(sum, bytes, n);
 }
 
+/* Its place among the shapes. */
+static int number_of(const struct surface_shape *shape)
+{
+    int i = 0;
+
+    while (surface_shapes[i] != NULL && surface_shapes[i] != shape)
+        i++;
+    return i;
+}
+
 static unsigned long add_shape(unsigned long sum, const struct surface *s)
 {
-    const int whole[] = {(int)s->shape, s->inside, s->material};
+    const int whole[] = {number_of(s->shape), s->inside, s->material};
 
     sum = add(sum, whole, sizeof whole);
+    if (s->shape->own_keys != NULL) sum = add(sum, s->own, sizeof s->own);
     sum = add(sum, s->point, sizeof s->point);
     sum = add(sum, s->normal, sizeof s->normal);
     sum = add(sum, &s->radius, sizeof s->radius);
@@ -32,7 +43,10 @@ static unsigned long add_pair(unsigned long sum, const struct dem_options *o,
                             p.tangential,   p.restitution,    p.friction,
                             p.rolling};
 
-    return add(sum, known, sizeof known);
+    sum = add(sum, known, sizeof known);
+    return o->law->own_keys != NULL
+               ? add(sum, p.of[1]->own, sizeof p.of[1]->own)
+               : sum;
 }
 
 unsigned long surfaces_checksum(const struct dem_options *o)

@@ -84,6 +84,8 @@ static void carried_state(struct surface_contacts *c, int n, struct state *s)
                    sizeof *c->built, n, 3);
     state_reals_of(s, "force", "N", c->received->force, sizeof *c->received, n,
                    3);
+    state_reals_of(s, "torque", "N m", c->received->torque, sizeof *c->received,
+                   n, 3);
 }
 
 void surfaces_state(struct surfaces *sf, struct state *s)

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 
-enum { SIDES = 64, MOST_CORNERS = 16 };
+enum { SIDES = 64, ROWS = 16, MOST_CORNERS = 16 };
 
 void outline_release(struct outline *o)
 {
@@ -157,6 +157,23 @@ static void draw_triangles(struct outline *o, int surface,
     }
 }
 
+/* A net of SIDES by ROWS quadrangles. */
+static void draw_points(struct outline *o, int surface, const struct surface *s,
+                        const struct pose *p, const double lo[3],
+                        const double hi[3])
+{
+    for (int i = 0; i < SIDES * ROWS; i++) {
+        double x[4][3], y[3];
+        for (int c = 0; c < 4; c++) {
+            const int side = i % SIDES + (c == 1 || c == 2), row = i / SIDES;
+            s->shape->point(s, (double)side / SIDES,
+                            (double)(row + c / 2) / ROWS, lo, hi, y);
+            motion_place(p, y, x[c]);
+        }
+        add(o, surface, 4, x);
+    }
+}
+
 void outline_draw(struct outline *o, const struct surface *list, int n,
                   const double lo[3], const double hi[3], double t)
 {
@@ -166,13 +183,17 @@ void outline_draw(struct outline *o, const struct surface *list, int n,
         const struct pose p = motion_pose(&one->motion, t);
         double at[3], normal[3], e[3], f[3], turned[3];
 
-        if (one->shape == SURFACE_TRIANGLES) {
+        if (one->triangles != NULL) {
             draw_triangles(o, s, one->triangles, &p);
+            continue;
+        }
+        if (one->shape->point != NULL) {
+            draw_points(o, s, one, &p, lo, hi);
             continue;
         }
         motion_place(&p, one->point, at);
         motion_turn(&p, one->normal, normal);
-        if (one->shape == SURFACE_PLANE) {
+        if (one->shape == &surface_plane) {
             draw_plane(o, s, at, normal, lo, hi);
             continue;
         }

@@ -1,7 +1,7 @@
 /* outline.h -- surfaces as polygons for display.
  *
  * A plane is drawn within the box, a cylinder as 64 flat sides as long as the
- * box, triangles as they are.
+ * box, triangles as they are, any other shape as a net of its points.
  */
 #ifndef OUTPUT_SURFACES_OUTLINE_H
 #define OUTPUT_SURFACES_OUTLINE_H

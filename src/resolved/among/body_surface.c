@@ -123,20 +123,20 @@ static int reaches_through(const struct solid_bodies *b,
 struct surface body_surface(const struct solid_bodies *b, int i)
 {
     const struct body_shape *const shape = &b->shape[i];
-    struct surface s = {.name = "a body", .shape = SURFACE_TRIANGLES};
+    struct surface s = {.name = "a body", .shape = &surface_stl};
     const double x[3] = {b->ps->x[i], b->ps->y[i], b->ps->z[i]};
 
     memcpy(s.point, x, sizeof s.point);
     s.radius = shape->half[0];
     memcpy(s.normal, shape->axis, sizeof s.normal);
     if (shape->kind == BODY_SPHERE)
-        s.shape = SURFACE_SPHERE;
+        s.shape = &surface_sphere;
     else if (shape->kind == BODY_OUTLINE)
         s.triangles = triangles_of_outline(x, shape->outline);
     else if (shape->kind == BODY_BOX)
         s.triangles = triangles_of_box(x, shape->half);
     else if (reaches_through(b, shape))
-        s.shape = SURFACE_CYLINDER;
+        s.shape = &surface_cylinder;
     else
         s.triangles = triangles_of_cylinder(x, shape);
     return s;

@@ -12,7 +12,7 @@
 #include <string.h>
 
 struct equation_truth {
-    const struct equation *equation;
+    struct equation equation;
     double input[EQUATIONS_INPUTS];
     int variable; /* the input that is t or x; -1: none */
 };
@@ -28,8 +28,8 @@ static int is_meant(const char *text)
 static void *refuse(struct equation_truth *e, const char *text, const char *why)
 {
     fprintf(stderr, "winnow: study: truth %s: %s%s%s\n", text, why,
-            e->equation != NULL ? "; it takes " : "",
-            e->equation != NULL ? e->equation->inputs : "");
+            e->equation.what != NULL ? "; it takes " : "",
+            e->equation.what != NULL ? e->equation.inputs : "");
     free(e);
     return NULL;
 }
@@ -40,7 +40,7 @@ static int read_inputs(struct equation_truth *e, const char *text,
 {
     while (*(text += strspn(text, " ")) != '\0') {
         const size_t length = strcspn(text, "= ");
-        const int k = equations_input(e->equation, text, length);
+        const int k = equations_input(&e->equation, text, length);
         char *end;
 
         if (k < 0 || text[length] != '=' || given[k]) return 1;
@@ -60,15 +60,14 @@ static void *create(const char *text)
     const size_t length = strcspn(text, " ");
 
     snprintf(name, sizeof name, "%.*s", (int)length, text);
-    e->equation = equations_named(name);
     e->variable = -1;
-    if (e->equation == NULL)
+    if (!equations_named(name, &e->equation))
         return refuse(e, text, "no such equation; winnow eval lists all");
     if (read_inputs(e, text + length, given) != 0)
         return refuse(e, text, "expected name=value for its inputs, each once");
-    for (int k = 0; k < equations_inputs(e->equation); k++) {
+    for (int k = 0; k < equations_inputs(&e->equation); k++) {
         if (given[k]) continue;
-        equations_name(e->equation, k, name);
+        equations_name(&e->equation, k, name);
         if (e->variable >= 0 ||
             (strcmp(name, "t") != 0 && strcmp(name, "x") != 0))
             return refuse(e, text, "an input is missing");
@@ -84,7 +83,7 @@ static double value(const void *of, double x)
 
     memcpy(input, e->input, sizeof input);
     if (e->variable >= 0) input[e->variable] = x;
-    return e->equation->value(input);
+    return equations_value(&e->equation, input);
 }
 
 const struct truth_function truth_equation = {"an equation", is_meant, create,
