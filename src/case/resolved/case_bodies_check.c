@@ -145,7 +145,8 @@ static int none(const struct settings *s)
 }
 
 /* Of a box or cylinder that is so wide [m] in each direction, and reaches that
- * far from its centre. What reaches through the box has no ends there. */
+ * far from its centre. What reaches through the box has no ends there. One
+ * that is narrower than a cell may hold none. */
 static int check_block(const struct settings *s, const char *of, int i,
                        const double width[3], const double extent[3])
 {
@@ -163,12 +164,11 @@ static int check_block(const struct settings *s, const char *of, int i,
                                   "number %d at [%g, %g, %g] m is not inside "
                                   "the box",
                                   i, x[0], x[1], x[2]);
-        if (2.0 * extent[k] < hi[k] - lo[k] &&
-            width[k] < case_bodies_least_cells * h[k])
+        if (2.0 * extent[k] < hi[k] - lo[k] && width[k] < h[k])
             return settings_wrong(s, of,
                                   "number %d is %.3g cells wide; expected at "
-                                  "least %g, better 12",
-                                  i, width[k] / h[k], case_bodies_least_cells);
+                                  "least 1, better 12",
+                                  i, width[k] / h[k]);
     }
     return 0;
 }
