@@ -41,7 +41,7 @@ void case_overlap_describe(const struct simulation *sim,
              deep.id, other, deep.depth, deep.at[0], deep.at[1], deep.at[2]);
 }
 
-void case_overlap_tell(const struct simulation *sim, int *told)
+void case_overlap_warn(const struct simulation *sim, int *told)
 {
     char text[CASE_OVERLAP_TEXT];
 

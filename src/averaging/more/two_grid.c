@@ -123,7 +123,7 @@ static void overlap_all(struct two_grid *g)
 }
 
 /* A box of coarse cells around the mesh; returns their number. */
-static double lay_grid(struct two_grid *g, double bandwidth)
+static double create_grid(struct two_grid *g, double bandwidth)
 {
     const struct mesh *const m = g->h->mesh;
     double high[3];
@@ -178,7 +178,7 @@ static void *two_grid_create(const struct cell_of_particle *h,
         g->half = find_extents(h->mesh);
     else
         g->facets = facets_create(h->mesh);
-    const int wrong = number_int(lay_grid(g, o->bandwidth) * o->fields, &n);
+    const int wrong = number_int(create_grid(g, o->bandwidth) * o->fields, &n);
     assert(!wrong);
     (void)wrong;
     n /= o->fields;

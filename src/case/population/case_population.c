@@ -159,7 +159,7 @@ static int check_no_contacts(const struct settings *s, int i,
 {
     int who[2];
 
-    if (o->rate > 0.0 || !insertion_clash(o, box, o->overlap, who)) return 0;
+    if (o->rate > 0.0 || !insertion_overlap(o, box, o->overlap, who)) return 0;
     return settings_wrong(
         s, sources,
         "source %d: spheres %d and %d of its file overlap; move them apart, or "

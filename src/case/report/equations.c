@@ -19,7 +19,7 @@
 /* Each function unpacks its inputs and calls the room's. */
 EQUATION_OF_4(drag_reynolds)
 EQUATION_OF_2(drag_terminal_ratio)
-EQUATION_OF_7(exact_taken_along)
+EQUATION_OF_7(exact_released)
 EQUATION_OF_1(kernel_bell)
 EQUATION_OF_2(diffusion_kernel)
 EQUATION_OF_2(time_average_weight)
@@ -126,7 +126,7 @@ static const struct equation others[] = {
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
      "t "
      "[s]",
-     "u", "m/s", EQUATION_BY(exact_taken_along)},
+     "u", "m/s", EQUATION_BY(exact_released)},
     {"SX15:6", "Gaussian kernel equivalent to diffusion",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
      EQUATION_BY(diffusion_kernel)},

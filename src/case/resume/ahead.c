@@ -73,7 +73,7 @@ int ahead_is_other(struct ahead *a, int tell)
     const int other = case_text_differs(was, a->lines, tell ? a->path : NULL);
 
     free(was);
-    if (!other && tell) state_texts_tell_version(a->found, a->path);
+    if (!other && tell) state_texts_print_version(a->found, a->path);
     return other;
 }
 

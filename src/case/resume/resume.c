@@ -114,7 +114,7 @@ static int is_other(const struct resume *r, const char *path)
     const int other = case_text_differs(was, r->lines, path);
 
     free(was);
-    if (!other && path != NULL) state_texts_tell_version(r->found, path);
+    if (!other && path != NULL) state_texts_print_version(r->found, path);
     return other;
 }
 

@@ -84,8 +84,8 @@ static void take_names(struct simulation *sim)
         sim->surface_names[i] = sim->surfaces[i].name;
 }
 
-static int furnish(const struct settings *s, struct simulation *sim,
-                   struct dem_options *o)
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
 {
     int code;
 
@@ -155,7 +155,7 @@ const struct case_part surfaces_part = {.keys = case_surfaces_keys,
                                         .check = check,
                                         .dem_options = dem_options,
                                         .print = print,
-                                        .furnish = furnish,
+                                        .complete = complete,
                                         .free = release,
                                         .place = place,
                                         .add = add};
