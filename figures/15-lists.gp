@@ -5,7 +5,7 @@ set output "figures/15-lists.svg"
 data = "figures/15-lists.txt"
 set multiplot layout 1,2
 set xlabel "skin over diameter [-]"
-set ylabel "processor time a particle and step [us]"
+set ylabel "processor time a particle and step [μs]"
 set logscale y
 set yrange [0.01:2]
 set key bottom right

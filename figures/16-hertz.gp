@@ -6,7 +6,7 @@ paper = "figures/data/chung_ooi2011_curves.csv"
 taken(test) = sprintf("< grep '^%d,.*F_kN vs time' %s | cut -d, -f4,5 | tr , ' '", test, paper)
 set multiplot layout 1,2
 set ylabel "force [kN]"
-set xlabel "time [us]"
+set xlabel "time [μs]"
 set yrange [0:15]
 set title "two glass spheres"
 set xrange [0:45]

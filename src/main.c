@@ -85,7 +85,7 @@ static int wrong_option(const struct command *c, const char *option)
         if (strchr(c->options, words[i].letter) != NULL &&
             nearest_edits(option, words[i].word) < 4)
             near = words[i].word;
-    fprintf(stderr, "winnow: %s knows no option %s%s%s%s\nwinnow %s %s\n",
+    fprintf(stderr, "winnow: %s has no option %s%s%s%s\nwinnow %s %s\n",
             c->name, option, near != NULL ? "; did you mean " : "",
             near != NULL ? near : "", near != NULL ? "?" : "", c->name,
             c->arguments);
@@ -115,16 +115,15 @@ static int take_option(const struct command *c, int argc, char **argv, int *i,
         strchr(c->options, option[1]) == NULL)
         return wrong_option(c, option);
     if (value == NULL && *i + 1 < argc) value = argv[++*i];
-    if (value == NULL) return wrong(c, option, " asks for a value");
+    if (value == NULL) return wrong(c, option, " needs a value");
     if (option[1] == 'o' && value[0] == '\0')
-        return wrong(c, "-o asks for a folder, not for an empty name", "");
+        return wrong(c, "-o needs the name of a folder, not an empty one", "");
     if (option[1] == 'o')
         l->dir = value;
     else if (option[1] == 's')
         l->overrides[l->n_overrides++] = value;
     else if ((l->threads = threads_of(value)) == 0)
-        return wrong(c, "-j asks for a number of threads, 1 to 1024, not ",
-                     value);
+        return wrong(c, "-j needs a number of threads, 1 to 1024, not ", value);
     return 0;
 }
 
@@ -137,8 +136,7 @@ static int perform(const struct command *c, int argc, char **argv,
         else if (take_option(c, argc, argv, &i, l) != 0)
             return 2;
     }
-    if (l->n_words < c->least)
-        return wrong(c, c->name, " asks for a case file");
+    if (l->n_words < c->least) return wrong(c, c->name, " needs a case file");
     if (c->most >= 0 && l->n_words > c->most)
         return wrong(c, l->words[c->most], ": one argument too many");
     return c->act(l);

@@ -56,14 +56,14 @@ fact misspelt_command_finds_the_one_meant 2 "did you mean run?" "$winnow" rum
 fact strange_command_is_refused 2 "no command elephant" "$winnow" elephant
 fact misspelt_option_finds_the_one_meant 2 "did you mean --quiet?" \
     "$winnow" run tiny.cfg --quite
-fact option_of_another_command_is_refused 2 "check knows no option -o" \
+fact option_of_another_command_is_refused 2 "check has no option -o" \
     "$winnow" check tiny.cfg -o there
-unknown() { "$winnow" list -swinnow 2>&1 | grep -x 'winnow: list knows no option -swinnow'; }
+unknown() { "$winnow" list -swinnow 2>&1 | grep -x 'winnow: list has no option -swinnow'; }
 fact unknown_option_is_named_and_nothing_else_is_said 0 "" unknown
-fact option_without_value_is_refused 2 "-o asks for a value" \
+fact option_without_value_is_refused 2 "-o needs a value" \
     "$winnow" run tiny.cfg -o
 fact threads_are_a_number 2 "1 to 1024, not many" "$winnow" run tiny.cfg -j many
-fact run_asks_for_a_case 2 "asks for a case" "$winnow" run
+fact run_asks_for_a_case 2 "needs a case" "$winnow" run
 fact one_case_at_a_time 2 "one argument too many" "$winnow" run tiny.cfg tiny.cfg
 
 echo "input:"
@@ -140,7 +140,7 @@ output = { end = 0.01; every = 0.01; history = 0.001; };
 END
 fact field_without_a_fluid_is_wrong_input 2 "no field p: fields are those of a fluid" \
     "$winnow" run fields.cfg -s 'output.probes=({field="p";position=[0.005,0.005,0.005];})'
-fact field_of_solids_is_refused_one_way 2 'no field us_y: it asks for exchange' \
+fact field_of_solids_is_refused_one_way 2 'no field us_y: it needs exchange' \
     "$winnow" check tiny.cfg -s exchange.coupling=one-way \
     -s 'output.profiles=({field="us_y";height=0.001;})'
 fact time_average_is_refused_one_way 2 "one-way there are no averaged fields" \
@@ -519,9 +519,9 @@ sums() {
 fact forces_of_grains_on_surfaces_add_up_and_turn_them_about_the_point 0 1 sums
 fact surface_that_is_not_there_has_no_forces 2 "there is no surface shet" \
     "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "shet"; })'
-fact forces_on_patches_ask_for_fluid 2 "told with surfaces" \
+fact forces_on_patches_ask_for_fluid 2 "written with surfaces" \
     "$winnow" check walls.cfg -s 'output.forces=({ patches = "top"; })'
-fact fluid_does_not_see_a_surface 2 'surfaces = "sheet" is what the grains' \
+fact fluid_does_not_see_a_surface 2 'surfaces = "sheet" gives the force of the grains' \
     "$winnow" check walls.cfg -s 'output.forces=({ patches = "sheet"; })' \
     -s 'fluid={ density = 1.0; viscosity = 1e-3; step = 1e-3; top = "no-slip"; bottom = "no-slip"; sides = "no-slip"; front_back = "no-slip"; }' \
     -s 'averaging={ method = "pcm"; }' -s 'exchange={ drag = "gidaspow"; }'
@@ -538,7 +538,7 @@ sed 's/0.07, 0.05\]/0.052, 0.05]/' walls.cfg >inside.cfg
 fact particle_that_begins_in_a_wall_is_code_2 2 \
     'begins 0.002 m from the surface "sheet"' "$winnow" run inside.cfg -o inside
 sed 's/"floor"; shape = "plane"/"floor"; shape = "cylinder"/' walls.cfg >shape.cfg
-fact cylinder_asks_for_its_radius 2 "it asks for radius" "$winnow" check shape.cfg
+fact cylinder_asks_for_its_radius 2 "cylinder needs the radius of" "$winnow" check shape.cfg
 sed 's/shape = "plane"; point/shape = "plane"; radius = 0.1; point/' walls.cfg >shape.cfg
 fact plane_has_no_radius 2 "floor is a plane: it has no radius" "$winnow" check shape.cfg
 sed 's/name = "floor"/name = "sheet"/' walls.cfg >shape.cfg
@@ -572,8 +572,8 @@ fact body_does_not_meet_itself 2 "meets itself across the period" \
     -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; bottom_top="slip";}'
 fact fixed_body_has_no_velocity 2 "number 0 is fixed and has a velocity" \
     body -s 'bodies.spheres.0.velocity=[1.0,0.0,0.0]'
-fact box_asks_for_three_cells 2 "bodies.boxes: number 0 is 1.2 cells wide" \
-    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.01,0.05];})'
+fact box_asks_for_a_cell 2 "bodies.boxes: number 0 is 0.6 cells wide" \
+    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.005,0.05];})'
 fact box_is_in_the_box 2 "bodies.boxes: number 0 at [0.5, 0.05, 0.05] m is not inside" \
     body -s 'bodies.boxes=({position=[0.5,0.05,0.05]; size=[0.05,0.05,0.05];})'
 fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \

@@ -2,10 +2,12 @@
 # The core is the rooms' own files: without any folder they build a program that
 # runs the small bed with the means of the whole one, and they pass the tests
 # that need no folder. A folder is added to the core with no others than its
-# models.txt names.
+# models.txt names, and is taken away from the whole with no others than those
+# that name it.
 #
 #   sh tests/core.sh build            the core
-#   sh tests/core.sh build folders    each folder alone, added to it
+#   sh tests/core.sh build folders    each folder alone, added to it, and each
+#                                     folder alone, taken away
 set -u
 build=${1:-build}
 extent=${2:-core}
@@ -153,8 +155,37 @@ each_folder() {
     made "" "$core/winnow" || holds the_core_again $?
 }
 
+# The folders that need one of the list, and those that need these; each once.
+with_those_that_need() {
+    list=$1
+    for folder in $(cat "$build/folders"); do
+        case " $list " in *" $folder "*) continue ;; esac
+        [ -f "$folder/models.txt" ] || continue
+        for other in $(sed -n 's/^needs //p' "$folder/models.txt"); do
+            case " $list " in *" $other "*) list="$list $folder" && break ;; esac
+        done
+    done
+    if [ "$list" = "$1" ]; then echo "$list"; else with_those_that_need "$list"; fi
+}
+
+without_each_folder() {
+    for folder in $(cat "$build/folders"); do
+        out=$(with_those_that_need "$folder")
+        left=
+        for other in $(cat "$build/folders"); do
+            case " $out " in *" $other "*) ;; *) left="$left $other" ;; esac
+        done
+        made "$left" "$core/winnow" &&
+            run "$core/winnow" "$work/without" -s output.end=0.002 \
+                -s particles.bed.settle=0.001
+        holds "the_whole_without_$folder ($(echo "$out" | wc -w))" $?
+    done
+    made "" "$core/winnow" || holds the_core_again $?
+}
+
 if [ "$extent" = folders ]; then
     each_folder
+    without_each_folder
 else
     the_core
     [ "$failed" -eq 0 ] && its_messages && its_tests

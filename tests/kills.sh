@@ -283,7 +283,7 @@ cp -r was foreign
 short linked.cfg -o other -s output.end=1e-4 2>said
 cp other/checkpoint foreign/checkpoint
 check "status of a folder with the checkpoint of another case" \
-    says 'not taken *checkpoint is of another case' "$winnow" status foreign
+    says 'not used *checkpoint is of another case' "$winnow" status foreign
 rm foreign/manifest.txt
 check "a lost list of files is named" says 'foreign/manifest.txt is not there' \
     "$winnow" run flow.cfg -o foreign --resume
@@ -302,12 +302,12 @@ check "nothing to resume is said" says 'nothing to resume in empty' \
 check "a second state" short flow.cfg -o was --resume -s output.end=0.006
 damage was/checkpoint
 check "damage is said, and the state before taken" says \
-    'was/checkpoint is not taken: it is damaged' \
+    'was/checkpoint is not used: it is damaged' \
     "$winnow" run flow.cfg -o was --resume -s output.end=0.009
 check "the same from there" short flow.cfg -o whole -s output.end=0.009
 check "has the same bits" cmp was/history.csv whole/history.csv
 check "and the same means of the second half" same whole was
-check "an end that is past is refused" says 'goes on to a later end only' \
+check "an end that is past is refused" says 'only be continued to a later end' \
     "$winnow" run flow.cfg -o was --resume -s output.end=0.003
 
 # Stops a run as soon as it has saved the bed that settles.
@@ -326,7 +326,7 @@ rm -rf cache
 stop_settling TERM settles
 check "a signal while a bed settles is told" grep -q 'while the bed settled' told
 check "status of a bed that settles" says 'its bed settles' "$winnow" status settles
-check "it settles on" says 'the bed settles on from' \
+check "it settles on" says 'the bed continues to settle from' \
     "$winnow" run resting.cfg -o settles --resume
 check "to the same bits" diff -r rest/particles settles/particles
 check "and leaves no state of settling" [ ! -e settles/checkpoint.ahead ]

@@ -336,6 +336,14 @@ killed_run_is_a_result() {
     wait $pid && [ "$(grep -c "exit code 137: ended by a signal" shot/study.md)" -eq 2 ]
 }
 fact a_run_that_a_signal_ends_is_a_result killed_run_is_a_result
+finest_may_break_down() {
+    "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
+        --measure mean_height -o no-finest >heard 2>&1 || return 1
+    cat heard
+    grep -q 'no error is known: the finest has not come to its end' heard &&
+        [ -e no-finest/runs/step=2e-5 ] # one key ends with .step, another with _step
+}
+fact if_the_finest_breaks_down_that_is_told finest_may_break_down
 broken_run_is_a_result() {
     # A step of the springs that does not resolve them, and one refused for it.
     "$winnow" study grains.cfg -s particles.step=2e-5,2e-4 -s particles.unsafe_step=false \
@@ -439,7 +447,7 @@ fact a_truth_of_nothing refused 'no error is relative to that' \
 fact seeds_that_are_varied_as_well refused 'is varied, so that --seeds' \
     grains.cfg -s particles.bed.seed=1,2 --measure mean_height --seeds 2
 printf 'time [s],u [m/s]\n0.1,1\n0,1\n' >falling.csv
-fact a_table_that_falls refused 'the first rising' \
+fact a_table_that_falls refused 'does not rise' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth falling.csv
 fact more_runs_than_anybody_waits_for refused 'more than 10000 runs' \
     grains.cfg -s particles.step=2e-5,1e-5 --measure mean_height --seeds 1000 --times 1000

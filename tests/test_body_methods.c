@@ -274,7 +274,7 @@ START_TEST(squeeze_film_takes_the_speed_that_its_integral_says)
     const struct squeeze_film l = {.mu = 1e-2, .z_min = 1e-5, .reach = 0.1};
     const double R = 0.1, m = 1.0, g = -1.0, dt = 0.06,
                  scale = 6.0 * M_PI * l.mu * R * R;
-    const double after = squeeze_film_slow_down(&l, R, m, 0.08, g, dt);
+    const double after = squeeze_film_velocity(&l, R, m, 0.08, g, dt);
     /* the loss is small, so the way is g dt to first order */
     const double z = 0.08 + g * dt;
     const double lost = scale / m * (log(0.08 / z) - (0.08 - z) / l.reach);
@@ -287,7 +287,7 @@ END_TEST
 START_TEST(squeeze_film_never_turns_a_body_round)
 {
     const struct squeeze_film l = {.mu = 1e3, .z_min = 1e-6, .reach = 0.1};
-    const double after = squeeze_film_slow_down(&l, 0.1, 1.0, 1e-3, -1.0, 0.1);
+    const double after = squeeze_film_velocity(&l, 0.1, 1.0, 1e-3, -1.0, 0.1);
 
     ck_assert_double_le(after, 0.0);
     ck_assert_double_ge(after, -1e-6);

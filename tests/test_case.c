@@ -100,11 +100,11 @@ START_TEST(sizes_are_possible_and_known_by_their_names)
         "particles.bed.sizes=snad"};
     int code;
 
-    refused("particles.integrator=heun", "goes without a fluid");
+    refused("particles.integrator=heun", "is for cases without exchange");
     refused("particles.bed={count=3;}", "give either diameter or sizes");
     refused("particles.bed.sizes=sand", "not both");
     refused("particles.sizes=({name=\"a\";distribution=\"normal\";})",
-            "a, which is normal: it asks for mean");
+            "a, which is normal: it needs mean");
     refused("particles.sizes=({name=\"a\";distribution=\"gauss\";})",
             "expected");
     struct settings *const s =
@@ -128,8 +128,8 @@ START_TEST(the_reference_loop_is_refused_what_it_does_not_know)
         "particles.surfaces=({name=\"floor\";shape=\"plane\";"
         "point=[0.0,0.01,0.0];normal=[0.0,1.0,0.0];})",
         "particles.prescribed=({id=0;velocity=[0.1,0.0,0.0];})"};
-    static const char *const why[2] = {"knows no surfaces; verlet does",
-                                       "knows no prescribed particles"};
+    static const char *const why[2] = {"does not support surfaces; verlet does",
+                                       "does not support prescribed particles"};
 
     for (int k = 0; k < 2; k++) {
         const char *const overrides[] = {methods[_i], asked[k]};
@@ -235,9 +235,9 @@ END_TEST
 START_TEST(contact_law_requires_its_constants)
 {
     refused("particles.contact=linear",
-            "linear asks for particles.grains.stiffness");
+            "linear needs particles.grains.stiffness");
     refused("particles.grains={density=1;restitution=1;friction=0;}",
-            "hertz asks for particles.grains.young");
+            "hertz needs particles.grains.young");
 }
 END_TEST
 
@@ -249,7 +249,7 @@ START_TEST(materials_are_known_by_their_names)
     refused("particles.walls={material=\"grain\";}", "did you mean grains?");
     refused("particles.walls={material=\"\";}", "no material");
     refused("particles.materials=({name=\"steel\";restitution=1;friction=0;})",
-            "hertz asks for the young of steel");
+            "hertz needs the young of steel");
     refused("particles.materials=(" STEEL "," STEEL ")",
             "the name steel is given twice");
     refused("particles.pairs=({between=\"grains\";and=\"grains\";})",
@@ -331,7 +331,7 @@ END_TEST
 
 START_TEST(bed_must_fit_into_the_box)
 {
-    refused("particles.bed.diameter=0.02", "more than the box has room for");
+    refused("particles.bed.diameter=0.02", "larger than the box");
     refused("particles.bed.count=100000", "would fill 171 % of the box");
     refused("particles.place=({position=[0.01,0.01,0.01];diameter=1e-3;})",
             "not both");
@@ -340,7 +340,7 @@ END_TEST
 
 START_TEST(averaging_by_a_bandwidth_requires_one)
 {
-    refused("averaging={method=\"kernel\";}", "asks for averaging.bandwidth");
+    refused("averaging={method=\"kernel\";}", "needs averaging.bandwidth");
 }
 END_TEST
 

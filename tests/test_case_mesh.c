@@ -244,7 +244,7 @@ START_TEST(unsupported_particle_features_on_a_polyhedral_mesh_are_refused)
         read_case("size = [1.0, 1.0, 0.5]; cells = [4, 4, 2]; shear = [0.3, "
                   "0.0, 0.0]; periodic = [false, true, false];",
                   "sides = \"no-slip\"; front_back = \"slip\";", more, &code));
-    ck_assert_ptr_nonnull(strstr(said, "along x, y or z only"));
+    ck_assert_ptr_nonnull(strstr(said, "a period must be along x, y or z"));
 }
 END_TEST
 
@@ -254,9 +254,10 @@ START_TEST(patches_go_by_their_own_names)
 
     refused(box, "bottom = { inlet = 0.5; }; topp = { outlet = 0.0; };",
             "fluid.topp: no such key; did you mean fluid.top,");
-    refused(box, "bottom = { inlet = 0.5; }; top = { outlet = 0.0; };",
-            "nothing is said about the patch left, 6 faces with 1 m^2: give "
-            "fluid.left");
+    refused(
+        box, "bottom = { inlet = 0.5; }; top = { outlet = 0.0; };",
+        "the patch left, 6 faces with 1 m^2, has no boundary condition: give "
+        "fluid.left");
     refused(box, "sides = \"slip\";", "fluid.sides: no such key");
     refused("polymesh = \"../tests/data/poly/cyclic\";", "left = \"slip\";",
             "fluid.left: no such key");

@@ -426,6 +426,7 @@ START_TEST(ls_4_9_effective_moduli_follow_hertz_and_mindlin)
     ck_assert_double_eq_tol(contact_hertz_shear(48e9, 0.2, 208e9, 0.3),
                             8.9887640e9, 1e3);
     /* F = 4/3 E* sqrt(R*) delta^1.5 and k_t = 8 G* sqrt(R* delta). */
+    ck_assert_double_eq_tol(contact_hertz_stiffness(3e9, 0.01), 4e8, 1e-3);
     ck_assert_double_eq_tol(contact_hertz_force(3e9, 0.01, 1e-4), 400.0, 1e-9);
     ck_assert_double_eq_tol(contact_hertz_tangential(1e9, 0.01, 1e-4), 8e6,
                             1e-6);

@@ -197,8 +197,8 @@ START_TEST(a_cap_leaves_the_whole_buoyancy_in_both_models)
 END_TEST
 
 /* [SX15 section 3.4]: no field of eps_s u_s is computed unless it is needed.
- * The sum of V eps_s u_s is then that of V_p u_p, and the field that of the
- * other form. */
+ * The field is then that of the other form, and what is averaged is V_p u_p
+ * [SX15 9, XS11 3.12]. */
 START_TEST(the_void_rate_form_averages_the_solids_velocity_on_demand)
 {
     struct scene s = air;

@@ -227,7 +227,7 @@ START_TEST(an_inlet_that_cannot_be_is_refused)
 #define INLET(text)                                                            \
     "left = { inlet = 1.0; " text " }; right = { outlet = 0.0; }; "            \
     "bottom_top = \"no-slip\"; front_back = \"slip\";"
-    refused(INLET("profile = \"formula\";"), "asks for formula");
+    refused(INLET("profile = \"formula\";"), "needs formula");
     refused(INLET("profile = \"formula\"; formula = \"2*q\";"), "at sign 3");
     refused(INLET("profile = \"formula\"; formula = \"y-0.5\";"),
             "expected >= 0");

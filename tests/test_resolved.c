@@ -108,7 +108,7 @@ START_TEST(ew18_4_the_fluid_inside_moves_with_the_body)
         if (vector_length(l->r) < 0.3) worst = fmax(worst, vector_length(u));
     }
     /* 1/C, and what presses on it is of the order of mu U / h^2 */
-    ck_assert_double_le(worst, 10.0 / mark_firmness * flow[0]);
+    ck_assert_double_le(worst, 10.0 / mark_friction_inside * flow[0]);
     pool_free(&p);
 }
 END_TEST
@@ -162,7 +162,7 @@ START_TEST(ew18_4_couettes_profile_is_exact_for_a_wall_anywhere_in_a_cell)
         const double y = p.mesh->centre[3 * c + 1];
         if (y > top)
             ck_assert_double_eq_tol(p.fluid->u[3 * c], (y - top) / (1.0 - top),
-                                    0.2 / mark_firmness);
+                                    0.2 / mark_friction_inside);
     }
     pool_free(&p);
 }

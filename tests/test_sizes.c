@@ -238,7 +238,7 @@ START_TEST(a_distribution_that_cannot_be_is_refused)
 
     ck_assert_ptr_null(sizes_law_named("gauss"));
     refused("uniform", (o){.min = 2.0, .max = 1.0}, "min must be below");
-    refused("uniform", (o){.min = 2.0}, "asks for min and max");
+    refused("uniform", (o){.min = 2.0}, "needs min and max");
     refused("normal", (o){.min = 1.0, .max = 2.0}, "mean > 0");
     refused("normal", (o){.mean = 1.0, .deviation = 1.0}, "negative");
     refused("normal",

@@ -118,10 +118,10 @@ END_TEST
 START_TEST(file_without_a_triangle_is_refused)
 {
     refused("solid a\nendsolid a\n", "there is no triangle in it");
-    refused("", "no STL file");
+    refused("", "not an STL file");
     refused("Wavefront? no. But this line is longer than eighty-four bytes, so "
             "that there is a head.\n",
-            "no STL file, or cut off: its head announces");
+            "not an STL file, or truncated: its header announces");
 }
 END_TEST
 

@@ -32,7 +32,8 @@ local function is_caption(block)
 end
 
 local function figure(image, caption)
-  local out = pandoc.List({ pandoc.RawBlock("html", "<figure>"), pandoc.Plain({ image }) })
+  local large = pandoc.Link({ image }, image.src) -- alone in the window
+  local out = pandoc.List({ pandoc.RawBlock("html", "<figure>"), pandoc.Plain({ large }) })
   if caption then
     out:extend({ pandoc.RawBlock("html", "<figcaption>"), pandoc.Plain(caption.content),
                  pandoc.RawBlock("html", "</figcaption>") })
@@ -122,7 +123,7 @@ local function link(item)
 end
 
 local function image(item)
-  item.src = item.src:gsub("^%.%./", "")
+  item.src = item.src:gsub("^[%./]+/", "")
   return item
 end
 

@@ -23,7 +23,7 @@ function small(s,    n, part, k, depth, mark, out) {
             if (tall[depth--] && depth) tall[depth] = 1
         }
         if (depth && s ~ /display="block"/ &&
-            part[k] ~ /<mfrac|<mtable|<munder|<mover|<msqrt|>∑<|>∫</)
+            part[k] ~ /<mfrac|<mtable|<munder|<msqrt|>∑<|>∫</)
             tall[depth] = 1
     }
     out = part[1]
@@ -49,8 +49,8 @@ function small(s,    n, part, k, depth, mark, out) {
     gsub(/<mo accent="true">\314\207</, "<mo accent=\"true\">\313\231<") # dot
     gsub(/<mo accent="true">\314\203</, "<mo accent=\"true\">\313\234<") # tilde
     gsub(/<mo accent="true">\302\257</, "<mo accent=\"true\">\342\200\276<") # bar
-    gsub(/<mo>\342\204\223</, "<mi>\342\204\223<") # a script l is no operator
-    gsub(/<\/mo>\342\204\223/, "&")
+    gsub(/<mo>\342\204\223<\/mo>/, "<mi>\342\204\223</mi>") # a script l is no operator
+    gsub(/<mi>V<\/mi><mfrac>/, "<mi>V</mi><mspace width=\"0.15em\"/><mfrac>") # V leans over it
     done = ""
     while ((a = index($0, "<math display=")) > 0) {
         done = done substr($0, 1, a - 1)

@@ -26,7 +26,7 @@ struct averaging {
 
 const struct key averaging_bandwidth_keys[] = {
     {"averaging.bandwidth", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "width b of kernels and diffusion, of the cells of a second grid",
+     "bandwidth b of kernels and diffusion; of two-grid the width of its cells",
      "SX15 6", ""},
     KEY_END};
 

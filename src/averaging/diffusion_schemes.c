@@ -8,13 +8,12 @@ const struct key diffusion_keys[] = {
     {"averaging.scheme", KEY_NAME, "", "", "exponential",
      "time scheme of the diffusion", "SX15 5", ""},
     {"averaging.tolerance", KEY_REAL, "-", ">= 1e-15, < 1", "1e-6",
-     "residual of the diffusion solver, over its scale; an implicit scheme "
-     "exchanges momentum to about this share of it",
+     "relative residual of the diffusion solver; with an implicit scheme about "
+     "the relative error of the exchanged momentum",
      "", ""},
     {"averaging.bandwidth_variation", KEY_NAME, "", "", "uniform",
-     "how the bandwidth of the diffusion varies: less what cells smear, or "
-     "with the diameter of the grains",
-     "SX15 section 2.2.3", ""},
+     "how the bandwidth of the diffusion varies in space", "SX15 section 2.2.3",
+     ""},
     {"averaging.regions", KEY_LIST, "", "", KEY_OPTIONAL,
      "boxes with a bandwidth of their own, each { low, high, bandwidth }",
      "SX15 section 2.2.3", ""},

@@ -110,7 +110,7 @@ static void same(struct averaging *a, int m, const double *field,
 
 const struct interpolation interpolation_nearest = {
     .name = "nearest",
-    .what = "the value of the host cell",
+    .what = "the value of the particle's cell",
     .equations = "XS11 3.1",
     .function = "nearest",
     .apply = nearest,
@@ -118,7 +118,7 @@ const struct interpolation interpolation_nearest = {
 
 const struct interpolation interpolation_linear = {
     .name = "linear",
-    .what = "value and Gauss gradient of the host cell",
+    .what = "value and gradient (Gauss) of the particle's cell",
     .equations = "Gauss",
     .function = "linear",
     .apply = linear,
@@ -126,7 +126,7 @@ const struct interpolation interpolation_linear = {
 
 const struct interpolation interpolation_same = {
     .name = "same",
-    .what = "weighed as the averaging does",
+    .what = "with the weights of the averaging",
     .equations = "XS11 3.9",
     .function = "same",
     .apply = same,

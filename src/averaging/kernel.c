@@ -200,7 +200,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method kernel_method = {
     .name = "kernel",
-    .what = "a bell-shaped weight on the cells around",
+    .what = "a bell-shaped kernel over the neighbouring cells",
     .equations = "XS11 3.2-3.9",
     .function = "bell_weights",
     .keys = {averaging_bandwidth_keys},
@@ -216,7 +216,7 @@ const struct averaging_method kernel_method = {
 
 const struct averaging_method kernel_gaussian_method = {
     .name = "gaussian",
-    .what = "a Gaussian weight on the cells around",
+    .what = "a Gaussian kernel over the neighbouring cells",
     .equations = "XS11 3.2-3.5, SX15 6",
     .function = "gaussian_weights",
     .keys = {averaging_bandwidth_keys},

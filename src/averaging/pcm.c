@@ -89,15 +89,16 @@ static double pcm_share(const void *state, int i)
     return p->capped_fraction == NULL ? 1.0 : p->capped_fraction[p->h->cell[i]];
 }
 
-static const struct key cap_keys[] = {
-    {"averaging.cap", KEY_REAL, "-", "> 0, <= 1", KEY_OPTIONAL,
-     "highest solid fraction of a cell under pcm; what is cut is counted",
-     "SX15 4", ""},
-    KEY_END};
+static const struct key cap_keys[] = {{"averaging.cap", KEY_REAL, "-",
+                                       "> 0, <= 1", KEY_OPTIONAL,
+                                       "largest solid fraction of a cell with "
+                                       "pcm; the volume above it is counted",
+                                       "SX15 4", ""},
+                                      KEY_END};
 
 const struct averaging_method pcm_method = {
     .name = "pcm",
-    .what = "a cell takes the particles in it",
+    .what = "each particle belongs to the cell of its centre",
     .equations = "XS11 3.1, SX15 4, 7, 8",
     .function = "pcm_spread",
     .keys = {cap_keys},

@@ -91,14 +91,14 @@ static void describe_solids(const struct simulation *sim, const char *when,
 static void describe_seen(const struct simulation *sim, const char *when,
                           char text[BREAKDOWN_TEXT])
 {
-    snprintf(text, BREAKDOWN_TEXT,
-             "a particle sees a fluid fraction of %.3g %s, on the slope "
-             "between cells, none of which is below %.3g.\nTry "
-             "averaging.method = \"diffusion\", or \"kernel\" with a bandwidth "
-             "from 1.5 of the largest cells on, larger cells, or "
-             "averaging.interpolation = \"nearest\"",
-             sim->coupling->report.seen_lowest, when,
-             sim->coupling->report.eps_lowest);
+    snprintf(
+        text, BREAKDOWN_TEXT,
+        "the fluid fraction interpolated to a particle is %.3g %s, though that "
+        "of no cell is below %.3g.\nTry averaging.method = \"diffusion\", or "
+        "\"kernel\" with a bandwidth from 1.5 of the largest cells on, larger "
+        "cells, or averaging.interpolation = \"nearest\"",
+        sim->coupling->report.seen_lowest, when,
+        sim->coupling->report.eps_lowest);
 }
 
 /* What an effect says of itself; NULL if none has trouble. */

@@ -118,7 +118,7 @@ static int add_profile(const struct settings *s, const struct mesh *m,
     has(s, p, "profile", path);
     if (profile->asks != NULL && !has(s, p, profile->asks, path))
         return settings_wrong(s, settings_side(s, p->name),
-                              "the profile %s asks for %s", profile->name,
+                              "the profile %s needs %s", profile->name,
                               profile->asks);
     describe(s, &r, file, &table);
     const int failed = profile->create(&r, b, wrong) != 0 ||

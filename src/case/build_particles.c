@@ -35,8 +35,8 @@ static int leave_room(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-static void tell_settled(const struct settings *s, const struct bed_report *r,
-                         int in_box, const char *cached)
+static void print_settled(const struct settings *s, const struct bed_report *r,
+                          int in_box, const char *cached)
 {
     const char *const rest =
         r->settled ? "" : ": NOT AT REST, raise particles.bed.settle";
@@ -114,7 +114,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (found == BED_STOPPED) return r.stopped;
     if (found != BED_CREATED) return found == BED_UNSAVED ? 4 : 2;
     if (cached && !r.settled) unlink(path);
-    tell_settled(s, &r, sim->region.has_room == NULL, cached ? path : NULL);
+    print_settled(s, &r, sim->region.has_room == NULL, cached ? path : NULL);
     return 0;
 }
 
@@ -165,8 +165,8 @@ static int place_spheres(const struct settings *s, struct simulation *sim,
 }
 
 /* The lattice that the bed is dropped from. */
-static int lay_bed(const struct settings *s, struct simulation *sim,
-                   const struct dem_options *o)
+static int place_bed(const struct settings *s, struct simulation *sim,
+                     const struct dem_options *o)
 {
     struct bed_options b = particle_options_bed(s);
 
@@ -180,14 +180,14 @@ static int lay_bed(const struct settings *s, struct simulation *sim,
 }
 
 /* What the particles are made of, what they touch and what moves them. */
-static int furnish(const struct settings *s, struct simulation *sim,
-                   struct dem_options *o)
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
     o->attractions = sim->attractions =
         case_cohesion_create(s, &o->n_attractions);
-    return case_part_furnish(s, sim, o);
+    return case_part_complete(s, sim, o);
 }
 
 int build_particles_check(const struct settings *s)
@@ -197,9 +197,9 @@ int build_particles_check(const struct settings *s)
 
     sim->dt = case_steps_length(s);
     sim->dem_steps = case_steps_within(s);
-    int code = furnish(s, sim, &o);
+    int code = complete(s, sim, &o);
     if (code == 0)
-        code = settings_has(s, "particles.bed") ? lay_bed(s, sim, &o)
+        code = settings_has(s, "particles.bed") ? place_bed(s, sim, &o)
                                                 : place_spheres(s, sim, &o);
     if (code == 0) code = case_part_add(s, sim);
     build_free(sim);
@@ -210,7 +210,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver)
 {
     struct dem_options o;
-    int code = furnish(s, sim, &o);
+    int code = complete(s, sim, &o);
 
     if (code != 0) return code;
     if (settings_has(s, "particles.bed"))

@@ -101,7 +101,7 @@ static int check_given(const struct settings *s)
                               "give either bandwidth or delta_05, not both");
     if (averaging_method_named(method)->needs_bandwidth && !b && !delta)
         return settings_wrong(s, "averaging.method",
-                              "%s asks for averaging.bandwidth", method);
+                              "%s needs averaging.bandwidth", method);
     return 0;
 }
 

@@ -143,8 +143,8 @@ static int check_patch(const struct settings *s, const struct mesh *m,
     if (side == NULL && (p->is_symmetry || settings_mesh(s) == NULL)) return 0;
     if (side == NULL)
         return settings_wrong(s, "fluid",
-                              "nothing is said about the patch %s, %d faces "
-                              "with %.3g m^2: give fluid.%s",
+                              "the patch %s, %d faces with %.3g m^2, has no "
+                              "boundary condition: give fluid.%s",
                               p->name, p->n, area_of(m, p), p->name);
     snprintf(path, sizeof path, "%s.profile", side);
     if (settings_has(s, path) &&

@@ -41,7 +41,7 @@ void case_overlap_describe(const struct simulation *sim,
              deep.id, other, deep.depth, deep.at[0], deep.at[1], deep.at[2]);
 }
 
-void case_overlap_tell(const struct simulation *sim, int *told)
+void case_overlap_warn(const struct simulation *sim, int *told)
 {
     char text[CASE_OVERLAP_TEXT];
 
@@ -49,9 +49,9 @@ void case_overlap_tell(const struct simulation *sim, int *told)
     *told = 1;
     case_overlap_describe(sim, text);
     fprintf(stderr,
-            "winnow: t = %g s: %s: more than %g (%s). Grains are not as soft: "
-            "try a stiffer material with a smaller particles.step, or give the "
-            "key the overlap that is meant\n",
+            "winnow: t = %g s: %s: more than %g (%s). That is more than the "
+            "grains should have: try a stiffer material with a smaller "
+            "particles.step, or give the key the overlap that is meant\n",
             sim->t, text, dem_deepest(sim->dem).expected, expected);
 }
 

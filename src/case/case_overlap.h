@@ -17,7 +17,7 @@ void case_overlap_describe(const struct simulation *sim,
 
 /* Warns of an overlap deeper than expected, where *told is 0, which becomes 1.
  */
-void case_overlap_tell(const struct simulation *sim, int *told);
+void case_overlap_warn(const struct simulation *sim, int *told);
 
 /* How deep a placed sphere may be in a wall of the box, over its diameter [-]:
  * 0.01, and up to its centre where particles.overlaps is "allow". */

@@ -25,17 +25,17 @@ int case_part_check_any(const struct settings *s)
     EACH_PART(check_any, s);
 }
 
-int case_part_furnish(const struct settings *s, struct simulation *sim,
-                      struct dem_options *o)
+int case_part_complete(const struct settings *s, struct simulation *sim,
+                       struct dem_options *o)
 {
     int code = 0;
 
     for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->furnish != NULL)
-            code = case_parts[i]->furnish(s, sim, o);
+        if (case_parts[i]->complete != NULL)
+            code = case_parts[i]->complete(s, sim, o);
     for (int i = 0; case_parts[i] != NULL && code == 0; i++)
-        if (case_parts[i]->furnish_last != NULL)
-            code = case_parts[i]->furnish_last(s, sim, o);
+        if (case_parts[i]->complete_last != NULL)
+            code = case_parts[i]->complete_last(s, sim, o);
     return code;
 }
 

@@ -41,11 +41,11 @@ struct case_part {
     void (*print)(const struct settings *s, const struct case_scales *k);
     /* What particles touch and what moves them, before there are any; released
      * by free. */
-    int (*furnish)(const struct settings *s, struct simulation *sim,
-                   struct dem_options *o);
+    int (*complete)(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o);
     void (*free)(struct simulation *sim);
-    int (*furnish_last)(const struct settings *s, struct simulation *sim,
-                        struct dem_options *o); /* once all have */
+    int (*complete_last)(const struct settings *s, struct simulation *sim,
+                         struct dem_options *o); /* once all have */
     /* Whether particles can start where they were placed; may move them. */
     int (*place)(const struct settings *s, struct particles *ps,
                  const struct dem_options *o);
@@ -65,8 +65,8 @@ extern const struct case_part *const case_parts[];
 /* Of all parts: */
 int case_part_check(const struct settings *s);
 int case_part_check_any(const struct settings *s);
-int case_part_furnish(const struct settings *s, struct simulation *sim,
-                      struct dem_options *o);
+int case_part_complete(const struct settings *s, struct simulation *sim,
+                       struct dem_options *o);
 int case_part_place(const struct settings *s, struct particles *ps,
                     const struct dem_options *o);
 int case_part_add(const struct settings *s, struct simulation *sim);

@@ -100,7 +100,7 @@ int case_steps_check(const struct settings *s)
     if (number_long(until_end(s), &steps) != 0)
         return settings_wrong(s, end_key,
                               "%g s are %.3g steps of %g s, by %s; no more "
-                              "than 9e15 can be told from each other",
+                              "than 9e15 steps can be counted",
                               settings_real(s, end_key), until_end(s), dt,
                               length_key(s));
     if (steps < 1)

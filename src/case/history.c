@@ -36,12 +36,12 @@ static double component(const struct simulation *sim, int k,
 VALUE(momentum_x, component(sim, 0, coupling_total_momentum))
 VALUE(momentum_y, component(sim, 1, coupling_total_momentum))
 VALUE(momentum_z, component(sim, 2, coupling_total_momentum))
-VALUE(owed_x, component(sim, 0, coupling_unpaid_impulse))
-VALUE(owed_y, component(sim, 1, coupling_unpaid_impulse))
-VALUE(owed_z, component(sim, 2, coupling_unpaid_impulse))
-VALUE(brought_x, component(sim, 0, replacement_momentum))
-VALUE(brought_y, component(sim, 1, replacement_momentum))
-VALUE(brought_z, component(sim, 2, replacement_momentum))
+VALUE(unpaid_x, component(sim, 0, coupling_unpaid_impulse))
+VALUE(unpaid_y, component(sim, 1, coupling_unpaid_impulse))
+VALUE(unpaid_z, component(sim, 2, coupling_unpaid_impulse))
+VALUE(replaced_momentum_x, component(sim, 0, replacement_momentum))
+VALUE(replaced_momentum_y, component(sim, 1, replacement_momentum))
+VALUE(replaced_momentum_z, component(sim, 2, replacement_momentum))
 
 /* For a simulation with a population (dem/population.h). */
 VALUE(particles, sim->particles->n)
@@ -124,9 +124,9 @@ const struct history_column history_columns[] = {
     {"particles_waiting [-]", waiting, L},
     {"mass_in [kg]", mass_in, L},
     {"mass_out [kg]", mass_out, L},
-    {"momentum_brought_x [N s]", brought_x, L},
-    {"momentum_brought_y [N s]", brought_y, L},
-    {"momentum_brought_z [N s]", brought_z, L},
+    {"momentum_brought_x [N s]", replaced_momentum_x, L},
+    {"momentum_brought_y [N s]", replaced_momentum_y, L},
+    {"momentum_brought_z [N s]", replaced_momentum_z, L},
     {"fluid_replaced [kg]", replaced, C | L},
     {"energy_normal_springs [J]", normal_springs, E},
     {"energy_tangential_springs [J]", tangential_springs, E},
@@ -146,9 +146,9 @@ const struct history_column history_columns[] = {
     {"momentum_x [N s]", momentum_x, 0},
     {"momentum_y [N s]", momentum_y, 0},
     {"momentum_z [N s]", momentum_z, 0},
-    {"owed_x [N s]", owed_x, C},
-    {"owed_y [N s]", owed_y, C},
-    {"owed_z [N s]", owed_z, C},
+    {"owed_x [N s]", unpaid_x, C},
+    {"owed_y [N s]", unpaid_y, C},
+    {"owed_z [N s]", unpaid_z, C},
     {"max_cfl [-]", cfl, F},
     {"max_overlap [-]", max_overlap, P},
     {"contacts [-]", contacts, P},

@@ -117,7 +117,7 @@ int model_choice_unread(const struct settings *s, const char *kind,
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
                                  used > 0 ? ", " : "", m.name);
     }
-    return settings_wrong(s, path, "%s does not read it; it is a key of %s",
+    return settings_wrong(s, path, "it is not used with %s; it is a key of %s",
                           settings_text(s, k->key), names);
 }
 
@@ -143,11 +143,10 @@ static int missing(const struct settings *s, const struct kind *kind,
     if (!settings_is_list(s, list))
         return settings_has(s, path)
                    ? 0
-                   : settings_wrong(s, kind->key, "%s asks for %s", m->name,
-                                    path);
+                   : settings_wrong(s, kind->key, "%s needs %s", m->name, path);
     for (int i = 0; i < settings_length(s, list); i++)
         if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
-            return settings_wrong(s, list, "%s asks for the %s of %s", m->name,
+            return settings_wrong(s, list, "%s needs the %s of %s", m->name,
                                   key, settings_item_text(s, list, i, "name"));
     return 0;
 }

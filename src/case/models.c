@@ -17,24 +17,25 @@
 MODELS_KIND(models_contact, contact_laws, "contact", "contact laws",
             "particles.contact", NULL)
 MODELS_KIND(models_integrator, integrators, "integrator",
-            "ways of the particles through time", "particles.integrator", NULL)
-MODELS_KIND(models_list, dem_methods, "list", "ways to find the pairs",
+            "time integrators of the particles", "particles.integrator", NULL)
+MODELS_KIND(models_list, dem_methods, "list", "methods to find contact pairs",
             "particles.list", NULL)
 MODELS_KIND(models_averaging, averaging_methods, "averaging",
-            "ways from particles to fields", "averaging.method", NULL)
+            "averaging methods, from particles to fields", "averaging.method",
+            NULL)
 MODELS_KIND(models_scheme, diffusion_schemes, "scheme",
             "schemes of the diffusion in pseudo-time", "averaging.scheme", NULL)
 MODELS_KIND(models_variation, bandwidth_rules, "bandwidth_variation",
-            "ways that the bandwidth varies", "averaging.bandwidth_variation",
+            "variations of the bandwidth", "averaging.bandwidth_variation",
             NULL)
 MODELS_KIND(models_interpolation, interpolations, "interpolation",
-            "ways from fields to particles", "averaging.interpolation",
-            "exchange")
+            "interpolations, from fields to particles",
+            "averaging.interpolation", "exchange")
 MODELS_KIND(models_drag, drag_laws, "drag", "drag laws", "exchange.drag", NULL)
 MODELS_KIND(models_treatment, coupling_treatments, "treatment",
             "treatments of the drag in the fluid", "exchange.treatment", NULL)
 MODELS_KIND(models_slip_integration, coupling_slip_integrations,
-            "slip_integration", "courses of the drag during a sub-step",
+            "slip_integration", "integrations of the drag over a sub-step",
             "exchange.slip_integration", NULL)
 MODELS_KIND(models_form, coupling_forms, "model",
             "forms of the averaged momentum equation", "exchange.model", NULL)
@@ -45,13 +46,13 @@ MODELS_KIND(models_time_scheme, time_schemes, "time",
 MODELS_KIND(models_convection, convection_schemes, "convection",
             "convection schemes", "fluid.convection", NULL)
 MODELS_KIND(models_gradient, velocity_gradient_schemes, "gradient",
-            "slopes of the velocity", "fluid.gradient", NULL)
+            "gradient schemes of the velocity", "fluid.gradient", NULL)
 MODELS_KIND(models_continuity, fluid_continuity_forms, "continuity",
             "forms of the mass balance", "fluid.continuity", NULL)
 MODELS_KIND(models_patch, boundary_kinds, "patch",
-            "what happens on a side of the box", "fluid.<patch>", NULL)
+            "boundary conditions on a side of the box", "fluid.<patch>", NULL)
 MODELS_KIND(models_profile, inlet_profiles, "profile",
-            "velocities over an inlet", "fluid.<patch>.profile", "fluid")
+            "velocity profiles of an inlet", "fluid.<patch>.profile", "fluid")
 
 /* The keys of an effect are a table of its own. */
 static int effect_row(int i, struct model *m)

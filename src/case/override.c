@@ -156,9 +156,9 @@ static int set(config_setting_t *group, const char *name, const char *text,
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));
     else
-        code = refuse(text, "what follows = is not one value as a case would "
-                            "write it; quote a text with blanks, write all "
-                            "numbers of a list alike");
+        code = refuse(text,
+                      "the text after = is not one value of a case file; quote "
+                      "a text with blanks, write all numbers of a list alike");
     config_destroy(&tree);
     return code;
 }
@@ -174,9 +174,10 @@ int override_apply(config_t *tree, const char *text)
         return refuse(text, "expected path.to.key=value");
     path = strndup(text, (size_t)(equal - text));
     group = walk(tree, text, path, &last);
-    code = group != NULL ? set(group, last, text, equal + 1)
-                         : refuse(text, "the path leads through something "
-                                        "that is not there or no group");
+    code = group != NULL
+               ? set(group, last, text, equal + 1)
+               : refuse(text,
+                        "a part of the path does not exist or is not a group");
     free(path);
     return code;
 }

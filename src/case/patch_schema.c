@@ -69,7 +69,8 @@ static const char *wrong(const struct key *const *tables, const char *name)
         return "its name does not begin with a letter";
     for (const char *c = name; *c != '\0'; c++)
         if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
-            return "its name has other signs than letters, digits, _ and -";
+            return "its name has other characters than letters, digits, _ and "
+                   "-";
     SCHEMA_EACH (k, tables) {
         const char *const member = schema_member(k, "fluid");
         if (member != NULL && strcmp(member, name) == 0)

@@ -36,7 +36,7 @@ static int create_sensor(const struct settings *s, const struct simulation *sim,
     sensor->field =
         field_names_find(snapshot, settings_item_text(s, list, i, "field"));
     if (sensor->field.values == NULL)
-        return settings_wrong(s, list, "the scene has no field %s",
+        return settings_wrong(s, list, "the case has no field %s",
                               sensor->field.name);
     sensor->at = probe_at(sim->mesh, x);
     snprintf(sensor->name, NAME, "%s(%g %g %g) [%s]", sensor->field.name, x[0],

@@ -60,7 +60,7 @@ static int create_line(const struct settings *s, const struct simulation *sim,
         field_names_find(snapshot, settings_item_text(s, list, i, "field"));
 
     if (field.values == NULL)
-        return settings_wrong(s, list, "the scene has no field %s", field.name);
+        return settings_wrong(s, list, "the case has no field %s", field.name);
     line->profile = profile_create(sim->mesh, &where, 1, &field);
     profiles_name(s, i, line->name);
     return line->profile == NULL;

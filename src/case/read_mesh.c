@@ -28,10 +28,9 @@ static int check_files(const struct settings *s, const char *files)
 
     for (int i = 0; i < 5 && of_box[i] != NULL; i++)
         if (settings_has(s, of_box[i]))
-            return settings_wrong(s, of_box[i],
-                                  "the mesh comes from files, which say it "
-                                  "all; leave this key or %s out",
-                                  files);
+            return settings_wrong(
+                s, of_box[i],
+                "the mesh comes from files; leave this key or %s out", files);
     return 0;
 }
 
@@ -45,8 +44,8 @@ static int check_box(const struct settings *s)
     for (int i = 0; i < 2; i++)
         if (!settings_has(s, asked[i]))
             return settings_wrong(s, "mesh",
-                                  "%s is missing: a box asks for mesh.size, "
-                                  "three numbers [m], and mesh.cells%s%s",
+                                  "%s is missing: a box needs mesh.size, three "
+                                  "numbers [m], and mesh.cells%s%s",
                                   asked[i], files != NULL ? "; or give " : "",
                                   files != NULL ? files : "");
     return 0;

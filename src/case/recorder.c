@@ -106,7 +106,7 @@ static int add_fields(struct recorder *r)
     return r->animation != NULL && animation_add(r->animation, &p) != 0;
 }
 
-void recorder_look(struct recorder *r)
+void recorder_take_snapshots(struct recorder *r)
 {
     struct processes *const others = r->sim->processes;
 
@@ -120,7 +120,7 @@ int recorder_sample(struct recorder *r)
 
     update_extremes(r);
     if (step % r->row_every == 0) {
-        recorder_look(r);
+        recorder_take_snapshots(r);
         profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         processes_join(r->sim, PROCESSES_ROW);
         second_half_add(r->second_half);
@@ -129,7 +129,7 @@ int recorder_sample(struct recorder *r)
         if (failed || probes_add(r->probes) != 0) return 1;
     }
     if (step % r->picture_every != 0) return 0;
-    recorder_look(r);
+    recorder_take_snapshots(r);
     return add_fields(r);
 }
 
@@ -195,7 +195,7 @@ static void write_residuals(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static void write_life(struct summary *f, const struct recorder *r)
+static void write_population(struct summary *f, const struct recorder *r)
 {
     if (r->sim->population == NULL) return;
     summary_count(f, "particles_in", r->sim->population->totals.inserted);
@@ -235,7 +235,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "threads", omp_get_max_threads());
     summary_count(f, "cells", (long)processes_cells(sim));
     summary_count(f, "particles", (long)processes_particles(sim));
-    write_life(f, r);
+    write_population(f, r);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
     summary_count(f, "steps", sim->steps);

@@ -41,6 +41,6 @@ struct recorder {
 };
 
 /* Takes the snapshots. */
-void recorder_look(struct recorder *r);
+void recorder_take_snapshots(struct recorder *r);
 
 #endif

@@ -30,7 +30,7 @@ void recorder_state(struct recorder *r, struct state *s)
     if (r->sim->processes == NULL)
         snapshot_state(r->snapshot, r->sim->mesh, s);
     else if (s->loading)
-        recorder_look(r);
+        recorder_take_snapshots(r);
     profiles_state(r->lines, s);
     table_state(r->history, s);
     probes_state(r->probes, s);

@@ -106,7 +106,7 @@ static int advance(struct run *run, struct progress *bar,
 
         if (is_cut_short(sim)) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
-        case_overlap_tell(sim, &told);
+        case_overlap_warn(sim, &told);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
         if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
             return NOT_WRITTEN;
@@ -140,7 +140,7 @@ static const char *reason_of(int code, const char *why)
                                  : why;
 }
 
-static void tell_end(const struct run *run, int code)
+static void print_last_line(const struct run *run, int code)
 {
     const char *const dir = run->options->dir;
 
@@ -168,7 +168,7 @@ static int finish(struct run *run, int code)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, run->why), code) != 0)
         code = NOT_WRITTEN;
-    tell_end(run, code);
+    print_last_line(run, code);
     return code;
 }
 
@@ -339,8 +339,8 @@ const struct command command_run = {
     "CASE [-o DIR] [-s path.to.key=value]... [-j THREADS] [--resume] [--fresh] "
     "[--quiet]",
     "run a case; DIR is out/ and the name of the case if not given; --resume "
-    "goes on where the run in DIR ended, --fresh settles its bed anew, --quiet "
-    "prints nothing but what is wrong",
+    "continues where the run in DIR ended, --fresh settles its bed anew, "
+    "--quiet prints errors only",
     "osj-rf",
     1,
     1,

@@ -56,7 +56,7 @@ static int check_direction(const struct settings *s, int k)
                                   both ? side_of(k, 2) : side_of(k, i));
         if (!periodic[k] && given == 0)
             return settings_wrong(s, "fluid",
-                                  "nothing is said about the side %s: give "
+                                  "the side %s has no boundary condition: give "
                                   "fluid.%s or fluid.%s, or make %s periodic",
                                   side_of(k, i), side_of(k, i), side_of(k, 2),
                                   axes[k]);
@@ -116,8 +116,8 @@ static int check_drive(const struct settings *s)
         for (int k = 0; k < 3; k++)
             if (v[k] != 0.0 && !periodic[k])
                 return settings_wrong(s, paths[i],
-                                      "%s is not periodic, so nothing can be "
-                                      "driven round it; expected 0 there",
+                                      "%s is not periodic, so no mean flow can "
+                                      "be driven along it; expected 0 there",
                                       axes[k]);
     }
     if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
@@ -184,9 +184,7 @@ static int check_bed_fits(const struct settings *s)
         size[k] -= lo[k];
     for (int k = 0; k < 3; k++)
         if (range.max > size[k] && b.count > 0)
-            return settings_wrong(s, key,
-                                  "%g m is more than the box has room for, "
-                                  "%g m",
+            return settings_wrong(s, key, "%g m is larger than the box, %g m",
                                   range.max, size[k]);
     const double share = range.volume / case_mesh_volume(s);
     if (share > 0.6)
@@ -242,7 +240,7 @@ static int check_integrator(const struct settings *s)
     if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
         return 0;
     return settings_wrong(s, "particles.integrator",
-                          "%s goes without a fluid; with exchange there are "
+                          "%s is for cases without exchange; with it there are "
                           "velocity-verlet and symplectic-euler",
                           name);
 }
@@ -253,8 +251,9 @@ static int check_list(const struct settings *s)
     const struct dem_options o = particle_options_dem(s, 1.0);
     const char *const unknown = o.method->unknown(&o);
     if (unknown == NULL) return 0;
-    return settings_wrong(s, "particles.list", "%s knows no %s; %s does",
-                          o.method->name, unknown, dem_methods[0]->name);
+    return settings_wrong(s, "particles.list",
+                          "%s does not support %s; %s does", o.method->name,
+                          unknown, dem_methods[0]->name);
 }
 
 /* Without walls of its boundary, particles would leave a mesh that is not a
@@ -326,7 +325,7 @@ static int check_field(const struct settings *s, const char *list, int i)
                               field);
     if (of_solids && !build_two_way(s))
         return settings_wrong(s, list,
-                              "the case has no field %s: it asks for exchange "
+                              "the case has no field %s: it needs exchange "
                               "with coupling = \"two-way\"",
                               field);
     return 0;
@@ -343,7 +342,7 @@ static int check_fields(const struct settings *s)
         !settings_has(s, "effects.time_average") || build_two_way(s))
         return 0;
     return settings_wrong(s, "effects.time_average",
-                          "one-way there are no averaged fields; it asks for "
+                          "one-way there are no averaged fields; it needs "
                           "exchange.coupling = \"two-way\"");
 }
 

@@ -6,7 +6,7 @@
 
 const struct model coupling_semi_implicit = {
     .name = "semi-implicit",
-    .what = "the fluid's own velocity is taken at the new time",
+    .what = "the fluid velocity in the drag is that of the new time level",
     .equations = "XS11 3.13-3.15",
     .function = "transfer_drag_terms",
     .value = TREATMENT_SEMI_IMPLICIT,
@@ -14,7 +14,7 @@ const struct model coupling_semi_implicit = {
 
 const struct model coupling_explicit = {
     .name = "explicit",
-    .what = "the drag is a given force during the fluid's step",
+    .what = "the drag is a constant force during the fluid's step",
     .equations = "",
     .function = "transfer_drag_terms",
     .value = TREATMENT_EXPLICIT,
@@ -22,7 +22,7 @@ const struct model coupling_explicit = {
 
 const struct model coupling_frozen = {
     .name = "frozen",
-    .what = "the drag of the sub-step's start, throughout it",
+    .what = "constant drag during a sub-step, that of its start",
     .equations = "XS11 3.18",
     .function = "apply_frozen",
     .value = SLIP_INTEGRATION_FROZEN,
@@ -30,7 +30,7 @@ const struct model coupling_frozen = {
 
 const struct model coupling_exponential = {
     .name = "exponential",
-    .what = "the drag that relaxes as the particle gives in to it",
+    .what = "a slip that decays exponentially during a sub-step",
     .equations = "XS11 3.16",
     .function = "drag_rows_advance",
     .value = SLIP_INTEGRATION_EXPONENTIAL,
@@ -38,7 +38,8 @@ const struct model coupling_exponential = {
 
 const struct model coupling_form_a = {
     .name = "A",
-    .what = "the fluid has its share of the pressure gradient, eps_f grad p",
+    .what = "the fluid's equation has its share of the pressure gradient, "
+            "eps_f grad p",
     .equations = "XS11 2.8",
     .function = "pressure_gradient_before_particles",
     .value = 1,
@@ -46,7 +47,8 @@ const struct model coupling_form_a = {
 
 const struct model coupling_form_b = {
     .name = "B",
-    .what = "the fluid has all of it, and what the particles feel returns",
+    .what = "the fluid's equation has all of grad p, and the reaction of the "
+            "particles' share",
     .equations = "SX15 2b",
     .function = "pressure_gradient_before_particles",
     .value = 0,
@@ -54,7 +56,7 @@ const struct model coupling_form_b = {
 
 const struct model coupling_two_way = {
     .name = "two-way",
-    .what = "what the particles gain the fluid loses",
+    .what = "the momentum that particles gain is taken from the fluid",
     .equations = "LS 5",
     .function = "transfer_drag_terms",
     .value = 1,
@@ -62,7 +64,7 @@ const struct model coupling_two_way = {
 
 const struct model coupling_one_way = {
     .name = "one-way",
-    .what = "the fluid does not feel the particles",
+    .what = "particles do not act on the fluid",
     .equations = "LS 5",
     .function = "transfer_drag_terms",
     .value = 0,

@@ -55,7 +55,7 @@ const struct key contact_linear_keys[] = {
     {"particles.grains.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
      "tangential spring over k; left out: 2/7", "LS 4.8", ""},
     {"particles.materials.stiffness", KEY_REAL, "N/m", "> 0", KEY_ASKED,
-     "spring constant k of two of it", "LS 4.4", ""},
+     "spring constant k of two grains of it", "LS 4.4", ""},
     {"particles.materials.tangential_ratio", KEY_REAL, "-", "> 0", KEY_OPTIONAL,
      "tangential spring over k; left out: 2/7", "LS 4.8", ""},
     {"particles.pairs.stiffness", KEY_REAL, "N/m", "> 0", KEY_OPTIONAL,

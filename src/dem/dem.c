@@ -64,7 +64,7 @@ static int options_wrong(const struct dem_options *o,
     double widest = 0.0;
 
     if (unknown != NULL) {
-        fprintf(stderr, "winnow: particles.list = \"%s\" knows no %s\n",
+        fprintf(stderr, "winnow: particles.list = \"%s\" does not support %s\n",
                 method_of(o)->name, unknown);
         return 1;
     }

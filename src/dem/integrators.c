@@ -6,7 +6,7 @@
 
 const struct integrator integrators_velocity_verlet = {
     .name = "velocity-verlet",
-    .what = "second order where nothing damps; one evaluation",
+    .what = "second order without damping; forces computed once a step",
     .equations = "LS section 4.2",
     .function = "bodies_advance",
     .first = 0.5,
@@ -15,7 +15,7 @@ const struct integrator integrators_velocity_verlet = {
 
 const struct integrator integrators_symplectic_euler = {
     .name = "symplectic-euler",
-    .what = "first order, never gains energy for long",
+    .what = "first order; its energy error stays bounded",
     .equations = "LS section 4.2",
     .function = "bodies_advance",
     .first = 1.0,

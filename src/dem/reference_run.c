@@ -23,7 +23,7 @@ static const char *unknown(const struct dem_options *o)
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
     if (o->integrator != NULL && o->integrator->predicts)
-        return "integrator that computes the forces twice";
+        return "integrators that compute the forces twice";
     return NULL;
 }
 

@@ -194,7 +194,7 @@ int refusal_export(const struct settings *s)
         if (words_restitution(w.hertz, w.pair[i].damping_n) < 0.0)
             return refuse(s, grains,
                           "LAMMPS' dashpot is not as strong as a restitution "
-                          "so small asks for");
+                          "so small needs");
     return check_keys(s, "particles");
 }
 

@@ -91,7 +91,7 @@ int animation_add(struct animation *a, const struct picture *p)
 
     reserve(a, a->n + 1);
     a->time[a->n++] = p->time;
-    a->fast = fmax(a->fast, picture_usual_speed(p));
+    a->fast = fmax(a->fast, picture_speed_scale(p));
     snprintf(name, sizeof name, "frames/frame_%05d.txt", a->n);
     return picture_write_particles(a->folder, name, p);
 }

@@ -89,7 +89,7 @@ int picture_write_particles(struct folder *folder, const char *name,
 
 /* With 99 % of the particles a single fast one does not make all others dark.
  */
-double picture_usual_speed(const struct picture *p)
+double picture_speed_scale(const struct picture *p)
 {
     if (p->n == 0) return 0.0;
     struct disc *const discs = discs_of(p);
@@ -230,7 +230,7 @@ void picture_put_box(FILE *out, const struct picture *p, double fast)
 static int put_script(struct folder *folder, const struct picture *p)
 {
     struct file *const f = picture_open(folder, "picture/bed.gp");
-    const double speed = picture_usual_speed(p);
+    const double speed = picture_speed_scale(p);
     if (f == NULL) return 1;
 
     FILE *const out = file_stream(f);

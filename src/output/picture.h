@@ -55,7 +55,7 @@ int picture_write_particles(struct folder *folder, const char *name,
                             const struct picture *p);
 
 /* The speed that 99 of 100 particles keep below [m/s]; 0 without any. */
-double picture_usual_speed(const struct picture *p);
+double picture_speed_scale(const struct picture *p);
 
 /* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
  * variables. */

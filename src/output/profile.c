@@ -93,7 +93,7 @@ static double points_along(const struct mesh *m, int k, int *n)
     return L / *n;
 }
 
-static void lay_probes(struct profile *p, const struct mesh *m)
+static void create_probes(struct profile *p, const struct mesh *m)
 {
     const int a = p->line.along, deep = 3 - a - p->line.up;
     const double dx = points_along(m, a, &p->n);
@@ -131,7 +131,7 @@ struct profile *profile_create(const struct mesh *m,
     if (m->face_centre == NULL)
         lay_out(p, &m->box);
     else
-        lay_probes(p, m);
+        create_probes(p, m);
     p->n_fields = n_fields;
     p->fields = alloc_zeroed((size_t)n_fields, sizeof p->fields[0]);
     memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);

@@ -76,7 +76,7 @@ static double beyond(const struct solid_bodies *b, int i, int w)
 }
 
 /* From now on no force changes its motion. */
-static void let_go(struct solid_bodies *b, int i)
+static void keep_velocity(struct solid_bodies *b, int i)
 {
     struct particles *const ps = b->ps;
 
@@ -114,7 +114,7 @@ void body_exit_look(struct solid_bodies *b)
             body_shape_extent(&b->shape[i], extent);
             const double out = b->exit->open[w] ? beyond(b, i, w) : -HUGE_VAL;
             if (b->motion[i] == BODY_FREE && out + 2.0 * extent[w / 2] > 0.0)
-                let_go(b, i);
+                keep_velocity(b, i);
             if (b->motion[i] == BODY_PRESCRIBED && out > 0.0) take_out(b, i, w);
         }
 }

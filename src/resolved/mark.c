@@ -11,7 +11,7 @@
 #include "resolved/body_exit.h"
 #include "resolved/body_gaps.h"
 
-const double mark_firmness = 1e3;
+const double mark_friction_inside = 1e3;
 
 /* mu |S| / (|d| V) of face f [kg/(m^3 s)]. */
 static double exchange(const struct fluid *fl, int f, int c)
@@ -22,20 +22,21 @@ static double exchange(const struct fluid *fl, int f, int c)
 }
 
 /* Inside: C max(rho/dt, mu/h^2), the latter as the mean over the faces. */
-static double firm(const struct fluid *fl, int c)
+static double friction_inside(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;
     double most = fl->options.rho / fl->options.dt;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
         most = fmax(most, exchange(fl, m->cell_face[a], c));
-    return mark_firmness * most;
+    return mark_friction_inside * most;
 }
 
 /* Outside at the distance s: the missing part of the neighbours inside; not
  * more than inside. */
-static double soft(const struct fluid *fl, const struct body_shape *shape,
-                   int c, const double r[3], double s)
+static double friction_outside(const struct fluid *fl,
+                               const struct body_shape *shape, int c,
+                               const double r[3], double s)
 {
     const struct mesh *const m = fl->mesh;
     double sum = 0.0;
@@ -48,7 +49,7 @@ static double soft(const struct fluid *fl, const struct body_shape *shape,
         const double inside = -body_shape_distance(shape, beyond);
         if (inside > 0.0) sum += exchange(fl, f, c) * inside;
     }
-    return sum > 0.0 ? fmin(sum / s, firm(fl, c)) : 0.0;
+    return sum > 0.0 ? fmin(sum / s, friction_inside(fl, c)) : 0.0;
 }
 
 static void make_room(struct solid_bodies *b)
@@ -108,7 +109,7 @@ struct marking {
 
 /* Bodies that have no contacts may overlap, but not where a spring moves one.
  */
-static void claim(void *by, int i, int c, const double r[3], double s)
+static void assign_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
 
@@ -121,7 +122,7 @@ static void claim(void *by, int i, int c, const double r[3], double s)
     b->body_of[c] = i + 1;
 }
 
-static void release(void *by, int i, int c, const double r[3], double s)
+static void free_cell(void *by, int i, int c, const double r[3], double s)
 {
     (void)r, (void)i;
     if (s <= 0.0) ((struct marking *)by)->b->body_of[c] = 0;
@@ -141,14 +142,14 @@ static void hold_cell(void *by, int i, int c, const double r[3], double s)
         const double share = mark_fraction(fl->mesh, c, s);
         if (share > 0.0) add_link(b, i, c, share, r);
     } else if (s > 0.0) {
-        const double hold = soft(fl, &b->shape[i], c, r, s);
+        const double hold = friction_outside(fl, &b->shape[i], c, r, s);
         if (hold > 0.0) add_link(b, i, c, hold, r);
     } else if (!is_gap(b, fl->mesh, c, i))
-        add_link(b, i, c, firm(fl, c), r);
+        add_link(b, i, c, friction_inside(fl, c), r);
 }
 
 /* The sums over the links of each cell. */
-static void collect(struct solid_bodies *b)
+static void sum_links(struct solid_bodies *b)
 {
     for (int j = 0; j < b->n_links; j++) {
         const struct hold_link *const l = &b->link[j];
@@ -159,7 +160,7 @@ static void collect(struct solid_bodies *b)
     }
 }
 
-static void forget(struct solid_bodies *b)
+static void clear_links(struct solid_bodies *b)
 {
     for (int j = 0; j < b->n_cells; j++) {
         const int c = b->cell[j];
@@ -175,16 +176,16 @@ void mark_bodies(struct solid_bodies *b, const struct fluid *fl)
     struct marking by = {b, fl};
 
     if (b->dt_marked == fl->options.dt) return;
-    forget(b);
+    clear_links(b);
     for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, fl->mesh, i, claim, &by);
+        body_cells_each(b, fl->mesh, i, assign_cell, &by);
     for (int i = 0; i < b->ps->n; i++) {
         b->start[i] = b->n_links;
         body_cells_each(b, fl->mesh, i, hold_cell, &by);
     }
     for (int i = 0; i < b->ps->n; i++)
-        body_cells_each(b, fl->mesh, i, release, &by);
+        body_cells_each(b, fl->mesh, i, free_cell, &by);
     b->start[b->ps->n] = b->n_links;
-    collect(b);
+    sum_links(b);
     b->dt_marked = fl->options.dt;
 }

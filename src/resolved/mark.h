@@ -1,4 +1,4 @@
-/* mark.h -- which cells a body holds, and how firmly.
+/* mark.h -- which cells a body holds, and with which friction.
  * Chapter "Resolving the grains".
  *
  * With s the distance of a cell's centre from the surface, > 0 outside,
@@ -22,7 +22,7 @@
 #include "resolved/solid_bodies.h"
 
 /* C [-]: inside, the fluid moves with the body up to 1/C. */
-extern const double mark_firmness;
+extern const double mark_friction_inside;
 
 /* Makes the links of all bodies where they are now, for steps of
  * fl->options.dt. Nothing is done if neither the bodies nor the step have

@@ -21,8 +21,8 @@ double squeeze_film_coefficient(double mu, double R_star, double z,
 /* The coefficient changes with z: in each part of the time z changes by a fifth
  * at most, and the damping with the coefficient at half of the way is solved
  * exactly. */
-double squeeze_film_slow_down(const struct squeeze_film *l, double R_star,
-                              double m, double z, double g, double dt)
+double squeeze_film_velocity(const struct squeeze_film *l, double R_star,
+                             double m, double z, double g, double dt)
 {
     static const double share = 0.2;
     double left = dt;
@@ -71,8 +71,8 @@ static void act_between(struct solid_bodies *b, const struct box_domain *box,
     const double m_i = mass_of(ps, i), m_j = mass_of(ps, j);
     const double m = 1.0 / (1.0 / m_i + 1.0 / m_j), g = vector_dot(v, n);
     const double J =
-        m * (squeeze_film_slow_down(&b->lubrication, R_i * R_j / (R_i + R_j), m,
-                                    z, g, dt) -
+        m * (squeeze_film_velocity(&b->lubrication, R_i * R_j / (R_i + R_j), m,
+                                   z, g, dt) -
              g);
     push(ps, i, J / m_i, n);
     push(ps, j, -J / m_j, n);
@@ -90,9 +90,9 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
         const int k = w / 2;
         const double sign = w % 2 ? -1.0 : 1.0;
         if (box->periodic[k]) continue;
-        *v[k] = sign * squeeze_film_slow_down(
-                           &b->lubrication, R, mass_of(ps, i),
-                           box_domain_gap(box, w, x) - R, sign * *v[k], dt);
+        *v[k] = sign * squeeze_film_velocity(&b->lubrication, R, mass_of(ps, i),
+                                             box_domain_gap(box, w, x) - R,
+                                             sign * *v[k], dt);
     }
 }
 
@@ -103,7 +103,7 @@ static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
     const double speed = vector_dot(g->v, g->n),
                  R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
     const double gained =
-        squeeze_film_slow_down(&b->lubrication, R_star, g->m, g->z, speed, dt) -
+        squeeze_film_velocity(&b->lubrication, R_star, g->m, g->z, speed, dt) -
         speed;
     double J[3];
 

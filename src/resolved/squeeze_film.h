@@ -26,8 +26,8 @@ double squeeze_film_coefficient(double mu, double R_star, double z,
 
 /* The speed [m/s] of parting after dt [s] of two bodies of the reduced mass m
  * [kg] that part at g and are z [m] apart. */
-double squeeze_film_slow_down(const struct squeeze_film *l, double R_star,
-                              double m, double z, double g, double dt);
+double squeeze_film_velocity(const struct squeeze_film *l, double R_star,
+                             double m, double z, double g, double dt);
 
 /* Changes the velocities of all bodies by the forces of a time dt [s]. */
 void squeeze_film_act(struct solid_bodies *b, double dt);

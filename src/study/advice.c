@@ -70,6 +70,7 @@ static void put_variant(const struct outcomes *o, int v, int m, FILE *out)
 /* Why there is no error of any variant; NULL if there is one. */
 static const char *nothing_known(const struct outcomes *o, int m)
 {
+    const enum truth_kind kind = o->plan->truth[m].kind;
     int ended = 0, found = 0;
 
     for (int v = 0; v < o->n; v++) {
@@ -80,7 +81,11 @@ static const char *nothing_known(const struct outcomes *o, int m)
     }
     return ended == 0   ? "no variant has come to its end"
            : found == 0 ? "the runs have no such measure"
-                        : "where it was measured the truth is unknown, or 0";
+           : kind == TRUTH_FINEST && !o->variant[o->n - 1].ended
+               ? "the finest has not come to its end"
+           : kind == TRUTH_EXTRAPOLATED
+               ? "nothing could be extrapolated"
+               : "where it was measured the truth is unknown, or 0";
 }
 
 static void put_limits(const struct outcomes *o, int m, FILE *out)

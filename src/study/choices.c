@@ -209,7 +209,8 @@ const char *choices_value(const struct choices *c, int variant, const char *key)
     return NULL;
 }
 
-/* The last part of a key, where no other key of the study ends so; else all. */
+/* The last part of a key, where no other key of the study has the same; else
+ * all. */
 static const char *short_key(const struct choices *c, const char *key)
 {
     const char *const dot = strrchr(key, '.');
@@ -218,8 +219,9 @@ static const char *short_key(const struct choices *c, const char *key)
     for (int i = 0; i < c->n; i++)
         for (int k = 0; k < c->of[i].key.n; k++) {
             const char *const other = c->of[i].key.text[k];
-            const size_t n = strlen(other), m = strlen(last);
-            if (other != key && n >= m && strcmp(other + n - m, last) == 0)
+            const char *const point = strrchr(other, '.');
+            if (other != key &&
+                strcmp(point != NULL ? point + 1 : other, last) == 0)
                 return key;
         }
     return last;

@@ -76,14 +76,10 @@ static void take_variant(struct outcomes *o, int v)
 
 /* --- the truth ------------------------------------------------------------ */
 
-/* The last entry of every choice. */
-static int finest(const struct outcomes *o, int v)
+/* The finest variant has the last entry of every choice. */
+static int finest(const struct outcomes *o)
 {
-    const struct choices *const c = &o->plan->choices;
-
-    for (int i = 0; i < c->n; i++)
-        v = choices_with(c, v, i, c->of[i].n - 1);
-    return v;
+    return o->n - 1;
 }
 
 /* The last three entries of a line, from coarse to fine. */
@@ -118,11 +114,9 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
     if (t->kind == TRUTH_NONE) return NAN;
     if (t->kind == TRUTH_FUNCTION || t->kind == TRUTH_TABLE)
         return truth_value(t, x);
-    if (t->kind == TRUTH_FINEST) {
-        const int last = finest(o, v);
-        return curve_at(&o->variant[last].of[m].found, x,
-                        last == v ? NULL : doubt);
-    }
+    if (t->kind == TRUTH_FINEST)
+        return curve_at(&o->variant[finest(o)].of[m].found, x,
+                        v == finest(o) ? NULL : doubt);
     const struct last_three l = last_of(o, v, m);
     const double more = 1.0 / (pow(l.h[1] / l.h[2], l.p) - 1.0);
     double of_fine, of_coarse;
@@ -135,7 +129,7 @@ static double truth_at(const struct outcomes *o, int v, int m, double x,
 /* 1 if the variant is what it would be compared with. */
 static int is_reference(const struct outcomes *o, int v, int m)
 {
-    return o->plan->truth[m].kind == TRUTH_FINEST && finest(o, v) == v;
+    return o->plan->truth[m].kind == TRUTH_FINEST && v == finest(o);
 }
 
 /* Compares a variant with the truth where there is one. */
@@ -176,13 +170,12 @@ static void compare(const struct outcomes *o, int v, int m)
  * alone: both have the error 0, without a doubt, and differ in cost only. */
 static void compare_finest(const struct outcomes *o, int m)
 {
-    for (int v = 0; v < o->n; v++) {
+    struct finding *const f = &o->variant[finest(o)].of[m];
+
+    for (int v = 0; v < finest(o); v++) {
+        struct finding *const other = &o->variant[v].of[m];
         if (o->plan->truth[m].kind != TRUTH_FINEST) return;
-        if (o->variant[v].of[m].error != 0.0) continue;
-        struct finding *const same[] = {&o->variant[v].of[m],
-                                        &o->variant[finest(o, v)].of[m]};
-        for (int i = 0; i < 2; i++)
-            same[i]->error = same[i]->doubt = 0.0;
+        if (other->error == 0.0) other->doubt = f->error = f->doubt = 0.0;
     }
 }
 

@@ -67,24 +67,28 @@ static void put_point(const struct outcomes *o, int m, int v, FILE *out)
             o->axis < 0 ? "" : choices_value(c, v, c->of[o->axis].key.text[0]));
 }
 
-/* The front: for each variant that no cheaper one beats, in order of cost. */
+/* 1 if the variant costs more than the last of the front, and is better by more
+ * than chance. */
+static int goes_on(const struct outcomes *o, int m, int last, int v)
+{
+    const struct outcome *const of = &o->variant[v];
+
+    if (!is_shown(o, m, v) || last < 0) return is_shown(o, m, v);
+    const struct outcome *const before = &o->variant[last];
+    return of->cost >= before->cost && of->of[m].error < before->of[m].error &&
+           !outcome_is_chance(&of->of[m], &before->of[m]);
+}
+
+/* The front: the variants that no cheaper one equals, in order of cost. */
 static void put_front(const struct outcomes *o, int m, FILE *out)
 {
-    double cost = 0.0, error = INFINITY;
-
-    for (;;) {
-        int next = -1;
-        for (int v = 0; v < o->n; v++) {
-            const double own = o->variant[v].cost;
-            if (is_shown(o, m, v) && own >= cost &&
-                o->variant[v].of[m].error < error &&
-                (next < 0 || own < o->variant[next].cost))
+    for (int last = -1, next; last < o->n; last = next) {
+        next = o->n;
+        for (int v = 0; v < o->n; v++)
+            if (goes_on(o, m, last, v) &&
+                (next == o->n || o->variant[v].cost < o->variant[next].cost))
                 next = v;
-        }
-        if (next < 0) return;
-        cost = o->variant[next].cost;
-        error = o->variant[next].of[m].error;
-        put_point(o, m, next, out);
+        if (next < o->n) put_point(o, m, next, out);
     }
 }
 

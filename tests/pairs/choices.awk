@@ -88,7 +88,7 @@ BEGIN {
     apart("mesh", "cyclic", "periodic", "none y z xz xyz", "")
     # A flow is driven round a period, and goes in or out at a side.
     apart("drive", "gradient flow", "periodic", "none",
-          "x is not periodic, so nothing can be driven round it")
+          "x is not periodic, so no mean flow can be driven along it")
     apart("drive", "gradient flow", "mesh", "dual slanted", "")
     apart("drive", "through parabola formula ramp outlet", "periodic", "y xyz",
           "y is periodic, so the fluid has no")
@@ -99,7 +99,7 @@ BEGIN {
     # Particles go round along an axis; an oblique box does so in x and z.
     if (letter != "f")
         apart("mesh", "sheared", "periodic", "y xyz",
-              "particles go round a period along x, y or z only|y is not periodic")
+              "for particles a period must be along x, y or z|y is not periodic")
     # Attractions know the sides of the box, and no other walls.
     apart("mesh", "slanted", "cohesion", "van_der_waals capillary all",
           "not on the walls of this mesh")
@@ -111,22 +111,22 @@ BEGIN {
           "not parallel to y, which is periodic")
     # The reference loop knows the sides of a box.
     apart("list", "link-cells all-pairs none", "integrator", "heun",
-          "knows no integrator that")
+          "does not support integrators that")
     apart("list", "link-cells all-pairs none", "driven", "line swing circle",
-          "knows no prescribed particles")
+          "does not support prescribed particles")
     apart("list", "link-cells all-pairs none", "surface",
-          "plane cylinder stl moving turning", "knows no surfaces")
+          "plane cylinder stl moving turning", "does not support surfaces")
     apart("list", "link-cells all-pairs none", "mesh",
-          "slanted", "knows no surfaces")
+          "slanted", "does not support surfaces")
     # A sheared box has walls of its own only where it is not periodic.
     apart("list", "link-cells all-pairs none", "mesh", "sheared")
     # Without contacts nothing comes to rest, and no pair is close.
     apart("list", "none", "count", "settled",
-          "no bed comes to rest without contacts|knows no")
+          "no bed comes to rest without contacts|does not support")
     apart("list", "none", "lubrication", "on",
-          "knows no force between particles")
+          "does not support forces between particles at a distance")
     apart("list", "none", "cohesion", "electrostatic van_der_waals capillary all",
-          "knows no force between particles")
+          "does not support forces between particles at a distance")
     apart("count", "none", "driven", "line swing circle",
           "there is none at the start")
     # The width at half the height is of a Gaussian.
@@ -147,7 +147,7 @@ BEGIN {
     apart("bodies", "fixed free moving cylinder surface", "cohesion",
           "van_der_waals capillary all", "not on bodies")
     apart("bodies", "fixed free moving cylinder surface", "list",
-          "link-cells all-pairs none", "knows no surfaces")
+          "link-cells all-pairs none", "does not support surfaces")
     # One-way there are no solids on the mesh.
     apart("coupling", "one-way", "time_average", "on",
           "one-way there are no averaged fields")

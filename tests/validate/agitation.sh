@@ -147,7 +147,7 @@ liquid() {
 measured() {
     case=cases/ew18-liquid-measured.cfg
     run measured-8 $case -s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] \
-        -s effects.stochastic_drag.time=0.55
+        -s effects.stochastic_drag.time=0.52
     run measured-11 $case
     {
         made measured

@@ -1,13 +1,13 @@
 #!/bin/sh
 # Long runs of beds beside their measurements: Mueller's at 0.9 m/s (two seeds,
-# 18 s) and at 0.6 m/s, van Wachem's (12 s), Goldschmidt's (10 s). Hours each on
-# one core. A run that was interrupted goes on where it was.
+# 18 s) and at 0.6 m/s, van Wachem's (12 s), Goldschmidt's (10 s), the spouted bed
+# (4 s). Hours each on one core. A run that was interrupted goes on where it was.
 #
-#   sh tests/validate/beds.sh build/winnow [mueller|six|wachem|goldschmidt ...]
+#   sh tests/validate/beds.sh build/winnow [mueller|six|wachem|goldschmidt|spouted ...]
 set -eu
 PATH=$(cd "$(dirname "$1")" && pwd):$PATH
 shift
-[ $# -gt 0 ] || set -- mueller six wachem goldschmidt
+[ $# -gt 0 ] || set -- mueller six wachem goldschmidt spouted
 
 # NAME CASE: a case as it stands, in out/27-NAME.
 whole() {
@@ -44,6 +44,12 @@ for part; do
     goldschmidt)
         whole goldschmidt cases/goldschmidt-bed.cfg
         sh chapters/tools/last.sh out/27-goldschmidt mean_height
+        ;;
+    spouted)
+        whole spouted cases/spouted-bed.cfg
+        sh figures/27-spouted.sh out/27-spouted >figures/27-spouted.txt
+        gnuplot figures/27-spouted.gp
+        python3 figures/27-spouted.py figures/27-spouted.txt
         ;;
     esac
 done

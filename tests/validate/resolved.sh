@@ -176,7 +176,7 @@ suspension_case() {
 
 # The drag on grains that are resolved, at four fluid fractions: an hour.
 suspension() {
-    echo "# eps  whole force over Beetstra's  then as tests/validate/samples.awk says"
+    echo "# eps  whole force over Beetstra's, Di Felice's of 1994, and as EW18 prints it; then as tests/validate/samples.awk says"
     while read -r n cells step end; do
         name=suspension-$n-$cells
         suspension_case "$name" "$n" "$cells" "$step" "$end"
@@ -184,15 +184,17 @@ suspension() {
         found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
             "$out/$name/history.csv" "$out/$name/bodies.csv")
         eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / ($cells / 12) ^ 3 }")
-        slip=$(awk "BEGIN { print ${found%% *} * 0.125 / $eps }")
-        law=$(winnow eval EW18:A.5 eps="$eps" rho_f=1 mu=0.125 d=1 u_r="$slip")
-        echo "$law" | awk -v eps="$eps" -v rest="$found" '
-            { printf "%s  %.3f  %s\n", eps, 9 * 6.046875 * 3.14159265358979 / 6 / $3, rest }'
+        ratios=
+        for law in beetstra di-felice di-felice-printed; do
+            ratios="$ratios $(winnow eval drag:$law eps_f="$eps" Re="${found%% *}" | awk -v eps="$eps" -v Re="${found%% *}" '
+                { printf "%.3f", 9 * 6.046875 * 3.14159265358979 / 6 / (3 * 3.14159265358979 * 0.125 * Re * 0.125 / eps * $3) }')"
+        done
+        echo "$eps $ratios  $found"
     done <<TABLE
 97 56 0.010 16
 95 60 0.008 18
 52 54 0.008 15
-35 54 0.008 9
+35 54 0.008 12
 TABLE
 }
 
@@ -203,10 +205,10 @@ coefficients() {
         BEGIN { print "# eps  Re_p  C_d  sigma(C_d)  error  over C_d  T to the first zero, mean over 4 to 5 [d/u_in]; sigma by EW18s authors" }
         /^#/ { next }
         {
-            eps = $5; Re = $4; C = $9; sigma = $9 * $10; dt = $15 == 97 ? 0.01 : 0.008
-            error = sigma / sqrt(2 * $8 * dt / (2 * $11))
-            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $11, $12, 512.875 * Re ^ -1.54919
-            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $11
+            eps = $7; Re = $6; C = $11; sigma = $11 * $12; dt = $17 == 97 ? 0.01 : 0.008
+            error = sigma / sqrt(2 * $10 * dt / (2 * $13))
+            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $13, $14, 512.875 * Re ^ -1.54919
+            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $13
             if (n == 1) low = Re
             high = Re
         }
@@ -266,6 +268,30 @@ CASE
             END { p = 3.14159265358979; w = r + 0.5
                   printf "%6s %6s %4s %12.3f %8.3f\n", r, C, n, after / before,
                          exp(p * p / 2 / n * (C - 0.5) / w * sqrt((r + C) / w)) }' $out/impact/bodies.csv
+    done
+}
+
+# Sixteen spheres five times as heavy as the fluid settle on a floor: how nearly they come
+# to rest. Half a minute.
+pile() {
+    echo "# C_v  root of the mean square of the speed [m/s] after 3, 6, 9, 12 s"
+    for C in 2 0.5; do
+        awk -v C=$C 'BEGIN {
+            print "title = \"A pile\"; mesh = { size = [1.0, 1.6, 1.0]; cells = [12, 19, 12]; };"
+            print "fluid = { density = 1.0; viscosity = 0.02; step = 0.01; time = \"bdf2\";"
+            print "  sides = \"no-slip\"; bottom_top = \"no-slip\"; front_back = \"no-slip\"; };"
+            printf "bodies = { virtual_mass = %g; spheres = (", C
+            srand(3)
+            for (y = 0.25; y < 1.4; y += 0.36) for (x = 0.25; x < 0.9; x += 0.42) for (z = 0.25; z < 0.9; z += 0.42)
+                printf "%s{ position = [%.4f, %.4f, %.4f]; diameter = 0.33; density = 5.0; }", n++ ? ",\n" : "", x + 0.08 * rand(), y, z + 0.08 * rand()
+            print " ); };\neffects = { gravity = [0.0, -1.0, 0.0]; };"
+            print "output = { end = 12.0; every = 12.0; history = 0.5; };"
+        }' >$out/pile.cfg
+        run pile $out/pile.cfg
+        awk -F, -v C=$C 'NR > 1 { t = sprintf("%.1f", $1); sum[t] += $6 ^ 2 + $7 ^ 2 + $8 ^ 2; n[t]++ }
+            END { printf "%4s", C
+                  for (t = 3; t < 13; t += 3) { k = sprintf("%.1f", t); printf " %8.5f", sqrt(sum[k] / n[k]) }
+                  print "" }' $out/pile/bodies.csv
     done
 }
 

@@ -19,14 +19,14 @@ struct bandwidth {
 
 const struct model bandwidth_cells = {
     .name = "cells",
-    .what = "less what a cell smears by its width",
+    .what = "reduced by the width that a cell smears by itself",
     .equations = "SX15 section 2.2.3",
     .function = "bandwidth_minus_cell",
 };
 
 const struct model bandwidth_grains = {
     .name = "grains",
-    .what = "as the mean diameter of the grains in a cell",
+    .what = "proportional to the mean diameter of the grains in a cell",
     .equations = "SX15 section 2.2.3",
     .function = "follow_grains",
 };

@@ -227,7 +227,7 @@ static void dpvm_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method dpvm_method = {
     .name = "dpvm",
-    .what = "a cell takes the parts of particles in it",
+    .what = "each particle is divided among the cells that it overlaps",
     .equations = "SX15 section 1, LS section 5.4",
     .function = "dpvm_weights",
     .reach_d = 0.5,
@@ -240,7 +240,8 @@ const struct averaging_method dpvm_method = {
 
 const struct averaging_method dpvm_cube_method = {
     .name = "cube",
-    .what = "a cell takes the parts of the particles' cubes in it",
+    .what =
+        "each particle, as a cube, is divided among the cells that it overlaps",
     .equations = "EW18 section 2.4",
     .function = "dpvm_weights",
     .reach_d = 0.5 * M_SQRT3,

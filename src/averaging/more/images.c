@@ -266,7 +266,7 @@ static void images_free(void *state)
 
 const struct averaging_method images_method = {
     .name = "images",
-    .what = "a Gaussian weight, with mirror images at walls",
+    .what = "a Gaussian kernel with mirror images at walls",
     .equations = "EW18 17-21",
     .function = "find_shares",
     .keys = {averaging_bandwidth_keys, averaging_delta_keys},

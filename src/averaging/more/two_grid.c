@@ -123,7 +123,7 @@ static void overlap_all(struct two_grid *g)
 }
 
 /* A box of coarse cells around the mesh; returns their number. */
-static double lay_grid(struct two_grid *g, double bandwidth)
+static double create_grid(struct two_grid *g, double bandwidth)
 {
     const struct mesh *const m = g->h->mesh;
     double high[3];
@@ -178,7 +178,7 @@ static void *two_grid_create(const struct cell_of_particle *h,
         g->half = find_extents(h->mesh);
     else
         g->facets = facets_create(h->mesh);
-    const int wrong = number_int(lay_grid(g, o->bandwidth) * o->fields, &n);
+    const int wrong = number_int(create_grid(g, o->bandwidth) * o->fields, &n);
     assert(!wrong);
     (void)wrong;
     n /= o->fields;
@@ -255,7 +255,7 @@ static void two_grid_gather(void *state, int m, const double *field, double *q,
 
 const struct averaging_method two_grid_method = {
     .name = "two-grid",
-    .what = "pcm on a coarser grid, then moved to the mesh",
+    .what = "pcm on a coarser grid, then mapped to the mesh",
     .equations = "LS section 5.4",
     .function = "two_grid_spread",
     .keys = {averaging_bandwidth_keys},

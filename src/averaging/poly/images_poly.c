@@ -150,7 +150,7 @@ static void images_poly_gather(void *state, int m, const double *field,
 
 const struct averaging_method images_poly_method = {
     .name = "images",
-    .what = "a Gaussian weight, with mirror images at walls",
+    .what = "a Gaussian kernel with mirror images at walls",
     .equations = "EW18 17-21",
     .function = "images_weights",
     .needs_bandwidth = 1,

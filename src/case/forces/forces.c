@@ -278,12 +278,13 @@ static const struct key keys[] = {
      "its buoyancy, and of grains on surfaces: rows of forces.csv",
      "", ""},
     {"output.forces.name", KEY_TEXT, "", "", "",
-     "what its columns begin with; left out: the patches or surfaces", "", ""},
+     "how the names of its columns begin; left out: the patches or surfaces",
+     "", ""},
     {"output.forces.patches", KEY_TEXT, "", "", "",
-     "names with blanks between; left out: all no-slip walls", "", ""},
+     "names, separated by blanks; left out: all no-slip walls", "", ""},
     {"output.forces.surfaces", KEY_TEXT, "", "", "",
-     "names of particles.surfaces with blanks between, whose grains push and "
-     "turn them: means since the row before",
+     "names of particles.surfaces, separated by blanks: force and torque of "
+     "the grains on them, means since the row before",
      "", "particles"},
     {"output.forces.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
      "the point that the torque is about", "", ""},

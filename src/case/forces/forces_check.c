@@ -42,8 +42,8 @@ static int check_surfaces(const struct settings *s, int i)
     if (!settings_item_has(s, forces_list, i, "patches") &&
         settings_item_has(s, forces_list, i, "velocity"))
         return settings_wrong(s, forces_list,
-                              "coefficients are those of the fluid, which "
-                              "pushes patches; leave out velocity");
+                              "coefficients are of the fluid's force on "
+                              "patches; leave out velocity");
     return 0;
 }
 
@@ -60,16 +60,15 @@ static int check_patches(const struct settings *s, int i)
                               "it out for all walls");
     for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used)
         if (settings_side(s, word) == NULL && is_surface(s, word))
-            return settings_wrong(s, forces_list,
-                                  "%s is a surface, which the fluid does not "
-                                  "see: surfaces = \"%s\" is what the grains "
-                                  "do to it",
-                                  word, word);
+            return settings_wrong(
+                s, forces_list,
+                "%s is a surface, on which the fluid does not act: surfaces = "
+                "\"%s\" gives the force of the grains on it",
+                word, word);
         else if (settings_side(s, word) == NULL)
-            return settings_wrong(s, forces_list,
-                                  "there is no patch %s, or fluid says nothing "
-                                  "about it",
-                                  word);
+            return settings_wrong(
+                s, forces_list,
+                "there is no patch %s, or it has no boundary condition", word);
         else if (forces_is_open(s, word))
             return settings_wrong(s, forces_list,
                                   "the fluid flows through the patch %s; "
@@ -87,15 +86,16 @@ int forces_check(const struct settings *s)
         const int patches = settings_item_has(s, forces_list, i, "patches");
         if (surfaces && check_surfaces(s, i) != 0) return 2;
         if ((patches || !surfaces) && !settings_has(s, "fluid"))
-            return settings_wrong(s, forces_list,
-                                  "the forces on patches need fluid, which the "
-                                  "case does not have; those of the grains on "
-                                  "surfaces are told with surfaces = \"...\"");
+            return settings_wrong(
+                s, forces_list,
+                "the forces on patches need fluid, which the case does not "
+                "have; those of the grains on surfaces are written with "
+                "surfaces = \"...\"");
         if (patches && check_patches(s, i) != 0) return 2;
         if (U != A || (settings_item_has(s, forces_list, i, "length") && !U))
             return settings_wrong(s, forces_list,
-                                  "coefficients ask for velocity and area, "
-                                  "and that of the torque for length besides");
+                                  "coefficients need velocity and area, and "
+                                  "that of the torque for length besides");
     }
     return 0;
 }

@@ -118,8 +118,8 @@ static int check(const struct settings *s)
             return settings_wrong(s, key, "%s is named twice", word);
         if (fields[i].take == take_fluid_force && !settings_has(s, "exchange"))
             return settings_wrong(s, key,
-                                  "fluid_force asks for the group exchange: "
-                                  "no fluid acts on the particles");
+                                  "fluid_force needs the group exchange: no "
+                                  "fluid acts on the particles");
     }
     return 0;
 }
@@ -177,7 +177,7 @@ static void release(void *part)
 
 static const struct key keys[] = {
     {"output.particles", KEY_TEXT, "", "", KEY_OPTIONAL,
-     "what particles.pvd has besides, with blanks between: mass material "
+     "further arrays of particles.pvd, separated by blanks: mass material "
      "fluid_force contact_force contact_number",
      "", "particles"},
     {"output.sorted", KEY_BOOL, "", "", "false",

@@ -125,8 +125,7 @@ static int check_given(const struct settings *s, int i)
                               "how large; leave out count, diameter and sizes",
                               i);
     if (!file && !has(s, i, "count"))
-        return settings_wrong(s, sources, "source %d asks for count or file",
-                              i);
+        return settings_wrong(s, sources, "source %d needs count or file", i);
     if (!file && sized != 1)
         return settings_wrong(s, sources,
                               "source %d: give either diameter or sizes%s", i,
@@ -160,11 +159,11 @@ static int check_no_contacts(const struct settings *s, int i,
 {
     int who[2];
 
-    if (o->rate > 0.0 || !insertion_clash(o, box, o->overlap, who)) return 0;
+    if (o->rate > 0.0 || !insertion_overlap(o, box, o->overlap, who)) return 0;
     return settings_wrong(
         s, sources,
-        "source %d: spheres %d and %d of its file are in each other; move them "
-        "apart, or set particles.overlaps to \"allow\"",
+        "source %d: spheres %d and %d of its file overlap; move them apart, or "
+        "set particles.overlaps to \"allow\"",
         i, who[0], who[1]);
 }
 
@@ -380,11 +379,12 @@ static void report(const struct simulation *sim)
         const struct insertion *const in = &l->sources[i];
         const long due = insertion_count_due(in, sim->t - sim->dt);
         if (in->n_inserted < due)
-            fprintf(stderr,
-                    "winnow: source %d of particles.insert: %ld of the %ld "
-                    "spheres that were due by t = %g s have found no room; "
-                    "they need a larger region, or others to leave it\n",
-                    i, due - in->n_inserted, due, sim->t);
+            fprintf(
+                stderr,
+                "winnow: source %d of particles.insert: %ld of the %ld spheres "
+                "that were due by t = %g s have found no room; make the region "
+                "larger, the rate lower, or let particles leave it sooner\n",
+                i, due - in->n_inserted, due, sim->t);
     }
 }
 

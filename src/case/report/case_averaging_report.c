@@ -35,7 +35,7 @@ static void print_bandwidth(const struct mesh *m, double b, double S_c,
     if (cbrt(V) > 1.01 * S_c)
         check_line("bandwidth / width of the largest cell", b / cbrt(V), "-",
                    b < widths * cbrt(V)
-                       ? "LOW: small cells beside it are too full"
+                       ? "LOW: smaller cells get too large a solid fraction"
                        : "");
 }
 
@@ -47,12 +47,11 @@ static void print_smearing(const struct settings *s, double b,
     const int is_bed = particle_options_gravity(s, g) && k->volume > 0.0;
 
     if (k->d <= 0.0) return;
-    check_line("Gaussian's b / d", b / k->d, "-",
-               is_bed && b > wide * k->d
-                   ? "WIDE: bubbles are smeared; better 2 to 3"
-               : is_bed && b < narrow * k->d
-                   ? "NARROW: single spheres show in the fields"
-                   : "of the largest particle");
+    check_line(
+        "Gaussian's b / d", b / k->d, "-",
+        is_bed && b > wide * k->d ? "WIDE: bubbles are smeared; better 2 to 3"
+        : is_bed && b < narrow * k->d ? "NARROW: the fields show single spheres"
+                                      : "of the largest particle");
     if (settings_mesh(s) != NULL || !is_bed) return;
     case_mesh_ends(s, lo, size);
     const double height = k->volume / (k->eps_s * size[0] * size[2]);

@@ -101,12 +101,12 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
                    : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
     check_line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
                "mass of the bed over that of the fluid in it");
-    check_line("swing of the pressure",
+    check_line("amplification of the pressure",
                stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
                k->eps_s < densest
-                   ? "part of it left after a step: it dies out"
+                   ? "factor in a step: it decays"
                    : "NOT STABLE: it grows where the bed is packed");
-    check_line("densest bed without it", densest, "-",
+    check_line("largest stable solid fraction", densest, "-",
                helped ? "eps_s, with virtual mass"
                       : "eps_s, without virtual mass");
 }

@@ -148,7 +148,7 @@ static void print_ways(const struct settings *s, int needed)
 
     line("ways of the coupling", needed, "-",
          has == needed  ? "as it is"
-         : has == 0     ? "they meet, the fluid does not feel them; CALLED FOR"
+         : has == 0     ? "contacts without a reaction on the fluid; CALLED FOR"
          : has > needed ? "more than is called for; enough would be"
                         : "CALLED FOR",
          has == needed ? "" : only[needed]);
@@ -160,9 +160,9 @@ static void print_coupling(const struct settings *s,
     const int needed = ways_called_for(k->eps_s, particles);
 
     line("solids fraction", k->eps_s, "-",
-         k->eps_s > 1e-3   ? "over 1e-3: particles meet"
-         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: the fluid feels them"
-                           : "below 1e-6: the fluid does not feel them",
+         k->eps_s > 1e-3   ? "over 1e-3: particles collide"
+         : k->eps_s > 1e-6 ? "1e-6 to 1e-3: particles act on the fluid"
+                           : "below 1e-6: particles do not act on the fluid",
          "");
     line("mass loading", stability_loading(k->rho_s, k->eps_s, k->rho_f), "-",
          "of the particles over the fluid where they are", "");

@@ -16,12 +16,20 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Each function below unpacks its inputs and calls the room's. */
-
-static double reynolds(const double *x)
-{
-    return drag_reynolds(x[0], x[1], x[2], x[3]);
-}
+/* Each function unpacks its inputs and calls the room's. */
+EQUATION_OF_4(drag_reynolds)
+EQUATION_OF_2(drag_terminal_ratio)
+EQUATION_OF_7(exact_released)
+EQUATION_OF_1(kernel_bell)
+EQUATION_OF_2(diffusion_kernel)
+EQUATION_OF_2(time_average_weight)
+EQUATION_OF_4(contact_linear_damping)
+EQUATION_OF_4(electrostatic_force)
+EQUATION_OF_4(limits_rayleigh)
+EQUATION_OF_4(drag_force)
+EQUATION_OF_3(drag_stokes_time)
+EQUATION_OF_4(drag_schiller_naumann_time)
+EQUATION_OF_2(drag_wen_yu_cd)
 
 static double syamlal_b(const double *x)
 {
@@ -35,40 +43,10 @@ static double syamlal_beta(const double *x)
                      x[4]);
 }
 
-static double terminal_ratio(const double *x)
-{
-    return drag_terminal_ratio(x[0], x[1]);
-}
-
 static double relaxation_time(const double *x)
 {
     return drag_relaxation_time(drag_law_named("syamlal-obrien"), x[0], x[1],
                                 x[2], x[3], x[4], x[5]);
-}
-
-static double taken_along(const double *x)
-{
-    return exact_taken_along(x[0], x[1], x[2], x[3], x[4], x[5], x[6]);
-}
-
-static double bell(const double *x)
-{
-    return kernel_bell(x[0]);
-}
-
-static double gauss(const double *x)
-{
-    return diffusion_kernel(x[0], x[1]);
-}
-
-static double fading_weight(const double *x)
-{
-    return time_average_weight(x[0], x[1]);
-}
-
-static double linear_damping(const double *x)
-{
-    return contact_linear_damping(x[0], x[1], x[2], x[3]);
 }
 
 /* The next three begin with E_i E_j nu_i nu_j R_i R_j. */
@@ -101,11 +79,6 @@ static double critical_damping(const double *x)
     return contact_linear_dashpot(1.0, x[1], x[0]);
 }
 
-static double charges(const double *x)
-{
-    return electrostatic_force(x[0], x[1], x[2], x[3]);
-}
-
 static double hamaker(const double *x)
 {
     return van_der_waals_force(x[0], van_der_waals_diameter(x[1], x[2]), x[3]);
@@ -114,31 +87,6 @@ static double hamaker(const double *x)
 static double bridge(const double *x)
 {
     return capillary_force(x[0] * cos(x[1]), capillary_mean(x[2], x[3]));
-}
-
-static double rayleigh(const double *x)
-{
-    return limits_rayleigh(x[0], x[1], x[2], x[3]);
-}
-
-static double force(const double *x)
-{
-    return drag_force(x[0], x[1], x[2], x[3]);
-}
-
-static double stokes_time(const double *x)
-{
-    return drag_stokes_time(x[0], x[1], x[2]);
-}
-
-static double schiller_naumann_time(const double *x)
-{
-    return drag_schiller_naumann_time(x[0], x[1], x[2], x[3]);
-}
-
-static double wen_yu_cd(const double *x)
-{
-    return drag_wen_yu_cd(x[0], x[1]);
 }
 
 /* The document counts the fluid, alpha; beta is that of [XS11 2.9]. */
@@ -159,37 +107,37 @@ static const struct equation others[] = {
      "eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "beta",
      "kg/(m^3 s)", "drag_beta", syamlal_beta},
     {"XS11:2.12", "Reynolds number of a particle", "Re = rho_f d u_r / mu",
-     "rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re", "-", "drag_reynolds",
-     reynolds},
+     "rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]", "Re", "-",
+     EQUATION_BY(drag_reynolds)},
     {"XS11:2.13", "terminal velocity of a suspension over that of one sphere",
      "V_r = (A1 - 0.06 Re + sqrt((0.06 Re)^2 + 0.12 Re (2 A2 - A1) + A1^2)) / "
      "2, A1 = eps_f^4.14, A2 = 0.8 eps_f^1.28 to eps_f = 0.85, eps_f^2.65 "
      "above",
-     "Re [-], eps_f [-]", "V_r", "-", "drag_terminal_ratio", terminal_ratio},
+     "Re [-], eps_f [-]", "V_r", "-", EQUATION_BY(drag_terminal_ratio)},
     {"XS11:3.6", "bell kernel", "K = (1 - zeta^2)^4 for zeta < 1, else 0",
-     "zeta [-]", "K", "-", "kernel_bell", bell},
+     "zeta [-]", "K", "-", EQUATION_BY(kernel_bell)},
     {"XS11:3.17", "time in which drag would stop a particle, Syamlal-O'Brien",
      "tau_p = rho_s eps_s / beta",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_r [m/s]",
      "tau_p", "s", "drag_relaxation_time", relaxation_time},
-    {"XS11:4.1", "velocity of a particle at rest that a fluid takes along",
+    {"XS11:4.1", "velocity of a particle that is released from rest in a fluid",
      "du/dt = (u_f - u) / tau_p, tau_p of XS11:3.17 at u_r = |u_f - u|, u = 0 "
      "at t = 0",
      "rho_s [kg/m^3], eps_s [-], rho_f [kg/m^3], mu [Pa s], d [m], u_f [m/s], "
      "t "
      "[s]",
-     "u", "m/s", "exact_taken_along", taken_along},
-    {"SX15:6", "Gaussian kernel that diffusion amounts to",
+     "u", "m/s", EQUATION_BY(exact_released)},
+    {"SX15:6", "Gaussian kernel equivalent to diffusion",
      "h = exp(-r^2 / b^2) / (pi b^2)^(3/2)", "r [m], b [m]", "h", "1/m^3",
-     "diffusion_kernel", gauss},
-    {"SX15:14", "weight of the past in a fading time mean",
+     EQUATION_BY(diffusion_kernel)},
+    {"SX15:14", "weight of the past in an exponential moving average",
      "alpha = 1 / (1 + dt / b_t)", "dt [s], b_t [s]", "alpha", "-",
-     "time_average_weight", fading_weight},
+     EQUATION_BY(time_average_weight)},
     {"LS:4.4", "damping of the linear contact for a restitution e",
      "eta = 2 zeta sqrt(k m*), zeta = -ln e / sqrt(pi^2 + ln^2 e), m* = m_i "
      "m_j / (m_i + m_j)",
      "k [N/m], e [-], m_i [kg], m_j [kg]", "eta", "kg/s",
-     "contact_linear_damping", linear_damping},
+     EQUATION_BY(contact_linear_damping)},
     {"LS:4.7", "elastic normal force between two spheres, Hertz",
      "F_n = (4/3) E* sqrt(R*) delta^(3/2)",
      "E_i [Pa], E_j [Pa], nu_i [-], nu_j [-], R_i [m], R_j [m], delta [m]",
@@ -212,8 +160,8 @@ static const struct equation others[] = {
      "contact_linear_dashpot", critical_damping},
     {"LS:4.13", "force between two charged spheres; positive repels",
      "F = q_i q_j / (4 pi eps_0 eps_r l^2)",
-     "q_i [C], q_j [C], eps_r [-], l [m]", "F", "N", "electrostatic_force",
-     charges},
+     "q_i [C], q_j [C], eps_r [-], l [m]", "F", "N",
+     EQUATION_BY(electrostatic_force)},
     {"LS:4.14", "van der Waals attraction of two spheres, l their gap",
      "F = A D / (12 l^2), D = D_i D_j / (D_i + D_j)",
      "A [J], D_i [m], D_j [m], l [m]", "F", "N", "van_der_waals_force",
@@ -224,23 +172,23 @@ static const struct equation others[] = {
      bridge},
     {"LS:5.2", "drag of one sphere of known drag coefficient",
      "F = rho_f (pi d^2 / 4) C_D u_r |u_r| / 2",
-     "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N", "drag_force",
-     force},
+     "rho_f [kg/m^3], C_D [-], d [m], u_r [m/s]", "F", "N",
+     EQUATION_BY(drag_force)},
     {"LS:5.11", "Rayleigh time of a sphere",
      "T_R = pi r sqrt(rho / G) / (0.1631 nu + 0.8766)",
-     "r [m], rho [kg/m^3], G [Pa], nu [-]", "T_R", "s", "limits_rayleigh",
-     rayleigh},
+     "r [m], rho [kg/m^3], G [Pa], nu [-]", "T_R", "s",
+     EQUATION_BY(limits_rayleigh)},
     {"LS:5.12", "relaxation time of one sphere after Stokes",
      "tau = rho_p d^2 / (18 mu)", "rho_p [kg/m^3], d [m], mu [Pa s]", "tau",
-     "s", "drag_stokes_time", stokes_time},
+     "s", EQUATION_BY(drag_stokes_time)},
     {"LS:5.13", "relaxation time of one sphere, Schiller-Naumann",
      "tau = rho_p d^2 / (18 mu) / (1 + 0.15 Re^0.687)",
      "rho_p [kg/m^3], d [m], mu [Pa s], Re [-]", "tau", "s",
-     "drag_schiller_naumann_time", schiller_naumann_time},
+     EQUATION_BY(drag_schiller_naumann_time)},
     {"LS:5.26", "drag coefficient of a sphere in a suspension, Wen-Yu",
      "C_d = 24 (1 + 0.15 (alpha Re)^0.687) / (alpha Re); 0.44 from alpha Re = "
      "1000 on",
-     "alpha [-], Re [-]", "C_d", "-", "drag_wen_yu_cd", wen_yu_cd},
+     "alpha [-], Re [-]", "C_d", "-", EQUATION_BY(drag_wen_yu_cd)},
     {"LS:5.27", "drag of a mixture over slip, Ergun and Wen-Yu (Gidaspow)",
      "beta = 150 eps_s^2 mu / (alpha d^2) + 1.75 eps_s rho_f u_r / d to alpha "
      "= 0.8; (3/4) C_d eps_s alpha rho_f u_r alpha^-2.65 / d above",

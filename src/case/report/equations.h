@@ -24,6 +24,23 @@ struct equation {
                                           drag law */
 };
 
+/* A function of one to seven numbers as the value of an equation whose inputs
+ * are these: EQUATION_OF_2(f), and EQUATION_BY(f) as the end of its row. */
+#define EQUATION_OF(f, ...)                                                    \
+    static double value_of_##f(const double *x)                                \
+    {                                                                          \
+        return f(__VA_ARGS__);                                                 \
+    }
+#define EQUATION_OF_1(f) EQUATION_OF(f, x[0])
+#define EQUATION_OF_2(f) EQUATION_OF(f, x[0], x[1])
+#define EQUATION_OF_3(f) EQUATION_OF(f, x[0], x[1], x[2])
+#define EQUATION_OF_4(f) EQUATION_OF(f, x[0], x[1], x[2], x[3])
+#define EQUATION_OF_5(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4])
+#define EQUATION_OF_6(f) EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5])
+#define EQUATION_OF_7(f)                                                       \
+    EQUATION_OF(f, x[0], x[1], x[2], x[3], x[4], x[5], x[6])
+#define EQUATION_BY(f) #f, value_of_##f
+
 /* The i-th of all, in the order of the documents; 0 past the last. */
 int equations_at(int i, struct equation *e);
 

@@ -25,8 +25,8 @@ static int acceleration(double t, const double u[], double dudt[], void *of)
 }
 
 /* Runge-Kutta of order 8, to 1e-11 of the velocity. */
-double exact_taken_along(double rho_s, double eps_s, double rho_f, double mu,
-                         double d, double u_f, double t)
+double exact_released(double rho_s, double eps_s, double rho_f, double mu,
+                      double d, double u_f, double t)
 {
     struct stream s = {
         drag_law_named("syamlal-obrien"), rho_s, eps_s, rho_f, mu, d, u_f};

@@ -6,7 +6,7 @@
  * takes along, du/dt = (u_f - u) / tau_p(|u_f - u|) with tau_p of
  * Syamlal-O'Brien at a constant solids fraction [m/s]; nan for t < 0.
  * [XS11 4.1] */
-double exact_taken_along(double rho_s, double eps_s, double rho_f, double mu,
-                         double d, double u_f, double t);
+double exact_released(double rho_s, double eps_s, double rho_f, double mu,
+                      double d, double u_f, double t);
 
 #endif

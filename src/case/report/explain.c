@@ -25,7 +25,7 @@ static const struct part parts[] = {
     {"mesh", "the coupled step", "XS11 Algorithm 3.1", "coupling_step"},
     {"fluid", "momentum of the fluid, averaged locally", "XS11 2.8",
      "momentum_assemble"},
-    {"fluid", "pressure that meets continuity (PISO)", "XS11 2.7",
+    {"fluid", "pressure, from continuity (PISO)", "XS11 2.7",
      "pressure_correct"},
     {"particles", "motion of each particle", "LS 4.1-4.3", "dem_run"},
     {"particles.surfaces", "contacts with walls besides the box", "LS 4.1-4.3",
@@ -38,8 +38,8 @@ static const struct part parts[] = {
      "transfer_begin_substep"},
     {"exchange", "sub-steps and the mean velocity over them", "XS11 3.18-3.20",
      "move_with_drag"},
-    {"particles.materials", "what each pair of materials does", "LS 4.9, 4.10",
-     "materials_pair"},
+    {"particles.materials", "properties of each pair of materials",
+     "LS 4.9, 4.10", "materials_pair"},
     {rolling, "rolling friction", "Ai11", "rolling_moment"},
     {NULL, NULL, NULL, NULL}};
 
@@ -162,9 +162,8 @@ const struct command command_explain = {
     "explain",
     "CASE [-s path.to.key=value]... | KEY | MODEL | FUNCTION",
     "the equations that a case switches on, and what it leaves off; or where "
-    "the equations that a case switches on, and what it leaves off; or where "
     "the equation of a key is computed, tested and explained; or what a key of "
-    "a case or a model means; or what a function computes",
+    "a case, or a model, means; or what a function computes",
     "s",
     1,
     1,

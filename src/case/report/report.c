@@ -50,14 +50,16 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
 {
     const double angle = q->non_orthogonal;
 
-    line_at("largest non-orthogonality", angle, "deg", m, q->n_non_orthogonal,
-            angle > 80.0 ? "TOO CROOKED: mend the mesh if the flow breaks down"
-            : angle > 63.0 ? "HIGH: the oblique part of the pressure is limited"
-            : angle > 45.0 ? "high: give fluid.outer_correctors 1 or 2"
-                           : "good");
+    line_at(
+        "largest non-orthogonality", angle, "deg", m, q->n_non_orthogonal,
+        angle > 80.0 ? "TOO LARGE: improve the mesh if the flow breaks down"
+        : angle > 63.0
+            ? "HIGH: the non-orthogonal correction of the pressure is limited"
+        : angle > 45.0 ? "high: give fluid.outer_correctors 1 or 2"
+                       : "good");
     line_at("largest skewness", q->skewness, "-", m, q->n_skewed,
-            q->skewness > 0.8   ? "HIGH: the slopes make up for a part of it"
-            : q->skewness > 0.1 ? "the slopes make up for it"
+            q->skewness > 0.8   ? "HIGH: corrected in part, by gradients"
+            : q->skewness > 0.1 ? "corrected by gradients"
                                 : "good");
     line_at("largest aspect ratio", q->aspect, "-", m, q->n_flat,
             q->aspect > 20.0 ? "high: solvers are slower on flat cells" : "");
@@ -102,12 +104,12 @@ static void print_one(const struct case_scales *k, const struct case_limits *m)
 {
     if (m->rayleigh < HUGE_VAL) {
         check_line("T_R", m->rayleigh, "s",
-                   "Rayleigh's wave around the smallest particle");
+                   "Rayleigh time of the smallest particle");
         check_line("particles.step / T_R", k->dem_dt / m->rayleigh, "-", "");
     }
     check_line("contact time", m->contact, "s",
                m->contact < HUGE_VAL ? "of two of the smallest particles"
-                                     : "critical damping: they never part");
+                                     : "critical damping: no rebound");
     check_line("suggested step", m->suggested, "s", "");
     check_line("safe step", m->longest, "s", "");
 }
@@ -120,7 +122,7 @@ static void print_contacts(const struct settings *s,
     puts("Contacts");
     if (case_limits_no_contacts(s)) {
         check_line("particle step", k->dem_dt, "s",
-                   "safe: particles.list = \"none\", they do not meet");
+                   "safe: particles.list = \"none\", no contacts");
         return;
     }
     check_line("impact speed", k->impact, "m/s", "assumed for what follows");
@@ -148,7 +150,7 @@ static void print_weight(const struct settings *s, const struct case_scales *k)
         return;
     check_line("weight of the bed over its area",
                k->volume * rho_s * fabs(g[1]) / (size[0] * size[2]), "Pa",
-               "what the pressure drop comes to when it is carried");
+               "the pressure drop of a fluidized bed");
 }
 
 static void print_cost(const struct settings *s, const struct case_scales *k)

@@ -194,9 +194,8 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
 static void print_bandwidth(const struct settings *s)
 {
     if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;
-    line("averaging.bandwidth halved", 1.0, "what it takes off a wave", 2.0, 1);
-    line("averaging.bandwidth doubled", 1.0, "what it takes off a wave", 2.0,
-         0);
+    line("averaging.bandwidth halved", 1.0, "the damping of a wave", 2.0, 1);
+    line("averaging.bandwidth doubled", 1.0, "the damping of a wave", 2.0, 0);
 }
 
 /* A sub-step asks for the drag of each particle once, which was seen to cost as

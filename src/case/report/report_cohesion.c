@@ -23,7 +23,7 @@ static void print_electrostatic(const struct settings *s,
                electrostatic_force(most, most, a->strength, d) / weight, "-",
                "of the largest charge on touching spheres");
     check_line("electrostatic at its range / touching",
-               gsl_pow_2(d / (d + a->range)), "-", "what the range cuts off");
+               gsl_pow_2(d / (d + a->range)), "-", "cut off at the range");
 }
 
 static void print_van_der_waals(const struct attraction *a, double d,
@@ -35,13 +35,12 @@ static void print_van_der_waals(const struct attraction *a, double d,
                van_der_waals_force(a->strength, D, a->closest) / weight, "-",
                "at the closest gap");
     check_line("van der Waals at its range / closest",
-               gsl_pow_2(a->closest / a->range), "-",
-               "what the range cuts off");
+               gsl_pow_2(a->closest / a->range), "-", "cut off at the range");
     check_line(
-        "closest gap / way of a step", a->closest / travel, "-",
+        "closest gap / path in a step", a->closest / travel, "-",
         a->closest >= travel
             ? "the well is resolved"
-            : "NOT RESOLVED: what an impact gains in the well is by chance");
+            : "NOT RESOLVED: the energy of an impact depends on the step");
 }
 
 void report_cohesion(const struct settings *s, double d, double density,

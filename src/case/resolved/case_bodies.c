@@ -280,8 +280,8 @@ static void join_surfaces(struct simulation *sim, const struct solid_bodies *b,
 }
 
 /* Among particles, which touch the bodies: before there are any. */
-static int furnish(const struct settings *s, struct simulation *sim,
-                   struct dem_options *o)
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
 {
     if (!settings_has(s, "bodies")) return 0;
     struct solid_bodies *const b = create(s);
@@ -313,6 +313,6 @@ MODELS_KIND(case_bodies_method, body_methods, "body_method",
 
 const struct case_part case_bodies_part = {.keys = case_bodies_keys,
                                            .check_any = case_bodies_check,
-                                           .furnish_last = furnish,
+                                           .complete_last = complete,
                                            .add_last = add,
                                            .print = case_bodies_report};

@@ -63,7 +63,7 @@ int ahead_find(struct ahead *a)
 
     a->found = state_file_open(a->path, &why);
     if (a->found == NULL && why != NULL)
-        fprintf(stderr, "winnow: %s is not taken: %s\n", a->path, why);
+        fprintf(stderr, "winnow: %s is not used: %s\n", a->path, why);
     return a->found != NULL;
 }
 
@@ -73,7 +73,7 @@ int ahead_is_other(struct ahead *a, int tell)
     const int other = case_text_differs(was, a->lines, tell ? a->path : NULL);
 
     free(was);
-    if (!other && tell) state_texts_tell_version(a->found, a->path);
+    if (!other && tell) state_texts_print_version(a->found, a->path);
     return other;
 }
 
@@ -126,7 +126,7 @@ static int load(struct ahead *a, struct bed_settling *b)
     bed_settling_state(b, s);
     if (s->failed || state_file_all_visited(a->found) != 0) return WRONG;
     if (!a->options->quiet)
-        fprintf(stderr, "%s: the bed settles on from t = %g s\n",
+        fprintf(stderr, "%s: the bed continues to settle from t = %g s\n",
                 folder_name(a->folder), bed_settling_time(b));
     forget_found(a);
     return 0;

@@ -101,7 +101,7 @@ static struct state_file *find_whole(const struct resume *r, int *damaged)
         if (f != NULL) return f;
         if (why == NULL) continue;
         ++*damaged;
-        fprintf(stderr, "winnow: %s is not taken: %s\n", path[i], why);
+        fprintf(stderr, "winnow: %s is not used: %s\n", path[i], why);
     }
     return NULL;
 }
@@ -114,7 +114,7 @@ static int is_other(const struct resume *r, const char *path)
     const int other = case_text_differs(was, r->lines, path);
 
     free(was);
-    if (!other && path != NULL) state_texts_tell_version(r->found, path);
+    if (!other && path != NULL) state_texts_print_version(r->found, path);
     return other;
 }
 
@@ -127,7 +127,7 @@ static int is_after_end(const struct resume *r)
     if (t <= end + 0.5 * case_steps_length(r->settings)) return 0;
     fprintf(stderr,
             "winnow: output.end is %g s, and the run in %s is at t = %g s "
-            "already: it goes on to a later end only\n",
+            "already: a run can only be continued to a later end\n",
             end, folder_name(r->folder), t);
     return 1;
 }

@@ -29,7 +29,7 @@ void state_texts_put(struct state_file *f, const struct settings *s,
     }
 }
 
-void state_texts_tell_version(struct state_file *f, const char *path)
+void state_texts_print_version(struct state_file *f, const char *path)
 {
     char *const by = state_file_text(f, "program");
 

@@ -11,6 +11,6 @@ void state_texts_put(struct state_file *f, const struct settings *s,
                      const struct run_options *o, const char *lines);
 
 /* A warning if another version of the program has written the file `path`. */
-void state_texts_tell_version(struct state_file *f, const char *path);
+void state_texts_print_version(struct state_file *f, const char *path);
 
 #endif

@@ -122,7 +122,8 @@ static int print_holder(const char *dir)
 {
     const long process = folder_process(dir);
 
-    if (process > 0) printf("%-11s process %ld is at it\n", "running", process);
+    if (process > 0)
+        printf("%-11s process %ld is running\n", "running", process);
     return process > 0;
 }
 
@@ -239,7 +240,7 @@ static const char *find_state(const char *dir, struct found *f)
     if (!open_state(dir, name, f))
         open_state(dir, name = RESUME_FILE_BEFORE, f);
     if (f->file != NULL && is_of_another_case(dir, name, f)) {
-        printf("%-11s %s is of another case\n", "not taken", name);
+        printf("%-11s %s is of another case\n", "not used", name);
         state_file_free(f->file);
         f->file = NULL;
     }

@@ -173,10 +173,13 @@ static const struct key keys[] = {
     {"output.statistics.from", KEY_REAL, "s", ">= 0", "0.0",
      "time of the first sample; each row of history.csv is one", "EW18 23", ""},
     {"output.statistics.blocks", KEY_INT, "-", ">= 2, <= 1000", "8",
-     "blocks for the standard errors; each should outlast a memory", "", ""},
+     "blocks for the standard errors; each should be longer than the "
+     "correlation time",
+     "", ""},
     {"output.statistics.lags", KEY_REAL, "s", "> 0", KEY_OPTIONAL,
      "longest time of the correlation of the grains' drag coefficients, whose "
-     "series are then kept as long as no grain comes or goes; left out: none",
+     "series are then kept as long as no grain is inserted or removed; left "
+     "out: none",
      "EW18 28", "exchange"},
     {"output.statistics.plateau", KEY_REAL, "s", ">= 0", "0.0",
      "integral times are means over ends beyond this", "EW18 31", ""},

@@ -111,7 +111,7 @@ static int write_grains(const struct case_statistics *self, struct summary *f)
 
     if (g != NULL && g->changed && !self->quiet)
         fprintf(stderr,
-                "grains came or went after %d samples of the drag "
+                "grains were inserted or removed after %d samples of the drag "
                 "coefficients: there are no more\n",
                 g->n_rows);
     if (g == NULL || g->n_rows < 2) return 0;

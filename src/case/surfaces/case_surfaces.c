@@ -260,8 +260,8 @@ static int check_driven(const struct settings *s, int i)
     const struct motion m = motion_of(s, prescribed, i);
     if (vector_length(m.spin) > 0.0 &&
         !settings_item_has(s, prescribed, i, "centre"))
-        return settings_wrong(
-            s, prescribed, "particle %d has a spin: it asks for a centre", id);
+        return settings_wrong(s, prescribed,
+                              "particle %d has a spin: it needs a centre", id);
     return check_motion(s, prescribed, i);
 }
 

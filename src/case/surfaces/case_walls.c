@@ -140,8 +140,8 @@ static int check_periods(const struct settings *s)
             along |= fabs(P[k]) >= (1.0 - 1e-9) * vector_length(P);
         if (along) continue;
         return settings_wrong(s, "particles",
-                              "particles go round a period along x, y or z "
-                              "only; this mesh has one along [%g, %g, %g] m",
+                              "for particles a period must be along x, y or z; "
+                              "this mesh has one along [%g, %g, %g] m",
                               P[0], P[1], P[2]);
     }
     return 0;

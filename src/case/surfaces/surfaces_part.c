@@ -37,7 +37,7 @@ static void print_speed(double speed, const struct case_scales *k)
     check_line("highest speed", speed, "m/s",
                "of any point of them in the box");
     if (k->particles > 0 && speed > 0.0)
-        check_line("way of it in a particle step / d", speed * k->dem_dt / k->d,
+        check_line("its path in a particle step / d", speed * k->dem_dt / k->d,
                    "-", "of the smallest particle");
 }
 
@@ -84,8 +84,8 @@ static void take_names(struct simulation *sim)
         sim->surface_names[i] = sim->surfaces[i].name;
 }
 
-static int furnish(const struct settings *s, struct simulation *sim,
-                   struct dem_options *o)
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
 {
     int code;
 
@@ -155,7 +155,7 @@ const struct case_part surfaces_part = {.keys = case_surfaces_keys,
                                         .check = check,
                                         .dem_options = dem_options,
                                         .print = print,
-                                        .furnish = furnish,
+                                        .complete = complete,
                                         .free = release,
                                         .place = place,
                                         .add = add};

@@ -48,7 +48,7 @@ static struct effect_estimate touching(const struct effect_scales *k, double F,
         return (struct effect_estimate){fabs(F) / k->force, remark, 1};
     return (struct effect_estimate){
         fabs(k->pair->law->pair(k->pair, 0, 0, R, R, 0.0)) / k->force,
-        "of two that touch", 0};
+        "of two particles that touch", 0};
 }
 
 static struct effect_estimate
@@ -95,7 +95,7 @@ static const struct key electrostatic_keys[] = {
      "force between charged particles; walls have no charge", "LS 4.13",
      "particles"},
     {"effects.electrostatic.permittivity", KEY_REAL, "-", ">= 1", "1.0",
-     "relative permittivity of what is between, eps_r", "LS 4.13", ""},
+     "relative permittivity of the medium, eps_r", "LS 4.13", ""},
     {"effects.electrostatic.range", KEY_REAL, "m", "> 0", NULL,
      "longest gap between two surfaces at which it acts", "", ""},
     {0}};
@@ -136,12 +136,11 @@ static const char *van_der_waals_wrong(const double *p,
 
 static const struct key van_der_waals_keys[] = {
     {"effects.van_der_waals", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "attraction of surfaces that are close, walls too", "LS 4.14",
-     "particles"},
+     "attraction between close particles and to walls", "LS 4.14", "particles"},
     {"effects.van_der_waals.hamaker", KEY_REAL, "J", "> 0", NULL,
      "Hamaker's constant A", "LS 4.14", ""},
     {"effects.van_der_waals.min_gap", KEY_REAL, "m", "> 0", "4e-10",
-     "gap below which the force stays what it is there", "", ""},
+     "gap below which the force is constant", "", ""},
     {"effects.van_der_waals.range", KEY_REAL, "m", "> 0", NULL,
      "longest gap between two surfaces at which it acts", "", ""},
     {0}};
@@ -173,13 +172,13 @@ static struct attraction capillary_of(const double *p,
 
 static const struct key capillary_keys[] = {
     {"effects.capillary", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "bridges of liquid, to walls too", "LS 4.15", "particles"},
+     "liquid bridges between particles and to walls", "LS 4.15", "particles"},
     {"effects.capillary.tension", KEY_REAL, "N/m", "> 0", NULL,
      "surface tension of the liquid, gamma", "LS 4.15", ""},
     {"effects.capillary.angle", KEY_REAL, "rad", ">= 0, < 1.5707963", "0.0",
      "angle of contact, theta", "LS 4.15", ""},
     {"effects.capillary.range", KEY_REAL, "m", ">= 0", "0.0",
-     "gap at which a bridge breaks; 0: it is there while they touch", "", ""},
+     "gap at which a bridge breaks; 0: bridges exist at contact only", "", ""},
     {"effects.capillary.harmonic", KEY_BOOL, "", "", "false",
      "R* of unequal spheres: the harmonic mean instead of the mean", "LS 4.15",
      ""},
@@ -187,7 +186,7 @@ static const struct key capillary_keys[] = {
 
 const struct effect cohesion_capillary = {
     .name = "capillary",
-    .what = "pull of bridges of liquid",
+    .what = "attraction by liquid bridges",
     .equations = "LS 4.15",
     .function = "capillary_force",
     .keys = capillary_keys,

@@ -21,13 +21,13 @@ static void *energy_budget_create(struct simulation *sim,
 
 static const struct key keys[] = {
     {"effects.energy_budget", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "the energy of the particles, and what each mechanism takes, in history",
+     "energy of the particles, and its loss by each mechanism, in history.csv",
      "LS 4.16", "particles"},
     {0}};
 
 const struct effect energy_budget_effect = {
     .name = "energy_budget",
-    .what = "where the particles' energy goes",
+    .what = "energy budget of the particles",
     .equations = "LS 4.16",
     .function = "budget_collect",
     .keys = keys,

@@ -54,13 +54,13 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {
     {"effects.fluid_torque", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "torque of the fluid, which slows the spin of a particle", "LS 5.7",
+     "torque of the fluid, which slows the rotation of a particle", "LS 5.7",
      "fluid particles averaging exchange"},
     {0}};
 
 const struct effect fluid_torque_effect = {
     .name = "fluid_torque",
-    .what = "torque of the fluid on a particle that spins",
+    .what = "torque of the fluid on a particle that rotates",
     .equations = "",
     .function = "spin_decay_rate",
     .keys = keys,

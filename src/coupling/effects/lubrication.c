@@ -61,12 +61,12 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {
     {"effects.lubrication", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "resistance of the liquid between close particles, walls too", "Cox67",
+     "lubrication force between close particles and at walls", "Cox67",
      "fluid particles"},
     {"effects.lubrication.roughness", KEY_REAL, "m", "> 0", NULL,
      "gap z_min below which the force grows no further", "", ""},
     {"effects.lubrication.range", KEY_REAL, "m", "> 0", NULL,
-     "gap z_out from which on it acts", "", ""},
+     "gap z_out below which it acts", "", ""},
     {0}};
 
 static const char *lubrication_wrong(const double *p,
@@ -78,7 +78,7 @@ static const char *lubrication_wrong(const double *p,
 
 const struct effect lubrication_effect = {
     .name = "lubrication",
-    .what = "resistance of the liquid between close particles",
+    .what = "lubrication force between close particles",
     .equations = "Cox67",
     .function = "lubrication_coefficient",
     .keys = keys,

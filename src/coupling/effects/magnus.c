@@ -41,13 +41,13 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {{"effects.magnus", KEY_GROUP, "", "",
                                    KEY_OPTIONAL,
-                                   "lift on a particle that spins", "LS 5.7",
+                                   "lift on a particle that rotates", "LS 5.7",
                                    "fluid particles averaging exchange"},
                                   {0}};
 
 const struct effect magnus_effect = {
     .name = "magnus",
-    .what = "lift on a particle that spins",
+    .what = "lift on a particle that rotates",
     .equations = "LS 5.7",
     .function = "spin_lift",
     .keys = keys,

@@ -82,13 +82,13 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {
     {"effects.saffman", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "lift of a shear on a particle that slips, with Mei's factor",
+     "lift on a particle that slips in a shear flow, with Mei's factor",
      "LS 5.5, 5.6", "fluid particles averaging exchange"},
     {0}};
 
 const struct effect saffman_effect = {
     .name = "saffman",
-    .what = "lift of a shear on a particle that slips",
+    .what = "lift on a particle that slips in a shear flow",
     .equations = "LS 5.5, 5.6",
     .function = "saffman_lift",
     .keys = keys,

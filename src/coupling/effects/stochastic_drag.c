@@ -207,8 +207,9 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
     return (struct effect_estimate){
         sqrt(2.0 / M_PI) * fmin(F, k->drag) / k->force,
-        n == NULL && (Re < 3.0 || Re > 10.5) ? "EW18 knows Re_p of 3 to 10.5"
-                                             : "",
+        n == NULL && (Re < 3.0 || Re > 10.5)
+            ? "the data of EW18 are for Re_p from 3 to 10.5"
+            : "",
         0};
 }
 
@@ -223,7 +224,7 @@ static int stochastic_drag_counts(const void *memory, struct effect_count *c)
 
 static const struct key keys[] = {
     {"effects.stochastic_drag", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "a random part of the drag, for what averaging has smoothed away",
+     "a random part of the drag, for the fluctuations that averaging removes",
      "EW18 32-37", "fluid particles averaging exchange"},
     {"effects.stochastic_drag.sigma_low", KEY_REAL, "-", ">= 0", NULL,
      "standard deviation of the drag coefficient at Re_low and below",
@@ -237,9 +238,10 @@ static const struct key keys[] = {
     {"effects.stochastic_drag.linear", KEY_BOOL, "", "", "false",
      "between the two sigma is linear", "EW18 Fig. 10", ""},
     {"effects.stochastic_drag.time", KEY_REAL, "s", "> 0", NULL,
-     "integral time T: how long a fluctuation lasts", "EW18 37", ""},
+     "integral time T of the fluctuation", "EW18 37", ""},
     {"effects.stochastic_drag.seed", KEY_INT, "-", ">= 0", "1",
-     "of the random numbers; the same seed, the same run", "EW18 34", ""},
+     "seed of the random numbers; the same seed gives the same run", "EW18 34",
+     ""},
     {0}};
 
 const struct effect stochastic_drag_effect = {

@@ -75,15 +75,16 @@ static int time_average_fields(const void *memory, struct effect_field *f)
 
 static const struct key keys[] = {
     {"effects.time_average", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "fading time means of eps_f and eps_s u_s, written with the fluid",
+     "exponential moving averages of eps_f and eps_s u_s, written with the "
+     "fluid",
      "SX15 11-14", "fluid particles averaging exchange"},
     {"effects.time_average.time", KEY_REAL, "s", "> 0", NULL,
-     "bandwidth b_t: how long the past counts", "SX15 11", ""},
+     "bandwidth b_t of the average in time", "SX15 11", ""},
     {0}};
 
 const struct effect time_average_effect = {
     .name = "time_average",
-    .what = "fading time means of the averaged fields",
+    .what = "exponential moving averages of the averaged fields",
     .equations = "SX15 11-14",
     .function = "time_average_update",
     .keys = keys,

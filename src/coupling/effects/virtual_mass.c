@@ -157,7 +157,7 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {
     {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "force of the fluid that a particle accelerates with itself", "LS 5.3",
+     "inertia of the fluid that is accelerated with a particle", "LS 5.3",
      "fluid particles averaging exchange"},
     {"effects.virtual_mass.coefficient", KEY_REAL, "-", ">= 0", "0.5",
      "C; 1/2 for a sphere", "LS 5.3", ""},
@@ -165,7 +165,7 @@ static const struct key keys[] = {
 
 const struct effect virtual_mass_effect = {
     .name = "virtual_mass",
-    .what = "the fluid that a particle accelerates with itself",
+    .what = "inertia of the fluid that is accelerated with a particle",
     .equations = "LS 5.3",
     .function = "virtual_mass_before_particles",
     .keys = keys,

@@ -77,7 +77,8 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
 static const struct key keys[] = {
     {"effects.whole_drag", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "the drag law over eps_f and buoyancy, in place of the pressure gradient",
+     "the drag law divided by eps_f, and buoyancy, in place of the pressure "
+     "gradient",
      "EW18 11-13, A.5",
      "fluid particles averaging exchange !effects.pressure_gradient"},
     {0}};

@@ -166,14 +166,15 @@ static const struct effect_columns columns = {names, bubbles_row};
 
 static const struct key keys[] = {
     {"effects.bubbles", KEY_GROUP, "", "", KEY_OPTIONAL,
-     "number, size and passing of bubbles, as columns of history.csv", "",
-     "fluid particles averaging exchange"},
+     "number and size of bubbles, and how many pass a height, as columns of "
+     "history.csv",
+     "", "fluid particles averaging exchange"},
     {"effects.bubbles.threshold", KEY_REAL, "-", "> 0, < 1", "0.8",
      "eps_f above which a cell belongs to a bubble", "", ""},
     {"effects.bubbles.height", KEY_REAL, "m", ">= 0", NULL,
      "y at which passing bubbles are counted", "", ""},
     {"effects.bubbles.smallest", KEY_REAL, "m", ">= 0", "0.0",
-     "diameter from which on a bubble counts", "", ""},
+     "smallest diameter of a bubble that is counted", "", ""},
     {0}};
 
 extern const struct effect bubbles_effect;

@@ -175,7 +175,7 @@ static const struct key keys[] = {
 extern const struct effect mixing_effect;
 const struct effect mixing_effect = {
     .name = "mixing",
-    .what = "how far two halves of the particles have mixed",
+    .what = "mixing index of two halves of the particles",
     .equations = "",
     .function = "mixing_row",
     .keys = keys,

@@ -196,7 +196,8 @@ static const struct key skin_keys[] = {
 
 const struct dem_method fast_verlet = {
     .name = "verlet",
-    .what = "pairs up to a skin apart, kept until they have moved it",
+    .what = "a list of pairs with gaps up to the skin, made anew when "
+            "particles have moved by it",
     .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
     .keys = {skin_keys},

@@ -10,7 +10,7 @@
 
 const struct integrator heun_integrator = {
     .name = "heun",
-    .what = "second order, damped or not; gains energy",
+    .what = "second order, also with damping; the energy drifts upward",
     .equations = "LS section 4.2",
     .function = "heun_correct",
     .predicts = 1,

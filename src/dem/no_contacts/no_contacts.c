@@ -241,9 +241,9 @@ static const char *unknown(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
-    if (o->n_attractions > 0) return "force between particles";
+    if (o->n_attractions > 0) return "forces between particles at a distance";
     if (o->integrator != NULL && o->integrator->predicts)
-        return "integrator that computes the forces twice";
+        return "integrators that compute the forces twice";
     return NULL;
 }
 
@@ -286,7 +286,7 @@ static void no_springs_back(struct dem *dem, const struct dem_spring *list,
 
 const struct dem_method no_contacts_method = {
     .name = "none",
-    .what = "no pairs: particles do not meet, and walls throw them back",
+    .what = "no contacts between particles; walls reflect them",
     .equations = "LS 4.1",
     .function = "travel",
     .no_contacts = 1,

@@ -209,16 +209,17 @@ static const char *misfit(const struct particles *ps, int i, int first,
     const int id = ps->id[i] - first;
 
     if (id < 0 || id >= bed->count || known[id]++)
-        return "its number is not one of the bed, or another has it";
+        return "its id is not one of the bed's, or is given twice";
     for (int k = 0; k < 3; k++)
         if (!(x[k] >= dem->lo[k] && x[k] <= dem->hi[k]))
             return "it is not in the box";
     if (!isfinite(speeds)) return "its velocity or spin is not a number";
-    if (!(d >= least && d <= most)) return "its diameter is not of the bed";
+    if (!(d >= least && d <= most))
+        return "its diameter is not one of the bed's";
     /* The mass is the product in another order: rounded differently. */
     if (!(fabs(ps->m[i] / (bed->density * particles_volume(ps, i)) - 1.0) <
           1e-12))
-        return "its mass is not that of its diameter";
+        return "its mass does not belong to its diameter";
     return NULL;
 }
 
@@ -293,7 +294,7 @@ static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
     ++*line;
     if (fscanf(f, " springs %d", &n) != 1) return incomplete;
     if (n < 0 || n > 100L * count + 100)
-        return "so many springs cannot be in the bed";
+        return "there are more contacts than the bed can have";
     springs->n = n;
     springs->list = alloc_zeroed((size_t)n, sizeof *springs->list);
     for (int q = 0; q < n; q++) {
@@ -302,7 +303,7 @@ static const char *read_springs(FILE *f, int count, struct bed_springs *springs,
         const char *const wrong = read_spring(f, s, with_roll);
         if (wrong != NULL) return wrong;
         if (!spring_fits(s, q > 0 ? s - 1 : NULL, count, dem))
-            return "this spring cannot be in the bed";
+            return "this contact cannot be in the bed";
     }
     return NULL;
 }
@@ -316,7 +317,7 @@ static const char *damage(const char *bytes, size_t length)
     last_line(line, bytes, length - LAST_LINE);
     return memcmp(bytes + length - LAST_LINE, line, LAST_LINE) == 0
                ? NULL
-               : "the file is damaged: its checksum is another one";
+               : "the file is damaged: its checksum does not match";
 }
 
 int bed_file_load(const char *path, struct particles *ps,

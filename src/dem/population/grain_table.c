@@ -161,7 +161,7 @@ static struct insertion_sphere *spheres_of(const struct csv *t,
         }
         list[i].d = factor * row[column[3]];
         if (good && number_is_length(list[i].d)) continue;
-        snprintf(wrong, CSV_WRONG, "row %d is no sphere", i + 1);
+        snprintf(wrong, CSV_WRONG, "row %d is not a sphere", i + 1);
         free(list);
         return NULL;
     }

@@ -125,10 +125,10 @@ static void join(struct near_particles *c, int i)
 }
 
 /* An empty one, for spheres of up to `widest` [m]. */
-static struct near_particles crowd_create(const struct insertion_options *o,
-                                          const struct particles *ps,
-                                          const struct box_domain *box,
-                                          double widest)
+static struct near_particles
+sphere_grid_create(const struct insertion_options *o,
+                   const struct particles *ps, const struct box_domain *box,
+                   double widest)
 {
     struct near_particles c = {.ps = ps, .box = box};
 
@@ -141,7 +141,7 @@ static struct near_particles crowd_create(const struct insertion_options *o,
     return c;
 }
 
-static void crowd_free(struct near_particles *c)
+static void sphere_grid_free(struct near_particles *c)
 {
     free(c->head);
     free(c->next);
@@ -149,8 +149,8 @@ static void crowd_free(struct near_particles *c)
 
 /* One of a cell that overlaps a sphere by more than this share of the mean
  * diameter; -1: none. */
-static int clash_in(const struct near_particles *c, int cell, const double x[3],
-                    double d, double share)
+static int overlap_in(const struct near_particles *c, int cell,
+                      const double x[3], double d, double share)
 {
     for (int i = c->head[cell]; i >= 0; i = c->next[i]) {
         const double reach = 0.5 * (d + c->ps->d[i]) * (1.0 - share);
@@ -164,8 +164,8 @@ static int clash_in(const struct near_particles *c, int cell, const double x[3],
     return -1;
 }
 
-static int clash(const struct near_particles *c, const double x[3], double d,
-                 double share)
+static int overlap_near(const struct near_particles *c, const double x[3],
+                        double d, double share)
 {
     int at[3];
 
@@ -176,7 +176,7 @@ static int clash(const struct near_particles *c, const double x[3], double d,
             at[k] = beside(c, k, coordinate(c, k, x[k]) + step[k]);
             there &= at[k] >= 0;
         }
-        const int i = there ? clash_in(c, number(c, at), x, d, share) : -1;
+        const int i = there ? overlap_in(c, number(c, at), x, d, share) : -1;
         if (i >= 0) return i;
     }
     return -1;
@@ -195,7 +195,7 @@ static struct near_particles near_particles_of(const struct insertion *in,
         widest = fmax(widest, ps->d[i]);
     for (long k = in->n_inserted; k < due; k++)
         widest = fmax(widest, insertion_diameter(o, k));
-    struct near_particles c = crowd_create(o, ps, box, widest);
+    struct near_particles c = sphere_grid_create(o, ps, box, widest);
     for (int k = 0; k < 3; k++)
         middle[k] = 0.5 * (o->lo[k] + o->hi[k]);
     for (int i = 0; i < ps->n; i++) {
@@ -218,7 +218,7 @@ static int place_next(struct insertion *in, struct near_particles *c,
 
     for (int a = 0; a < (o->list != NULL ? 1 : ATTEMPTS); a++) {
         insertion_place(o, in->n_inserted, in->n_attempts++, d, x);
-        if (clash(c, x, d, o->overlap) >= 0) continue;
+        if (overlap_near(c, x, d, o->overlap) >= 0) continue;
         if (o->region.has_room != NULL &&
             !o->region.has_room(o->region.state, x, 0.5 * d))
             continue;
@@ -239,12 +239,12 @@ static int place_next(struct insertion *in, struct near_particles *c,
 static void place_some(struct insertion *in, struct particles *ps,
                        const struct box_domain *box, long last)
 {
-    struct near_particles crowd = near_particles_of(in, ps, box, last);
+    struct near_particles sphere_grid = near_particles_of(in, ps, box, last);
 
     while (in->n_inserted < last && ps->n < ps->capacity &&
-           place_next(in, &crowd, ps))
+           place_next(in, &sphere_grid, ps))
         continue;
-    crowd_free(&crowd);
+    sphere_grid_free(&sphere_grid);
 }
 
 /* AT_ONCE of them at a time, so that a step that finds no room for the first of
@@ -264,23 +264,23 @@ int insertion_step(struct insertion *in, struct particles *ps,
     return ps->n - before;
 }
 
-int insertion_clash(const struct insertion_options *o,
-                    const struct box_domain *box, double share, int who[2])
+int insertion_overlap(const struct insertion_options *o,
+                      const struct box_domain *box, double share, int who[2])
 {
     struct particles *const ps = particles_create((int)o->count);
     double widest = 0.0;
 
     for (long k = 0; k < o->count; k++)
         widest = fmax(widest, o->list[k].d);
-    struct near_particles c = crowd_create(o, ps, box, widest);
+    struct near_particles c = sphere_grid_create(o, ps, box, widest);
     who[0] = -1;
     for (who[1] = 0; who[1] < o->count; who[1]++) {
         const struct insertion_sphere *const one = &o->list[who[1]];
-        who[0] = clash(&c, one->x, one->d, share);
+        who[0] = overlap_near(&c, one->x, one->d, share);
         if (who[0] >= 0) break;
         join(&c, particles_add(ps, one->x, one->d, 1.0));
     }
-    crowd_free(&c);
+    sphere_grid_free(&c);
     particles_free(ps);
     return who[0] >= 0;
 }

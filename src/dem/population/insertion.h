@@ -66,8 +66,8 @@ int insertion_step(struct insertion *in, struct particles *ps,
 
 /* Whether two spheres of the list overlap by more than this share of their mean
  * diameter, so that they cannot come at once, and which. */
-int insertion_clash(const struct insertion_options *o,
-                    const struct box_domain *box, double share, int who[2]);
+int insertion_overlap(const struct insertion_options *o,
+                      const struct box_domain *box, double share, int who[2]);
 
 /* Number of spheres due by then [-]. */
 long insertion_count_due(const struct insertion *in, double t);

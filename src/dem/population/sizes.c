@@ -9,17 +9,16 @@
 
 const struct key sizes_range_keys[] = {
     {"particles.sizes.min", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "smallest diameter; asked for by uniform and normal", "XS11 section 4.4",
-     ""},
+     "smallest diameter; needed by uniform and normal", "XS11 section 4.4", ""},
     {"particles.sizes.max", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
-     "largest diameter; asked for by uniform and normal", "XS11 section 4.4",
-     ""},
+     "largest diameter; needed by uniform and normal", "XS11 section 4.4", ""},
     KEY_END};
 
-const struct key sizes_by_keys[] = {{"particles.sizes.by", KEY_NAME, "",
-                                     "number | mass", "number",
-                                     "what the shares are parts of", "", ""},
-                                    KEY_END};
+const struct key sizes_by_keys[] = {
+    {"particles.sizes.by", KEY_NAME, "", "number | mass", "number",
+     "whether shares are of the number or of the mass of the particles", "",
+     ""},
+    KEY_END};
 
 const struct sizes_law *sizes_law_named(const char *name)
 {

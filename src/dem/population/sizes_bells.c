@@ -95,12 +95,12 @@ static const char *bell_wrong(const struct sizes_options *o)
 static const char *normal_wrong(const struct sizes_options *o)
 {
     if (!(o->mean > 0.0 && o->deviation > 0.0))
-        return "it asks for mean > 0 and deviation > 0";
+        return "it needs mean > 0 and deviation > 0";
     if (!(o->min > 0.0 && o->max > 0.0))
-        return "it asks for min and max: a bell extends without end, and its "
-               "diameters would even be negative";
+        return "it needs min and max: a normal distribution has no ends, and "
+               "its diameters would even be negative";
     if (o->by_mass)
-        return "it counts by number only; for shares by mass give a table";
+        return "its shares are by number only; for shares by mass give a table";
     return bell_wrong(o);
 }
 
@@ -108,7 +108,7 @@ static const char *lognormal_wrong(const struct sizes_options *o)
 {
     return o->median > 0.0 && o->ratio > 1.0
                ? bell_wrong(o)
-               : "it asks for median > 0 and ratio > 1";
+               : "it needs median > 0 and ratio > 1";
 }
 
 static const struct key normal_keys[] = {
@@ -128,7 +128,7 @@ static const struct key lognormal_keys[] = {
 
 const struct sizes_law sizes_normal = {
     .name = "normal",
-    .what = "Gauss's bell between two cut-offs",
+    .what = "a normal distribution between two cut-offs",
     .equations = "XS11 section 4.4",
     .function = "normal_quantile",
     .keys = {normal_keys, sizes_range_keys},
@@ -140,7 +140,7 @@ const struct sizes_law sizes_normal = {
 
 const struct sizes_law sizes_lognormal = {
     .name = "lognormal",
-    .what = "a bell in the logarithm of the diameter",
+    .what = "a normal distribution of the logarithm of the diameter",
     .equations = "",
     .function = "lognormal_quantile",
     .keys = {lognormal_keys, sizes_range_keys, sizes_by_keys},

@@ -106,7 +106,7 @@ static void shape_table(struct sizes *s, const struct sizes_options *o)
 
 static const char *uniform_wrong(const struct sizes_options *o)
 {
-    return o->min > 0.0 && o->max > 0.0 ? NULL : "it asks for min and max";
+    return o->min > 0.0 && o->max > 0.0 ? NULL : "it needs min and max";
 }
 
 static const char *points_wrong(const struct sizes_options *o, int table)
@@ -146,7 +146,7 @@ static const struct key points_keys[] = {
 
 const struct sizes_law sizes_uniform = {
     .name = "uniform",
-    .what = "every diameter between two as often",
+    .what = "all diameters between two ends, equally often",
     .equations = "",
     .function = "pieces_quantile",
     .keys = {sizes_range_keys, sizes_by_keys},
@@ -158,7 +158,7 @@ const struct sizes_law sizes_uniform = {
 
 const struct sizes_law sizes_discrete = {
     .name = "discrete",
-    .what = "some diameters, each with its share",
+    .what = "single diameters, each with its share",
     .equations = "",
     .function = "pieces_quantile",
     .keys = {points_keys, sizes_by_keys},

@@ -17,8 +17,8 @@ static void across(const double axis[3], double e[3])
         e[k] /= length;
 }
 
-static struct surface_hit meet_cylinder(const struct surface *s,
-                                        const double y[3])
+static struct surface_hit nearest_on_cylinder(const struct surface *s,
+                                              const double y[3])
 {
     struct surface_hit h;
     double from[3], out[3];
@@ -44,10 +44,10 @@ static const char *wrong(const struct surface *s)
 
 const struct surface_shape surface_cylinder = {
     .name = "cylinder",
-    .what = "the particles inside or outside, no ends",
+    .what = "an infinite cylinder, with the particles inside or outside",
     .equations = "",
-    .function = "meet_cylinder",
+    .function = "nearest_on_cylinder",
     .keys = {surface_point_keys, surface_axis_keys, surface_radius_keys},
-    .nearest = meet_cylinder,
+    .nearest = nearest_on_cylinder,
     .wrong = wrong,
 };

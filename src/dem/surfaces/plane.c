@@ -6,7 +6,8 @@
 
 #include "base/vector.h"
 
-static struct surface_hit meet_plane(const struct surface *s, const double y[3])
+static struct surface_hit nearest_on_plane(const struct surface *s,
+                                           const double y[3])
 {
     struct surface_hit h;
     double from[3];
@@ -25,10 +26,10 @@ static const struct key plane_keys[] = {
 
 const struct surface_shape surface_plane = {
     .name = "plane",
-    .what = "its solid behind it, no end",
+    .what = "an infinite plane with its solid behind it",
     .equations = "",
-    .function = "meet_plane",
+    .function = "nearest_on_plane",
     .keys = {surface_point_keys, plane_keys},
-    .nearest = meet_plane,
+    .nearest = nearest_on_plane,
     .wrong = surface_wrong_direction,
 };

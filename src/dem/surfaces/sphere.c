@@ -6,8 +6,8 @@
 
 #include "base/vector.h"
 
-static struct surface_hit meet_sphere(const struct surface *s,
-                                      const double y[3])
+static struct surface_hit nearest_on_sphere(const struct surface *s,
+                                            const double y[3])
 {
     static const double any[3] = {0.0, 1.0, 0.0};
     struct surface_hit h;
@@ -31,8 +31,8 @@ const struct surface_shape surface_sphere = {
     .name = "sphere",
     .what = "the particles outside",
     .equations = "",
-    .function = "meet_sphere",
-    .nearest = meet_sphere,
+    .function = "nearest_on_sphere",
+    .nearest = nearest_on_sphere,
     .reach = reach,
     .wrong = surface_wrong_radius,
 };

@@ -233,11 +233,11 @@ static int read_either(struct source *in, struct stl *s)
     }
     if (begins_with_solid(in)) return read_text(in, s);
     if (in->length < HEAD + 4)
-        return wrong(in, "no STL file: neither \"solid\" nor the 84 bytes of a "
-                         "binary head");
+        return wrong(in, "not an STL file: neither \"solid\" nor the 84 bytes "
+                         "of a binary header");
     return wrong(in,
-                 "no STL file, or cut off: its head announces %.0f triangles, "
-                 "which make %.0f bytes; it has %zu",
+                 "not an STL file, or truncated: its header announces %.0f "
+                 "triangles, which make %.0f bytes; it has %zu",
                  announced(in), HEAD + 4 + RECORD * announced(in), in->length);
 }
 

@@ -9,8 +9,8 @@
 #include "dem/surfaces/triangle.h"
 
 /* A centre in the triangle itself has no side: it is given one. */
-static struct surface_hit meet_triangle(const double corner[3][3],
-                                        const double y[3])
+static struct surface_hit nearest_on_triangle(const double corner[3][3],
+                                              const double y[3])
 {
     struct surface_hit h;
 
@@ -29,7 +29,8 @@ struct surface_hit surface_nearest(const struct surface *s, int face,
                                    const double y[3])
 {
     if (s->shape->nearest != NULL) return s->shape->nearest(s, y);
-    return meet_triangle((const double(*)[3])s->triangles->corner[face], y);
+    return nearest_on_triangle((const double(*)[3])s->triangles->corner[face],
+                               y);
 }
 
 struct surface_hit surface_nearest_moved(const struct surface *s, int face,

@@ -189,8 +189,8 @@ static void save_contact(struct surface_contacts *c, int q)
 }
 
 /* As chunk_check_overlaps does it. */
-static void look_deep(const struct surface_contacts *c, struct chunk *s,
-                      const struct bodies *b)
+static void measure_overlaps(const struct surface_contacts *c, struct chunk *s,
+                             const struct bodies *b)
 {
     for (int q = 0; q < c->touches.n; q++) {
         const struct surface_contact_point *const t = &c->touches.list[q];
@@ -238,7 +238,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
         sweep(&c->pairs, &two, k, dt, 0, n);
     }
     chunk_end_budget(&c->pairs.energy);
-    if (c->pairs.max_overlap > s->deep.overlap) look_deep(c, s, b);
+    if (c->pairs.max_overlap > s->deep.overlap) measure_overlaps(c, s, b);
     for (int q = 0; q < n; q++) {
         accumulate_load(c, q, s, c->pose, dt);
         save_contact(c, q);

@@ -163,8 +163,8 @@ static int add_all(struct part *part, const struct settings *s,
     return wrong;
 }
 
-static void tell_settled(const struct part *part, const struct settings *s,
-                         const struct bed_report *r)
+static void print_settled(const struct part *part, const struct settings *s,
+                          const struct bed_report *r)
 {
     if (part->p.rank == 0 && !settings_quiet(s))
         fprintf(stderr, "settled in %.3g s: kinetic energy %.1g m g d%s\n",
@@ -190,7 +190,7 @@ static int place(struct part *part, const struct settings *s)
             limits_step(dem.law, &dem.material, bed.diameter, bed.density, 1.0);
         const struct words w = words_of(s, d);
         spheres_settle(part->spheres, &w, step, &bed, &r);
-        tell_settled(part, s, &r);
+        print_settled(part, s, &r);
     }
     particle_options_release(&bed);
     return code;

@@ -157,7 +157,7 @@ static int load(void *store, const struct state_array *a)
                      a->values) < 0)
         why = "cannot be read";
     else if (read_checksum(data) != checksum(a))
-        why = "is damaged: its checksum is another one";
+        why = "is damaged: its checksum does not match";
     H5Dclose(data);
     f->arrays++;
     return why != NULL ? refuse(f, a, why) : 0;
@@ -291,7 +291,7 @@ struct state_file *state_file_open(const char *path, const char **why)
         if (errno == ENOENT) *why = NULL;
         return NULL;
     }
-    *why = "it is damaged: its checksum is another one";
+    *why = "it is damaged: its checksum does not match";
     const hid_t file = is_whole(bytes, length)
                            ? opened(path, bytes, length - LAST_LINE)
                            : H5I_INVALID_HID;

@@ -147,7 +147,7 @@ static int ascending(const void *a, const void *b)
 
 /* The range that all but one in a hundred points have: at a corner where a
  * moving wall ends the pressure has no bound. */
-static void usual_pressures(const struct slice *s, double *low, double *high)
+static void pressure_range(const struct slice *s, double *low, double *high)
 {
     double *const p = alloc_doubles(s->n[0] * s->n[1]);
     int n = 0;
@@ -170,7 +170,7 @@ static int put_script(struct folder *folder, const struct picture *p,
     if (f == NULL) return 1;
     for (int i = 0; i < s->n[0] * s->n[1]; i++)
         fast = fmax(fast, s->speed[i]);
-    usual_pressures(s, &low, &high);
+    pressure_range(s, &low, &high);
     const int a = s->axis[0], b = s->axis[1];
     const double *const lo = p->mesh->lo, *const hi = p->mesh->hi;
     FILE *const out = file_stream(f);

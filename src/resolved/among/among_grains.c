@@ -147,7 +147,7 @@ static void take_push(struct solid_bodies *b, int i, double dt, double step)
 }
 
 /* 1 if a body has come back into the box at its other end. */
-static int follow(struct solid_bodies *b, double t)
+static int take_poses(struct solid_bodies *b, double t)
 {
     const struct box_domain box =
         box_domain_of(b->contacts.lo, b->contacts.hi, b->contacts.periodic);
@@ -192,7 +192,7 @@ int among_grains_run(struct solid_bodies *b, struct simulation *sim, int steps)
         if (!failed && b->moves) failed = body_motion_run(b, n, step);
         const double t =
             b->ps->n > 0 ? dem_surface(sim->dem, b->among->first).t : 0.0;
-        if (follow(b, t)) dem_changed(sim->dem);
+        if (take_poses(b, t)) dem_changed(sim->dem);
         done += n;
     }
     sim->dem_report = all;
