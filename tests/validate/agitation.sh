@@ -145,14 +145,18 @@ liquid() {
 # The random part that resolved grains have here, at the two upper velocities; the others
 # from `liquid`.
 measured() {
-    case=cases/ew18-liquid-measured.cfg
-    run measured-8 $case -s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] \
-        -s effects.stochastic_drag.time=0.52
-    run measured-11 $case
+    for re in ${RE:-8 11}; do
+        case $re in
+        8) scale="-s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] -s effects.stochastic_drag.time=0.52" ;;
+        *) scale= ;;
+        esac
+        # shellcheck disable=SC2086 # words or none
+        run measured-$re cases/ew18-liquid-measured.cfg $scale
+    done
     {
         made measured
         echo "# Re_in way $columns"
-        for re in 8 11; do
+        for re in ${RE:-8 11}; do
             grep "^$re [gr]" figures/23-liquid.txt
             row measured-$re $re measured
         done
