@@ -1,7 +1,7 @@
 #!/bin/sh
 # The beds of EW18 without resolved flow: how much the grains fluctuate with a
 # coarse averaging, with a Gaussian, and with a random part of the drag. A run that
-# is done is not made again, so that what was interrupted goes on.
+# is done is not made again, and one that was interrupted goes on.
 #
 #   sh tests/validate/agitation.sh build/winnow [liquid|measured|treatments|choices|kernels|gas ...]
 #
@@ -23,7 +23,10 @@ run() {
     shift 2
     [ -z "${END:-}" ] || set -- "$@" -s "output.end=$END" -s output.statistics.from=20.0
     if [ "$(cat "$out/$name.asked" 2>/dev/null)" != "$case $*" ]; then
-        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" \
+        again=
+        [ "$(cat "$out/$name.begun" 2>/dev/null)" != "$case $*" ] || [ ! -e "$out/$name/checkpoint" ] || again=--resume
+        echo "$case $*" >"$out/$name.begun"
+        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" $again \
             >"$out/$name.log" 2>&1 || { tail -n 3 "$out/$name.log" >&2; exit 1; }
         echo "$case $*" >"$out/$name.asked"
     fi
