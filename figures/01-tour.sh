@@ -16,7 +16,7 @@ awk -F'[:,]' '
     END {
         print "\n## seconds"
         for (k = 1; k <= n; k++)
-            printf "%-9s %5.1f %%\n", part[k], 100 * time[k] / total
+            printf "%-17s %5.1f %%\n", part[k], 100 * time[k] / total
     }' "$1/summary.json"
 printf '\n## blocks\n'
 sh figures/12-blocks.sh "$1" pressure_drop | sed -n '/^naive\|^error/p'

@@ -263,6 +263,9 @@ if command -v pandoc >/dev/null; then
     fact equations_have_a_place 0 'id="eq-1-1"' cat out/01-fall.html
     fact they_are_linked_to 0 'href="01-fall.html#eq-1-1">(1.1)</a>' cat out/01-fall.html
     fact those_of_the_papers_lead_to_the_table 0 'href="equations.html#xs11-2-11"' cat out/01-fall.html
+    fact a_dot_stands_above_its_letter_and_a_bar_over_all 0 '>˙</mo><mo accent="true">‾<' sh -c \
+        'echo "$1" | awk -f "$2/tidy.awk"' - \
+        '<mo accent="true">̇</mo><mo accent="true">¯</mo>' "$tools"
     fact a_listing_tells_file_and_line 0 ">src/base/fall.c, line 2</a>" cat out/01-fall.html
     edit 's/^From/$x From/' $chapter
     fact raw_tex_is_told 1 "01-fall.html: raw TeX" sh "$tools/book.sh" out

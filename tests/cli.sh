@@ -572,8 +572,8 @@ fact body_does_not_meet_itself 2 "meets itself across the period" \
     -s 'fluid={density=960.0; viscosity=0.1; step=0.01; sides="slip"; bottom_top="slip";}'
 fact fixed_body_has_no_velocity 2 "number 0 is fixed and has a velocity" \
     body -s 'bodies.spheres.0.velocity=[1.0,0.0,0.0]'
-fact box_asks_for_three_cells 2 "bodies.boxes: number 0 is 1.2 cells wide" \
-    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.01,0.05];})'
+fact box_asks_for_a_cell 2 "bodies.boxes: number 0 is 0.6 cells wide" \
+    body -s 'bodies.boxes=({position=[0.05,0.05,0.05]; size=[0.05,0.005,0.05];})'
 fact box_is_in_the_box 2 "bodies.boxes: number 0 at [0.5, 0.05, 0.05] m is not inside" \
     body -s 'bodies.boxes=({position=[0.5,0.05,0.05]; size=[0.05,0.05,0.05];})'
 fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \

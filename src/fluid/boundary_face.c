@@ -14,8 +14,8 @@ static double dot3(const double *a, const double *b)
 }
 
 /* to = u + factor S */
-static void along(const double u[3], double factor, const double *S,
-                  double to[3])
+static void add_multiple(const double u[3], double factor, const double *S,
+                         double to[3])
 {
     for (int k = 0; k < 3; k++)
         to[k] = u[k] + factor * S[k];
@@ -33,13 +33,13 @@ void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
     const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_INLET || (b->enters && phi < 0.0))
-        along(rest, phi / (fl->eps[c] * SS), S, u);
+        add_multiple(rest, phi / (fl->eps[c] * SS), S, u);
     else if (b->kind == BOUNDARY_OUTLET)
-        along(phi >= 0.0 ? inside : rest, 0.0, S, u);
+        add_multiple(phi >= 0.0 ? inside : rest, 0.0, S, u);
     else if (b->kind == BOUNDARY_SLIP)
-        along(inside, -dot3(inside, S) / SS, S, u);
+        add_multiple(inside, -dot3(inside, S) / SS, S, u);
     else
-        along(boundary_wall_velocity(b, j), 0.0, S, u);
+        add_multiple(boundary_wall_velocity(b, j), 0.0, S, u);
 }
 
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)

@@ -4,7 +4,8 @@
 #include <math.h>
 
 /* The velocity of the cell without its component normal to the wall. */
-static void slide(const double u[3], const double S[3], double SS, double to[3])
+static void tangential_part(const double u[3], const double S[3], double SS,
+                            double to[3])
 {
     const double through = u[0] * S[0] + u[1] * S[1] + u[2] * S[2];
 
@@ -21,7 +22,7 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
     const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
 
     if (b->kind == BOUNDARY_SLIP) {
-        slide(u, S, SS, to);
+        tangential_part(u, S, SS, to);
         return;
     }
     const int enters =

@@ -42,13 +42,14 @@ static void fill_velocity_gradients(struct fluid *fl, const double *u)
     s->fill(m, u, fl->momentum->u_boundary, fl->momentum->velocity_gradient);
 }
 
-static double along(const double *slope, const double *x)
+static double dot3(const double *slope, const double *x)
 {
     return slope[0] * x[0] + slope[1] * x[1] + slope[2] * x[2];
 }
 
 /* The explicit part of the scheme for component k at face f. */
-static double beyond(const struct fluid *fl, const double *u, int f, int k)
+static double explicit_part(const struct fluid *fl, const double *u, int f,
+                            int k)
 {
     const struct mesh *const m = fl->mesh;
     const int o = m->owner[f], n = m->neighbour[f];
@@ -59,9 +60,8 @@ static double beyond(const struct fluid *fl, const double *u, int f, int k)
     const double *const slope =
         &fl->momentum->velocity_gradient[9 * (with ? o : n) + 3 * k];
 
-    return fl->options.convection->deferred(step,
-                                            sign * along(slope, &m->d[3 * f]),
-                                            with ? 1.0 - m->w[f] : m->w[f]);
+    return fl->options.convection->deferred(
+        step, sign * dot3(slope, &m->d[3 * f]), with ? 1.0 - m->w[f] : m->w[f]);
 }
 
 /* grad u . (S - d S.S / S.d) of component k, linear between the cells. */
@@ -71,8 +71,8 @@ static double non_orthogonal(const struct fluid *fl, const double rest[3],
     const struct mesh *const m = fl->mesh;
     const double *const slope = fl->momentum->velocity_gradient;
 
-    return m->w[f] * along(&slope[9 * m->owner[f] + 3 * k], rest) +
-           (1.0 - m->w[f]) * along(&slope[9 * m->neighbour[f] + 3 * k], rest);
+    return m->w[f] * dot3(&slope[9 * m->owner[f] + 3 * k], rest) +
+           (1.0 - m->w[f]) * dot3(&slope[9 * m->neighbour[f] + 3 * k], rest);
 }
 
 /* Adds a flux to one cell and subtracts it from the other. */
@@ -82,7 +82,7 @@ static void add_to_both_cells(struct fluid *fl, int f, int k, double force)
     fl->momentum->b[3 * fl->mesh->neighbour[f] + k] -= force;
 }
 
-static void add_beyond(struct fluid *fl, const double *u)
+static void add_explicit_part(struct fluid *fl, const double *u)
 {
     fill_velocity_gradients(fl, u);
     for (int f = 0; f < fl->mesh->n_internal; f++)
@@ -90,7 +90,7 @@ static void add_beyond(struct fluid *fl, const double *u)
             add_to_both_cells(fl, f, k,
                               -fl->options.rho *
                                   fl->levels->convecting_flux[f] *
-                                  beyond(fl, u, f, k));
+                                  explicit_part(fl, u, f, k));
 }
 
 static void add_non_orthogonal(struct fluid *fl, const double *u)
@@ -105,8 +105,10 @@ static void add_non_orthogonal(struct fluid *fl, const double *u)
     }
 }
 
-/* Distance of viscous diffusion in a step, in cells [-]. */
-static double crossed(const struct fluid *fl, int c)
+/* mu sum S.S / S.d over the storage of a cell [-]: of equal cubes 6 nu dt /
+ * h^2.
+ */
+static double diffusion_number(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;
     double link = 0.0;
@@ -121,7 +123,7 @@ static double crossed(const struct fluid *fl, int c)
  * within a step. Full extrapolation would be unstable there on links with an
  * angle of more than 20 degrees; with short steps the order in time is still
  * two. */
-static const double *continued(const struct fluid *fl)
+static const double *extrapolated(const struct fluid *fl)
 {
     double *const to =
         fl->momentum->rhs; /* work space that is not in use here */
@@ -129,7 +131,7 @@ static const double *continued(const struct fluid *fl)
 
     if (known == NULL) return u;
     for (int c = 0; c < fl->mesh->n_cells; c++) {
-        const double part = 1.0 / (1.0 + crossed(fl, c));
+        const double part = 1.0 / (1.0 + diffusion_number(fl, c));
         for (int i = 3 * c; i < 3 * c + 3; i++)
             to[i] = u[i] + part * (known[i] - u[i]);
     }
@@ -141,8 +143,8 @@ void deferred_correction_add(struct fluid *fl)
     const double *const known =
         fl->levels->u_known != NULL ? fl->levels->u_known : fl->u;
 
-    if (fl->options.convection->deferred != NULL) add_beyond(fl, known);
+    if (fl->options.convection->deferred != NULL) add_explicit_part(fl, known);
     if (fl->mesh->oblique || fl->mesh->skewed)
-        add_non_orthogonal(fl, continued(fl));
+        add_non_orthogonal(fl, extrapolated(fl));
     if (fl->mesh->skewed) skewness_add_convection(fl, known);
 }

@@ -170,7 +170,7 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
            (1.0 / piso_gamma(fl, o) - 1.0 / piso_gamma(fl, n));
 }
 
-static inline double along(const struct fluid *fl, int c, int f)
+static inline double normal_force(const struct fluid *fl, int c, int f)
 {
     const double *const t = &fl->jump->smooth_force[3 * c];
     const double *const S = &fl->mesh->S[3 * f];
@@ -180,9 +180,9 @@ static inline double along(const struct fluid *fl, int c, int f)
 /* The contribution to p_N - p_O drives a flux. */
 FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
 {
-    fl->phi[f] +=
-        fl->pressure->conductance[f] *
-        (gamma_jump_factor(fl, f, o, n) * (along(fl, n, f) - along(fl, o, f)));
+    fl->phi[f] += fl->pressure->conductance[f] *
+                  (gamma_jump_factor(fl, f, o, n) *
+                   (normal_force(fl, n, f) - normal_force(fl, o, f)));
 }
 
 void face_jump_add_gamma_fluxes(struct fluid *fl)
@@ -197,8 +197,9 @@ FACE_KERNEL gamma_pressure(int f, int o, int n, struct fluid *fl)
 {
     const double w = fl->mesh->w[f];
 
-    fl->p_face[f] += gamma_jump_factor(fl, f, o, n) *
-                     ((1.0 - w) * along(fl, o, f) + w * along(fl, n, f));
+    fl->p_face[f] +=
+        gamma_jump_factor(fl, f, o, n) *
+        ((1.0 - w) * normal_force(fl, o, f) + w * normal_force(fl, n, f));
 }
 
 void face_jump_add_gamma_pressures(struct fluid *fl)

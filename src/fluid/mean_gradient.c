@@ -23,7 +23,7 @@ int mean_gradient_exists(const struct fluid_options *o)
 
 /* The G in direction k with which the predicted fluxes and the present p give
  * the prescribed mean flow. */
-static double fitting(const struct fluid *fl, int k)
+static double required_gradient(const struct fluid *fl, int k)
 {
     const struct mesh *const m = fl->mesh;
     const struct pressure_system *const pressure = fl->pressure;
@@ -46,7 +46,7 @@ void mean_gradient_add(struct fluid *fl)
     double *const G = fl->mean_gradient;
 
     for (int k = 0; k < 3; k++)
-        if (fl->options.keeps_flow[k]) G[k] = fitting(fl, k);
+        if (fl->options.keeps_flow[k]) G[k] = required_gradient(fl, k);
     for (int f = 0; f < m->n_internal; f++) {
         const double *const S = &m->S[3 * f];
         fl->phi[f] -=

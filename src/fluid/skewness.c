@@ -12,7 +12,7 @@
 #include "fluid/pressure_system.h"
 #include "fluid/time_levels.h"
 
-static const double farthest = 0.8; /* [-] of the link */
+static const double largest_off = 0.8; /* [-] of the link */
 
 double *skewness_of(const struct mesh *m)
 {
@@ -22,7 +22,7 @@ double *skewness_of(const struct mesh *m)
     for (int f = 0; f < m->n_faces; f++) {
         double *const to = &off[3 * f];
         mesh_off_middle(m, f, to);
-        const double most = farthest * vector_length(&m->d[3 * f]);
+        const double most = largest_off * vector_length(&m->d[3 * f]);
         const double share = fmin(1.0, most / vector_length(to));
         for (int k = 0; k < 3 && share < 1.0; k++)
             to[k] *= share;
@@ -85,8 +85,8 @@ static void pressure_slopes(int first, int last, struct fluid *fl)
 
 /* off . grad x of a face inside, linear between the cells; per: numbers of
  * slope a cell. */
-static inline double between(const struct fluid *fl, const double *slope,
-                             int per, int f, int o, int n)
+static inline double skew_term(const struct fluid *fl, const double *slope,
+                               int per, int f, int o, int n)
 {
     const double w = fl->mesh->w[f], *const off = &fl->geometry->off[3 * f];
 
@@ -96,7 +96,7 @@ static inline double between(const struct fluid *fl, const double *slope,
 
 FACE_KERNEL inner_pressure(int f, int o, int n, const struct fluid *fl)
 {
-    fl->p_face[f] += between(fl, fl->grad_p, 3, f, o, n) -
+    fl->p_face[f] += skew_term(fl, fl->grad_p, 3, f, o, n) -
                      vector_dot(fl->mean_gradient, &fl->geometry->off[3 * f]);
 }
 
@@ -135,7 +135,7 @@ FACE_KERNEL inner_flux(int f, int o, int n, const struct fluid *fl)
         per_flux += (1.0 - w) * pressure_older_per_flux(fl, o) +
                     w * pressure_older_per_flux(fl, n);
     for (int k = 0; k < 3; k++)
-        flux += S[k] * between(fl, slope + 3 * k, 9, f, o, n);
+        flux += S[k] * skew_term(fl, slope + 3 * k, 9, f, o, n);
     fl->phi[f] += (1.0 - pressure->m_face[f] * per_flux) * eps * flux;
 }
 
@@ -194,8 +194,8 @@ static double linear_share(const struct fluid *fl, int f, double upwind)
 
 /* The term of component k for a scheme that looks upstream, at most as much of
  * it as the scheme takes of the slope along the link. */
-static double upstream(const struct fluid *fl, const double *u, int f, int with,
-                       int k)
+static double skew_term_upstream(const struct fluid *fl, const double *u, int f,
+                                 int with, int k)
 {
     const struct mesh *const m = fl->mesh;
     const int o = m->owner[f], n = m->neighbour[f];
@@ -225,9 +225,9 @@ void skewness_add_convection(struct fluid *fl, const double *u)
         for (int k = 0; k < 3; k++) {
             const double term =
                 fl->options.convection->deferred != NULL
-                    ? upstream(fl, u, f, with, k)
+                    ? skew_term_upstream(fl, u, f, with, k)
                     : linear_share(fl, f, with) *
-                          between(fl, slope + 3 * k, 9, f, o, n);
+                          skew_term(fl, slope + 3 * k, 9, f, o, n);
             const double force = -fl->options.rho * phi * term; /* [N] */
             b[3 * o + k] += force;
             b[3 * n + k] -= force;

@@ -84,8 +84,9 @@ END {
                 key = "bin " i " " q; e = 0.04 * (q + 0.5); Re = 2 * i + 1; some = 1
                 printf "%.1f %.2f %d %.3f %.3f %.3f %.3f\n", Re, e, count[key], mean_of(key), deviation(key), deviation(key) / mean_of(key), law(e, Re)
             }
-        if (some) print "\n"
+        if (some) print ""
     }
+    print ""
 
     # fig. 11
     m = 0
@@ -114,7 +115,7 @@ END {
             c[l] += s / (k - l)
         }
     }
-    printf "# [EW18 figs. 12, 13] tau, autocorrelation of the force along the flow, its integral; %d grains\n", followed
+    printf "# grains that are followed: %d\n\n\n# [EW18 figs. 12, 13] tau, autocorrelation of the force along the flow, its integral\n", followed
     for (l = 0; l <= lags; l++) {
         if (l > 0) I += 0.5 * dt * (c[l] + c[l - 1]) / c[0]
         if (l * dt >= 4) { plateau += I; ends++ }

@@ -176,7 +176,7 @@ suspension_case() {
 
 # The drag on grains that are resolved, at four fluid fractions: an hour.
 suspension() {
-    echo "# eps  whole force over Beetstra's  then as tests/validate/samples.awk says"
+    echo "# eps  whole force over Beetstra's, Di Felice's of 1994, and as EW18 prints it; then as tests/validate/samples.awk says"
     while read -r n cells step end; do
         name=suspension-$n-$cells
         suspension_case "$name" "$n" "$cells" "$step" "$end"
@@ -184,15 +184,17 @@ suspension() {
         found=$(awk -F, -v nu=0.125 -v from=6 -f tests/validate/samples.awk \
             "$out/$name/history.csv" "$out/$name/bodies.csv")
         eps=$(awk "BEGIN { printf \"%.5f\", 1 - $n * 3.14159265358979 / 6 / ($cells / 12) ^ 3 }")
-        slip=$(awk "BEGIN { print ${found%% *} * 0.125 / $eps }")
-        law=$(winnow eval EW18:A.5 eps="$eps" rho_f=1 mu=0.125 d=1 u_r="$slip")
-        echo "$law" | awk -v eps="$eps" -v rest="$found" '
-            { printf "%s  %.3f  %s\n", eps, 9 * 6.046875 * 3.14159265358979 / 6 / $3, rest }'
+        ratios=
+        for law in beetstra di-felice di-felice-printed; do
+            ratios="$ratios $(winnow eval drag:$law eps_f="$eps" Re="${found%% *}" | awk -v eps="$eps" -v Re="${found%% *}" '
+                { printf "%.3f", 9 * 6.046875 * 3.14159265358979 / 6 / (3 * 3.14159265358979 * 0.125 * Re * 0.125 / eps * $3) }')"
+        done
+        echo "$eps $ratios  $found"
     done <<TABLE
 97 56 0.010 16
 95 60 0.008 18
 52 54 0.008 15
-35 54 0.008 9
+35 54 0.008 12
 TABLE
 }
 
@@ -203,10 +205,10 @@ coefficients() {
         BEGIN { print "# eps  Re_p  C_d  sigma(C_d)  error  over C_d  T to the first zero, mean over 4 to 5 [d/u_in]; sigma by EW18s authors" }
         /^#/ { next }
         {
-            eps = $5; Re = $4; C = $9; sigma = $9 * $10; dt = $15 == 97 ? 0.01 : 0.008
-            error = sigma / sqrt(2 * $8 * dt / (2 * $11))
-            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $11, $12, 512.875 * Re ^ -1.54919
-            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $11
+            eps = $7; Re = $6; C = $11; sigma = $11 * $12; dt = $17 == 97 ? 0.01 : 0.008
+            error = sigma / sqrt(2 * $10 * dt / (2 * $13))
+            printf "%.4f %6.2f %7.2f %6.2f %5.2f  %.3f  %.3f %.3f  %.2f\n", eps, Re, C, sigma, error, sigma / C, $13, $14, 512.875 * Re ^ -1.54919
+            n++; x = log(Re); y = log(sigma); sx += x; sy += y; xx += x * x; xy += x * y; T += $13
             if (n == 1) low = Re
             high = Re
         }
@@ -377,11 +379,11 @@ bed() {
     done
 }
 
-# The case itself, of ten grains: light, as the bed, heavy, and one that is held. Twelve
-# minutes.
+# The case itself, of ten grains: light, nearly as the bed, as the bed, heavy, and one that is
+# held. Twelve minutes.
 ten() {
-    echo "# time [s], height of the centre [mm] of 1100, 1700, 2300 kg/m^3, mean height of the bed"
-    for rho in 1100 1700 2300; do
+    echo "# time [s], height of the centre [mm] of 1100, 1700, 1850, 2300 kg/m^3, twice the mean height of the grains"
+    for rho in 1100 1700 1850 2300; do
         once ten-$rho cases/sphere-in-bed.cfg -s bodies.spheres.0.density=$rho \
             -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     done
@@ -389,10 +391,11 @@ ten() {
         -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     awk -F, '
         FNR == 1 { file++; for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
-        file < 4 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
+        file < 5 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
         { t = sprintf("%.3f", $1); H = 2e3 * $at["mean_height"]
-          printf "%.2f %.3f %.3f %.3f %.2f\n", t, y[1, t], y[2, t], y[3, t], H }' \
-        $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-2300/bodies.csv \
+          printf "%.2f %.3f %.3f %.3f %.3f %.2f\n", t, y[1, t], y[2, t], y[3, t], y[4, t], H }' \
+        $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-1850/bodies.csv \
+        $out/ten-2300/bodies.csv \
         $out/ten-1700/history.csv
     echo "# held: time [s]; fluid, grains, sum over V g [kg/m^3]; as in the table of the held ones"
     for span in "0.2 0.0" "0.5 0.2"; do

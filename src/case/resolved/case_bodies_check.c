@@ -144,18 +144,17 @@ static int none(const struct settings *s)
     return all == 0;
 }
 
-/* Of a box or cylinder as wide as this [m], and half as wide along the axes as
- * `extent`. One cell in a direction is a flow in two dimensions. */
+/* Of a box or cylinder that is so wide [m] in each direction, and reaches that
+ * far from its centre. What reaches through the box has no ends there. One
+ * that is narrower than a cell may hold none. */
 static int check_block(const struct settings *s, const char *of, int i,
-                       double thin, const double extent[3])
+                       const double width[3], const double extent[3])
 {
     const int fixed =
         strcmp(settings_item_text(s, of, i, "motion"), "fixed") == 0;
     double lo[3], hi[3], h[3], x[3];
-    int n[3];
 
     case_mesh_ends(s, lo, hi);
-    settings_counts(s, "mesh.cells", n);
     case_bodies_cell_widths(s, h);
     settings_item_vector(s, of, i, "position", x);
     for (int k = 0; k < 3; k++) {
@@ -165,11 +164,11 @@ static int check_block(const struct settings *s, const char *of, int i,
                                   "number %d at [%g, %g, %g] m is not inside "
                                   "the box",
                                   i, x[0], x[1], x[2]);
-        if (n[k] > 1 && thin < case_bodies_least_cells * h[k])
+        if (2.0 * extent[k] < hi[k] - lo[k] && width[k] < h[k])
             return settings_wrong(s, of,
                                   "number %d is %.3g cells wide; expected at "
-                                  "least %g, better 12",
-                                  i, thin / h[k], case_bodies_least_cells);
+                                  "least 1, better 12",
+                                  i, width[k] / h[k]);
     }
     return 0;
 }
@@ -181,22 +180,28 @@ static int check_box(const struct settings *s, const char *of, int i)
     settings_item_vector(s, of, i, "size", size);
     const struct body_shape box = body_shape_box(size);
     body_shape_extent(&box, extent);
-    return check_block(s, of, i, fmin(size[0], fmin(size[1], size[2])), extent);
+    return check_block(s, of, i, size, extent);
 }
 
+/* One along an axis of the box has its length there. */
 static int check_cylinder(const struct settings *s, const char *of, int i)
 {
     const double d = settings_item_real(s, of, i, "diameter"),
                  length = settings_item_real(s, of, i, "length");
-    double axis[3], extent[3];
+    double axis[3], extent[3], width[3];
 
     settings_item_vector(s, of, i, "axis", axis);
-    if (vector_length(axis) == 0.0)
+    const double size = vector_length(axis);
+    if (size == 0.0)
         return settings_wrong(s, of, "the axis of cylinder %d has no direction",
                               i);
     const struct body_shape cylinder = body_shape_cylinder(d, length, axis);
     body_shape_extent(&cylinder, extent);
-    return check_block(s, of, i, fmin(d, length), extent);
+    for (int k = 0; k < 3; k++)
+        width[k] = fabs(axis[k]) == size ? length
+                   : axis[k] == 0.0      ? d
+                                         : fmin(d, length);
+    return check_block(s, of, i, width, extent);
 }
 
 static int check_blocks(const struct settings *s)
