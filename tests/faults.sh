@@ -292,7 +292,7 @@ as_nobody() { "$@"; }
 
 echo "names:"
 fact empty_name_is_refused sh -c '"$1" run none.cfg -o "" >said 2>&1
-    [ $? -eq 2 ] && grep "empty name" said' - "$winnow"
+    [ $? -eq 2 ] && grep "not an empty one" said' - "$winnow"
 # odd NAME: a case and a folder of that name run, and nothing is run by it. The
 # names would make a file called struck.
 odd() {
