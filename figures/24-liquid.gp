@@ -4,7 +4,7 @@ load "figures/style.gp"
 set terminal svg size 900,900 dynamic font "sans,13" background "#ffffff"
 set output "figures/24-liquid.svg"
 table = "figures/24-liquid-8.txt"
-set multiplot layout 3,2 margins 0.08,0.98,0.06,0.97 spacing 0.1,0.08
+set multiplot layout 3,2 margins 0.10,0.97,0.07,0.98 spacing 0.12,0.09
 set xlabel "{/:Italic C}_d near one Re_p and {/Symbol e}"
 set ylabel "share"
 plot table index "[EW18 fig. 6] C_d, share" using 1:2 with boxes linetype 1 notitle
@@ -15,6 +15,7 @@ set logscale x
 plot table index "[EW18 fig. 7] samples, mean of C_d, its deviation" using 1:3 with lines linetype 1 notitle
 unset logscale x
 set xlabel "Re_p"
+set xrange [0:*]
 set ylabel "{/:Italic C}_d"
 bins = "[EW18 figs. 8-10] Re_p, eps, samples, mean of C_d, its deviation, that over the mean, C_d of Beetstra"
 plot table index bins using 1:4 with linespoints linetype 1 pointtype 7 title "resolved, each line one {/Symbol e}", \
@@ -22,6 +23,7 @@ plot table index bins using 1:4 with linespoints linetype 1 pointtype 7 title "r
 set ylabel "its deviation over {/:Italic C}_d"
 set yrange [0:0.6]
 plot table index bins using 1:6 with linespoints linetype 1 pointtype 7 notitle
+set xrange [*:*]
 set yrange [0:*]
 set xlabel "force over weight"
 set ylabel "share"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The beds of EW18 without resolved flow: how much the grains fluctuate with a
 # coarse averaging, with a Gaussian, and with a random part of the drag. A run that
-# is done is not made again, so that what was interrupted goes on.
+# is done is not made again, and one that was interrupted goes on.
 #
 #   sh tests/validate/agitation.sh build/winnow [liquid|measured|treatments|choices|kernels|gas ...]
 #
@@ -23,7 +23,10 @@ run() {
     shift 2
     [ -z "${END:-}" ] || set -- "$@" -s "output.end=$END" -s output.statistics.from=20.0
     if [ "$(cat "$out/$name.asked" 2>/dev/null)" != "$case $*" ]; then
-        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" \
+        again=
+        [ "$(cat "$out/$name.begun" 2>/dev/null)" != "$case $*" ] || [ ! -e "$out/$name/checkpoint" ] || again=--resume
+        echo "$case $*" >"$out/$name.begun"
+        winnow run "$case" -o "$out/$name" --quiet -s output.every=50 "$@" $again \
             >"$out/$name.log" 2>&1 || { tail -n 3 "$out/$name.log" >&2; exit 1; }
         echo "$case $*" >"$out/$name.asked"
     fi
@@ -145,14 +148,18 @@ liquid() {
 # The random part that resolved grains have here, at the two upper velocities; the others
 # from `liquid`.
 measured() {
-    case=cases/ew18-liquid-measured.cfg
-    run measured-8 $case -s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] \
-        -s effects.stochastic_drag.time=0.52
-    run measured-11 $case
+    for re in ${RE:-8 11}; do
+        case $re in
+        8) scale="-s fluid.viscosity=0.125 -s effects.gravity=[0.0,-6.05,0.0] -s effects.stochastic_drag.time=0.52" ;;
+        *) scale= ;;
+        esac
+        # shellcheck disable=SC2086 # words or none
+        run measured-$re cases/ew18-liquid-measured.cfg $scale
+    done
     {
         made measured
         echo "# Re_in way $columns"
-        for re in 8 11; do
+        for re in ${RE:-8 11}; do
             grep "^$re [gr]" figures/23-liquid.txt
             row measured-$re $re measured
         done

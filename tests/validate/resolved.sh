@@ -379,11 +379,11 @@ bed() {
     done
 }
 
-# The case itself, of ten grains: light, as the bed, heavy, and one that is held. Twelve
-# minutes.
+# The case itself, of ten grains: light, nearly as the bed, as the bed, heavy, and one that is
+# held. Twelve minutes.
 ten() {
-    echo "# time [s], height of the centre [mm] of 1100, 1700, 2300 kg/m^3, mean height of the bed"
-    for rho in 1100 1700 2300; do
+    echo "# time [s], height of the centre [mm] of 1100, 1700, 1850, 2300 kg/m^3, twice the mean height of the grains"
+    for rho in 1100 1700 1850 2300; do
         once ten-$rho cases/sphere-in-bed.cfg -s bodies.spheres.0.density=$rho \
             -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     done
@@ -391,10 +391,11 @@ ten() {
         -s output.end=0.5 -s output.every=0.25 -s output.history=0.01
     awk -F, '
         FNR == 1 { file++; for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
-        file < 4 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
+        file < 5 { y[file, sprintf("%.3f", $1)] = 1e3 * $4; next }
         { t = sprintf("%.3f", $1); H = 2e3 * $at["mean_height"]
-          printf "%.2f %.3f %.3f %.3f %.2f\n", t, y[1, t], y[2, t], y[3, t], H }' \
-        $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-2300/bodies.csv \
+          printf "%.2f %.3f %.3f %.3f %.3f %.2f\n", t, y[1, t], y[2, t], y[3, t], y[4, t], H }' \
+        $out/ten-1100/bodies.csv $out/ten-1700/bodies.csv $out/ten-1850/bodies.csv \
+        $out/ten-2300/bodies.csv \
         $out/ten-1700/history.csv
     echo "# held: time [s]; fluid, grains, sum over V g [kg/m^3]; as in the table of the held ones"
     for span in "0.2 0.0" "0.5 0.2"; do
