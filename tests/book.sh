@@ -232,6 +232,18 @@ if command -v git >/dev/null; then
     echo 3 >cases/late.cfg
     sh "$tools/transcript.sh" moved 5 figures/late.txt >said
     fact a_short_one_that_prints_something_else_is 0 "has changed" cat said
+    printf '## dem base\n$ echo x\nx = 1.5 [-]\n\n## fluid\n$ echo y\ny = 2.5 [-]\n' \
+        >figures/short-runs.txt
+    git_here add . && git_here commit -m five
+    sh "$tools/transcript.sh" figures/late.txt >/dev/null 2>&1
+    echo 'int d;' >src/base/b.h
+    sed -i 's/2.5/2.6/; s/1.5/1.5000000001/' figures/short-runs.txt
+    age >said
+    fact code_that_moves_no_short_run_of_its_rooms_makes_none_old 0 "" cmp said /dev/null
+    sed -i 's/1.5/1.50001/' figures/short-runs.txt
+    fact code_that_does_makes_it_old 0 "has changed" age
+    git_here checkout figures/short-runs.txt && echo 4 >cases/late.cfg
+    fact and_so_does_a_file_that_its_command_names 0 "has changed" age
 fi
 printf '<p><a href="#a">x <a id="a">y</a></a></p>\n' >x.html
 fact a_link_within_a_link_is_told 1 "x.html: a link within a link" \
@@ -242,6 +254,9 @@ if command -v pandoc >/dev/null; then
     fact equations_have_a_place 0 'id="eq-1-1"' cat out/01-fall.html
     fact they_are_linked_to 0 'href="01-fall.html#eq-1-1">(1.1)</a>' cat out/01-fall.html
     fact those_of_the_papers_lead_to_the_table 0 'href="equations.html#xs11-2-11"' cat out/01-fall.html
+    fact a_dot_stands_above_its_letter_and_a_bar_over_all 0 '>˙</mo><mo accent="true">‾<' sh -c \
+        'echo "$1" | awk -f "$2/tidy.awk"' - \
+        '<mo accent="true">̇</mo><mo accent="true">¯</mo>' "$tools"
     fact a_listing_tells_file_and_line 0 ">src/base/fall.c, line 2</a>" cat out/01-fall.html
     edit 's/^From/$x From/' $chapter
     fact raw_tex_is_told 1 "01-fall.html: raw TeX" sh "$tools/book.sh" out

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Opens every page of the book in a browser, as wide as a phone and as a desk:
 # nothing may be wider than the window, every image must load, every formula must
-# take up room. Left out with a word where there is no Chromium.
+# take up room, and on a desk none may be wider than its column. Left out with a
+# word where there is no Chromium.
 #
 #   sh chapters/tools/browser.sh build/book
 set -eu
@@ -39,6 +40,9 @@ function look(page, width) {
   for (const formula of doc.querySelectorAll('math'))
     if (!formula.closest('details') &&
         !formula.getBoundingClientRect().width) wrong('a formula is empty');
+  for (const box of doc.querySelectorAll('.formula'))
+    if (width > 1000 && box.scrollWidth > box.clientWidth + 1)
+      wrong('a formula is cut: ' + box.parentNode.id);
 }
 async function open(page, width) {
   frame.style.width = width + 'px';

@@ -13,10 +13,13 @@
 # first line keeps the revision it was made at and the processor time that it
 # took: "# slow, made at 1234abc in 12 s: reason", with a "+" after the revision if
 # what it depends on was changed since then. age names the slow ones whose numbers
-# may have moved: the code of the rooms that their programs reach, or the files
-# that their commands name, is another than at that revision. Comments and layout
-# do not count. moved runs those of them that took at most so many seconds, and
-# leaves out the ones that still print the same.
+# may have moved: the files that their commands name are others than at that
+# revision, or the numbers that figures/short-runs.txt has of the rooms that their
+# programs reach. These short runs stand for the code of src, which changes every
+# day while few changes move a number; what moves longer runs only is not noticed.
+# Where the revision has no short runs, the code of the rooms is compared. Comments
+# and layout do not count. moved runs those of them that took at most so many
+# seconds, and leaves out the ones that still print the same.
 set -u
 winnow=build/winnow
 [ "${1:-}" = -w ] && winnow=$2 && shift 2
@@ -146,10 +149,51 @@ code() { # name <text
     esac | tr -d '[:space:]' | cksum
 }
 
-# unchanged FILE REVISION: the code of what the file depends on is what it was then.
+short=figures/short-runs.txt
+
+# The numbers that short runs have of rooms; all but those left out for src alone.
+numbers_of() { # rooms, with :!src/ROOM for what is left out
+    awk -v rooms="$1" '
+    BEGIN {
+        n = split(rooms, r, /[ \n]+/)
+        for (i = 1; i <= n; i++)
+            if (sub(/^:!src\//, "", r[i])) out[r[i]]
+            else if (sub(/^src\//, "", r[i])) in_[r[i]]
+            else if (r[i] == "src") all = 1
+    }
+    /^## / {
+        shown = 0
+        for (i = 2; i <= NF; i++) {
+            if ($i in in_) shown = 1
+            if (all && !($i in out)) shown = 1
+        }
+    }
+    shown'
+}
+
+# The short runs tell nothing of rooms that they have no part of.
+told_by_short_runs() { # revision rooms
+    git show "$1:$short" >"$work/short" 2>/dev/null && [ -f $short ] &&
+        [ -n "$(numbers_of "$2" <$short)" ]
+}
+
+same_short_runs() { # revision rooms
+    numbers_of "$2" <"$work/short" >"$work/then"
+    numbers_of "$2" <$short >"$work/today"
+    same "$work/then" "$work/today"
+}
+
+# unchanged FILE REVISION: what the file depends on is what it was then.
 unchanged() {
-    # shellcheck disable=SC2046 # one word a file
-    git diff --name-only "$2" -- $(depends "$1") >"$work/names" 2>/dev/null || return
+    paths=$(depends "$1")
+    rooms=$(echo "$paths" | grep -E '^(:!)?src')
+    if told_by_short_runs "$2" "$rooms"; then
+        same_short_runs "$2" "$rooms" || return
+        paths=$(echo "$paths" | grep -v -E '^(:!)?src|^$')
+        [ -n "$paths" ] || return 0
+    fi
+    # shellcheck disable=SC2086 # one word a file
+    git diff --name-only "$2" -- $paths >"$work/names" 2>/dev/null || return
     while read -r name; do
         known=$work/$2.$(echo "$name" | tr / +) # several transcripts ask for the same file
         [ -e "$known" ] || same_code "$2" "$name" >"$known"
