@@ -171,9 +171,22 @@ numbers_of() { # rooms, with :!src/ROOM for what is left out
     shown'
 }
 
+# The short runs of a revision. Those of one that had none yet may be known to be
+# those of the first that had any, by lines "# as at REVISION: parts".
+short_runs_of() { # revision rooms
+    git show "$1:$short" 2>/dev/null && return
+    known=$(sed -n "s/^# as at $1://p" $short)
+    [ -n "$known" ] || return
+    numbers_of "$2" <$short | sed -n 's/^## //p' | while read -r part; do
+        case $known in *" $part"*) ;; *) echo "$part" ;; esac
+    done | grep -q . && return 1
+    first=$(git log --diff-filter=A --format=%h -- $short | tail -n 1)
+    git show "$first:$short" 2>/dev/null
+}
+
 # The short runs tell nothing of rooms that they have no part of.
 told_by_short_runs() { # revision rooms
-    git show "$1:$short" >"$work/short" 2>/dev/null && [ -f $short ] &&
+    [ -f $short ] && short_runs_of "$1" "$2" >"$work/short" &&
         [ -n "$(numbers_of "$2" <$short)" ]
 }
 
