@@ -251,7 +251,7 @@ def vary(table):
     print("# offset of eps_f at 16.4, 31.2 mm; rms of the even part: eps_f at 16.4, 31.2 mm,")
     print("# us_y at 15, 25 mm [m/s]; mirror error of us_y at 25 mm; to time [s]")
     ends = {r.name: r.end for r in runs(table)}
-    for name, found in rows.items():
+    for name, found in sorted(rows.items(), key=lambda row: not row[0].startswith("seed-")):
         cells = [f"{v:+.3f}{'*' if abs(v - m) > 2 * e else ' '}" if i < 2 else
                  f"{v:.3f}{'*' if abs(v - m) > 2 * e else ' '}"
                  for i, (v, m, e) in enumerate(zip(found, means, errors))]
