@@ -5,7 +5,7 @@ set output "figures/27-spouted.svg"
 heights = "30 60 90 120 150 160"
 set multiplot
 set xrange [-140:140]
-set yrange [0:1.6]
+set yrange [0:1.2]
 set xtics -100,50,100
 set ytics 0,0.5,1.5
 do for [k = 1:6] {

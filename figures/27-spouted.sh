@@ -10,7 +10,8 @@ echo "# height [mm], x from the middle [mm], us_x, us_y [m/s]"
 for y in "$1"/profiles/us_y_*.csv; do
     name=$(basename "$y" .csv)
     height=${name#us_y_y} height=${height%%mm*}
-    paste -d, "$1/profiles/us_x${name#us_y}.csv" "$y" |
-        awk -F, -v h="$height" 'NR > 1 && $2 != "nan" {
-            printf "%g %8.2f %8.5f %8.5f\n", h, 1000 * $1 - 140, $2, $5 }'
+    join -t, "$1/profiles/us_x${name#us_y}.csv" "$y" |
+        awk -F, -v h="$height" '
+            NR == 1 { for (k = 2; k <= NF; k++) if ($k ~ /^us_y_mean/) up = k; next }
+            $2 != "nan" { printf "%g %8.2f %8.5f %8.5f\n", h, 1000 * $1 - 140, $2, $up }'
 done

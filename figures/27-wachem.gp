@@ -8,7 +8,7 @@ set ylabel "pressure less its mean [Pa]"
 set key top right horizontal
 set yrange [-300:350]
 set xrange [0:3]
-stats "< awk '!/^#/ && $1 > 0.5' figures/27-wachem.txt" using 2 nooutput
+stats "< awk '!/^#/ && $1 > 1' figures/27-wachem.txt" using 2 nooutput
 plot "figures/data/van-wachem-2001.txt" using ($1 - 3.01):2 with lines linetype 2 title "measured", \
-     "< awk '!/^#/ && $1 > 0.5' figures/27-wachem.txt" using ($1 - 0.5):($2 - STATS_mean) \
-         with lines linetype 1 title "computed, from 0.5 s on"
+     "< awk '!/^#/ && $1 > 1' figures/27-wachem.txt" using ($1 - 1):($2 - STATS_mean) \
+         with lines linetype 1 title "computed, from 1 s on"
