@@ -239,24 +239,27 @@ def measures(r, end=4.0):
     return found + [mirror(lines[3])]
 
 
+STUDENT = {1: 12.71, 2: 4.30, 3: 3.18, 4: 2.78, 5: 2.57}  # 95 %, by degrees of freedom
+
+
 def vary(table):
     """Beside each number a star if it is farther from the mean of the runs that differ
-    by their seed alone than two standard deviations of one such run from that mean."""
+    by their seed alone than one more such run would be in 95 of 100 cases."""
     rows = {r.name: measures(r) for r in runs(table) if r.end > 2.0}
     same = [found for name, found in rows.items() if name.startswith("seed-")]
     n = len(same)
     means = [sum(column) / n for column in zip(*same)]
-    errors = [math.sqrt(sum((v - m) ** 2 for v in column) / (n - 1) * (1 + 1 / n)) if n > 1
-              else math.inf for column, m in zip(zip(*same), means)]
+    errors = [STUDENT[n - 1] * math.sqrt(sum((v - m) ** 2 for v in column) / (n - 1) * (1 + 1 / n))
+              if n > 1 else math.inf for column, m in zip(zip(*same), means)]
     print("# offset of eps_f at 16.4, 31.2 mm; rms of the even part: eps_f at 16.4, 31.2 mm,")
     print("# us_y at 15, 25 mm [m/s]; mirror error of us_y at 25 mm; to time [s]")
     ends = {r.name: r.end for r in runs(table)}
     for name, found in sorted(rows.items(), key=lambda row: not row[0].startswith("seed-")):
-        cells = [f"{v:+.3f}{'*' if abs(v - m) > 2 * e else ' '}" if i < 2 else
-                 f"{v:.3f}{'*' if abs(v - m) > 2 * e else ' '}"
+        cells = [f"{v:+.3f}{'*' if abs(v - m) > e else ' '}" if i < 2 else
+                 f"{v:.3f}{'*' if abs(v - m) > e else ' '}"
                  for i, (v, m, e) in enumerate(zip(found, means, errors))]
         print(f"{name:16s} {' '.join(cells)} {ends[name]:g}")
-    print(f"{'2 errors':16s} " + " ".join(f"{2 * e:.3f} " if i > 1 else f" {2 * e:.3f} "
+    print(f"{'95 %':16s} " + " ".join(f"{e:.3f} " if i > 1 else f" {e:.3f} "
                                           for i, e in enumerate(errors)))
 
 
