@@ -240,9 +240,9 @@ START_TEST(impossible_bed_file_is_refused_with_its_line)
         const char *line;
         int field;
         const char *word, *message;
-    } rows[] = {{"\n0 0x", 0, "1", ":20: its number"},
-                {"\n0 0x", 0, "2147483647", ":19: its number"},
-                {"\n0 0x", 0, "-1", ":19: its number"},
+    } rows[] = {{"\n0 0x", 0, "1", ":20: its id"},
+                {"\n0 0x", 0, "2147483647", ":19: its id"},
+                {"\n0 0x", 0, "-1", ":19: its id"},
                 {"\n0 0x", 1, "1e303", ":19: it is not in the box"},
                 {"\n0 0x", 2, "nan", ":19: it is not in the box"},
                 {"\n1 0x", 3, "-1e-3", ":20: it is not in the box"},
@@ -252,9 +252,9 @@ START_TEST(impossible_bed_file_is_refused_with_its_line)
                 {"\n1 0x", 11, "0", ":20: its mass"},
                 {"\n1 0x", 11, "x", ":20: the bed is not complete"},
                 {"\nparticles", 1, "3", ":18: expected \"particles\""},
-                {"\nsprings", 1, "2147483647", ":21: so many springs"},
-                {"\nsprings", 1, "1\n0 7 0 0 0", ":22: this spring"},
-                {"\nsprings", 1, "1\n0 1 0 nan 0", ":22: this spring"}};
+                {"\nsprings", 1, "2147483647", ":21: there are more contacts"},
+                {"\nsprings", 1, "1\n0 7 0 0 0", ":22: this contact"},
+                {"\nsprings", 1, "1\n0 1 0 nan 0", ":22: this contact"}};
     struct bed_options bed = small_bed();
     const struct dem_options o = small_box();
     struct bed_report r;

@@ -293,10 +293,12 @@ START_TEST(wrong_override_is_named_as_such)
     refused(good, "fluid.densty=1", "option -s ~did you mean fluid.density");
     refused(good, "density", "expected path.to.key=value");
     refused(good, "title=two words", "quote a text with blanks");
-    refused(good, "title.x=1", "leads through something");
-    refused(good, "output.profiles.7.height=1", "leads through something");
+    refused(good, "title.x=1", "a part of the path does not exist");
+    refused(good, "output.profiles.7.height=1",
+            "a part of the path does not exist");
     refused(good, "output.profiles.4294967296.height=1", "leads through");
-    refused(good, "output.profiles.0x.height=1", "leads through something");
+    refused(good, "output.profiles.0x.height=1",
+            "a part of the path does not exist");
     refused(good, "fluid.density=nan", "found the text \"nan\"");
     refused(good, "fluid.density=", "not one value");
     refused(good, "fluid.density=1;title=2", "not one value");
