@@ -296,7 +296,8 @@ START_TEST(wrong_override_is_named_as_such)
     refused(good, "title.x=1", "a part of the path does not exist");
     refused(good, "output.profiles.7.height=1",
             "a part of the path does not exist");
-    refused(good, "output.profiles.4294967296.height=1", "leads through");
+    refused(good, "output.profiles.4294967296.height=1",
+            "a part of the path does not exist");
     refused(good, "output.profiles.0x.height=1",
             "a part of the path does not exist");
     refused(good, "fluid.density=nan", "found the text \"nan\"");
