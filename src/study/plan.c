@@ -61,7 +61,7 @@ static void add_seed(const struct settings *s, const char *path, int more,
     if (there && settings_is_list(s, group))
         for (int i = 0; i < settings_length(s, group); i++)
             texts_add(set, "%s.%d" SEED "=%d", group, i,
-                      settings_item_int(s, group, i, SEED + 1) + more);
+                      settings_item_int(s, group, i, &SEED[1]) + more);
     else if (there)
         texts_add(set, "%s=%d", path, settings_int(s, path) + more);
     free(group);

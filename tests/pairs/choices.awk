@@ -140,7 +140,6 @@ BEGIN {
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
     apart("bodies", "surface clump", "mesh", "thin", "has a part of")
-    apart("bodies", "cylinder", "mesh", "thin", "cells wide")
     # Among particles they are surfaces; one that moves changes eps where it is.
     if (letter != "f")
         apart("bodies", "free moving surface", "continuity", "void-rate",
