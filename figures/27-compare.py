@@ -19,24 +19,12 @@ to a wall at which there are no spheres; like ours it is constant beyond the las
 import math
 import sys
 
+from profile_lines import at, rms
+
 DATA = "figures/data/mueller-2009.txt"
 WIDE = "figures/26-mueller.txt"
 WIDTH = 0.044
 LINES = [("eps_f", 16.4), ("eps_f", 31.2), ("us_y", 15.0), ("us_y", 25.0)]
-
-
-def rms(values):
-    return math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
-
-
-def at(line, x):
-    """Of points (x, y), linear between them and constant beyond the last."""
-    if x <= line[0][0]:
-        return line[0][1]
-    for (x1, y1), (x2, y2) in zip(line, line[1:]):
-        if x <= x2:
-            return y1 + (x - x1) / (x2 - x1) * (y2 - y1)
-    return line[-1][1]
 
 
 def references():

@@ -12,6 +12,8 @@ beside it; and the mirror error of both, half the difference of left and right.
 import math
 import sys
 
+from profile_lines import at, rms
+
 DATA = "figures/data/yue-2020.txt"
 DEPTH = 200.0
 SPOUT = 20.0
@@ -19,15 +21,6 @@ SPOUT = 20.0
 
 def rows(path):
     return [[float(w) for w in row.split()] for row in open(path) if row[0] != "#"]
-
-
-def at(line, x):
-    if x <= line[0][0]:
-        return line[0][1]
-    for (x1, y1), (x2, y2) in zip(line, line[1:]):
-        if x <= x2:
-            return y1 + (x - x1) / (x2 - x1) * (y2 - y1)
-    return line[-1][1]
 
 
 def width(line):
@@ -43,10 +36,6 @@ def width(line):
                 break
             last = x, y
     return abs(ends[1] - ends[0]) if len(ends) == 2 else math.nan
-
-
-def rms(values):
-    return math.sqrt(sum(v * v for v in values) / len(values))
 
 
 def mirror(line):

@@ -72,14 +72,7 @@ while [ $round -lt "$rounds" ]; do
     fi
     echo "winnow $(ours) $within" >>"$out/rates.txt"
 done
-awk '
-    function median(v, n,  i, j, x) {
-        for (i = 2; i <= n; i++)
-            for (j = i; j > 1 && v[j] < v[j - 1]; j--) {
-                x = v[j]; v[j] = v[j - 1]; v[j - 1] = x
-            }
-        return v[int((n + 1) / 2)]
-    }
+awk "$(cat "$(dirname "$0")/median.awk")"'
     { k = ++n[$1]; time[$1, k] = $2; within[$1] = $3 }
     END {
         for (who in n) {

@@ -134,14 +134,7 @@ for scene in cavity-128 box-64; do
         echo "$scene shuffled $(ours - "$out/$scene/shuffled")" >>"$out/rates.txt"
     done
 done
-awk '
-    function median(v, n,  i, j, x) {
-        for (i = 2; i <= n; i++)
-            for (j = i; j > 1 && v[j] < v[j - 1]; j--) {
-                x = v[j]; v[j] = v[j - 1]; v[j - 1] = x
-            }
-        return v[int((n + 1) / 2)]
-    }
+awk "$(cat "$(dirname "$0")/median.awk")"'
     { key = $1 " " $2; n[key]++; rate[key, n[key]] = $3; left[key] = $4; seen[$1] = 1 }
     END {
         printf "%-12s %12s %9s %6s %9s %6s %9s %6s %11s %11s\n", "fluid",
