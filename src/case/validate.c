@@ -17,7 +17,6 @@
 #include "case/case_mesh.h"
 #include "case/case_overlap.h"
 #include "case/model_choice.h"
-#include "case/profiles.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
 #include "case/schema.h"
@@ -288,56 +287,8 @@ static int check_particles(const struct settings *s)
     return bed ? check_bed(s) : check_place(s);
 }
 
-/* Two profiles in one file would leave the last of them. */
-static int check_profile_names(const struct settings *s)
+static int check_time_average(const struct settings *s)
 {
-    static const char list[] = "output.profiles";
-    char own[PROFILES_NAME], other[PROFILES_NAME];
-
-    for (int i = 0; i < settings_length(s, list); i++) {
-        profiles_name(s, i, own);
-        for (int j = 0; j < i; j++) {
-            profiles_name(s, j, other);
-            if (strcmp(own, other) == 0)
-                return settings_wrong(s, list,
-                                      "profiles %d and %d are of the same "
-                                      "field at the same height from the same "
-                                      "time: both would be %s.csv; leave one "
-                                      "of them out",
-                                      j, i, own);
-        }
-    }
-    return 0;
-}
-
-/* There are fields where there is a fluid, and those of the solids where it
- * feels the particles. */
-static int check_field(const struct settings *s, const char *list, int i)
-{
-    const char *const field = settings_item_text(s, list, i, "field");
-    const int of_solids =
-        strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
-
-    if (!settings_has(s, "fluid"))
-        return settings_wrong(s, list,
-                              "the case has no field %s: fields are those of "
-                              "a fluid",
-                              field);
-    if (of_solids && !build_two_way(s))
-        return settings_wrong(s, list,
-                              "the case has no field %s: it needs exchange "
-                              "with coupling = \"two-way\"",
-                              field);
-    return 0;
-}
-
-static int check_fields(const struct settings *s)
-{
-    static const char *const lists[] = {"output.profiles", "output.probes"};
-
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < settings_length(s, lists[k]); i++)
-            if (check_field(s, lists[k], i) != 0) return 2;
     if (effects_named("time_average") == NULL ||
         !settings_has(s, "effects.time_average") || build_two_way(s))
         return 0;
@@ -348,32 +299,11 @@ static int check_fields(const struct settings *s)
 
 static int check_output(const struct settings *s)
 {
-    double lo[3], hi[3];
-
     for (int i = 0; recorder_parts[i] != NULL; i++)
         if (recorder_parts[i]->check != NULL &&
             recorder_parts[i]->check(s) != 0)
             return 2;
-    if (check_fields(s) != 0) return 2;
-    case_mesh_ends(s, lo, hi);
-    for (int i = 0; i < settings_length(s, "output.profiles"); i++) {
-        const double y = settings_item_real(s, "output.profiles", i, "height");
-        if (y > hi[1] || y < lo[1])
-            return settings_wrong(
-                s, "output.profiles", "height %g m is %s the box, %g m", y,
-                y > hi[1] ? "above" : "below", y > hi[1] ? hi[1] : lo[1]);
-    }
-    if (check_profile_names(s) != 0) return 2;
-    for (int i = 0; i < settings_length(s, "output.probes"); i++) {
-        double x[3];
-        settings_item_vector(s, "output.probes", i, "position", x);
-        if (!case_mesh_holds(s, x))
-            return settings_wrong(s, "output.probes",
-                                  "the point [%g, %g, %g] m is outside the %s",
-                                  x[0], x[1], x[2],
-                                  settings_mesh(s) == NULL ? "box" : "mesh");
-    }
-    return 0;
+    return check_time_average(s);
 }
 
 int validate_case(const struct settings *s)

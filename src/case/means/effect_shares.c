@@ -1,7 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/effect_shares.h"
+/* effect_shares.c -- what the effects of a run have done.
+ * Chapter "Further forces".
+ *
+ * The share of an effect is the mean size of its force over the mean of what
+ * `winnow check` compares it with: the larger one of weight and drag of each
+ * particle (coupling/effects.h).
+ */
+#include "case/recorder_part.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+
+struct effect_shares {
+    const struct simulation *sim;
+};
 
 /* [N] */
 static double mean(const struct effect_tally *t)
@@ -15,24 +29,37 @@ static double over_scale(const struct simulation *sim, double force)
                                          : 0.0;
 }
 
-double effect_shares_mean(const struct simulation *sim, int i)
+/* Mean share of effect i [-]; 0 if it has no force. */
+static double mean_share(const struct simulation *sim, int i)
 {
     return over_scale(sim, mean(&sim->effects[i].tally));
 }
 
-double effect_shares_largest(const struct simulation *sim, int i)
+/* The largest force on one particle over the mean scale [-]. */
+static double largest_share(const struct simulation *sim, int i)
 {
     return over_scale(sim, sim->effects[i].tally.largest);
 }
 
-void effect_shares_write(struct summary *f, const struct simulation *sim)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    if (sim->n_effects == 0) return;
+    (void)failed;
+    if (v->sim->n_effects == 0) return NULL;
+    struct effect_shares *const e = alloc_zeroed(1, sizeof *e);
+    e->sim = v->sim;
+    return e;
+}
+
+static void summarize(const void *part, struct summary *f)
+{
+    const struct simulation *const sim =
+        ((const struct effect_shares *)part)->sim;
+
     summary_begin(f, "effects");
     for (int i = 0; i < sim->n_effects; i++) {
         summary_begin(f, sim->effects[i].effect->name);
-        summary_number(f, "mean_share", effect_shares_mean(sim, i));
-        summary_number(f, "largest_share", effect_shares_largest(sim, i));
+        summary_number(f, "mean_share", mean_share(sim, i));
+        summary_number(f, "largest_share", largest_share(sim, i));
         summary_end(f);
     }
     summary_end(f);
@@ -43,13 +70,19 @@ void effect_shares_write(struct summary *f, const struct simulation *sim)
     summary_end(f);
 }
 
-void effect_shares_print(const struct simulation *sim)
+static void print(const void *part)
 {
+    const struct simulation *const sim =
+        ((const struct effect_shares *)part)->sim;
+
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
         if (e->tally.sum == 0.0) continue;
         printf("%s %.2g %% of weight or drag, at most %.2g %%, in %.0f s\n",
-               e->effect->name, 100.0 * effect_shares_mean(sim, i),
-               100.0 * effect_shares_largest(sim, i), e->tally.seconds);
+               e->effect->name, 100.0 * mean_share(sim, i),
+               100.0 * largest_share(sim, i), e->tally.seconds);
     }
 }
+
+const struct recorder_part effect_shares_part = {
+    .create = create, .free = free, .summarize = summarize, .print = print};

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/field_names.h"
+#include "case/means/field_names.h"
 
 #include <string.h>
+
+#include "case/build_fluid.h"
 
 struct profile_field field_names_find(const struct snapshot *s,
                                       const char *name)
@@ -21,4 +23,34 @@ struct profile_field field_names_find(const struct snapshot *s,
     for (int i = 0; i < n; i++)
         if (strcmp(fields[i].name, name) == 0) return fields[i];
     return (struct profile_field){.name = name};
+}
+
+/* There are fields where there is a fluid, and those of the solids where the
+ * particles act on it. */
+static int check_field(const struct settings *s, const char *list,
+                       const char *field)
+{
+    const int of_solids =
+        strcmp(field, "eps_s") == 0 || strncmp(field, "us_", 3) == 0;
+
+    if (!settings_has(s, "fluid"))
+        return settings_wrong(s, list,
+                              "the case has no field %s: fields are those of "
+                              "a fluid",
+                              field);
+    if (of_solids && !build_two_way(s))
+        return settings_wrong(s, list,
+                              "the case has no field %s: it needs exchange "
+                              "with coupling = \"two-way\"",
+                              field);
+    return 0;
+}
+
+int field_names_check(const struct settings *s, const char *list)
+{
+    int code = 0;
+
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+        code = check_field(s, list, settings_item_text(s, list, i, "field"));
+    return code;
 }

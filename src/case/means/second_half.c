@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/second_half.h"
+#include "case/means/second_half.h"
 
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/history_sums.h"
+#include "case/recorder_part.h"
 #include "coupling/processes.h"
-#include "output/block_means.h"
+#include "output/means/block_means.h"
 
 /* What a row of the history adds: two numbers with errors by blocks, and the
  * mean squares of speeds. */
@@ -101,22 +103,6 @@ void second_half_add(struct second_half *h)
     put_bed(h, row);
 }
 
-void second_half_state(struct second_half *h, struct state *s)
-{
-    state_begin(s, "second_half");
-    state_count(s, "rows", &h->rows, INT_MAX);
-    if (s->loading && !s->failed) {
-        const int rows = h->rows;
-        h->rows = 0;
-        grow(h, rows + 16);
-        h->rows = rows;
-    }
-    state_reals(s, "time", "s", h->time, h->rows, 1);
-    state_reals(s, "row", "Pa - Pa m2/s2", h->rows > 0 ? h->row[0] : NULL,
-                h->rows, N);
-    state_end(s);
-}
-
 /* The first row of the second half. */
 static int first(const struct second_half *h)
 {
@@ -136,21 +122,6 @@ static double mean(const struct second_half *h, int column)
     return sum / (double)(h->rows - first(h));
 }
 
-int second_half_has_any(const struct second_half *h)
-{
-    return first(h) < h->rows;
-}
-
-double second_half_pressure_drop(const struct second_half *h)
-{
-    return mean(h, DROP);
-}
-
-double second_half_weight(const struct second_half *h)
-{
-    return mean(h, WEIGHT);
-}
-
 /* The errors of the means by blocks. */
 static void find_errors(const struct second_half *h, double error[N_BLOCKED])
 {
@@ -164,16 +135,54 @@ static void find_errors(const struct second_half *h, double error[N_BLOCKED])
     block_means_free(blocks);
 }
 
-void second_half_write(const struct second_half *h, struct summary *to)
+/* --- as a part of the recorder -------------------------------------------- */
+
+static void visit(void *part, struct state *s)
 {
+    struct second_half *const h = part;
+
+    state_begin(s, "second_half");
+    state_count(s, "rows", &h->rows, INT_MAX);
+    if (s->loading && !s->failed) {
+        const int rows = h->rows;
+        h->rows = 0;
+        grow(h, rows + 16);
+        h->rows = rows;
+    }
+    state_reals(s, "time", "s", h->time, h->rows, 1);
+    state_reals(s, "row", "Pa - Pa m2/s2", h->rows > 0 ? h->row[0] : NULL,
+                h->rows, N);
+    state_end(s);
+}
+
+static void *create(const struct recorder_view *v, int *failed)
+{
+    (void)failed;
+    return second_half_create(v->sim, settings_real(v->settings, "output.end"));
+}
+
+static void release(void *part)
+{
+    second_half_free(part);
+}
+
+static int add(void *part)
+{
+    second_half_add(part);
+    return 0;
+}
+
+static void summarize(const void *part, struct summary *to)
+{
+    const struct second_half *const h = part;
     double error[N_BLOCKED];
 
-    if (!second_half_has_any(h)) return;
+    if (first(h) == h->rows) return;
     find_errors(h, error);
     summary_begin(to, "second_half");
-    summary_number(to, "mean_pressure_drop", second_half_pressure_drop(h));
+    summary_number(to, "mean_pressure_drop", mean(h, DROP));
     if (h->sim->particles != NULL)
-        summary_number(to, "bed_weight", second_half_weight(h));
+        summary_number(to, "bed_weight", mean(h, WEIGHT));
     summary_number(to, "mean_pressure_drop_error", error[DROP]);
     if (h->sim->particles != NULL) {
         summary_number(to, "particle_velocity_rms", sqrt(mean(h, SPEED)));
@@ -184,3 +193,21 @@ void second_half_write(const struct second_half *h, struct summary *to)
     }
     summary_end(to);
 }
+
+static void print(const void *part)
+{
+    const struct second_half *const h = part;
+
+    if (first(h) == h->rows || h->sim->particles == NULL) return;
+    printf("pressure drop %.1f Pa (mean of the second half), weight of the "
+           "bed %.1f Pa%s\n",
+           mean(h, DROP), mean(h, WEIGHT),
+           h->sim->mesh->shape != NULL ? " over the mean section" : "");
+}
+
+const struct recorder_part second_half_part = {.create = create,
+                                               .free = release,
+                                               .row = add,
+                                               .summarize = summarize,
+                                               .print = print,
+                                               .state = visit};

@@ -13,12 +13,10 @@
  *   lean, lean_error           how far its centre is off the middle along x,
  *                              over half the width [-], and the error by blocks
  */
-#ifndef CASE_SECOND_HALF_H
-#define CASE_SECOND_HALF_H
+#ifndef CASE_MEANS_SECOND_HALF_H
+#define CASE_MEANS_SECOND_HALF_H
 
-#include "base/state.h"
 #include "coupling/simulation.h"
-#include "output/summary.h"
 
 struct second_half;
 
@@ -27,18 +25,7 @@ struct second_half *second_half_create(const struct simulation *sim,
                                        double end);
 void second_half_free(struct second_half *h);
 
-/* Takes a sample, if there is a fluid. */
+/* Takes a sample, if there is a fluid; several processes do it together. */
 void second_half_add(struct second_half *h);
-
-/* The samples so far (state.h); the end may be another one when they are
- * loaded.
- */
-void second_half_state(struct second_half *h, struct state *s);
-
-/* The means so far; 0 samples: 0 and nothing written. */
-int second_half_has_any(const struct second_half *h);
-double second_half_pressure_drop(const struct second_half *h); /* [Pa] */
-double second_half_weight(const struct second_half *h);        /* [Pa] */
-void second_half_write(const struct second_half *h, struct summary *to);
 
 #endif

@@ -12,8 +12,8 @@
  * the series need not be known: when there are 32 blocks, neighbours are
  * joined, and the next ones are twice as long.
  */
-#ifndef OUTPUT_BLOCK_MEANS_H
-#define OUTPUT_BLOCK_MEANS_H
+#ifndef OUTPUT_MEANS_BLOCK_MEANS_H
+#define OUTPUT_MEANS_BLOCK_MEANS_H
 
 #include "base/state.h"
 

@@ -8,8 +8,8 @@
  * updated sample by sample [Welford62, West79], which keeps the spread
  * exact where the difference of the two sums would cancel.
  */
-#ifndef OUTPUT_MEAN_H
-#define OUTPUT_MEAN_H
+#ifndef OUTPUT_MEANS_MEAN_H
+#define OUTPUT_MEANS_MEAN_H
 
 #include "base/state.h"
 

@@ -5,8 +5,8 @@
  * value of the cell plus its least-squares gradient from the neighbours, which
  * is exact for linear fields. A weighted field has the value of the cell there.
  */
-#ifndef OUTPUT_PROBE_H
-#define OUTPUT_PROBE_H
+#ifndef OUTPUT_MEANS_PROBE_H
+#define OUTPUT_MEANS_PROBE_H
 
 #include "mesh/mesh.h"
 

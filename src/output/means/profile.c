@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/profile.h"
+#include "output/means/profile.h"
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "output/block_means.h"
-#include "output/mean.h"
-#include "output/probe.h"
+#include "output/means/block_means.h"
+#include "output/means/mean.h"
+#include "output/means/probe.h"
 #include "output/table.h"
 
 #include <assert.h>

@@ -18,8 +18,8 @@
  * mirror, so is its mean over endless time, and half the difference of the two
  * sides is an error.
  */
-#ifndef OUTPUT_PROFILE_H
-#define OUTPUT_PROFILE_H
+#ifndef OUTPUT_MEANS_PROFILE_H
+#define OUTPUT_MEANS_PROFILE_H
 
 #include "base/state.h"
 #include "mesh/mesh.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/animation.h"
+#include "output/pictures/animation.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "output/gnuplot.h"
+#include "output/pictures/gnuplot.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -6,11 +6,11 @@
  *
  *     cd DIR/frames && gnuplot bed.gp
  */
-#ifndef OUTPUT_ANIMATION_H
-#define OUTPUT_ANIMATION_H
+#ifndef OUTPUT_PICTURES_ANIMATION_H
+#define OUTPUT_PICTURES_ANIMATION_H
 
 #include "base/state.h"
-#include "output/picture.h"
+#include "output/pictures/picture.h"
 
 struct animation;
 

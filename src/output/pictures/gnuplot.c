@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/gnuplot.h"
+#include "output/pictures/gnuplot.h"
 
 #include "base/alloc.h"
 #include "base/interrupt.h"

@@ -4,8 +4,8 @@
  * it expects the name of a file. So no name that a user has chosen is passed to
  * it: it runs within the folder, with names chosen here.
  */
-#ifndef OUTPUT_GNUPLOT_H
-#define OUTPUT_GNUPLOT_H
+#ifndef OUTPUT_PICTURES_GNUPLOT_H
+#define OUTPUT_PICTURES_GNUPLOT_H
 
 struct gnuplot {
     const char *folder; /* folder to run in */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/picture.h"
+#include "output/pictures/picture.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "output/gnuplot.h"
-#include "output/picture_script.h"
+#include "output/pictures/gnuplot.h"
+#include "output/pictures/picture_script.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -11,8 +11,8 @@
  * The pressure is read from DIR/history.csv, columns `time [s]`, `pressure_drop
  * [Pa]` and `bed_weight [Pa]`.
  */
-#ifndef OUTPUT_PICTURE_H
-#define OUTPUT_PICTURE_H
+#ifndef OUTPUT_PICTURES_PICTURE_H
+#define OUTPUT_PICTURES_PICTURE_H
 
 #include "mesh/mesh.h"
 #include "output/folder.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/picture_script.h"
+#include "output/pictures/picture_script.h"
 
 #include <stddef.h>
 

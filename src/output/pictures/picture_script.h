@@ -3,8 +3,8 @@
  * It follows the definitions of the numbers of a run (picture.c) that it uses.
  * Ended by NULL.
  */
-#ifndef OUTPUT_PICTURE_SCRIPT_H
-#define OUTPUT_PICTURE_SCRIPT_H
+#ifndef OUTPUT_PICTURES_PICTURE_SCRIPT_H
+#define OUTPUT_PICTURES_PICTURE_SCRIPT_H
 
 extern const char *const picture_script[];
 
