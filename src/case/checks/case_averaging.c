@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_averaging.h"
+#include "case/checks/case_averaging.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include "averaging/averaging.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/model_choice.h"
+#include "case/checks/model_choice.h"
 
 /* An average over more than that many lengths of the mesh is the same
  * everywhere, and images of images would be added up for ever [-]. */

@@ -1,7 +1,7 @@
 /* case_averaging.h -- what a case says of the averaging, held against the rest
  * of it. */
-#ifndef CASE_CASE_AVERAGING_H
-#define CASE_CASE_AVERAGING_H
+#ifndef CASE_CHECKS_CASE_AVERAGING_H
+#define CASE_CHECKS_CASE_AVERAGING_H
 
 #include "case/settings.h"
 

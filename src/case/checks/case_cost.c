@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 
 /* What one core was seen to do in the Mueller bed, busy with other work beside
  * it: 9.0e6 particle steps a second with Hertz's law, 7.7e6 with the linear

@@ -1,8 +1,8 @@
 /* case_cost.h -- the time that a case will take. */
-#ifndef CASE_CASE_COST_H
-#define CASE_CASE_COST_H
+#ifndef CASE_CHECKS_CASE_COST_H
+#define CASE_CHECKS_CASE_COST_H
 
-#include "case/case_scales.h"
+#include "case/checks/case_scales.h"
 #include "case/settings.h"
 
 /* About the time of one core, without settling [s]. */

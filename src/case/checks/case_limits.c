@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_limits.h"
+#include "case/checks/case_limits.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* case_limits.h -- how long a particle step each material of a case allows. */
-#ifndef CASE_CASE_LIMITS_H
-#define CASE_CASE_LIMITS_H
+#ifndef CASE_CHECKS_CASE_LIMITS_H
+#define CASE_CHECKS_CASE_LIMITS_H
 
 #include "case/settings.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_memory.h"
+#include "case/checks/case_memory.h"
 
 #include <string.h>
 

@@ -5,8 +5,8 @@
  * particles: a case that cannot fit is refused at once, before the machine
  * begins to swap.
  */
-#ifndef CASE_CASE_MEMORY_H
-#define CASE_CASE_MEMORY_H
+#ifndef CASE_CHECKS_CASE_MEMORY_H
+#define CASE_CHECKS_CASE_MEMORY_H
 
 #include "case/settings.h"
 

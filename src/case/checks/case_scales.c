@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_scales.h"
+#include "case/checks/case_scales.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,9 +7,9 @@
 #include "averaging/averaging.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/build_boundaries.h"
-#include "case/case_limits.h"
-#include "case/case_memory.h"
+#include "case/checks/boundary_check.h"
+#include "case/checks/case_limits.h"
+#include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
@@ -64,7 +64,7 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
         if (side == NULL) continue;
         snprintf(path, sizeof path, "%s.inlet", side);
         if (!settings_has(s, path)) continue;
-        build_boundaries_shares(s, m->patches[i].name, &mean, &peak);
+        boundary_check_shares(s, m->patches[i].name, &mean, &peak);
         for (int j = 0; j < settings_points(s, path); j++) {
             double t, u;
             settings_point(s, path, j, &t, &u);

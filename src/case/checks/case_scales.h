@@ -3,8 +3,8 @@
  * `winnow check` prints them, and a run is refused if its step does not resolve
  * the impacts of its particles.
  */
-#ifndef CASE_CASE_SCALES_H
-#define CASE_CASE_SCALES_H
+#ifndef CASE_CHECKS_CASE_SCALES_H
+#define CASE_CHECKS_CASE_SCALES_H
 
 #include "case/settings.h"
 

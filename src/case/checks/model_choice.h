@@ -1,6 +1,6 @@
 /* model_choice.h -- which models a case chooses, and what these ask for. */
-#ifndef CASE_MODEL_CHOICE_H
-#define CASE_MODEL_CHOICE_H
+#ifndef CASE_CHECKS_MODEL_CHOICE_H
+#define CASE_CHECKS_MODEL_CHOICE_H
 
 #include "case/models.h"
 #include "case/settings.h"

@@ -3,19 +3,15 @@
  * A number that no physical quantity of its unit has is a slip, or it would
  * overflow where it is squared: a diameter of 1e-300 m has no volume.
  */
-#ifndef CASE_UNIT_RANGE_H
-#define CASE_UNIT_RANGE_H
+#ifndef CASE_CHECKS_UNIT_RANGE_H
+#define CASE_CHECKS_UNIT_RANGE_H
 
 #include "base/key.h"
 
-struct unit_range {
-    const char *unit;
-    double least, most; /* [unit] of the magnitude, where it is not 0 */
-};
+struct config_setting_t;
 
-const struct unit_range *unit_range_of(const char *unit);
-
-/* 1 if x is 0 or of a magnitude within the range. */
-int unit_range_holds(const struct unit_range *r, double x);
+/* 0, or 2 after a message: a number of the value that its unit cannot have. */
+int unit_range_check(const struct key *key, const char *path,
+                     const struct config_setting_t *value);
 
 #endif

@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/effects.h"
-#include "case/validate.h"
+#include "case/checks/validate.h"
 
 #include <stdio.h>
 #include <string.h>
 
+#include "coupling/effects.h"
 #include "dem/dem_method.h"
 #include "dem/integrators.h"
-#include "case/build_boundaries.h"
+#include "case/checks/boundary_check.h"
+#include "case/checks/materials_check.h"
+#include "case/checks/mesh_check.h"
 #include "case/build_fluid.h"
-#include "case/case_averaging.h"
+#include "case/checks/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/case_cohesion.h"
-#include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_overlap.h"
-#include "case/model_choice.h"
+#include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
 #include "case/schema.h"
@@ -139,7 +140,7 @@ static int check_parts(const struct settings *s)
 static int check_fluid(const struct settings *s)
 {
     const int files = settings_has(s, "mesh.polymesh");
-    int code = case_mesh_check_fluid(s);
+    int code = mesh_check_fluid(s);
 
     for (int k = 0; k < 3 && code == 0 && !files; k++)
         code = check_direction(s, k);
@@ -149,7 +150,7 @@ static int check_fluid(const struct settings *s)
                               "there is an inlet and no outlet: what flows in "
                               "cannot leave");
     if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
-    if (code == 0) code = build_boundaries_check(s);
+    if (code == 0) code = boundary_check(s);
     if (code == 0) code = check_drive(s);
     return code != 0 ? code : check_parts(s);
 }
@@ -275,7 +276,7 @@ static int check_particles(const struct settings *s)
     const int place = settings_has(s, "particles.place");
     int code = check_integrator(s);
 
-    if (code == 0) code = case_materials_check(s);
+    if (code == 0) code = materials_check(s);
     if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = check_mesh_walls(s);
     if (code == 0) code = case_part_check(s);

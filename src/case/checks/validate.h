@@ -5,8 +5,8 @@
  * for what flows in, a contact law with the constants it asks for, a bed that
  * fits into the box.
  */
-#ifndef CASE_VALIDATE_H
-#define CASE_VALIDATE_H
+#ifndef CASE_CHECKS_VALIDATE_H
+#define CASE_CHECKS_VALIDATE_H
 
 #include "case/settings.h"
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/digits.h"
+#include "case/text/digits.h"
 
-#include "base/input.h"
-#include "case/scan.h"
+#include "case/text/scan.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -36,23 +35,15 @@ const char *digits_find(const char *text, int *line)
     return NULL;
 }
 
-int digits_check_file(const char *file)
+int digits_check(const char *file, const char *text)
 {
-    const char *found, *why;
-    size_t length;
-    char *const text = input_text(file, &length, &why);
     int line;
+    const char *const found = digits_find(text, &line);
 
-    if (text == NULL) {
-        fprintf(stderr, "winnow: %s: %s\n", file, why);
-        return 4;
-    }
-    found = digits_find(text, &line);
-    if (found != NULL)
-        fprintf(stderr,
-                "winnow: %s:%d: %.*s is too large for a whole number, at most "
-                "%d; a real one has a point or an exponent\n",
-                file, line, (int)strspn(found, "0123456789"), found, INT_MAX);
-    free(text);
-    return found != NULL ? 2 : 0;
+    if (found == NULL) return 0;
+    fprintf(stderr,
+            "winnow: %s:%d: %.*s is too large for a whole number, at most "
+            "%d; a real one has a point or an exponent\n",
+            file, line, (int)strspn(found, "0123456789"), found, INT_MAX);
+    return 2;
 }

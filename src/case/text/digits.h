@@ -4,14 +4,14 @@
  * larger one as another number: 70000000000 Pa of Young's modulus would become
  * 1280523264. Such numbers are found in the text itself.
  */
-#ifndef CASE_DIGITS_H
-#define CASE_DIGITS_H
+#ifndef CASE_TEXT_DIGITS_H
+#define CASE_TEXT_DIGITS_H
 
 /* The first such number in the text, outside strings and comments; NULL if
  * there is none. *line is its line, the first being 1. */
 const char *digits_find(const char *text, int *line);
 
-/* 0, 2 after a message about such a number, 4 if the file cannot be read. */
-int digits_check_file(const char *file);
+/* 0, or 2 after a message about such a number in the text of a file. */
+int digits_check(const char *file, const char *text);
 
 #endif

@@ -1,8 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/include.h"
+/* include.c -- the files that a case is made of, looked at before they are
+ * read.
+ *
+ * libconfig ends the program where an included file is a folder, waits for ever
+ * where it is a pipe, and reads a whole number that does not fit an int as
+ * another one.
+ */
+#include "case/case_check.h"
 
 #include "base/input.h"
-#include "case/scan.h"
+#include "case/text/digits.h"
+#include "case/text/scan.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,12 +100,26 @@ static int check(const char *file, const char *folder, struct place at,
     char *const text = input_text(file, &length, &why);
     if (text == NULL) return unreadable(&at, file, why);
     int code = is_no_text(file, text, length);
+    if (code == 0) code = digits_check(file, text);
     if (code == 0) code = check_text(text, file, folder, depth);
     free(text);
     return code;
 }
 
-int include_check(const char *file, const char *folder)
+static int check_file(const char *file, const char *folder)
 {
     return check(file, folder, (struct place){NULL, 0}, 0);
 }
+
+/* The text of an override is that of one value. */
+static const char *check_value(const char *value)
+{
+    int line;
+
+    if (digits_find(value, &line) == NULL) return NULL;
+    return "too large for a whole number, at most 2147483647; a real one has a "
+           "point or an exponent";
+}
+
+const struct case_check include_check = {.file = check_file,
+                                         .text = check_value};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/scan.h"
+#include "case/text/scan.h"
 
 #include <ctype.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* scan.h -- the text of a case, a piece at a time. */
-#ifndef CASE_SCAN_H
-#define CASE_SCAN_H
+#ifndef CASE_TEXT_SCAN_H
+#define CASE_TEXT_SCAN_H
 
 /* Past whatever begins here: a string, a comment, a word or number, or one
  * other sign. At the end of the text the same place. */
