@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/manifest.h"
+#include "output/manifest/manifest.h"
 
 #include "base/alloc.h"
 

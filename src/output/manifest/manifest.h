@@ -5,8 +5,8 @@
  * is made, so after any end the list holds everything that is there; some of it
  * may not be.
  */
-#ifndef OUTPUT_MANIFEST_H
-#define OUTPUT_MANIFEST_H
+#ifndef OUTPUT_MANIFEST_MANIFEST_H
+#define OUTPUT_MANIFEST_MANIFEST_H
 
 #define MANIFEST_HEAD "winnow manifest 1\n"
 

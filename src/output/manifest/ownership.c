@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "output/manifest.h"
+#include "output/folder.h"
+#include "output/manifest/manifest.h"
 
 #include <assert.h>
 #include <dirent.h>
@@ -17,7 +18,7 @@
 #include <unistd.h>
 
 static const char manifest[] = "manifest.txt";
-static const char ahead[] = "checkpoint.ahead";
+static const char ahead[] = FOLDER_AHEAD;
 
 /* Patterns of all files that a run may write, folder by folder. */
 static const char *const below[] = {
@@ -69,7 +70,7 @@ enum {
     N_OURS = sizeof ours / sizeof ours[0]
 };
 
-struct folder {
+struct ownership {
     char *dir;
     size_t there; /* [bytes] of dir that were a folder before */
     char *path;   /* of the manifest */
@@ -78,7 +79,6 @@ struct folder {
     int fresh;    /* [-] 1: the manifest was not there before */
     int resumes;  /* [-] 1: what is listed already stays as it is */
     int headed;   /* [-] 1: the manifest has its head already */
-    int quiet;    /* [-] 1: what is removed is not told */
     off_t length; /* [bytes] of the manifest, whole lines */
     struct manifest old;
 };
@@ -110,7 +110,7 @@ static size_t length_there(const char *dir)
 }
 
 /* Non-zero after a message if another process has the lock. */
-static int lock(struct folder *f)
+static int lock(struct ownership *f)
 {
     struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
 
@@ -126,7 +126,7 @@ static int lock(struct folder *f)
 }
 
 /* The manifest may have been removed between our opening and our lock. */
-static int is_still_there(const struct folder *f)
+static int is_still_there(const struct ownership *f)
 {
     struct stat own, named;
 
@@ -135,7 +135,7 @@ static int is_still_there(const struct folder *f)
            own.st_ino == named.st_ino && own.st_dev == named.st_dev;
 }
 
-static int open_manifest(struct folder *f)
+static int open_manifest(struct ownership *f)
 {
     const int how = O_RDWR | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
 
@@ -146,7 +146,7 @@ static int open_manifest(struct folder *f)
     return f->file < 0 && errno != ENOENT ? complaint("write", f->path) : 0;
 }
 
-static int take(struct folder *f)
+static int take(struct ownership *f)
 {
     if (file_make_dirs(f->dir) != 0) return 1;
     f->here = open(f->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -177,7 +177,7 @@ static int is_ours(const char *name)
     return found;
 }
 
-static int is_foreign(const struct folder *f, const char *name)
+static int is_foreign(const struct ownership *f, const char *name)
 {
     const char *const end = strrchr(name, '.');
 
@@ -198,7 +198,7 @@ static int is_foreign(const struct folder *f, const char *name)
 }
 
 /* Non-zero after a message if a run would overwrite something there. */
-static int looked_into(const struct folder *f, const char *folder)
+static int looked_into(const struct ownership *f, const char *folder)
 {
     const int file =
         openat(f->here, folder, O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
@@ -224,24 +224,7 @@ static int looked_into(const struct folder *f, const char *folder)
     return wrong;
 }
 
-struct folder *folder_take(const char *dir)
-{
-    struct folder *const f = alloc_zeroed(1, sizeof *f);
-
-    f->here = f->file = -1;
-    f->dir = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
-    f->path = file_join(dir, manifest);
-    f->there = length_there(dir);
-    int wrong = take(f) || manifest_read(&f->old, f->file, f->path);
-    for (int i = 0; i < N_BELOW && !wrong; i++)
-        wrong = looked_into(f, below[i]);
-    if (!wrong) return f;
-    folder_leave(f);
-    folder_free(f);
-    return NULL;
-}
-
-long folder_process(const char *dir)
+long ownership_process(const char *dir)
 {
     char *const path = file_join(dir, manifest);
     const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -253,9 +236,10 @@ long folder_process(const char *dir)
     return found && l.l_type != F_UNLCK ? (long)l.l_pid : 0;
 }
 
-void folder_free(struct folder *f)
+static void release(void *own)
 {
-    if (f == NULL) return;
+    struct ownership *const f = own;
+
     if (f->file >= 0) close(f->file);
     if (f->here >= 0) close(f->here);
     manifest_release(&f->old);
@@ -264,8 +248,9 @@ void folder_free(struct folder *f)
     free(f);
 }
 
-void folder_leave(struct folder *f)
+static void leave(void *own)
 {
+    struct ownership *const f = own;
     char *const part = strcpy(alloc_zeroed(strlen(f->dir) + 1, 1), f->dir);
     size_t n = strlen(part);
 
@@ -282,13 +267,25 @@ void folder_leave(struct folder *f)
     free(part);
 }
 
-void folder_set_quiet(struct folder *f)
+static void *take_folder(const char *dir)
 {
-    f->quiet = 1;
+    struct ownership *const f = alloc_zeroed(1, sizeof *f);
+
+    f->here = f->file = -1;
+    f->dir = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
+    f->path = file_join(dir, manifest);
+    f->there = length_there(dir);
+    int wrong = take(f) || manifest_read(&f->old, f->file, f->path);
+    for (int i = 0; i < N_BELOW && !wrong; i++)
+        wrong = looked_into(f, below[i]);
+    if (!wrong) return f;
+    leave(f);
+    release(f);
+    return NULL;
 }
 
 /* An empty list. Non-zero after a message. */
-static int write_head(struct folder *f)
+static int write_head(struct ownership *f)
 {
     f->length = (off_t)strlen(MANIFEST_HEAD);
     errno = ENOSPC; /* if only a part is written */
@@ -297,18 +294,20 @@ static int write_head(struct folder *f)
     return f->headed ? 0 : complaint("write", f->path);
 }
 
-char *folder_ahead(struct folder *f)
+/* An empty list, where there is none yet. */
+static int prepare(void *own)
 {
-    if (f->fresh && !f->headed && write_head(f) != 0) return NULL;
-    return file_join(f->dir, ahead);
+    struct ownership *const f = own;
+    return f->fresh && !f->headed ? write_head(f) : 0;
 }
 
-int folder_begin(struct folder *f)
+static int begin(void *own, int quiet)
 {
+    struct ownership *const f = own;
     int removed;
 
     if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
-    if (removed > 0 && !f->quiet)
+    if (removed > 0 && !quiet)
         fprintf(stderr, "%s: the %d files of an earlier run are replaced\n",
                 f->dir, removed);
     manifest_release(&f->old);
@@ -316,15 +315,18 @@ int folder_begin(struct folder *f)
     return write_head(f);
 }
 
-void folder_resume(struct folder *f)
+static void resume(void *own)
 {
+    struct ownership *const f = own;
+
     f->resumes = 1;
     f->fresh = 0;
     f->length = lseek(f->file, 0, SEEK_END);
 }
 
-void folder_state(struct folder *f, struct state *s)
+static void visit(void *own, struct state *s)
 {
+    struct ownership *const f = own;
     long length = (long)f->length;
 
     if (!s->loading && fsync(f->file) != 0)
@@ -336,8 +338,10 @@ void folder_state(struct folder *f, struct state *s)
     f->resumes = 0;
 }
 
-static int list(struct folder *f, const char *name)
+static int list(void *own, const char *name)
 {
+    struct ownership *const f = own;
+
     if (f->resumes && manifest_has(&f->old, name)) return 0;
     const size_t length = strlen(name);
     char *const line = strcpy(alloc_zeroed(length + 2, 1), name);
@@ -357,41 +361,11 @@ static int list(struct folder *f, const char *name)
     return 1;
 }
 
-char *folder_file(struct folder *f, const char *name)
-{
-    return list(f, name) == 0 ? file_join(f->dir, name) : NULL;
-}
-
-int folder_make(struct folder *f, const char *name)
-{
-    char *const entry = file_join(name, "");
-    char *const path = file_join(f->dir, name);
-    const int failed = list(f, entry) != 0 || file_make_dirs(path) != 0;
-
-    free(entry);
-    free(path);
-    return failed;
-}
-
-int folder_list(struct folder *f, const char *path)
-{
-    return list(f, path + strlen(f->dir) + 1);
-}
-
-struct table *folder_table(struct folder *f, const char *name, int n_columns,
-                           const char *const *columns)
-{
-    char *const path = folder_file(f, name);
-    struct table *const made = path == NULL ? NULL
-                               : f->resumes
-                                   ? table_open(path, n_columns, columns)
-                                   : table_create(path, n_columns, columns);
-
-    free(path);
-    return made;
-}
-
-const char *folder_name(const struct folder *f)
-{
-    return f->dir;
-}
+const struct folder_owner ownership = {.take = take_folder,
+                                       .prepare = prepare,
+                                       .begin = begin,
+                                       .resume = resume,
+                                       .list = list,
+                                       .state = visit,
+                                       .leave = leave,
+                                       .free = release};
