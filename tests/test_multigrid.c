@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/multigrid.h"
+#include "linear/multigrid/multigrid.h"
 
 #include "linear/cg.h"
 #include "facts.h"

@@ -26,7 +26,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
 static inline double dot3(const double *a, const double *b)

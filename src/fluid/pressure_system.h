@@ -9,7 +9,7 @@
 
 #include "fluid/fluid.h"
 #include "linear/cg.h"
-#include "linear/multigrid.h"
+#include "linear/multigrid/multigrid.h"
 
 struct pressure_system {
     double *per_force;  /* [1/m^3] 1 / (gamma V) */

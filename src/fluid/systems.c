@@ -12,7 +12,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
 static int has(const struct fluid *fl, enum boundary_kind kind)

@@ -6,7 +6,7 @@
 #define LINEAR_CG_H
 
 #include "linear/csr.h"
-#include "linear/multigrid.h"
+#include "linear/multigrid/multigrid.h"
 #include "linear/report.h"
 
 struct cg_work;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/multigrid.h"
+#include "linear/multigrid/multigrid.h"
 
 #include "base/alloc.h"
-#include "linear/dense.h"
-#include "linear/level.h"
-#include "linear/pairwise_aggregation.h"
+#include "linear/multigrid/dense.h"
+#include "linear/multigrid/level.h"
+#include "linear/multigrid/pairwise_aggregation.h"
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 

@@ -11,8 +11,8 @@
  * smoother consists of matrix products only, so it is parallel, vectorised, and
  * gives the same bits for any number of threads.
  */
-#ifndef LINEAR_MULTIGRID_H
-#define LINEAR_MULTIGRID_H
+#ifndef LINEAR_MULTIGRID_MULTIGRID_H
+#define LINEAR_MULTIGRID_MULTIGRID_H
 
 #include "linear/csr.h"
 
