@@ -15,7 +15,7 @@
 #include "linear/face_loops.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3

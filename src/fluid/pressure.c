@@ -26,7 +26,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
 static inline double dot3(const double *a, const double *b)
@@ -182,8 +182,8 @@ void pressure_assemble(struct fluid *fl)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
     if (fl->options.shared == NULL)
-        multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                                   pressure->boundary_conductance);
+        preconditioned_set(pressure->matrix, pressure->conductance,
+                           pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -363,10 +363,9 @@ struct solve_report pressure_correct(struct fluid *fl)
     const double absolute = fl->options.tolerance * pressure->scale;
     const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        shared != NULL
-            ? shared->pressure(shared->parts, fl, relative, absolute)
-            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                        relative, absolute, 500, pressure->cg);
+        shared != NULL ? shared->pressure(shared->parts, fl, relative, absolute)
+                       : cg_solve(pressure->matrix, pressure->divergence, fl->p,
+                                  relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -9,7 +9,7 @@
 
 #include "fluid/fluid.h"
 #include "linear/cg.h"
-#include "linear/multigrid.h"
+#include "linear/preconditioned.h"
 
 struct pressure_system {
     double *per_force;  /* [1/m^3] 1 / (gamma V) */
@@ -28,7 +28,7 @@ struct pressure_system {
                         faces of each cell */
     int pinned_cell; /* cell whose pressure is fixed, or -1 if there is an
                         outlet */
-    struct multigrid *mg;
+    struct preconditioned matrix;
     struct cg_work *cg;
 };
 

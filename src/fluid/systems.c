@@ -12,7 +12,7 @@
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
 static int has(const struct fluid *fl, enum boundary_kind kind)
@@ -215,9 +215,9 @@ void systems_create(struct fluid *fl)
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     if (fl->options.shared == NULL)
-        fl->pressure->mg =
-            multigrid_create(n, m->n_internal, m->owner, m->neighbour,
-                             fl->geometry->face_coefficient, m->d, m->V);
+        fl->pressure->matrix =
+            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
+                                  fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }
@@ -226,7 +226,7 @@ void systems_free(struct fluid *fl)
 {
     ldu_free(fl->momentum->matrix);
     bicgstab_work_free(fl->momentum->bicgstab);
-    multigrid_free(fl->pressure->mg);
+    preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
     free_arrays(fl);
     faces_release(fl->faces);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 
 #include <math.h>
 #include <stddef.h>

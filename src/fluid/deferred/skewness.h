@@ -12,8 +12,8 @@
  * pressure, on meshes with tetrahedra, from least squares, which are exact for
  * a linear pressure.
  */
-#ifndef FLUID_SKEWNESS_H
-#define FLUID_SKEWNESS_H
+#ifndef FLUID_DEFERRED_SKEWNESS_H
+#define FLUID_DEFERRED_SKEWNESS_H
 
 #include "fluid/fluid.h"
 

@@ -16,7 +16,7 @@
 #include <stddef.h>
 
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
 int deferred_correction_exists(const struct fluid *fl)
