@@ -8,7 +8,7 @@
 #include "case/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/report/report.h"
-#include "case/profiles.h"
+#include "case/means/profiles.h"
 #include "case/report/list.h"
 #include "case/models.h"
 #include "case/schema.h"

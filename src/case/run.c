@@ -16,11 +16,11 @@
 #include "output/folder.h"
 #include "case/breakdown.h"
 #include "case/build.h"
+#include "case/case_check.h"
 #include "case/case_part.h"
 #include "case/case_overlap.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/case_scales.h"
 #include "case/progress.h"
 #include "case/recorder.h"
 #include "case/saver.h"
@@ -277,7 +277,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (case_scales_check(s) != 0 || check_engine(s) != 0) return WRONG;
+    if (case_check_run(s) != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;

@@ -1,15 +1,12 @@
-/* folder.h -- the folder of a run, which belongs to it alone.
- *
- * A run takes its folder by a lock on DIR/manifest.txt, which the system
- * releases however the run ends: a second run is refused, and a run that was
- * killed leaves no lock. The manifest lists every file before it is made. The
- * next run removes what is listed there and nothing else, so the files of a run
- * are mixed only with files of the user.
+/* folder.h -- the folder of a run.
  *
  *     struct folder *f = folder_take("out/bed");   before the work
  *     if (folder_begin(f) != 0) ...                before the first file
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
+ *
+ * Where there is an owner of folders (manifest/), the folder belongs to this
+ * run alone, and of an earlier run it has nothing left.
  */
 #ifndef OUTPUT_FOLDER_H
 #define OUTPUT_FOLDER_H
@@ -18,14 +15,26 @@
 
 struct folder;
 
-/* Makes the folder if needed and locks it; its contents stay as they are. NULL
- * after a message if it cannot be written, if another run has locked it, if its
+/* How a folder is kept for one run: one descriptor, or none. What take returns
+ * is given to the others; all but leave, resume and free return non-zero after
+ * a message, and prepare is called before a file that is made before begin. */
+struct folder_owner {
+    void *(*take)(const char *dir);
+    int (*prepare)(void *own);
+    int (*begin)(void *own, int quiet);
+    void (*resume)(void *own);
+    int (*list)(void *own, const char *name); /* before the file is made */
+    void (*state)(void *own, struct state *s);
+    void (*leave)(void *own);
+    void (*free)(void *own);
+};
+extern const struct folder_owner *const folder_owners[]; /* ended by NULL */
+
+/* Makes the folder if needed; its contents stay as they are. NULL after a
+ * message if it cannot be written, if another run has locked it, if its
  * manifest is from another program, or if an unlisted file has a name that the
  * run may write. */
 struct folder *folder_take(const char *dir);
-
-/* The process whose run has locked the folder; 0 if there is none. */
-long folder_process(const char *dir);
 
 /* Releases the folder. */
 void folder_free(struct folder *f);
@@ -44,6 +53,7 @@ int folder_begin(struct folder *f);
 /* The path DIR/checkpoint.ahead of the one file that a run may make before
  * folder_begin, as a new string; no list has it. The folder stays, when it is
  * left, as long as the file is there. NULL after a message. */
+#define FOLDER_AHEAD "checkpoint.ahead"
 char *folder_ahead(struct folder *f);
 
 /* Instead of folder_begin, for a run that goes on: the files stay, and what is

@@ -6,7 +6,7 @@
 #include "base/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 #include "case/resume/case_text.h"
 #include "study/results.h"
 

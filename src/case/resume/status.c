@@ -15,7 +15,7 @@
 #include "case/resume/case_text.h"
 #include "case/resume/resume.h"
 #include "output/checkpoint/state_file.h"
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 
 /* The text of a key of summary.json as a new string; NULL if it has none. */
 static char *summary_text_of(const char *summary, const char *key)
@@ -120,7 +120,7 @@ static double end_of(struct state_file *f)
 /* 1 if the run goes on. */
 static int print_holder(const char *dir)
 {
-    const long process = folder_process(dir);
+    const long process = ownership_process(dir);
 
     if (process > 0)
         printf("%-11s process %ld is running\n", "running", process);
