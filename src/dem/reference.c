@@ -186,7 +186,7 @@ static void add_contact(struct reference *r, int i, int partner,
         rolling_friction(&c, law.k_t, touch->roll_angle, dt, M, r->energy);
     add_loads(&c, M);
     note_overlap(r, &c, i, partner);
-    r->energy->normal += r->options->law->stored * law.elastic * c.delta;
+    r->energy->normal += law.stored;
     r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
 }
 
