@@ -16,7 +16,6 @@
 #include "case/case_steps.h"
 #include "case/case_cohesion.h"
 #include "case/case_mesh.h"
-#include "case/case_overlap.h"
 #include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
@@ -214,7 +213,8 @@ static int check_place(const struct settings *s)
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
             const double margin =
-                periodic[k] ? 0.0 : (0.5 - case_overlap_in_wall(s)) * d;
+                periodic[k] ? 0.0
+                            : (0.5 - particle_options_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(
                     s, "particles.place",
