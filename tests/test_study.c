@@ -70,7 +70,8 @@ START_TEST(a_value_as_is_sets_nothing)
 END_TEST
 
 /* A step gets smaller; of cells only those that change count, and more of them
- * are smaller. */
+ * are smaller. A word among numbers has no size, and the numbers keep theirs.
+ */
 START_TEST(sizes_fall_from_coarse_to_fine)
 {
     struct choices c = two_choices();
@@ -84,6 +85,12 @@ START_TEST(sizes_fall_from_coarse_to_fine)
     ck_assert_int_eq(choices_add(&c, "averaging.method=pcm,kernel"), 0);
     ck_assert_double_nan(choices_size(&c.of[0], 0));
     ck_assert_int_eq(choices_axis(&c), -1);
+    choices_free(&c);
+    ck_assert_int_eq(choices_add(&c, "particles.skin=8e-4,4e-4,auto,1e-4"), 0);
+    ck_assert_double_eq(choices_size(&c.of[0], 1) / choices_size(&c.of[0], 3),
+                        4.0);
+    ck_assert_double_nan(choices_size(&c.of[0], 2));
+    ck_assert_int_eq(choices_axis(&c), 0);
     choices_free(&c);
 }
 END_TEST
