@@ -34,8 +34,4 @@ double case_mesh_volume(const struct settings *s);
 /* 1 if the point is inside [m]. */
 int case_mesh_holds(const struct settings *s, const double x[3]);
 
-/* Checks the patches and their boundary conditions, where the mesh is no plain
- * box. */
-int case_mesh_check_fluid(const struct settings *s);
-
 #endif

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "case/case_cohesion.h"
-#include "case/case_cost.h"
-#include "case/case_limits.h"
+#include "case/checks/case_cost.h"
+#include "case/checks/case_limits.h"
 #include "case/table_numbers.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"
