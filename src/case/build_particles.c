@@ -9,7 +9,6 @@
 #include "base/alloc.h"
 #include "case/build_free.h"
 #include "case/case_steps.h"
-#include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
@@ -185,8 +184,6 @@ static int complete(const struct settings *s, struct simulation *sim,
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    o->attractions = sim->attractions =
-        case_cohesion_create(s, &o->n_attractions);
     return case_part_complete(s, sim, o);
 }
 

@@ -2,7 +2,8 @@
 #include "study/results.h"
 
 #include "base/alloc.h"
-#include "base/input.h"
+#include "base/file.h"
+#include "base/tables/input.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -14,7 +14,6 @@
 #include "case/checks/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_cohesion.h"
 #include "case/case_mesh.h"
 #include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
@@ -277,7 +276,6 @@ static int check_particles(const struct settings *s)
     int code = check_integrator(s);
 
     if (code == 0) code = materials_check(s);
-    if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = check_mesh_walls(s);
     if (code == 0) code = case_part_check(s);
     if (code == 0) code = check_list(s);

@@ -10,7 +10,7 @@
 #include "base/number.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"

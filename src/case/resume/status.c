@@ -9,7 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
