@@ -17,6 +17,15 @@ struct face_geometry {
 void systems_create(struct fluid *fl);
 void systems_free(struct fluid *fl);
 
+/* A loop over all boundary faces: b is the boundary condition of face f, which
+ * is the j-th of its patch. */
+#define FOR_EACH_BOUNDARY_FACE(fl, b, j, f)                                    \
+    for (int i_ = 0; i_ < (fl)->mesh->n_patches; i_++)                         \
+        for (const struct boundary *b = &(fl)->options.boundaries[i_];         \
+             b == &(fl)->options.boundaries[i_]; b++)                          \
+            for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \
+                 j < (fl)->mesh->patches[i_].n; j++, f++)
+
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */
 static inline double piso_gamma(const struct fluid *fl, int c)
