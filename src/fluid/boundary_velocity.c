@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/fluid.h"
+#include "fluid/piso.h"
 
 #include <math.h>
 
@@ -43,6 +43,16 @@ void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
             velocity_at(fl, &fl->options.boundaries[i], f - p->first, f,
                         &u_b[3 * (f - m->n_internal)]);
     }
+}
+
+void fluid_velocity_gradient(const struct fluid *fl, const double *u,
+                             const double *u_b, double *slope)
+{
+    const struct velocity_gradient_scheme *const s =
+        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
+                                              : velocity_gradient_schemes[0];
+
+    s->fill(fl->mesh, fl->geometry->reach, u, u_b, slope);
 }
 
 /* The mean over an inlet, whose profile counts as 1 where it is that up to

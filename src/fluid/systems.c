@@ -208,6 +208,7 @@ void systems_create(struct fluid *fl)
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
     fl->geometry->off = skewness_of(m);
+    fl->geometry->reach = skewness_reach(m, fl->options.boundaries);
     fl->geometry->normal_equations =
         skewness_normal_equations(m, fl->geometry->off);
     fl->momentum->matrix =
@@ -236,6 +237,7 @@ void systems_free(struct fluid *fl)
     free(fl->jump);
     free(fl->levels);
     free(fl->geometry->off);
+    free(fl->geometry->reach);
     free(fl->geometry->normal_equations);
     free(fl->geometry);
 }

@@ -28,9 +28,6 @@ int deferred_correction_exists(const struct fluid *fl)
 static void fill_velocity_gradients(struct fluid *fl, const double *u)
 {
     const struct mesh *const m = fl->mesh;
-    const struct velocity_gradient_scheme *const s =
-        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
-                                              : velocity_gradient_schemes[0];
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
@@ -39,7 +36,8 @@ static void fill_velocity_gradients(struct fluid *fl, const double *u)
                 fl, &fl->options.boundaries[i], f - p->first, f,
                 &fl->momentum->u_boundary[3 * (f - m->n_internal)]);
     }
-    s->fill(m, u, fl->momentum->u_boundary, fl->momentum->velocity_gradient);
+    fluid_velocity_gradient(fl, u, fl->momentum->u_boundary,
+                            fl->momentum->velocity_gradient);
 }
 
 static double dot3(const double *slope, const double *x)

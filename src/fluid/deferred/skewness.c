@@ -41,6 +41,29 @@ static void link_of(const struct mesh *m, const double *off, int c, int f,
             sign * m->d[3 * f + k] - (f < m->n_internal ? 0.0 : off[3 * f + k]);
 }
 
+double *skewness_reach(const struct mesh *m, const struct boundary *b)
+{
+    if (!m->skewed) return NULL;
+    double *const reach = alloc_doubles(3 * (m->n_faces - m->n_internal));
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        const int foot =
+            b[i].kind == BOUNDARY_SLIP || b[i].kind == BOUNDARY_OUTLET;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const d = &m->d[3 * f];
+            double off[3];
+            mesh_off_middle(m, f, off);
+            const int moved =
+                foot && vector_length(off) > 1e-6 * vector_length(d);
+            for (int k = 0; k < 3; k++)
+                reach[3 * (f - m->n_internal) + k] =
+                    d[k] - (moved ? off[k] : 0.0);
+        }
+    }
+    return reach;
+}
+
 double *skewness_normal_equations(const struct mesh *m, const double *off)
 {
     if (m->skewed != 2) return NULL;

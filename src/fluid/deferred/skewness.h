@@ -23,6 +23,12 @@
  * otherwise amplify themselves. */
 double *skewness_of(const struct mesh *m);
 
+/* From the centre of the cell to where the velocity of its boundary face holds
+ * [m], 3 a boundary face (velocity_gradient.h): to the middle of the face at
+ * walls and inlets. At slip walls and outlets the velocity is that of the cell,
+ * and holds at the foot of its centre; NULL for a mesh without. */
+double *skewness_reach(const struct mesh *m, const struct boundary *b);
+
 /* The sums of d d / |d|^4 over the links of each cell [1/m^2], 6 each
  * (vector.h), of a boundary face with the part of the link normal to it; NULL
  * for a mesh without tetrahedra. */
