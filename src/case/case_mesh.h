@@ -7,7 +7,7 @@
 #ifndef CASE_CASE_MESH_H
 #define CASE_CASE_MESH_H
 
-#include "mesh/mesh.h"
+#include "mesh/mesh_form.h"
 #include "case/settings.h"
 
 /* The plain box that the case gives. */
@@ -22,6 +22,11 @@ struct mesh *case_mesh_outline(const struct settings *s);
 /* The cells that the case asks for, before there is a mesh; 0 for one from
  * files. They may be more than an int holds. */
 double case_mesh_cells(const struct settings *s);
+
+/* The form of mesh that the case chooses, one from files or one that is made of
+ * the box; NULL if it chooses none of that sort. */
+const struct mesh_form *case_mesh_form(const struct settings *s,
+                                       int from_files);
 
 /* Where particles can be at all: the smallest box around the mesh, or what a
  * period makes one of it; and in which directions it is periodic. */

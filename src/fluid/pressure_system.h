@@ -47,9 +47,10 @@ double continuity_residual(struct fluid *fl);
 
 /* gradient.c: gradient_begin computes the parts of p_face and grad_p that do
  * not change during a step, gradient_update p_face and grad_p from p, phi and
- * the forces. */
+ * the forces, gradient_of_faces grad_p from p_face alone. */
 void gradient_begin(struct fluid *fl);
 void gradient_update(struct fluid *fl);
+void gradient_of_faces(struct fluid *fl);
 
 /* mean_gradient.c: 1 if the pressure has a mean gradient beside p; adapts it to
  * the prescribed mean flow and adds its contribution to the fluxes. */

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
+#include "output/folder_owner.h"
 
 #include <stdlib.h>
 #include <string.h>

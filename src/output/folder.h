@@ -15,21 +15,6 @@
 
 struct folder;
 
-/* How a folder is kept for one run: one descriptor, or none. What take returns
- * is given to the others; all but leave, resume and free return non-zero after
- * a message, and prepare is called before a file that is made before begin. */
-struct folder_owner {
-    void *(*take)(const char *dir);
-    int (*prepare)(void *own);
-    int (*begin)(void *own, int quiet);
-    void (*resume)(void *own);
-    int (*list)(void *own, const char *name); /* before the file is made */
-    void (*state)(void *own, struct state *s);
-    void (*leave)(void *own);
-    void (*free)(void *own);
-};
-extern const struct folder_owner *const folder_owners[]; /* ended by NULL */
-
 /* Makes the folder if needed; its contents stay as they are. NULL after a
  * message if it cannot be written, if another run has locked it, if its
  * manifest is from another program, or if an unlisted file has a name that the
@@ -50,29 +35,27 @@ void folder_set_quiet(struct folder *f);
  * after a message. */
 int folder_begin(struct folder *f);
 
-/* The path DIR/checkpoint.ahead of the one file that a run may make before
- * folder_begin, as a new string; no list has it. The folder stays, when it is
- * left, as long as the file is there. NULL after a message. */
+/* The path of the one file that a run may make before folder_begin, as a new
+ * string; no list has it, and as long as it is there the folder stays when it
+ * is left. NULL after a message. */
 #define FOLDER_AHEAD "checkpoint.ahead"
 char *folder_ahead(struct folder *f);
 
 /* Instead of folder_begin, for a run that goes on: the files stay, and what is
- * in the manifest already is not added again, until the state is loaded. */
+ * listed is not added again, until the state is loaded. */
 void folder_resume(struct folder *f);
 
-/* The length of the manifest (state.h). When it is loaded, what was listed
- * later is removed. */
+/* When it is loaded, what was listed later is removed (state.h). */
 void folder_state(struct folder *f, struct state *s);
 
-/* The path DIR/NAME of a file to be made, as a new string; adds the name to the
- * manifest. NULL after a message. */
+/* Lists a file to be made; its path DIR/NAME is a new string. NULL after a
+ * message. */
 char *folder_file(struct folder *f, const char *name);
 
 /* Makes the folder DIR/NAME for files of the run; non-zero after a message. */
 int folder_make(struct folder *f, const char *name);
 
-/* The same as folder_file for a path that begins with DIR/; non-zero after a
- * message. */
+/* Lists a path that begins with DIR/; non-zero after a message. */
 int folder_list(struct folder *f, const char *path);
 
 /* A new table in it, or that of a run that goes on (table.h); NULL after a

@@ -19,9 +19,9 @@
 static void add_inserted(const struct settings *s, struct case_scales *k)
 {
     k->particles += case_part_count_later(s);
-    k->d_most = fmax(k->d_most, case_part_later_diameters(s, -1).max);
+    k->d_most = fmax(k->d_most, case_limits_later(s, -1).max);
     for (int m = 0; m < case_limits_count(s); m++) {
-        const double d = case_part_later_diameters(s, m).min;
+        const double d = case_limits_later(s, m).min;
         if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
     }
 }

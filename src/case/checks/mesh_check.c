@@ -7,14 +7,13 @@
 
 #include "base/vector.h"
 #include "case/case_mesh.h"
-#include "case/read_mesh.h"
 
 /* --- its keys ------------------------------------------------------------- */
 
 /* A mesh from files has no key of a box. */
 static int check_files(const struct settings *s, const char *files)
 {
-    const struct mesh_form *const other = read_mesh_form(s, 0);
+    const struct mesh_form *const other = case_mesh_form(s, 0);
     const char *const of_box[] = {"mesh.size", "mesh.cells", "mesh.grading",
                                   "mesh.periodic",
                                   other != NULL ? other->keys[0].path : NULL};
@@ -59,7 +58,7 @@ static int check_numbers(const struct settings *s)
 
 int mesh_check_keys(const struct settings *s)
 {
-    const struct mesh_form *const files = read_mesh_form(s, 1);
+    const struct mesh_form *const files = case_mesh_form(s, 1);
     if (files != NULL) return check_files(s, files->keys[0].path);
 
     const int code = check_box(s);

@@ -14,9 +14,7 @@
 #include "case/checks/case_averaging.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
-#include "case/case_cohesion.h"
 #include "case/case_mesh.h"
-#include "case/case_overlap.h"
 #include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
@@ -214,7 +212,8 @@ static int check_place(const struct settings *s)
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
             const double margin =
-                periodic[k] ? 0.0 : (0.5 - case_overlap_in_wall(s)) * d;
+                periodic[k] ? 0.0
+                            : (0.5 - particle_options_wall_overlap(s)) * d;
             if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
                 return settings_wrong(
                     s, "particles.place",
@@ -277,7 +276,6 @@ static int check_particles(const struct settings *s)
     int code = check_integrator(s);
 
     if (code == 0) code = materials_check(s);
-    if (code == 0) code = case_cohesion_check(s);
     if (code == 0) code = check_mesh_walls(s);
     if (code == 0) code = case_part_check(s);
     if (code == 0) code = check_list(s);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/breakdown.h"
+/* breakdown.c -- the message when a computation breaks down. */
+#include "case/run_part.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "coupling/coupling.h"
 #include "coupling/effect_mover.h"
-#include "case/case_overlap.h"
+#include "case/diagnosis/overlap.h"
 
 static int fluid_broke(const struct simulation *sim)
 {
@@ -16,11 +17,11 @@ static int fluid_broke(const struct simulation *sim)
 }
 
 static void describe_fluid(const struct simulation *sim, const char *when,
-                           char text[BREAKDOWN_TEXT])
+                           char text[RUN_PART_TEXT])
 {
     const struct fluid_report *const r = &sim->fluid->report;
 
-    snprintf(text, BREAKDOWN_TEXT,
+    snprintf(text, RUN_PART_TEXT,
              "the flow solver broke down %s: momentum %s after %d iterations "
              "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
              "number %.3g.\nTry a smaller fluid.step (CFL below 1) or "
@@ -33,11 +34,11 @@ static void describe_fluid(const struct simulation *sim, const char *when,
 
 /* Through a surface, by its name. */
 static void describe_through(const struct simulation *sim, const char *when,
-                             char text[BREAKDOWN_TEXT])
+                             char text[RUN_PART_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
 
-    snprintf(text, BREAKDOWN_TEXT,
+    snprintf(text, RUN_PART_TEXT,
              "%d particle%s went through a wall %s, the first with id %d, "
              "through \"%s\", at [%g, %g, %g] m; the largest overlap was %.3g "
              "d, the highest speed %.3g m/s.\nTry a smaller particles.step "
@@ -48,11 +49,11 @@ static void describe_through(const struct simulation *sim, const char *when,
 }
 
 static void describe_lost(const struct simulation *sim, const char *when,
-                          char text[BREAKDOWN_TEXT])
+                          char text[RUN_PART_TEXT])
 {
     const struct dem_report *const r = &sim->dem_report;
 
-    snprintf(text, BREAKDOWN_TEXT,
+    snprintf(text, RUN_PART_TEXT,
              "%d particle%s left the box or %s no longer anywhere %s, the "
              "first with id %d, at [%g, %g, %g] m; the largest overlap was "
              "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
@@ -64,12 +65,12 @@ static void describe_lost(const struct simulation *sim, const char *when,
 }
 
 static void describe_overlap(const struct simulation *sim, const char *when,
-                             char text[BREAKDOWN_TEXT])
+                             char text[RUN_PART_TEXT])
 {
-    char who[CASE_OVERLAP_TEXT];
+    char who[OVERLAP_TEXT];
 
-    case_overlap_describe(sim, who);
-    snprintf(text, BREAKDOWN_TEXT,
+    overlap_describe(sim, who);
+    snprintf(text, RUN_PART_TEXT,
              "%s %s, more than particles.max_overlap, %g.\nTry a stiffer "
              "material with a smaller particles.step (winnow check suggests "
              "one), or a higher particles.max_overlap if this is meant",
@@ -77,9 +78,9 @@ static void describe_overlap(const struct simulation *sim, const char *when,
 }
 
 static void describe_solids(const struct simulation *sim, const char *when,
-                            char text[BREAKDOWN_TEXT])
+                            char text[RUN_PART_TEXT])
 {
-    snprintf(text, BREAKDOWN_TEXT,
+    snprintf(text, RUN_PART_TEXT,
              "a cell holds more solids than it has room for %s: the lowest "
              "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\", "
              "or \"kernel\" with a bandwidth from 1.5 of the largest cells "
@@ -89,10 +90,10 @@ static void describe_solids(const struct simulation *sim, const char *when,
 
 /* No cell is overfull, but a slope between cells leads below zero. */
 static void describe_seen(const struct simulation *sim, const char *when,
-                          char text[BREAKDOWN_TEXT])
+                          char text[RUN_PART_TEXT])
 {
     snprintf(
-        text, BREAKDOWN_TEXT,
+        text, RUN_PART_TEXT,
         "the fluid fraction interpolated to a particle is %.3g %s, though that "
         "of no cell is below %.3g.\nTry averaging.method = \"diffusion\", or "
         "\"kernel\" with a bandwidth from 1.5 of the largest cells on, larger "
@@ -114,7 +115,7 @@ static const char *trouble_of(const struct simulation *sim)
     return NULL;
 }
 
-void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
+static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
 {
     char when[64];
 
@@ -123,7 +124,7 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
     if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
         describe_fluid(sim, when, text);
     else if (trouble_of(sim) != NULL)
-        snprintf(text, BREAKDOWN_TEXT, "%s %s", trouble_of(sim), when);
+        snprintf(text, RUN_PART_TEXT, "%s %s", trouble_of(sim), when);
     else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
              sim->dem_report.lost_through >= 0)
         describe_through(sim, when, text);
@@ -137,8 +138,12 @@ void breakdown_describe(const struct simulation *sim, char text[BREAKDOWN_TEXT])
     else if (sim->coupling != NULL && sim->coupling->report.seen_lowest <= 0.0)
         describe_seen(sim, when, text);
     else
-        snprintf(text, BREAKDOWN_TEXT,
+        snprintf(text, RUN_PART_TEXT,
                  "a value is no longer finite %s.\nTry "
                  "smaller steps",
                  when);
+    return 1;
 }
+
+const struct run_part breakdown_part = {.after_step = overlap_warn,
+                                        .broke_down = describe};

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 #include "case/checks/case_cost.h"
 #include "case/checks/case_limits.h"
 #include "case/table_numbers.h"

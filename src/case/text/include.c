@@ -8,7 +8,7 @@
  */
 #include "case/case_check.h"
 
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "case/text/digits.h"
 #include "case/text/scan.h"
 

@@ -11,42 +11,35 @@
  * so far and added to the right-hand sides of the two cells with opposite
  * signs.
  */
+#include "fluid/deferred/deferred_terms.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
 #include "fluid/momentum_system.h"
-
-#include <stddef.h>
-
 #include "fluid/piso.h"
+#include "fluid/pressure_system.h"
 #include "fluid/deferred/skewness.h"
 #include "fluid/time_levels.h"
 
-int deferred_correction_exists(const struct fluid *fl)
-{
-    return fl->options.convection->deferred != NULL || fl->mesh->oblique ||
-           fl->mesh->skewed;
-}
-
-static void fill_velocity_gradients(struct fluid *fl, const double *u)
+static void fill_velocity_gradients(struct deferred_terms *d,
+                                    const struct fluid *fl, const double *u)
 {
     const struct mesh *const m = fl->mesh;
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n; f++)
-            boundary_face_velocity(
-                fl, &fl->options.boundaries[i], f - p->first, f,
-                &fl->momentum->u_boundary[3 * (f - m->n_internal)]);
+            boundary_face_velocity(fl, &fl->options.boundaries[i], f - p->first,
+                                   f, &d->u_boundary[3 * (f - m->n_internal)]);
     }
-    fluid_velocity_gradient(fl, u, fl->momentum->u_boundary,
-                            fl->momentum->velocity_gradient);
-}
-
-static double dot3(const double *slope, const double *x)
-{
-    return slope[0] * x[0] + slope[1] * x[1] + slope[2] * x[2];
+    fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
 }
 
 /* The explicit part of the scheme for component k at face f. */
-static double explicit_part(const struct fluid *fl, const double *u, int f,
+static double explicit_part(const struct deferred_terms *d,
+                            const struct fluid *fl, const double *u, int f,
                             int k)
 {
     const struct mesh *const m = fl->mesh;
@@ -55,22 +48,24 @@ static double explicit_part(const struct fluid *fl, const double *u, int f,
         fl->levels->convecting_flux[f] >= 0.0; /* from owner to neighbour */
     const double sign = with ? 1.0 : -1.0;
     const double step = sign * (u[3 * n + k] - u[3 * o + k]);
-    const double *const slope =
-        &fl->momentum->velocity_gradient[9 * (with ? o : n) + 3 * k];
+    const double *const slope = &d->slope[9 * (with ? o : n) + 3 * k];
 
     return fl->options.convection->deferred(
-        step, sign * dot3(slope, &m->d[3 * f]), with ? 1.0 - m->w[f] : m->w[f]);
+        step, sign * vector_dot(slope, &m->d[3 * f]),
+        with ? 1.0 - m->w[f] : m->w[f]);
 }
 
 /* grad u . (S - d S.S / S.d) of component k, linear between the cells. */
-static double non_orthogonal(const struct fluid *fl, const double rest[3],
+static double non_orthogonal(const struct deferred_terms *d,
+                             const struct fluid *fl, const double rest[3],
                              int f, int k)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const slope = fl->momentum->velocity_gradient;
+    const double *const slope = d->slope;
 
-    return m->w[f] * dot3(&slope[9 * m->owner[f] + 3 * k], rest) +
-           (1.0 - m->w[f]) * dot3(&slope[9 * m->neighbour[f] + 3 * k], rest);
+    return m->w[f] * vector_dot(&slope[9 * m->owner[f] + 3 * k], rest) +
+           (1.0 - m->w[f]) *
+               vector_dot(&slope[9 * m->neighbour[f] + 3 * k], rest);
 }
 
 /* Adds a flux to one cell and subtracts it from the other. */
@@ -80,26 +75,28 @@ static void add_to_both_cells(struct fluid *fl, int f, int k, double force)
     fl->momentum->b[3 * fl->mesh->neighbour[f] + k] -= force;
 }
 
-static void add_explicit_part(struct fluid *fl, const double *u)
+static void add_explicit_part(struct deferred_terms *d, struct fluid *fl,
+                              const double *u)
 {
-    fill_velocity_gradients(fl, u);
+    fill_velocity_gradients(d, fl, u);
     for (int f = 0; f < fl->mesh->n_internal; f++)
         for (int k = 0; k < 3; k++)
             add_to_both_cells(fl, f, k,
                               -fl->options.rho *
                                   fl->levels->convecting_flux[f] *
-                                  explicit_part(fl, u, f, k));
+                                  explicit_part(d, fl, u, f, k));
 }
 
-static void add_non_orthogonal(struct fluid *fl, const double *u)
+static void add_non_orthogonal(struct deferred_terms *d, struct fluid *fl,
+                               const double *u)
 {
-    fill_velocity_gradients(fl, u);
+    fill_velocity_gradients(d, fl, u);
     for (int f = 0; f < fl->mesh->n_internal; f++) {
         double rest[3];
         mesh_oblique_part(fl->mesh, f, rest);
         for (int k = 0; k < 3; k++)
-            add_to_both_cells(fl, f, k,
-                              fl->options.mu * non_orthogonal(fl, rest, f, k));
+            add_to_both_cells(
+                fl, f, k, fl->options.mu * non_orthogonal(d, fl, rest, f, k));
     }
 }
 
@@ -136,13 +133,64 @@ static const double *extrapolated(const struct fluid *fl)
     return to;
 }
 
-void deferred_correction_add(struct fluid *fl)
+static void add_to_momentum(struct deferred *self, struct fluid *fl)
 {
+    struct deferred_terms *const d = (struct deferred_terms *)self;
     const double *const known =
         fl->levels->u_known != NULL ? fl->levels->u_known : fl->u;
 
-    if (fl->options.convection->deferred != NULL) add_explicit_part(fl, known);
+    if (fl->options.convection->deferred != NULL)
+        add_explicit_part(d, fl, known);
     if (fl->mesh->oblique || fl->mesh->skewed)
-        add_non_orthogonal(fl, extrapolated(fl));
-    if (fl->mesh->skewed) skewness_add_convection(fl, known);
+        add_non_orthogonal(d, fl, extrapolated(fl));
+    if (fl->mesh->skewed) skewness_add_convection(d, fl, known);
 }
+
+static void add_to_fluxes(struct deferred *self, struct fluid *fl)
+{
+    struct deferred_terms *const d = (struct deferred_terms *)self;
+
+    if (fl->mesh->oblique) deferred_terms_add_oblique_fluxes(fl);
+    if (d->off != NULL) skewness_add_fluxes(d, fl);
+}
+
+static void set_gradient(struct deferred *self, struct fluid *fl)
+{
+    struct deferred_terms *const d = (struct deferred_terms *)self;
+
+    if (d->normal_equations == NULL) gradient_of_faces(fl);
+    if (d->off == NULL) return;
+    skewness_add_pressures(d, fl);
+    gradient_of_faces(fl);
+}
+
+static void release(struct deferred *self)
+{
+    struct deferred_terms *const d = (struct deferred_terms *)self;
+
+    free(d->slope);
+    free(d->u_boundary);
+    free(d->off);
+    free(d->normal_equations);
+    free(d);
+}
+
+static struct deferred *create(const struct fluid *fl)
+{
+    const struct mesh *const m = fl->mesh;
+    struct deferred_terms *d;
+
+    if (fl->options.convection->deferred == NULL && !m->oblique && !m->skewed)
+        return NULL;
+    d = alloc_zeroed(1, sizeof *d);
+    d->hooks = (struct deferred){add_to_momentum, add_to_fluxes, set_gradient,
+                                 release};
+    d->slope = alloc_doubles(9 * m->n_cells);
+    d->u_boundary = alloc_doubles(3 * (m->n_faces - m->n_internal));
+    d->off = skewness_of(m);
+    d->normal_equations = skewness_normal_equations(m, d->off);
+    return &d->hooks;
+}
+
+const struct deferred_kind deferred_correction = {"deferred correction",
+                                                  create};

@@ -15,7 +15,7 @@
 #ifndef FLUID_DEFERRED_SKEWNESS_H
 #define FLUID_DEFERRED_SKEWNESS_H
 
-#include "fluid/fluid.h"
+#include "fluid/deferred/deferred_terms.h"
 
 /* off of each face [m], 3 each, of a boundary face the part of the link along
  * the face; NULL, which the functions below are not called with, for a mesh
@@ -23,23 +23,18 @@
  * otherwise amplify themselves. */
 double *skewness_of(const struct mesh *m);
 
-/* From the centre of the cell to where the velocity of its boundary face holds
- * [m], 3 a boundary face (velocity_gradient.h): to the middle of the face at
- * walls and inlets. At slip walls and outlets the velocity is that of the cell,
- * and holds at the foot of its centre; NULL for a mesh without. */
-double *skewness_reach(const struct mesh *m, const struct boundary *b);
-
 /* The sums of d d / |d|^4 over the links of each cell [1/m^2], 6 each
  * (vector.h), of a boundary face with the part of the link normal to it; NULL
  * for a mesh without tetrahedra. */
 double *skewness_normal_equations(const struct mesh *m, const double *off);
 
 /* Adds the term to p_face, from the gradients of the linear values. */
-void skewness_add_pressures(struct fluid *fl);
+void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl);
 
 /* Adds it to the fluxes without the pressure; to the convection of the momentum
  * equation, as far as the scheme is of second order. */
-void skewness_add_fluxes(struct fluid *fl);
-void skewness_add_convection(struct fluid *fl, const double *u);
+void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl);
+void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
+                             const double *u);
 
 #endif

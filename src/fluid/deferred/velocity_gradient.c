@@ -153,12 +153,3 @@ const struct velocity_gradient_scheme velocity_gradient_least_squares = {
     .function = "least_squares",
     .fill = least_squares,
 };
-
-const struct velocity_gradient_scheme *
-velocity_gradient_scheme_named(const char *name)
-{
-    for (int i = 0; velocity_gradient_schemes[i] != NULL; i++)
-        if (strcmp(velocity_gradient_schemes[i]->name, name) == 0)
-            return velocity_gradient_schemes[i];
-    return NULL;
-}

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "output/folder.h"
+#include "output/folder_owner.h"
 #include "output/manifest/manifest.h"
 
 #include <assert.h>

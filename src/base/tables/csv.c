@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/csv.h"
+#include "base/tables/csv.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 
 static int is_gap(char c)
 {

@@ -4,8 +4,8 @@
  * writer blocks for ever, and a folder has no bytes, although fopen opens all
  * of them.
  */
-#ifndef BASE_INPUT_H
-#define BASE_INPUT_H
+#ifndef BASE_TABLES_INPUT_H
+#define BASE_TABLES_INPUT_H
 
 #include <stddef.h>
 

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 
 #include <stdlib.h>
 
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "case/case_materials.h"
+#include "case/case_part.h"
 #include "case/table_numbers.h"
 
 enum { MOST_NUMBERS = 16 }; /* of an effect */
@@ -56,7 +57,7 @@ struct attraction *case_cohesion_create(const struct settings *s, int *n)
     return all;
 }
 
-int case_cohesion_check(const struct settings *s)
+static int check(const struct settings *s)
 {
     double *const charge = alloc_doubles(count_materials(s));
     const struct attraction_scene scene = scene_of(s, charge);
@@ -73,3 +74,19 @@ int case_cohesion_check(const struct settings *s)
     free(charge);
     return code;
 }
+
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
+{
+    o->attractions = sim->attractions =
+        case_cohesion_create(s, &o->n_attractions);
+    return 0;
+}
+
+static void release(struct simulation *sim)
+{
+    free(sim->attractions);
+}
+
+const struct case_part case_cohesion_part = {
+    .check = check, .complete = complete, .free = release};

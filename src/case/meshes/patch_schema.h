@@ -4,8 +4,8 @@
  * own. So each row of <patch> is written out once for each of them. Then a
  * misspelt patch is an unknown key like any other, and finds the nearest.
  */
-#ifndef CASE_PATCH_SCHEMA_H
-#define CASE_PATCH_SCHEMA_H
+#ifndef CASE_MESHES_PATCH_SCHEMA_H
+#define CASE_MESHES_PATCH_SCHEMA_H
 
 #include "base/key.h"
 #include "mesh/mesh_form.h"

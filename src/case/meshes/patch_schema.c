@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "case/patch_schema.h"
+#include "case/meshes/patch_schema.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
  * and lines that begin with # are passed over, and so is the mark of UTF-8 with
  * which spreadsheets begin a file.
  */
-#ifndef BASE_CSV_H
-#define BASE_CSV_H
+#ifndef BASE_TABLES_CSV_H
+#define BASE_TABLES_CSV_H
 
 #define CSV_UTF_8 "\xef\xbb\xbf"
 
