@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_gaps.h"
 #include "resolved/body_turn.h"
 #include "resolved/fraction_methods.h"
 #include "resolved/hold.h"
@@ -40,6 +41,7 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
         *three[a] = alloc_doubles(3 * n);
     b->cells = cells;
     b->start = alloc_ints(n + 1);
+    b->near = alloc_ints(n);
     b->cell = alloc_ints(cells);
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
@@ -74,6 +76,7 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->start);
     free(b->cell);
     free(b->body_of);
+    free(b->near);
     free(b->hold);
     free(b->hold_u);
     free(b);
@@ -134,7 +137,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         free |= b->motion[i] == BODY_FREE;
         b->springs += b->motion[i] == BODY_SPRING;
-        b->blocks += b->shape[i].kind != BODY_SPHERE;
+        b->blocks += b->shape[i].kind != BODY_SPHERE || body_gaps_hung(b, i);
         b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
@@ -144,7 +147,8 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     /* To the dem of the spheres the others are points at their centres, which
      * no sphere comes to: block_contacts.h. */
     for (int i = 0; i < b->ps->n; i++)
-        if (b->shape[i].kind != BODY_SPHERE) b->ps->d[i] *= 1e-3;
+        if (b->shape[i].kind != BODY_SPHERE || body_gaps_hung(b, i))
+            b->ps->d[i] *= 1e-3;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }

@@ -24,6 +24,21 @@ run() {
     }
 }
 
+# As run, but not again where it is done; one that was interrupted goes on.
+once() {
+    to=$out/$1
+    shift
+    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
+    again=
+    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
+    echo "$*" >"$to.begun"
+    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
+        tail -n 3 "$to.log" >&2
+        exit 1
+    }
+    echo "$*" >"$to.done"
+}
+
 made() { # PART
     echo "# Made by: sh tests/validate/resolved.sh build/winnow $1"
 }
@@ -96,7 +111,7 @@ falls() {
     while read -r name rho mu measured end step; do
         for cells in "30,48,30 4.5" "50,80,50 7.5"; do
             mesh=${cells% *} per=${cells#* }
-            run "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
+            once "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
                 -s "fluid.density=$rho" -s "fluid.viscosity=$mu" \
                 -s "fluid.step=$step" -s "output.end=$end" -s output.every=10
             awk -F, -v name="$name" -v per="$per" -v dt="$step" -v U="$measured" '
@@ -107,9 +122,9 @@ falls() {
                 "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
         done
     done <<TABLE
-E1 970 0.373 0.0360 1.2 0.008
-E2 965 0.212 0.0572 1.2 0.008
-E3 962 0.113 0.0873 1.3 0.006
+E1 970 0.373 0.0360 2.4 0.008
+E2 965 0.212 0.0572 2.0 0.008
+E3 962 0.113 0.0873 1.5 0.006
 E4 960 0.058 0.1222 1.4 0.004
 TABLE
 }
@@ -140,21 +155,6 @@ densities() {
                 $out/density/bodies.csv
         done
     done
-}
-
-# As run, but not again where it is done; one that was interrupted goes on.
-once() {
-    to=$out/$1
-    shift
-    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
-    again=
-    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
-    echo "$*" >"$to.begun"
-    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
-        tail -n 3 "$to.log" >&2
-        exit 1
-    }
-    echo "$*" >"$to.done"
 }
 
 # NAME GRAINS CELLS STEP END: EW18's grains in a periodic box, 12 cells a diameter, in

@@ -13,6 +13,7 @@
 #include "output/vtk.h"
 #include "resolved/among/among_effect.h"
 #include "resolved/bodies_effect.h"
+#include "resolved/body_gaps.h"
 #include "resolved/among/surroundings.h"
 
 struct record {
@@ -22,6 +23,7 @@ struct record {
     struct table *table;
     struct series *pictures;
     struct vtk_writer *writer;
+    double *d;                          /* [m] as it is shown */
     struct surroundings_filter *filter; /* NULL: no such columns */
 };
 
@@ -153,6 +155,7 @@ static void release(void *record)
     table_free(r->table);
     series_free(r->pictures);
     vtk_writer_free(r->writer);
+    free(r->d);
     surroundings_free(r->filter);
     free(r);
 }
@@ -173,6 +176,7 @@ static void *create(const struct recorder_view *v, int *failed)
     r->table = create_table(r, v->folder);
     r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
     r->writer = vtk_writer_create();
+    r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;
     release(r);
     *failed = 1;
@@ -217,8 +221,11 @@ static int add_picture(void *record, double t)
     const struct solid_bodies *const b = r->bodies;
     const struct particles *const ps = b->ps;
     const double *const x[3] = {ps->x, ps->y, ps->z};
+
+    for (int i = 0; i < ps->n; i++)
+        r->d[i] = body_gaps_hung(b, i) ? 2.0 * b->shape[i].half[0] : ps->d[i];
     const struct vtk_array arrays[] = {
-        {.name = "diameter", .components = 1, .values = ps->d, .single = 1},
+        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
         {.name = "velocity",
          .components = 3,
          .split = {ps->vx, ps->vy, ps->vz},

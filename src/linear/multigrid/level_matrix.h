@@ -6,8 +6,8 @@
  * matrix times `unit`, and the outer iteration in double precision. Folders add
  * kinds that store the matrix for speed; without one it is stored by rows.
  */
-#ifndef LINEAR_LEVEL_MATRIX_H
-#define LINEAR_LEVEL_MATRIX_H
+#ifndef LINEAR_MULTIGRID_LEVEL_MATRIX_H
+#define LINEAR_MULTIGRID_LEVEL_MATRIX_H
 
 /* How a matrix is stored. `data` is what create returns. */
 struct level_matrix_kind {

@@ -14,7 +14,7 @@
  * because the mesh may be concave. Then all cells whose bounding boxes may
  * contain the point are tested.
  */
-#include "mesh/mesh.h"
+#include "mesh/poly/locate.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,6 +22,27 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/vector.h"
+
+/* The cells that may contain a point: a grid of bins, and for each bin the
+ * cells whose bounding boxes overlap it. */
+struct bins {
+    struct mesh_search search; /* the first member */
+    int n[3];
+    double inverse[3];   /* [1/m] of a bin's width */
+    int *start, *member; /* [-] the cells of a bin, ascending */
+    int *begin;          /* [-] the cell whose centre is nearest to that of the
+                            bin; or -1 */
+    double *plane;       /* [-], [m] beside cell_face, 4 each: the normal out of
+                            the cell, and its product with the face centre
+                            relative to this cell */
+    double tiny;  /* [m] a point that is less far beyond a face is inside */
+    double slack; /* [m] gaps between warped faces are no wider */
+};
+
+static struct bins *bins_of(const struct mesh *m)
+{
+    return (struct bins *)m->search;
+}
 
 /* The point of a walk, and the best cell so far. */
 struct walk {
@@ -35,7 +56,7 @@ struct walk {
 /* How far the point is beyond face a of the cell's list [m]. */
 static double beyond(const struct walk *w, int a)
 {
-    const double *const p = &w->m->bins->plane[4 * a];
+    const double *const p = &bins_of(w->m)->plane[4 * a];
     return p[0] * w->x[0] + p[1] * w->x[1] + p[2] * w->x[2] - p[3];
 }
 
@@ -44,7 +65,7 @@ static double beyond(const struct walk *w, int a)
 static int way_out(const struct walk *w, int c, double *most)
 {
     const struct mesh *const m = w->m;
-    double any = m->bins->tiny, inner = any;
+    double any = bins_of(m)->tiny, inner = any;
     int way = -1;
 
     for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
@@ -54,7 +75,7 @@ static int way_out(const struct walk *w, int c, double *most)
         inner = r;
         way = a;
     }
-    *most = any > m->bins->tiny ? any : 0.0;
+    *most = any > bins_of(m)->tiny ? any : 0.0;
     return way;
 }
 
@@ -113,7 +134,7 @@ static int walk_from(struct walk *w, int c)
 /* The bin of a point, or -1. */
 static int bin_of(const struct mesh *m, const double x[3])
 {
-    const struct mesh_bins *const b = m->bins;
+    const struct bins *const b = bins_of(m);
     int at[3];
 
     for (int k = 0; k < 3; k++) {
@@ -129,6 +150,7 @@ static int bin_of(const struct mesh *m, const double x[3])
 static int search_bin(struct walk *w, const double x[3])
 {
     const struct mesh *const m = w->m;
+    const struct bins *const b = bins_of(m);
     int images = 1;
 
     for (int i = 0; i < m->n_periods; i++)
@@ -141,18 +163,17 @@ static int search_bin(struct walk *w, const double x[3])
                 w->x[k] += (rest % 3 == 2 ? -1 : rest % 3) * m->period[i][k];
         const int bin = bin_of(m, w->x);
         if (bin < 0) continue;
-        for (int a = m->bins->start[bin]; a < m->bins->start[bin + 1]; a++) {
+        for (int a = b->start[bin]; a < b->start[bin + 1]; a++) {
             double excess;
-            way_out(w, m->bins->member[a], &excess);
-            try_cell(w, m->bins->member[a], excess);
+            way_out(w, b->member[a], &excess);
+            try_cell(w, b->member[a], excess);
         }
     }
-    return w->best >= 0 && w->excess <= m->bins->slack;
+    return w->best >= 0 && w->excess <= b->slack;
 }
 
-/* begin: a cell, or -1 for none. */
-static int locate_from(const struct mesh *m, int begin, const double x[3],
-                       double offset[3])
+int locate_from(const struct mesh *m, int begin, const double x[3],
+                double offset[3])
 {
     struct walk w = {.m = m, .best = -1};
 
@@ -169,7 +190,7 @@ static int locate_from(const struct mesh *m, int begin, const double x[3],
 static int begin_at(const struct mesh *m, const double x[3])
 {
     const int bin = bin_of(m, x);
-    return bin < 0 ? -1 : m->bins->begin[bin];
+    return bin < 0 ? -1 : bins_of(m)->begin[bin];
 }
 
 /* Moves the point by whole periods into or next to the mesh. */
@@ -184,37 +205,19 @@ static void fold(const struct mesh *m, const double x[3], double y[3])
         y[k] = m->n_periods > 0 ? o[k] + 0.5 * (m->lo[k] + m->hi[k]) : x[k];
 }
 
-int mesh_cell_and_offset(const struct mesh *m, const double x[3],
-                         double offset[3])
+/* The search that the mesh is given. */
+static int cell(const struct mesh *m, const double x[3], double offset[3])
 {
-    if (m->face_centre != NULL) {
-        double y[3];
-        fold(m, x, y);
-        return locate_from(m, begin_at(m, y), y, offset);
-    }
-    const int c = mesh_cell_at(m, x[0], x[1], x[2]);
-    for (int k = 0; k < 3 && c >= 0; k++) {
-        const double period = mesh_period(m, k);
-        offset[k] = x[k] - m->centre[3 * c + k];
-        if (period > 0.0) offset[k] -= period * rint(offset[k] / period);
-    }
-    return c;
-}
+    double y[3];
 
-int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
-                   double z)
-{
-    const double point[3] = {x, y, z};
-    double offset[3];
-
-    if (m->face_centre == NULL) return mesh_cell_at(m, x, y, z);
-    return locate_from(m, begin, point, offset);
+    fold(m, x, y);
+    return locate_from(m, begin_at(m, y), y, offset);
 }
 
 /* --- bins ----------------------------------------------------------------- */
 
 /* About as many bins as cells, as wide in each direction. */
-static void size_bins(const struct mesh *m, struct mesh_bins *b)
+static void size_bins(const struct mesh *m, struct bins *b)
 {
     double volume = 1.0;
 
@@ -234,7 +237,7 @@ static void size_bins(const struct mesh *m, struct mesh_bins *b)
 static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 {
     const struct mesh_shape *const s = m->shape;
-    const struct mesh_bins *const b = m->bins;
+    const struct bins *const b = bins_of(m);
 
     for (int k = 0; k < 3; k++) {
         double lo = INFINITY, hi = -INFINITY;
@@ -255,7 +258,7 @@ static void bins_of_cell(const struct mesh *m, int c, int first[3], int last[3])
 /* Counts the cells of each bin, or lists them. */
 static void fill_bins(const struct mesh *m, int *used)
 {
-    const struct mesh_bins *const b = m->bins;
+    const struct bins *const b = bins_of(m);
 
     for (int c = 0; c < m->n_cells; c++) {
         int first[3], last[3];
@@ -294,7 +297,7 @@ static void set_plane(const struct mesh *m, int a)
             ? m->periodic_index[f]
             : 0;
     const double *const S = &m->S[3 * f], area = vector_length(S);
-    double *const p = &m->bins->plane[4 * a];
+    double *const p = &bins_of(m)->plane[4 * a];
 
     for (int k = 0; k < 3; k++) {
         double x = m->face_centre[3 * f + k];
@@ -309,7 +312,7 @@ static void set_plane(const struct mesh *m, int a)
 /* The cell of each bin whose centre is nearest to that of the bin. */
 static void choose_begins(const struct mesh *m)
 {
-    struct mesh_bins *const b = m->bins;
+    struct bins *const b = bins_of(m);
 
     for (int bin = 0; bin < b->n[0] * b->n[1] * b->n[2]; bin++) {
         const int at[3] = {bin % b->n[0], bin / b->n[0] % b->n[1],
@@ -330,11 +333,23 @@ static void choose_begins(const struct mesh *m)
     }
 }
 
-void mesh_bins_create(struct mesh *m, double slack)
+static void release(struct mesh_search *search)
 {
-    struct mesh_bins *const b = alloc_zeroed(1, sizeof *b);
+    struct bins *const b = (struct bins *)search;
 
-    m->bins = b;
+    free(b->start);
+    free(b->member);
+    free(b->begin);
+    free(b->plane);
+    free(b);
+}
+
+void locate_create(struct mesh *m, double slack)
+{
+    struct bins *const b = alloc_zeroed(1, sizeof *b);
+
+    b->search = (struct mesh_search){cell, release};
+    m->search = &b->search;
     b->slack = slack;
     size_bins(m, b);
     const int bins = b->n[0] * b->n[1] * b->n[2];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/level_matrix.h"
+#include "linear/multigrid/level_matrix.h"
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
@@ -7,14 +7,12 @@
 #include "linear/reduce.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* The matrix by rows, in double. */
 struct rows {
     struct csr *A;
     double unit;    /* [1/coefficient] */
     float *inverse; /* one over the diagonal times unit; 0 for a row of zeros */
-    int *ends;      /* [-] the two unknowns of each link */
 };
 
 static void *create(int n, int n_links, const int *owner, const int *neighbour,
@@ -25,11 +23,6 @@ static void *create(int n, int n_links, const int *owner, const int *neighbour,
     (void)exact;
     m->A = csr_create(n, n_links, owner, neighbour);
     m->inverse = alloc_zeroed((size_t)n, sizeof *m->inverse);
-    m->ends = alloc_ints(2 * n_links);
-    for (int l = 0; l < n_links; l++) {
-        m->ends[2 * l] = owner[l];
-        m->ends[2 * l + 1] = neighbour[l];
-    }
     return m;
 }
 
@@ -40,7 +33,6 @@ static void release(void *data)
     if (m == NULL) return;
     csr_free(m->A);
     free(m->inverse);
-    free(m->ends);
     free(m);
 }
 
@@ -63,15 +55,7 @@ static void fill(void *data, const double *g, const double *sums, double unit)
     struct csr *const A = m->A;
 
     m->unit = unit;
-    memcpy(A->diag, sums, (size_t)A->n * sizeof *sums);
-    for (int l = 0; l < A->n_links; l++) {
-        const int i = m->ends[2 * l], j = m->ends[2 * l + 1];
-        const double entry = i == j ? 0.0 : g[l]; /* to itself: nothing */
-
-        A->a[A->upper[l]] = A->a[A->lower[l]] = -entry;
-        A->diag[i] += entry;
-        A->diag[j] += entry;
-    }
+    csr_set_diffusion(A, g, sums);
     for (int i = 0; i < A->n; i++)
         m->inverse[i] =
             A->diag[i] > 0.0 ? (float)(1.0 / (unit * A->diag[i])) : 0.0F;

@@ -5,8 +5,8 @@
  * singular system, such as that of the pressure between walls), its unknown is
  * set to zero, because a division would only amplify rounding errors.
  */
-#ifndef LINEAR_DENSE_H
-#define LINEAR_DENSE_H
+#ifndef LINEAR_MULTIGRID_DENSE_H
+#define LINEAR_MULTIGRID_DENSE_H
 
 struct dense;
 

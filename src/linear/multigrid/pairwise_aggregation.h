@@ -10,10 +10,10 @@
  * as wide (semi-coarsening), because the smoother alone converges slowly in
  * that direction.
  */
-#ifndef LINEAR_PAIRWISE_AGGREGATION_H
-#define LINEAR_PAIRWISE_AGGREGATION_H
+#ifndef LINEAR_MULTIGRID_PAIRWISE_AGGREGATION_H
+#define LINEAR_MULTIGRID_PAIRWISE_AGGREGATION_H
 
-#include "linear/graph.h"
+#include "linear/multigrid/graph.h"
 
 /* The next coarser graph, with parent and coarse link as in graph_aggregated.
  */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/level.h"
+#include "linear/multigrid/level.h"
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"

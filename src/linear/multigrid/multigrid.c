@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/multigrid.h"
+#include "linear/multigrid/multigrid.h"
 
 #include "base/alloc.h"
-#include "linear/dense.h"
-#include "linear/level.h"
-#include "linear/pairwise_aggregation.h"
+#include "linear/multigrid/dense.h"
+#include "linear/multigrid/level.h"
+#include "linear/multigrid/pairwise_aggregation.h"
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -111,34 +112,23 @@ static void factor_coarsest(struct multigrid *mg)
     dense_factor(mg->coarsest);
 }
 
+/* The root of the mean of x_i^2. */
+static double rms(int n, const double *x)
+{
+    return sqrt(reduce_dot(n, x, x) / n);
+}
+
 void multigrid_set_coefficients(struct multigrid *mg, const double *g,
                                 const double *sums)
 {
     struct level *const v = mg->level;
 
-    mg->unit = 1.0 / (v->n_links > 0 ? reduce_rms(v->n_links, g)
-                                     : reduce_rms(v->n, sums));
+    mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g)
+                                     : rms(v->n, sums));
     level_set_fine(v, g, sums, mg->unit);
     for (int k = 1; k < mg->n_levels; k++)
         level_galerkin_coarsen(&v[k], &v[k - 1], mg->unit);
     if (mg->coarsest != NULL) factor_coarsest(mg);
-}
-
-void multigrid_update(struct multigrid *mg, const struct csr *A)
-{
-    double *const g = alloc_doubles(A->n_links);
-    double *const sums = alloc_doubles(A->n);
-
-    for (int l = 0; l < A->n_links; l++)
-        g[l] = -A->a[A->upper[l]];
-    for (int i = 0; i < A->n; i++) {
-        sums[i] = A->diag[i];
-        for (int e = A->start[i]; e < A->start[i + 1]; e++)
-            sums[i] += A->a[e];
-    }
-    multigrid_set_coefficients(mg, g, sums);
-    free(g);
-    free(sums);
 }
 
 /* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */
@@ -241,7 +231,7 @@ static double copy_out(int first, int last, const float *y, double scale,
 double multigrid_apply(struct multigrid *mg, const double *r, double *z)
 {
     struct level *const v = mg->level;
-    const double scale = reduce_rms(v->n, r);
+    const double scale = rms(v->n, r);
     double rz;
 
     if (scale > 0.0) {
@@ -267,3 +257,38 @@ int multigrid_unknowns(const struct multigrid *mg, int level)
 {
     return mg->level[level].n;
 }
+
+static void *create(int n, int n_links, const int *owner, const int *neighbour,
+                    const double *strength, const double *link, const double *V)
+{
+    return multigrid_create(n, n_links, owner, neighbour, strength, link, V);
+}
+
+static void release(void *matrix)
+{
+    multigrid_free(matrix);
+}
+
+static void set(void *matrix, const double *g, const double *sums)
+{
+    multigrid_set_coefficients(matrix, g, sums);
+}
+
+static double multiply(const void *matrix, const double *x, double *y)
+{
+    return multigrid_multiply(matrix, x, y);
+}
+
+static double apply(void *matrix, const double *r, double *z)
+{
+    return multigrid_apply(matrix, r, z);
+}
+
+const struct preconditioned_kind multigrid_preconditioned = {
+    .name = "multigrid",
+    .create = create,
+    .free = release,
+    .set = set,
+    .multiply = multiply,
+    .apply = apply,
+};

@@ -11,12 +11,15 @@
  * smoother consists of matrix products only, so it is parallel, vectorised, and
  * gives the same bits for any number of threads.
  */
-#ifndef LINEAR_MULTIGRID_H
-#define LINEAR_MULTIGRID_H
+#ifndef LINEAR_MULTIGRID_MULTIGRID_H
+#define LINEAR_MULTIGRID_MULTIGRID_H
 
-#include "linear/csr.h"
+#include "linear/preconditioned.h"
 
 struct multigrid;
+
+/* The preconditioner whose matrix is a struct multigrid. */
+extern const struct preconditioned_kind multigrid_preconditioned;
 
 /* Aggregates for the unknowns and links of a csr (same order). V and the
  * arrays of links are borrowed during the call only. */
@@ -27,11 +30,7 @@ struct multigrid *multigrid_create(int n, int n_links, const int *owner,
                                    const double *V);       /* [m^3] */
 void multigrid_free(struct multigrid *mg);
 
-/* Sets the coefficients from those of A: symmetric, positive definite, entries
- * off the diagonal <= 0, rows weakly diagonally dominant. */
-void multigrid_update(struct multigrid *mg, const struct csr *A);
-
-/* The same from the coefficients g of the links, entries -g off the diagonal,
+/* Sets the coefficients: g of the links, with the entries -g off the diagonal,
  * and the sums of the rows; both >= 0. */
 void multigrid_set_coefficients(struct multigrid *mg, const double *g,
                                 const double *sums);

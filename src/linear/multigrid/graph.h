@@ -2,8 +2,8 @@
  * cells are aggregates of cells.
  * Chapter "Linear solvers".
  */
-#ifndef LINEAR_GRAPH_H
-#define LINEAR_GRAPH_H
+#ifndef LINEAR_MULTIGRID_GRAPH_H
+#define LINEAR_MULTIGRID_GRAPH_H
 
 struct graph {
     int n, n_links;

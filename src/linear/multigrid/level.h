@@ -2,12 +2,12 @@
  * the unknowns and links of the finer level to its own.
  * Chapter "Linear solvers".
  */
-#ifndef LINEAR_LEVEL_H
-#define LINEAR_LEVEL_H
+#ifndef LINEAR_MULTIGRID_LEVEL_H
+#define LINEAR_MULTIGRID_LEVEL_H
 
 #include "linear/csr.h"
-#include "linear/graph.h"
-#include "linear/level_matrix.h"
+#include "linear/multigrid/graph.h"
+#include "linear/multigrid/level_matrix.h"
 
 /* A sum over members: entry i is the sum of the members list[start[i]] ..
  * list[start[i + 1] - 1], each times its weight. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/skewness.h"
+#include "fluid/deferred/skewness.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -60,24 +60,24 @@ double *skewness_normal_equations(const struct mesh *m, const double *off)
 
 /* The slope of p by least squares, with the pressures of boundary faces as they
  * are. */
-static void pressure_slopes(int first, int last, struct fluid *fl)
+static void pressure_slopes(int first, int last, const struct deferred_terms *d,
+                            struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct face_geometry *const g = fl->geometry;
 
     for (int c = first; c < last; c++) {
-        double right[3] = {0.0, 0.0, 0.0}, d[3];
+        double right[3] = {0.0, 0.0, 0.0}, link[3];
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++) {
             const int f = m->cell_face[a];
             const double beyond = f >= m->n_internal ? fl->p_face[f]
                                   : m->owner[f] == c ? fl->p[m->neighbour[f]]
                                                      : fl->p[m->owner[f]];
-            link_of(m, g->off, c, f, d);
-            const double square = vector_dot(d, d);
-            vector_along(right, (beyond - fl->p[c]) / (square * square), d,
+            link_of(m, d->off, c, f, link);
+            const double square = vector_dot(link, link);
+            vector_along(right, (beyond - fl->p[c]) / (square * square), link,
                          right);
         }
-        vector_solve(&g->normal_equations[6 * c], right, &fl->grad_p[3 * c]);
+        vector_solve(&d->normal_equations[6 * c], right, &fl->grad_p[3 * c]);
         vector_along(&fl->grad_p[3 * c], 1.0, fl->mean_gradient,
                      &fl->grad_p[3 * c]);
     }
@@ -85,33 +85,35 @@ static void pressure_slopes(int first, int last, struct fluid *fl)
 
 /* off . grad x of a face inside, linear between the cells; per: numbers of
  * slope a cell. */
-static inline double skew_term(const struct fluid *fl, const double *slope,
+static inline double skew_term(const struct deferred_terms *d,
+                               const struct mesh *m, const double *slope,
                                int per, int f, int o, int n)
 {
-    const double w = fl->mesh->w[f], *const off = &fl->geometry->off[3 * f];
+    const double w = m->w[f], *const off = &d->off[3 * f];
 
     return w * vector_dot(&slope[per * o], off) +
            (1.0 - w) * vector_dot(&slope[per * n], off);
 }
 
-FACE_KERNEL inner_pressure(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL inner_pressure(int f, int o, int n, const struct deferred_terms *d,
+                           const struct fluid *fl)
 {
-    fl->p_face[f] += skew_term(fl, fl->grad_p, 3, f, o, n) -
-                     vector_dot(fl->mean_gradient, &fl->geometry->off[3 * f]);
+    fl->p_face[f] += skew_term(d, fl->mesh, fl->grad_p, 3, f, o, n) -
+                     vector_dot(fl->mean_gradient, &d->off[3 * f]);
 }
 
-void skewness_add_pressures(struct fluid *fl)
+void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
 
-    if (fl->geometry->normal_equations != NULL)
-        PARALLEL_RANGES(m->n_cells, 30, pressure_slopes, fl);
-    FOR_EACH_FACE(fl->faces, 12, inner_pressure, fl);
+    if (d->normal_equations != NULL)
+        PARALLEL_RANGES(m->n_cells, 30, pressure_slopes, d, fl);
+    FOR_EACH_FACE(fl->faces, 12, inner_pressure, d, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) continue;
         for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const off = &fl->geometry->off[3 * f];
+            const double *const off = &d->off[3 * f];
             fl->p_face[f] += vector_dot(&fl->grad_p[3 * m->owner[f]], off) -
                              vector_dot(fl->mean_gradient, off);
         }
@@ -121,10 +123,11 @@ void skewness_add_pressures(struct fluid *fl)
 /* The time derivative at the face contains the old flux as it is: the share of
  * the term that the other forces bring is 1 - m_f c_f, which is all of it in a
  * steady flow, for any step. */
-FACE_KERNEL inner_flux(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred_terms *d,
+                       const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
-    const double *const slope = fl->momentum->velocity_gradient;
+    const double *const slope = d->slope;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
     const double eps = w * fl->eps[o] + (1.0 - w) * fl->eps[n];
     double per_flux =
@@ -135,7 +138,7 @@ FACE_KERNEL inner_flux(int f, int o, int n, const struct fluid *fl)
         per_flux += (1.0 - w) * pressure_older_per_flux(fl, o) +
                     w * pressure_older_per_flux(fl, n);
     for (int k = 0; k < 3; k++)
-        flux += S[k] * skew_term(fl, slope + 3 * k, 9, f, o, n);
+        flux += S[k] * skew_term(d, fl->mesh, slope + 3 * k, 9, f, o, n);
     fl->phi[f] += (1.0 - pressure->m_face[f] * per_flux) * eps * flux;
 }
 
@@ -155,10 +158,12 @@ static double resistance_of_neighbours(const struct fluid *fl, int c)
  * m_N. That is right for drag and inertia, which are forces of one cell. For
  * those of the neighbours it replaces this mean by the linear one less the
  * height of a parabola's chord, w (1 - w) (grad u_N - grad u_P) . d / 2. */
-FACE_KERNEL inner_mean(int f, int o, int n, const struct fluid *fl)
+FACE_KERNEL inner_mean(int f, int o, int n, const struct deferred_terms *d,
+                       const struct fluid *fl)
 {
-    const double *const slope = fl->momentum->velocity_gradient;
-    const double *const d = &fl->mesh->d[3 * f], *const S = &fl->mesh->S[3 * f];
+    const double *const slope = d->slope;
+    const double *const link = &fl->mesh->d[3 * f], *const S =
+                                                        &fl->mesh->S[3 * f];
     const double w = fl->mesh->w[f];
     const double r_o = (1.0 - w) * resistance_of_neighbours(fl, o);
     const double r_n = w * resistance_of_neighbours(fl, n);
@@ -166,8 +171,8 @@ FACE_KERNEL inner_mean(int f, int o, int n, const struct fluid *fl)
     double difference = 0.0, chord = 0.0;
 
     for (int k = 0; k < 3; k++) {
-        const double bend = vector_dot(&slope[9 * n + 3 * k], d) -
-                            vector_dot(&slope[9 * o + 3 * k], d);
+        const double bend = vector_dot(&slope[9 * n + 3 * k], link) -
+                            vector_dot(&slope[9 * o + 3 * k], link);
         chord += S[k] * 0.5 * w * (1.0 - w) * bend;
         difference += S[k] * (fl->eps[n] * fl->u[3 * n + k] -
                               fl->eps[o] * fl->u[3 * o + k]);
@@ -177,11 +182,11 @@ FACE_KERNEL inner_mean(int f, int o, int n, const struct fluid *fl)
         (((1.0 - w) * r_o - w * r_n) * difference - (r_o + r_n) * eps * chord);
 }
 
-void skewness_add_fluxes(struct fluid *fl)
+void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl)
 {
-    FOR_EACH_FACE(fl->faces, 24, inner_flux, fl);
-    if (fl->geometry->normal_equations != NULL)
-        FOR_EACH_FACE(fl->faces, 32, inner_mean, fl);
+    FOR_EACH_FACE(fl->faces, 24, inner_flux, d, fl);
+    if (d->normal_equations != NULL)
+        FOR_EACH_FACE(fl->faces, 32, inner_mean, d, fl);
 }
 
 /* The share of linear in the weights of a scheme of two cells [-]. */
@@ -194,28 +199,28 @@ static double linear_share(const struct fluid *fl, int f, double upwind)
 
 /* The term of component k for a scheme that looks upstream, at most as much of
  * it as the scheme takes of the slope along the link. */
-static double skew_term_upstream(const struct fluid *fl, const double *u, int f,
+static double skew_term_upstream(const struct deferred_terms *d,
+                                 const struct fluid *fl, const double *u, int f,
                                  int with, int k)
 {
     const struct mesh *const m = fl->mesh;
     const int o = m->owner[f], n = m->neighbour[f];
     const double sign = with ? 1.0 : -1.0;
-    const double *const slope =
-        &fl->momentum->velocity_gradient[9 * (with ? o : n) + 3 * k];
+    const double *const slope = &d->slope[9 * (with ? o : n) + 3 * k];
     const double reach = with ? 1.0 - m->w[f] : m->w[f];
     const double rise = sign * vector_dot(slope, &m->d[3 * f]);
     const double taken = fl->options.convection->deferred(
         sign * (u[3 * n + k] - u[3 * o + k]), rise, reach);
     const double share = rise != 0.0 ? taken / (reach * rise) : 0.0;
 
-    return fmax(0.0, fmin(share, 1.0)) *
-           vector_dot(slope, &fl->geometry->off[3 * f]);
+    return fmax(0.0, fmin(share, 1.0)) * vector_dot(slope, &d->off[3 * f]);
 }
 
-void skewness_add_convection(struct fluid *fl, const double *u)
+void skewness_add_convection(const struct deferred_terms *d, struct fluid *fl,
+                             const double *u)
 {
     const struct mesh *const m = fl->mesh;
-    const double *const slope = fl->momentum->velocity_gradient;
+    const double *const slope = d->slope;
     double *const b = fl->momentum->b;
 
     for (int f = 0; f < m->n_internal; f++) {
@@ -225,9 +230,9 @@ void skewness_add_convection(struct fluid *fl, const double *u)
         for (int k = 0; k < 3; k++) {
             const double term =
                 fl->options.convection->deferred != NULL
-                    ? skew_term_upstream(fl, u, f, with, k)
+                    ? skew_term_upstream(d, fl, u, f, with, k)
                     : linear_share(fl, f, with) *
-                          skew_term(fl, slope + 3 * k, 9, f, o, n);
+                          skew_term(d, fl->mesh, slope + 3 * k, 9, f, o, n);
             const double force = -fl->options.rho * phi * term; /* [N] */
             b[3 * o + k] += force;
             b[3 * n + k] -= force;
