@@ -67,7 +67,7 @@ static int add_row(struct recorder *r)
         if (effects[i].effect->columns != NULL)
             n += effects[i].effect->columns->row(effects[i].memory, r->sim,
                                                  &row[n]);
-    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
+    return table_add(r->history, row) != 0;
 }
 
 static int add_fields(struct recorder *r)
@@ -92,13 +92,21 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         recorder_take_snapshots(r);
         processes_join(r->sim, PROCESSES_ROW);
-        const int failed = add_row(r);
+        const int failed = add_row(r) != 0 || recorder_part_row(&r->parts) != 0;
         processes_join(r->sim, PROCESSES_ROW_DONE);
         if (failed) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     recorder_take_snapshots(r);
     return add_fields(r);
+}
+
+int recorder_last_row(struct recorder *r)
+{
+    if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
+        return 0;
+    recorder_take_snapshots(r);
+    return add_row(r) != 0 || recorder_part_last_row(&r->parts) != 0;
 }
 
 int recorder_last_state(struct recorder *r)

@@ -174,6 +174,7 @@ static int finish(struct run *run, int code)
     if (code != NOT_WRITTEN && run->saver != NULL &&
         run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
+    if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, run->why), code) != 0)

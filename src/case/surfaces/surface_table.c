@@ -109,5 +109,8 @@ static int add_row(void *part)
     return table_add(t->table, t->row);
 }
 
-const struct recorder_part surface_table_part = {
-    .create = create, .free = release, .row = add_row, .state = visit};
+const struct recorder_part surface_table_part = {.create = create,
+                                                 .free = release,
+                                                 .row = add_row,
+                                                 .last_row = add_row,
+                                                 .state = visit};
