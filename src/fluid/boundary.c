@@ -47,14 +47,6 @@ static const struct key wall_keys[] = {
      "velocity of a no-slip wall that moves along itself", "", ""},
     KEY_END};
 
-static const struct key rotation_keys[] = {
-    {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
-     "angular velocity of a no-slip wall that rotates within its own surface",
-     "", ""},
-    {"fluid.<patch>.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
-     "a point on the axis of the rotation", "", ""},
-    KEY_END};
-
 static const struct key pressure_keys[] = {
     {"fluid.<patch>.pressure", KEY_REAL, "Pa", "", KEY_OPTIONAL,
      "pressure of an inlet, without the weight of the fluid: what enters has "
@@ -108,15 +100,6 @@ const struct model boundary_outlet = {
     .function = "pressure_correct",
     .keys = {outlet_keys},
     .value = BOUNDARY_OUTLET,
-};
-
-const struct model boundary_rotating = {
-    .name = "rotating",
-    .what = "a wall that rotates about an axis and takes the fluid with it",
-    .equations = "",
-    .function = "boundary_wall_velocity",
-    .keys = {rotation_keys},
-    .value = BOUNDARY_NO_SLIP,
 };
 
 const struct model boundary_pressure = {
