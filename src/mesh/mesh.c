@@ -186,11 +186,7 @@ void mesh_collect_faces(struct mesh *m)
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    const double ratio = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-                         (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
-
-    for (int k = 0; k < 3; k++)
-        rest[k] = S[k] - ratio * d[k];
+    vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, rest);
 }
 
 void mesh_off_middle(const struct mesh *m, int f, double off[3])
@@ -220,7 +216,7 @@ double mesh_openness(const struct mesh *m)
             const double *const S = &m->S[3 * m->cell_face[a]];
             for (int k = 0; k < 3; k++)
                 sum[k] += m->out[a] * S[k];
-            surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+            surface += vector_length(S);
         }
         const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
         if (surface > 0.0) worst = fmax(worst, open / surface);
