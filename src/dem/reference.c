@@ -134,12 +134,8 @@ static struct touch *touch_with(struct reference *r, int i, int partner)
 
     if (now->n == now->capacity) {
         now->capacity = 2 * now->capacity + 64;
-        struct touch *const larger =
-            alloc_zeroed((size_t)now->capacity, sizeof *larger);
-        if (now->n > 0)
-            memcpy(larger, now->list, (size_t)now->n * sizeof *larger);
-        free(now->list);
-        now->list = larger;
+        now->list =
+            alloc_grown(now->list, now->n, now->capacity, sizeof *now->list);
     }
     struct touch *const touch = &now->list[now->n++];
     *touch = (struct touch){.partner = partner};
@@ -186,7 +182,7 @@ static void add_contact(struct reference *r, int i, int partner,
         rolling_friction(&c, law.k_t, touch->roll_angle, dt, M, r->energy);
     add_loads(&c, M);
     note_overlap(r, &c, i, partner);
-    r->energy->normal += r->options->law->stored * law.elastic * c.delta;
+    r->energy->normal += law.stored;
     r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
 }
 

@@ -121,6 +121,7 @@ struct fluid {
     struct face_jump *jump;
     struct time_levels *levels;
     struct face_geometry *geometry;
+    struct deferred *deferred; /* explicit terms of gradients; NULL: none */
     struct immersed *immersed; /* bodies that hold the fluid; NULL: none */
 };
 

@@ -13,9 +13,9 @@
 #include <stddef.h>
 
 #include "linear/face_loops.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3
@@ -115,13 +115,17 @@ static void gradient_rows(int first, int last, struct fluid *fl)
     }
 }
 
+void gradient_of_faces(struct fluid *fl)
+{
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+}
+
 void gradient_update(struct fluid *fl)
 {
     inner_pressures(fl);
     boundary_pressures(fl);
-    if (fl->geometry->normal_equations == NULL)
-        PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
-    if (fl->geometry->off == NULL) return;
-    skewness_add_pressures(fl);
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+    if (fl->deferred != NULL)
+        fl->deferred->set_gradient(fl->deferred, fl);
+    else
+        gradient_of_faces(fl);
 }

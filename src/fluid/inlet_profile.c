@@ -2,17 +2,11 @@
 #include "fluid/inlet_profile.h"
 
 #include <stddef.h>
-#include <string.h>
 
 #include "base/alloc.h"
+#include "base/model.h"
 
-const struct inlet_profile *inlet_profile_named(const char *name)
-{
-    for (int i = 0; inlet_profiles[i] != NULL; i++)
-        if (strcmp(inlet_profiles[i]->name, name) == 0)
-            return inlet_profiles[i];
-    return NULL;
-}
+MODEL_NAMED(inlet_profile)
 
 static int uniform(const struct inlet_request *r, struct boundary *b,
                    char wrong[INLET_PROFILE_TEXT])

@@ -18,6 +18,7 @@
 
 #include "linear/face_loops.h"
 #include "linear/vec3.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
@@ -226,7 +227,7 @@ void momentum_assemble(struct fluid *fl)
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);
     }
-    if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->deferred != NULL) fl->deferred->add_to_momentum(fl->deferred, fl);
     if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

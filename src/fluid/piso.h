@@ -10,9 +10,6 @@
 struct face_geometry {
     double *SS, *Sd;          /* [m^2], [m^3] S.S and S.d of the faces */
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
-    double *off;              /* [m] of skewness.h; NULL for a mesh without */
-    double *normal_equations; /* [1/m^2] of least squares, likewise; NULL
-                                 without tetrahedra */
 };
 
 /* systems.c: creates and frees all arrays and systems of a fluid, for its mesh

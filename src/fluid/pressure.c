@@ -23,10 +23,10 @@
 
 #include "linear/face_loops.h"
 #include "linear/reduce.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 static inline double dot3(const double *a, const double *b)
@@ -182,8 +182,8 @@ void pressure_assemble(struct fluid *fl)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
     if (fl->options.shared == NULL)
-        multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                                   pressure->boundary_conductance);
+        preconditioned_set(pressure->matrix, pressure->conductance,
+                           pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -199,53 +199,6 @@ FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
                                         from_n * dot3(&H[3 * n], S));
 }
 
-/* The pressure gradient that balances the momentum equation of a cell [Pa/m]
- * with the present velocities of its neighbours. */
-static void balancing_gradient(const struct fluid *fl, int c, double slope[3])
-{
-    const struct momentum_system *const momentum = fl->momentum;
-
-    for (int k = 0; k < 3; k++) {
-        const int i = 3 * c + k;
-        slope[k] = (momentum->H[i] + fl->levels->old_time_source[i] -
-                    momentum->diag[c] * fl->u[i]) *
-                       fl->pressure->per_force[c] -
-                   fl->mean_gradient[k];
-    }
-}
-
-/* S - d S.S / S.d, but not longer than two areas, as it is on links at 63
- * degrees to the normal: beyond, it would amplify itself from corrector to
- * corrector in flat tetrahedra. What is left out of the flux is of the order of
- * the square of the mesh width. */
-static void oblique_part(const struct fluid *fl, int f, double rest[3])
-{
-    const double most = 2.0; /* [-] */
-
-    mesh_oblique_part(fl->mesh, f, rest);
-    const double square =
-        dot3(rest, rest) / (most * most * fl->geometry->SS[f]);
-    for (int k = 0; k < 3 && square > 1.0; k++)
-        rest[k] /= sqrt(square);
-}
-
-/* The non-orthogonal part of grad p . S, linear between the cells. With the
- * gradient of the last correction, and cells strongly coupled by viscosity, the
- * correctors would diverge for a shear above 1/sqrt(8): their factor solves x^2
- * + 2 r x - r = 0, with r the fraction of the non-orthogonal part. With the
- * gradient that balances the momentum equation the factor is -r. */
-FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
-{
-    const double w = fl->mesh->w[f];
-    double rest[3], a[3], b[3];
-
-    oblique_part(fl, f, rest);
-    balancing_gradient(fl, o, a);
-    balancing_gradient(fl, n, b);
-    fl->phi[f] -= fl->pressure->m_face[f] *
-                  (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
-}
-
 /* phi without the part of the pressure. The fluxes of walls and inlets are
  * given. */
 static void predicted_fluxes(struct fluid *fl)
@@ -255,8 +208,7 @@ static void predicted_fluxes(struct fluid *fl)
 
     FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
-    if (m->oblique) FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
-    if (fl->geometry->off != NULL) skewness_add_fluxes(fl);
+    if (fl->deferred != NULL) fl->deferred->add_to_fluxes(fl->deferred, fl);
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
         for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
@@ -363,10 +315,9 @@ struct solve_report pressure_correct(struct fluid *fl)
     const double absolute = fl->options.tolerance * pressure->scale;
     const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        shared != NULL
-            ? shared->pressure(shared->parts, fl, relative, absolute)
-            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                        relative, absolute, 500, pressure->cg);
+        shared != NULL ? shared->pressure(shared->parts, fl, relative, absolute)
+                       : cg_solve(pressure->matrix, pressure->divergence, fl->p,
+                                  relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -9,10 +9,10 @@
 
 #include "base/alloc.h"
 #include "linear/faces.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
-#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 static int has(const struct fluid *fl, enum boundary_kind kind)
@@ -49,7 +49,7 @@ static int two_steps(const struct fluid_options *o)
 }
 
 /* What an array has its numbers for, and when it is needed. */
-enum place { CELL, FACE, INNER_FACE, BOUNDARY_FACE, PLACES };
+enum place { CELL, FACE, INNER_FACE, PLACES };
 enum need {
     ALWAYS,
     COUPLED,    /* with particles */
@@ -58,7 +58,6 @@ enum need {
     SLIP_WALLS, /* at least one */
     TWO_STEPS,  /* in a two-step scheme */
     OWN_FLUX,   /* if momentum is not convected by the last step's flux */
-    GRADIENTS,  /* if a scheme uses more than two cells */
     NEEDS
 };
 
@@ -100,8 +99,6 @@ static int list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
         {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
         {&fl->momentum->owner_weight, 1, INNER_FACE, ALWAYS},
-        {&fl->momentum->velocity_gradient, 9, CELL, GRADIENTS},
-        {&fl->momentum->u_boundary, 3, BOUNDARY_FACE, GRADIENTS},
         {&fl->pressure->per_force, 1, CELL, ALWAYS},
         {&fl->pressure->resistance, 1, CELL, ALWAYS},
         {&fl->pressure->per_flux, 1, CELL, ALWAYS},
@@ -139,18 +136,15 @@ static void allocate_arrays(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     const struct fluid_options *const o = &fl->options;
     const int biased = piso_nondissipative(fl);
-    const int count[PLACES] = {[CELL] = m->n_cells,
-                               [FACE] = m->n_faces,
-                               [INNER_FACE] = m->n_internal,
-                               [BOUNDARY_FACE] = m->n_faces - m->n_internal};
+    const int count[PLACES] = {
+        [CELL] = m->n_cells, [FACE] = m->n_faces, [INNER_FACE] = m->n_internal};
     const int needed[NEEDS] = {[ALWAYS] = 1,
                                [COUPLED] = o->coupled,
                                [BIASED] = biased,
                                [SMOOTH] = biased && o->pressure_shared,
                                [SLIP_WALLS] = has(fl, BOUNDARY_SLIP),
                                [TWO_STEPS] = two_steps(o),
-                               [OWN_FLUX] = ddt_uses_new_time(o),
-                               [GRADIENTS] = deferred_correction_exists(fl)};
+                               [OWN_FLUX] = ddt_uses_new_time(o)};
     struct array list[MOST_ARRAYS];
     const int n = list_arrays(fl, list);
 
@@ -207,17 +201,16 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
-    fl->geometry->off = skewness_of(m);
-    fl->geometry->normal_equations =
-        skewness_normal_equations(m, fl->geometry->off);
+    for (int i = 0; deferred_kinds[i] != NULL && fl->deferred == NULL; i++)
+        fl->deferred = deferred_kinds[i]->create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     if (fl->options.shared == NULL)
-        fl->pressure->mg =
-            multigrid_create(n, m->n_internal, m->owner, m->neighbour,
-                             fl->geometry->face_coefficient, m->d, m->V);
+        fl->pressure->matrix =
+            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
+                                  fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }
@@ -226,8 +219,9 @@ void systems_free(struct fluid *fl)
 {
     ldu_free(fl->momentum->matrix);
     bicgstab_work_free(fl->momentum->bicgstab);
-    multigrid_free(fl->pressure->mg);
+    preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
+    if (fl->deferred != NULL) fl->deferred->free(fl->deferred);
     free_arrays(fl);
     faces_release(fl->faces);
     free(fl->faces);
@@ -235,7 +229,5 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
-    free(fl->geometry->off);
-    free(fl->geometry->normal_equations);
     free(fl->geometry);
 }

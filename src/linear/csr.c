@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Room for the entries of each row: every link has one in both its rows. */
 static void count_rows(struct csr *A, const int *owner, const int *neighbour)
@@ -92,6 +93,19 @@ void csr_free(struct csr *A)
     free(A->upper);
     free(A->lower);
     free(A);
+}
+
+void csr_set_diffusion(struct csr *A, const double *g, const double *sums)
+{
+    memcpy(A->diag, sums, (size_t)A->n * sizeof *sums);
+    for (int l = 0; l < A->n_links; l++) {
+        const int owner = A->col[A->lower[l]], neighbour = A->col[A->upper[l]];
+        const double entry = owner == neighbour ? 0.0 : g[l];
+
+        A->a[A->upper[l]] = A->a[A->lower[l]] = -entry;
+        A->diag[owner] += entry;
+        A->diag[neighbour] += entry;
+    }
 }
 
 static void rows(int first, int last, const struct csr *A, const double *x,

@@ -32,6 +32,12 @@ struct csr *csr_create(int n, int n_links, const int *owner,
                        const int *neighbour);
 void csr_free(struct csr *A);
 
+/* Makes A a matrix of diffusion: the entry -g[l] for each link l, except for
+ * one that joins a cell to itself, and a diagonal such that the row sums are
+ * `sums`.
+ */
+void csr_set_diffusion(struct csr *A, const double *g, const double *sums);
+
 /* y = A x. x and y do not overlap, here and below. */
 void csr_multiply(const struct csr *A, const double *x, double *y);
 

@@ -22,16 +22,6 @@ static void shape_free(struct mesh_shape *s)
     free(s);
 }
 
-static void bins_free(struct mesh_bins *b)
-{
-    if (b == NULL) return;
-    free(b->start);
-    free(b->member);
-    free(b->begin);
-    free(b->plane);
-    free(b);
-}
-
 void mesh_free(struct mesh *m)
 {
     if (m == NULL || m->reference_count-- > 0) return;
@@ -49,7 +39,7 @@ void mesh_free(struct mesh *m)
     free(m->face_centre);
     free(m->periodic_index);
     shape_free(m->shape);
-    bins_free(m->bins);
+    if (m->search != NULL) m->search->free(m->search);
     for (int k = 0; k < 3; k++)
         free(m->box.edge[k]);
     free(m);
@@ -104,7 +94,7 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
     double offset[3];
     int at[3];
 
-    if (m->face_centre != NULL) return mesh_cell_and_offset(m, point, offset);
+    if (m->search != NULL) return m->search->cell(m, point, offset);
     for (int k = 0; k < 3; k++) {
         const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
         const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];
@@ -112,6 +102,19 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
         if (at[k] < 0) return -1;
     }
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
+}
+
+int mesh_cell_and_offset(const struct mesh *m, const double x[3],
+                         double offset[3])
+{
+    if (m->search != NULL) return m->search->cell(m, x, offset);
+    const int c = mesh_cell_at(m, x[0], x[1], x[2]);
+    for (int k = 0; k < 3 && c >= 0; k++) {
+        const double period = mesh_period(m, k);
+        offset[k] = x[k] - m->centre[3 * c + k];
+        if (period > 0.0) offset[k] -= period * rint(offset[k] / period);
+    }
+    return c;
 }
 
 const struct patch *mesh_patch(const struct mesh *m, const char *name)

@@ -137,15 +137,15 @@ static void project(struct solid_bodies *b, struct fluid *fl)
     struct pressure_system *const pressure = fl->pressure;
 
     set_conductances(fl);
-    multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                               pressure->boundary_conductance);
+    preconditioned_set(pressure->matrix, pressure->conductance,
+                       pressure->boundary_conductance);
     for (int c = 0; c < fl->mesh->n_cells; c++)
         b->hold_u[c] = 0.0; /* work space */
     const double tolerance = fl->options.tolerance;
     const struct solve_report r =
-        cg_reduce(NULL, pressure->mg, pressure->divergence, b->hold_u,
-                  pressure->scale > 0.0 ? 0.0 : tolerance,
-                  tolerance * pressure->scale, 500, pressure->cg);
+        cg_solve(pressure->matrix, pressure->divergence, b->hold_u,
+                 pressure->scale > 0.0 ? 0.0 : tolerance,
+                 tolerance * pressure->scale, 500, pressure->cg);
     if (!r.converged) fl->report.pressure = r;
     subtract_gradient(fl, b->hold_u);
 }

@@ -3,9 +3,9 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
-#include "study/results.h"
+#include "case/resume/read_summary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,7 +108,7 @@ static void put_run(const struct outcomes *o, const struct run *r, FILE *out)
     put_choices(o->plan, r, out);
     fprintf(out, ",%d,%d,%d", r->seed, r->time, r->code);
     for (int i = 0; i < FROM_SUMMARY; i++)
-        put_number(out, results_number(r->folder, from_summary[i].path));
+        put_number(out, read_summary_number(r->folder, from_summary[i].path));
     for (int m = 0; m < o->plan->n_measures; m++)
         put_measure(o, r, m, out);
     fputc('\n', out);
@@ -172,7 +172,7 @@ static void put_finding(const struct finding *f, FILE *out)
 static char *reason_of(const struct run *r)
 {
     char *const log = file_join(r->folder, "log.txt");
-    char *reason = results_text(r->folder, "exit_reason");
+    char *reason = read_summary_text(r->folder, "exit_reason");
     const char *why;
     size_t length;
     char *const text = input_text(log, &length, &why);

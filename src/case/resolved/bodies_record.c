@@ -160,22 +160,21 @@ static void release(void *record)
     free(r);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
     static const char width[] = "bodies.filter";
 
-    if (bodies_record_of(sim) == NULL) return NULL;
+    if (bodies_record_of(v->sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
-    r->sim = sim;
-    r->bodies = bodies_record_of(sim);
-    r->folder = folder;
-    if (settings_has(s, width))
-        r->filter =
-            surroundings_create(r->bodies, sim->fluid, settings_real(s, width));
-    r->table = create_table(r, folder);
-    r->pictures = r->table != NULL ? create_series(folder) : NULL;
+    r->sim = v->sim;
+    r->bodies = bodies_record_of(v->sim);
+    r->folder = v->folder;
+    if (settings_has(v->settings, width))
+        r->filter = surroundings_create(r->bodies, v->sim->fluid,
+                                        settings_real(v->settings, width));
+    r->table = create_table(r, v->folder);
+    r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
     r->writer = vtk_writer_create();
     r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;

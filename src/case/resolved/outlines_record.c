@@ -75,23 +75,20 @@ static void make_room(struct outlines *r)
         r->end[t] = 3 * (t + 1);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    const struct solid_bodies *const b = bodies_record_of(sim);
-
-    (void)s;
+    const struct solid_bodies *const b = bodies_record_of(v->sim);
     if (b == NULL || b->turn == NULL) return NULL;
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
-    r->folder = folder;
+    r->folder = v->folder;
     r->writer = vtk_writer_create();
     count(r);
     make_room(r);
     if (r->n_balls > 0)
-        r->clumps = field_output_series(folder, "body_clumps", "vtp");
+        r->clumps = field_output_series(v->folder, "body_clumps", "vtp");
     if (r->n_triangles > 0)
-        r->surfaces = field_output_series(folder, "body_surfaces", "vtp");
+        r->surfaces = field_output_series(v->folder, "body_surfaces", "vtp");
     if ((r->n_balls == 0 || r->clumps != NULL) &&
         (r->n_triangles == 0 || r->surfaces != NULL))
         return r;

@@ -139,8 +139,7 @@ static void close_budget(struct dem *dem)
 {
     const double added = dem->energy->added;
 
-    *dem->energy =
-        budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
+    *dem->energy = budget_collect(fast_of(dem)->neighbours);
     dem->energy->added = added;
 }
 
