@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/fluid.h"
+#include "fluid/piso.h"
 
 #include <math.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
 
 /* The velocity of the cell without its component normal to the wall. */
 static void tangential_part(const double u[3], const double S[3], double SS,
@@ -43,6 +46,39 @@ void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
             velocity_at(fl, &fl->options.boundaries[i], f - p->first, f,
                         &u_b[3 * (f - m->n_internal)]);
     }
+}
+
+double *boundary_reach(const struct mesh *m, const struct boundary *b)
+{
+    if (!m->skewed) return NULL;
+    double *const reach = alloc_doubles(3 * (m->n_faces - m->n_internal));
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const struct patch *const p = &m->patches[i];
+        const int foot =
+            b[i].kind == BOUNDARY_SLIP || b[i].kind == BOUNDARY_OUTLET;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            const double *const d = &m->d[3 * f];
+            double off[3];
+            mesh_off_middle(m, f, off);
+            const int moved =
+                foot && vector_length(off) > 1e-6 * vector_length(d);
+            for (int k = 0; k < 3; k++)
+                reach[3 * (f - m->n_internal) + k] =
+                    d[k] - (moved ? off[k] : 0.0);
+        }
+    }
+    return reach;
+}
+
+void fluid_velocity_gradient(const struct fluid *fl, const double *u,
+                             const double *u_b, double *slope)
+{
+    const struct velocity_gradient_scheme *const s =
+        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
+                                              : velocity_gradient_schemes[0];
+
+    s->fill(fl->mesh, fl->geometry->reach, u, u_b, slope);
 }
 
 /* The mean over an inlet, whose profile counts as 1 where it is that up to

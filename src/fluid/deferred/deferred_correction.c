@@ -27,9 +27,6 @@ static void fill_velocity_gradients(struct deferred_terms *d,
                                     const struct fluid *fl, const double *u)
 {
     const struct mesh *const m = fl->mesh;
-    const struct velocity_gradient_scheme *const s =
-        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
-                                              : velocity_gradient_schemes[0];
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
@@ -37,7 +34,7 @@ static void fill_velocity_gradients(struct deferred_terms *d,
             boundary_face_velocity(fl, &fl->options.boundaries[i], f - p->first,
                                    f, &d->u_boundary[3 * (f - m->n_internal)]);
     }
-    s->fill(m, u, d->u_boundary, d->slope);
+    fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
 }
 
 /* The explicit part of the scheme for component k at face f. */
