@@ -60,8 +60,4 @@ const double *boundary_wall_velocity(const struct boundary *b, int j);
 /* Frees b->memory. */
 void boundary_release(struct boundary *b);
 
-/* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
- * interval a .. b, divided by its mean over the channel [-]. */
-double boundary_parabola(double a, double b);
-
 #endif

@@ -54,11 +54,6 @@ static double mass_change(const struct time_levels *l, int c)
     return l->eps_older != NULL ? change + w->older * l->eps_older[c] : change;
 }
 
-FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
-}
-
 /* Diagonal and right-hand side of the cells without boundary faces. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
@@ -72,7 +67,7 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
         diag[c] = levels->ddt[c] - diag[c];
         defect[c] = mass_change(fl->levels, c) * m->V[c] / fl->options.dt;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, outflow,
+    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow,
                    levels->convecting_flux);
     for (int c = first; c < last && levels->ddt_older != NULL; c++)
         diag[c] += levels->ddt_older[c];

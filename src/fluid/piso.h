@@ -18,6 +18,15 @@ struct face_geometry {
 void systems_create(struct fluid *fl);
 void systems_free(struct fluid *fl);
 
+/* A loop over all boundary faces: b is the boundary condition of face f, which
+ * is the j-th of its patch. */
+#define FOR_EACH_BOUNDARY_FACE(fl, b, j, f)                                    \
+    for (int i_ = 0; i_ < (fl)->mesh->n_patches; i_++)                         \
+        for (const struct boundary *b = &(fl)->options.boundaries[i_];         \
+             b == &(fl)->options.boundaries[i_]; b++)                          \
+            for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \
+                 j < (fl)->mesh->patches[i_].n; j++, f++)
+
 /* boundary_velocity.c: from the centre of the cell to where the velocity of its
  * boundary face holds [m], 3 a boundary face (velocity_gradient.h): the middle
  * of the face, or the foot of the centre at slip walls and outlets, which have

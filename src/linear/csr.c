@@ -166,9 +166,3 @@ void csr_rows_each(int first, int last, const struct csr *A, int m,
 {
     FOR_FIELD_GROUPS(m, rows_of, first, last, A, m, diag, 1, x, y);
 }
-
-void csr_multiply_each(const struct csr *A, int m, const double *diag,
-                       const double *x, double *y)
-{
-    PARALLEL_RANGES(A->n, 4 * m, csr_rows_each, A, m, diag, x, y);
-}

@@ -45,14 +45,10 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
  * once for all fields. */
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
-/* Computes the same product, but each field has its own diagonal, diag[m * i +
- * k], in place of A->diag. If diag is NULL, only the off-diagonal part is
- * applied. */
-void csr_multiply_each(const struct csr *A, int m, const double *diag,
-                       const double *x, double *y);
-
-/* Computes rows first .. last - 1 of the same product, for a caller that uses
- * them while they are still in the cache. */
+/* Rows first .. last - 1 of the same product, for a caller that uses them while
+ * they are still in the cache; but each field has its own diagonal, diag[m * i +
+ * k], in place of A->diag. Without diag (NULL) the product has no diagonal part.
+ */
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y);
 

@@ -8,6 +8,7 @@
 #include "linear/reduce.h"
 #include "base/parallel_ranges.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -111,13 +112,19 @@ static void factor_coarsest(struct multigrid *mg)
     dense_factor(mg->coarsest);
 }
 
+/* The root of the mean of x_i^2. */
+static double rms(int n, const double *x)
+{
+    return sqrt(reduce_dot(n, x, x) / n);
+}
+
 void multigrid_set_coefficients(struct multigrid *mg, const double *g,
                                 const double *sums)
 {
     struct level *const v = mg->level;
 
-    mg->unit = 1.0 / (v->n_links > 0 ? reduce_rms(v->n_links, g)
-                                     : reduce_rms(v->n, sums));
+    mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g)
+                                     : rms(v->n, sums));
     level_set_fine(v, g, sums, mg->unit);
     for (int k = 1; k < mg->n_levels; k++)
         level_galerkin_coarsen(&v[k], &v[k - 1], mg->unit);
@@ -224,7 +231,7 @@ static double copy_out(int first, int last, const float *y, double scale,
 double multigrid_apply(struct multigrid *mg, const double *r, double *z)
 {
     struct level *const v = mg->level;
-    const double scale = reduce_rms(v->n, r);
+    const double scale = rms(v->n, r);
     double rz;
 
     if (scale > 0.0) {
