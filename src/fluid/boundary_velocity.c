@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "base/alloc.h"
-#include "base/vector.h"
 
 /* The velocity of the cell without its component normal to the wall. */
 static void tangential_part(const double u[3], const double S[3], double SS,
@@ -49,17 +48,14 @@ double *boundary_reach(const struct mesh *m, const struct boundary *b)
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
-        const int foot =
-            b[i].kind == BOUNDARY_SLIP || b[i].kind == BOUNDARY_OUTLET;
+        const int foot = b[i].kind == BOUNDARY_SLIP ||
+                         b[i].kind == BOUNDARY_OUTLET || b[i].walls != NULL;
         for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const d = &m->d[3 * f];
             double off[3];
-            mesh_off_middle(m, f, off);
-            const int moved =
-                foot && vector_length(off) > 1e-6 * vector_length(d);
+            const int moved = mesh_misses_middle(m, f, off) && foot;
             for (int k = 0; k < 3; k++)
                 reach[3 * (f - m->n_internal) + k] =
-                    d[k] - (moved ? off[k] : 0.0);
+                    m->d[3 * f + k] - (moved ? off[k] : 0.0);
         }
     }
     return reach;
