@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 
 /* The velocity of the cell without its component normal to the wall. */
 static void tangential_part(const double u[3], const double S[3], double SS,
