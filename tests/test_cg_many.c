@@ -80,7 +80,8 @@ START_TEST(each_field_is_solved_as_by_cg_alone)
                 x[i] = s.u[m * i + k];
 
             const struct solve_report one =
-                cg_solve(s.A, NULL, b, x, 1e-12, 0.0, 200, w);
+                cg_solve((struct preconditioned){&preconditioned_jacobi, s.A},
+                         b, x, 1e-12, 0.0, 200, w);
 
             most = one.iterations > most ? one.iterations : most;
             for (int i = 0; i < n; i++)
