@@ -31,7 +31,7 @@ void recorder_free(struct recorder *r)
     free(r);
 }
 
-/* --- what is kept for the summary --------------------------------------- */
+/* --- extremes for the summary ------------------------------------------- */
 
 static void update_extremes(struct recorder *r)
 {
@@ -53,7 +53,7 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-/* --- the moments --------------------------------------------------------- */
+/* --- rows and fields ----------------------------------------------------- */
 
 static int add_row(struct recorder *r)
 {
@@ -192,7 +192,7 @@ static void write_counts(struct summary *f, const struct recorder *r)
     }
 }
 
-/* What is yet to come has no exit code: it is null. */
+/* The exit code of a run that has not ended: null in the summary. */
 enum { STILL_RUNNING = -1 };
 
 static int write_summary(const struct recorder *r, const char *reason, int code)
@@ -248,7 +248,7 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed. */
+/* A run that is killed leaves this summary. */
 int recorder_begin(const struct recorder *r)
 {
     return write_summary(r, "running", STILL_RUNNING);

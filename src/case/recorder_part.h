@@ -15,7 +15,7 @@
 #include "output/folder.h"
 #include "output/summary.h"
 
-/* What a part may look at; all is borrowed. Where several processes compute the
+/* What a part can read; all is borrowed. Where several processes compute the
  * simulation, `sim` is the share of this one, and `seen` and `whole` have what
  * is drawn of all of it; on one machine they are the same. */
 struct recorder_view {

@@ -41,7 +41,7 @@ static void quote(const char *file, int number)
         fprintf(stderr, "    %s\n", line + strspn(line, " \t"));
 }
 
-/* What to do about a complaint of libconfig that is dark by itself. */
+/* A hint for a message of libconfig that does not say what to change. */
 static const char *advice(const char *complaint)
 {
     if (strstr(complaint, "mismatched element") != NULL)

@@ -114,7 +114,7 @@ int case_scales_check_memory(const struct settings *s,
     return case_memory_check(s, bytes);
 }
 
-/* Particles that do not meet resolve no impacts, and do not settle. */
+/* Without contacts a bed does not come to rest. */
 static int check_no_contacts(const struct settings *s)
 {
     if (!settings_has(s, "particles.bed") ||
