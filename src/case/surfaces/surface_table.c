@@ -73,7 +73,7 @@ static void *create(const struct recorder_view *v, int *failed)
     return NULL;
 }
 
-/* The rows so far, and what the next one needs. */
+/* The rows so far, and the sums at the last of them. */
 static void visit(void *part, struct state *s)
 {
     struct surface_table *const t = part;
