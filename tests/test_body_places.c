@@ -193,6 +193,7 @@ START_TEST(a_body_on_a_spring_bounces_off_a_wall)
     struct pool p;
 
     create_void(&p, 1);
+    p.bodies->contacts.material.friction = 0.3;
     solid_bodies_add(p.bodies, of[_i], (double[3]){0.5, 0.2, 0.5}, 1.0,
                      BODY_FIXED);
     solid_bodies_set_spring(p.bodies, 0, (double[3]){1e-6, 1e-6, 0.0});

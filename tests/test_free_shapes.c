@@ -127,7 +127,8 @@ END_TEST
 /* --- contacts --------------------------------------------------------------
  */
 
-static struct solid_bodies *dry_box(struct pool *p, int n, int walls,
+/* Steps of 1e-3 s in so many parts. */
+static struct solid_bodies *dry_box(struct pool *p, int n, int walls, int parts,
                                     double restitution)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
@@ -136,6 +137,7 @@ static struct solid_bodies *dry_box(struct pool *p, int n, int walls,
                                    .rho = 1e-9,
                                    .mu = 1e-9,
                                    .dt = 1e-3,
+                                   .dem_steps = parts,
                                    .n = n};
 
     pool_create(p, &o);
@@ -173,7 +175,7 @@ static double add_up(const struct solid_bodies *b, double P[3], double L[3])
  */
 static void two_boxes(struct pool *p, int edges)
 {
-    struct solid_bodies *const b = dry_box(p, 2, 0, 0.8);
+    struct solid_bodies *const b = dry_box(p, 2, 0, 1, 0.8);
     const struct body_shape one = edges ? box_turned_by(0.0, 0.0, 0.785)
                                         : box_turned_by(0.0, 0.0, 0.0),
                             two = edges ? box_turned_by(0.785, 0.0, 0.0)
@@ -219,7 +221,7 @@ END_TEST
 START_TEST(ls_4_4_an_elastic_box_keeps_its_energy)
 {
     struct pool p;
-    struct solid_bodies *const b = dry_box(&p, 1, 1, 1.0);
+    struct solid_bodies *const b = dry_box(&p, 1, 1, 1, 1.0);
     const struct body_shape box = box_turned_by(0.4, 0.2, 0.9);
     double P[3], L[3];
 
@@ -237,6 +239,46 @@ START_TEST(ls_4_4_an_elastic_box_keeps_its_energy)
 }
 END_TEST
 
+/* Velocity along y of point k of body 0 [m/s]. */
+static double speed_of_point(const struct solid_bodies *b, int k)
+{
+    const struct body_ball ball = body_shape_ball(&b->shape[0], k);
+    const double w[3] = {b->ps->wx[0], b->ps->wy[0], b->ps->wz[0]};
+    double turn[3];
+
+    vector_cross(w, ball.at, turn);
+    return b->ps->vy[0] + turn[1];
+}
+
+/* The dashpot is that of the mass which resists at the corner, a third of the
+ * box's. Since surfaces do not attract, a restitution of 0.5 becomes exp(-2
+ * zeta/w atan(w/zeta)) = 0.551 with w^2 = 1 - zeta^2. The box turns meanwhile
+ * by a degree. The whole mass in the dashpot would give 0.35. */
+START_TEST(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material)
+{
+    struct pool p;
+    struct solid_bodies *const b = dry_box(&p, 1, 1, 40, 0.5);
+    const struct body_shape box = box_turned_by(0.2, 0.0, 0.3);
+    int corner = 0, touched = 0;
+
+    b->contacts.material.friction = 0.0;
+    b->contacts.material.stiffness = 2e4;
+    for (int k = 0; k < box.outline->n_balls; k++)
+        if (box.outline->ball[k].at[1] < box.outline->ball[corner].at[1])
+            corner = k;
+    solid_bodies_add(b, &box, (double[3]){0.5, 0.35, 0.5}, 1.0, BODY_FREE);
+    b->ps->vy[0] = -1.0;
+    ck_assert_int_eq(solid_bodies_begin(b, p.fluid), 0);
+    for (int i = 0; i < 200 && (!touched || b->touching > 0); i++) {
+        ck_assert_int_eq(body_motion_advance(b, 1e-3), 0);
+        touched |= b->touching > 0;
+    }
+    ck_assert_int_eq(touched, 1);
+    ck_assert_double_eq_tol(speed_of_point(b, corner), 0.551, 0.04);
+    pool_free(&p);
+}
+END_TEST
+
 /* Let go on an edge or on a rim, they come to rest on one of their sides: the
  * centre then is at half of a size, less the overlap that carries the weight.
  */
@@ -248,7 +290,7 @@ START_TEST(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides)
                                         box_turned_by(0.7, 0.2, 0.3),
                                         free_cylinder(0.2, 0.3, 0.3, 1.0, 0.1)};
     struct pool p;
-    struct solid_bodies *const b = dry_box(&p, 1, 1, 0.5);
+    struct solid_bodies *const b = dry_box(&p, 1, 1, 1, 0.5);
     double P[3], L[3], off = HUGE_VAL;
 
     for (int i = 0; i < 3; i++)
@@ -312,6 +354,7 @@ FACTS("free shapes")
     FACT(ls_4_3_the_points_that_touch_lie_on_the_surface);
     FACT_FOR_EACH(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular, 2);
     FACT(ls_4_4_an_elastic_box_keeps_its_energy);
+    FACT(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material);
     FACT_FOR_EACH(ls_4_4_a_block_comes_to_rest_on_one_of_its_sides, 3);
     FACT_FOR_EACH(ew18_2_a_free_block_and_the_fluid_keep_their_momentum, 2);
 }

@@ -181,4 +181,9 @@ double fluid_inlet_velocity(const struct fluid *fl);
  * cell at a slip wall, and at an outlet the velocity of the cell. */
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b);
 
+/* The gradient of u, a velocity of all cells, with u_b on the boundary faces
+ * (velocity_gradient.h) [1/s]. */
+void fluid_velocity_gradient(const struct fluid *fl, const double *u,
+                             const double *u_b, double *slope);
+
 #endif

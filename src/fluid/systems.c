@@ -194,6 +194,7 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
+    fl->geometry->reach = boundary_reach(m, fl->options.boundaries);
     for (int i = 0; deferred_kinds[i] != NULL && fl->deferred == NULL; i++)
         fl->deferred = deferred_kinds[i]->create(fl);
     fl->momentum->matrix =
@@ -222,5 +223,6 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
+    free(fl->geometry->reach);
     free(fl->geometry);
 }

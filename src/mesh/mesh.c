@@ -176,8 +176,7 @@ void mesh_collect_faces(struct mesh *m)
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
-        mesh_off_middle(m, f, off);
-        if (larger(off, 1e-6, &m->d[3 * f])) m->skewed = 1;
+        if (mesh_misses_middle(m, f, off)) m->skewed = 1;
     }
     for (int c = 0; c < m->n_cells && m->skewed; c++)
         if (m->cell_start[c + 1] - m->cell_start[c] == 4) m->skewed = 2;
@@ -199,6 +198,12 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3])
         for (int k = 0; k < 3; k++)
             off[k] = m->face_centre[3 * f + k] -
                      m->centre[3 * m->owner[f] + k] - (1.0 - m->w[f]) * d[k];
+}
+
+int mesh_misses_middle(const struct mesh *m, int f, double off[3])
+{
+    mesh_off_middle(m, f, off);
+    return larger(off, 1e-6, &m->d[3 * f]);
 }
 
 int mesh_dimensions(const struct mesh *m)

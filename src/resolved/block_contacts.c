@@ -34,6 +34,7 @@ static double touch(struct solid_bodies *b, const struct body_gap *g, double dt)
 {
     double J[3];
 
+    b->touching++;
     impulse_of(&b->contacts.material, g->m, -g->z, g->n, g->v, dt, J);
     body_gaps_push(b, g, J);
     return -g->z / body_gaps_width(b, g);
@@ -41,5 +42,6 @@ static double touch(struct solid_bodies *b, const struct body_gap *g, double dt)
 
 double block_contacts_act(struct solid_bodies *b, double dt)
 {
+    b->touching = 0;
     return body_gaps_each(b, 0.0, dt, touch);
 }

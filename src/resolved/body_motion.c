@@ -163,6 +163,7 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
         b->lubrication.reach == 0.0)
         return dem_run(b->dem, n, &b->dem_report);
     b->dem_report.max_overlap = 0.0;
+    b->dem_report.contacts = 0;
     for (int k = 0; k < n && !failed; k++) {
         if (b->lubrication.reach > 0.0) squeeze_film_act(b, step);
         if (b->blocks > 0) {
@@ -171,6 +172,7 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
         }
         failed = move_once(b, step);
     }
+    b->dem_report.contacts += b->touching;
     return failed;
 }
 

@@ -10,15 +10,10 @@
 #include "resolved/body_exit.h"
 #include "resolved/body_gaps.h"
 #include "resolved/body_turn.h"
-#include "resolved/fraction_methods.h"
-#include "resolved/hold.h"
 
 const double solid_bodies_immovable = 1e60;
 
-static void (*const set_method[])(struct solid_bodies *) = {
-    [BODY_METHOD_HOLD] = hold_fluid,
-    [BODY_METHOD_FICTITIOUS] = fraction_methods_set_fictitious,
-    [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
+MODEL_NAMED(body_method)
 
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
@@ -46,7 +41,7 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
-    set_method[o->method](b);
+    (o->method != NULL ? o->method : body_methods[0])->set(b);
     return b;
 }
 

@@ -28,8 +28,9 @@ struct solid_bodies {
     struct particles *ps;       /* centres, velocities, masses */
     int springs, blocks, moves; /* [-] on springs; with contacts of
                                    block_contacts.h; any moves */
-    int met;         /* [-] 1: two overlap that have no contacts (mark.c) */
-    double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
+    int met;      /* [-] 1: two overlap that have no contacts (mark.c) */
+    int touching; /* [-] contacts of block_contacts.h, a ball or point each */
+    double *turn; /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
     struct body_shape *shape;

@@ -129,12 +129,12 @@ int choices_add(struct choices *c, const char *text)
     const char *why = read_choice(&one, text);
 
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
-    for (int k = 0; k < one.key.n && why == NULL; k++)
+    for (int k = 0; k < one.key.n && why == NULL; k++) {
         if (is_known(c, one.key.text[k])) why = "the key was given before";
-    for (int k = 1; k < one.key.n && why == NULL; k++)
         for (int l = 0; l < k; l++)
             if (strcmp(one.key.text[k], one.key.text[l]) == 0)
                 why = "a key is there twice";
+    }
     if (why != NULL) {
         choice_free(&one);
         return refuse(text, why);

@@ -2,7 +2,6 @@
 #include "study/results.h"
 
 #include "base/alloc.h"
-#include "base/file.h"
 #include "base/tables/input.h"
 
 #include <math.h>

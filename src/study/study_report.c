@@ -136,30 +136,24 @@ int study_report_runs(const struct outcomes *o)
 
 /* --- study.md ------------------------------------------------------------- */
 
-static void put_share(FILE *out, double share)
+/* Nothing for what is not there. */
+static void put_rounded(FILE *out, double value, int digits, const char *unit)
 {
     char text[NUMBER_LENGTH];
 
-    if (isfinite(share))
-        fprintf(out, "%s %%", number_rounded(100.0 * share, 3, text));
-}
-
-static void put_rounded(FILE *out, double value)
-{
-    char text[NUMBER_LENGTH];
-
-    fputs(isfinite(value) ? number_rounded(value, 4, text) : "", out);
+    if (isfinite(value))
+        fprintf(out, "%s%s", number_rounded(value, digits, text), unit);
 }
 
 static void put_finding(const struct finding *f, FILE *out)
 {
     fputs(" | ", out);
-    put_rounded(out, f->value);
+    put_rounded(out, f->value, 4, "");
     fputs(" | ", out);
-    put_share(out, f->error);
+    put_rounded(out, 100.0 * f->error, 3, " %");
     if (f->doubt > 0.0) {
         fputs(" +- ", out);
-        put_share(out, f->doubt);
+        put_rounded(out, 100.0 * f->doubt, 3, " %");
         if (!outcome_is_resolved(f) && isfinite(f->error))
             fputs(" (no difference)", out);
     }
@@ -199,10 +193,10 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
     for (const char *at = v->label; *at != '\0'; at++)
         fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
     fputs(" | ", out);
-    put_rounded(out, v->seconds);
+    put_rounded(out, v->seconds, 4, "");
     if (!plan_cost_is_processor(o->plan)) {
         fputs(" | ", out);
-        put_rounded(out, v->cost);
+        put_rounded(out, v->cost, 4, "");
     }
     if (v->broken != NULL) {
         char *const reason = reason_of(v->broken);

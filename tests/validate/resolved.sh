@@ -358,6 +358,76 @@ CASE
     done
 }
 
+# What settles in `cases/blocks-settle.cfg`: ten seconds.
+blocks() {
+    run blocks cases/blocks-settle.cfg
+    echo "# time  height of plate, cube, cylinder; their speeds; contacts and deepest overlap over a width"
+    awk -F, '
+        FNR == 1 { file++; split("", at); for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
+        { t = sprintf("%.1f", $1) }
+        file == 1 { n[t] = $at["contacts_of_bodies"]; deep[t] = $at["max_overlap_of_bodies"]; next }
+        t % 2 != 0 { next }
+        { y[$2] = $at["y"]; v[$2] = sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2 + $at["vz"] ^ 2) }
+        $2 == 2 { printf "%4s  %.3f %.3f %.3f  %.4f %.4f %.4f  %3d %.3f\n", t, y[0], y[1], y[2], v[0], v[1], v[2], n[t], deep[t] }
+    ' $out/blocks/history.csv $out/blocks/bodies.csv
+}
+
+# A spheroid, twice as long as wide, as a surface of triangles that is free in a shear
+# flow: half of its period, between two angles of 45 degrees, and its largest and
+# smallest rate, beside [Jeffery22]. Half a minute.
+jeffery() {
+    awk -v a=0.1875 -v b=0.09375 -v N=12 '
+        function point(i, j,   r, p) {
+            r = i % N ? b * sin(PI * i / N) : 0; p = PI * j / N
+            printf "vertex %.9g %.9g %.9g\n", r * cos(p), a * cos(PI * i / N), r * sin(p)
+        }
+        function triangle(i, j, k, l, m, n) {
+            print "facet normal 0 0 0\nouter loop"
+            point(i, j); point(k, l); point(m, n)
+            print "endloop\nendfacet"
+        }
+        BEGIN {
+            PI = 3.14159265358979
+            print "solid spheroid"
+            for (i = 0; i < N; i++) for (j = 0; j < 2 * N; j++) {
+                next_j = (j + 1) % (2 * N)
+                if (i > 0) triangle(i, j, i, next_j, i + 1, j)
+                if (i < N - 1) triangle(i, next_j, i + 1, next_j, i + 1, j)
+            }
+            print "endsolid spheroid"
+        }' >$out/spheroid.stl
+    cat >$out/jeffery.cfg <<CASE
+title = "A spheroid in a shear flow"; cites = "Jeffery22";
+mesh = { size = [1.0, 1.0, 0.8125]; cells = [32, 32, 26]; periodic = [true, false, true]; };
+fluid = { density = 1.0; viscosity = 0.14; step = 0.015; time = "bdf2"; convection = "linear";
+          bottom = { wall = [-0.5, 0.0, 0.0]; }; top = { wall = [0.5, 0.0, 0.0]; }; };
+bodies = { surfaces = ( { file = "spheroid.stl"; position = [0.5, 0.5, 0.40625]; density = 1.0; motion = "free"; } ); };
+output = { end = 13.0; every = 13.0; history = 0.15; };
+CASE
+    once jeffery $out/jeffery.cfg
+    echo "# half a period, largest and smallest rate; of Jeffery; the ratios"
+    awk -F, '
+        NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
+        {
+            phi = 2 * atan2(-$at["q_z"], $at["q_0"]) * 180 / 3.14159265358979
+            while (phi < before - 90) phi += 360
+            for (k = 0; k < 2; k++) {
+                mark = 45 + 180 * k
+                if (before < mark && phi >= mark) T[k] = t + ($1 - t) * (mark - before) / (phi - before)
+            }
+            rate = -$at["wz"]
+            if (phi > 45 && phi < 225) {
+                if (rate > most) most = rate
+                if (!least || rate < least) least = rate
+            }
+            before = phi; t = $1
+        }
+        END {
+            half = 3.14159265358979 * 2.5
+            printf "%.3f %.4f %.4f  %.3f 0.8 0.2  %.3f %.3f %.3f\n", T[1] - T[0], most, least, half, (T[1] - T[0]) / half, most / 0.8, least / 0.2
+        }' "$out/jeffery/bodies.csv"
+}
+
 # NAME OVERRIDES...: a sphere of six grains in a narrow bed
 narrow_bed() {
     to=$1

@@ -237,8 +237,7 @@ static struct solid_bodies *create(const struct settings *s)
 {
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
-        .method = (enum body_method)models_value(
-            body_methods, settings_text(s, "bodies.method")),
+        .method = body_method_named(settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = case_bodies_dem_steps(s),
         .dem = &dem,

@@ -27,14 +27,11 @@ static void fill_velocity_gradients(struct deferred_terms *d,
                                     const struct fluid *fl, const double *u)
 {
     const struct mesh *const m = fl->mesh;
-    const struct velocity_gradient_scheme *const s =
-        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
-                                              : velocity_gradient_schemes[0];
 
     FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
         boundary_face_velocity(fl, b, j, f,
                                &d->u_boundary[3 * (f - m->n_internal)]);
-    s->fill(m, u, d->u_boundary, d->slope);
+    fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
 }
 
 /* The explicit part of the scheme for component k at face f. */

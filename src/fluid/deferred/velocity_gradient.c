@@ -13,8 +13,28 @@ static double face_value(const struct mesh *m, const double *u,
            (1.0 - m->w[f]) * u[3 * m->neighbour[f] + k];
 }
 
-static void gauss(const struct mesh *m, const double *u, const double *u_b,
-                  double *slope)
+/* Moves the values of boundary faces from where they hold to the middles, with
+ * the slope found so far. As this way lies in the face, that is exact for a
+ * cell with one such face, or several that are parallel. */
+static void move_to_middles(const struct mesh *m, const double *reach,
+                            double *slope)
+{
+    for (int f = m->n_internal; f < m->n_faces; f++) {
+        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
+        const double *const to = &reach[3 * (f - m->n_internal)];
+        double *const g = &slope[9 * m->owner[f]];
+        for (int k = 0; k < 3; k++) {
+            double rise = 0.0;
+            for (int j = 0; j < 3; j++)
+                rise += g[3 * k + j] * (d[j] - to[j]);
+            for (int j = 0; j < 3 && rise != 0.0; j++)
+                g[3 * k + j] += rise * S[j] / m->V[m->owner[f]];
+        }
+    }
+}
+
+static void gauss(const struct mesh *m, const double *reach, const double *u,
+                  const double *u_b, double *slope)
 {
     for (int c = 0; c < m->n_cells; c++) {
         double *const g = &slope[9 * c];
@@ -29,6 +49,7 @@ static void gauss(const struct mesh *m, const double *u, const double *u_b,
             }
         }
     }
+    if (reach != NULL) move_to_middles(m, reach, slope);
 }
 
 /* The inverse of a symmetric 3 x 3 matrix (xx xy xz yy yz zz). Directions in
@@ -54,11 +75,14 @@ static void invert(double m[6])
  * (u_other - u_c) to the right-hand sides. The weight is 1 / |d|^2; among
  * tetrahedra, of which no two neighbours are opposite each other, the square of
  * that, since the error of a difference grows with |d|^2. */
-static void add_face(const struct mesh *m, const double *u, const double *u_b,
-                     int c, int f, double matrix[6], double right[9])
+static void add_face(const struct mesh *m, const double *reach, const double *u,
+                     const double *u_b, int c, int f, double matrix[6],
+                     double right[9])
 {
     const double sign = m->owner[f] == c ? 1.0 : -1.0;
-    const double *const l = &m->d[3 * f];
+    const double *const l = reach != NULL && f >= m->n_internal
+                                ? &reach[3 * (f - m->n_internal)]
+                                : &m->d[3 * f];
     const double d[3] = {sign * l[0], sign * l[1], sign * l[2]};
     const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     const double weight = 1.0 / (m->skewed == 2 ? square * square : square);
@@ -75,15 +99,15 @@ static void add_face(const struct mesh *m, const double *u, const double *u_b,
             right[3 * k + j] += weight * d[j] * (beyond[k] - u[3 * c + k]);
 }
 
-static void least_squares(const struct mesh *m, const double *u,
-                          const double *u_b, double *slope)
+static void least_squares(const struct mesh *m, const double *reach,
+                          const double *u, const double *u_b, double *slope)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
     for (int c = 0; c < m->n_cells; c++) {
         double matrix[6] = {0.0}, right[9] = {0.0};
         for (int a = m->cell_start[c]; a < m->cell_start[c + 1]; a++)
-            add_face(m, u, u_b, c, m->cell_face[a], matrix, right);
+            add_face(m, reach, u, u_b, c, m->cell_face[a], matrix, right);
         invert(matrix);
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < 3; i++) {
@@ -95,10 +119,10 @@ static void least_squares(const struct mesh *m, const double *u,
     }
 }
 
-static void by_mesh(const struct mesh *m, const double *u, const double *u_b,
-                    double *slope)
+static void by_mesh(const struct mesh *m, const double *reach, const double *u,
+                    const double *u_b, double *slope)
 {
-    (m->skewed == 2 ? least_squares : gauss)(m, u, u_b, slope);
+    (m->skewed == 2 ? least_squares : gauss)(m, reach, u, u_b, slope);
 }
 
 const struct key velocity_gradient_keys[] = {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/mirrors.h"
+#include "resolved/among/mirrors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/fraction_methods.h"
+#include "resolved/fraction/fraction_methods.h"
 
 #include <math.h>
 
@@ -167,7 +167,7 @@ static void fictitious_end(struct immersed *self, struct fluid *fl)
         self->impulse[k] += interim[k] - final[k];
 }
 
-void fraction_methods_set_fictitious(struct solid_bodies *b)
+static void set_fictitious(struct solid_bodies *b)
 {
     b->by_fraction = 1;
     b->hooks = (struct immersed){.begin = mark,
@@ -240,7 +240,7 @@ static void piso_ib_end(struct immersed *self, struct fluid *fl)
         }
 }
 
-void fraction_methods_set_piso_ib(struct solid_bodies *b)
+static void set_piso_ib(struct solid_bodies *b)
 {
     b->by_fraction = 1;
     b->hooks = (struct immersed){.begin = keep_force,
@@ -250,18 +250,18 @@ void fraction_methods_set_piso_ib(struct solid_bodies *b)
                                  .end = piso_ib_end};
 }
 
-const struct model fraction_methods_fictitious = {
+const struct body_method fraction_methods_fictitious = {
     .name = "fictitious-domain",
     .what = "velocity set after the step, and projected again",
     .equations = "LS 5.17-5.20",
     .function = "project",
-    .value = BODY_METHOD_FICTITIOUS,
+    .set = set_fictitious,
 };
 
-const struct model fraction_methods_piso_ib = {
+const struct body_method fraction_methods_piso_ib = {
     .name = "piso-ib",
     .what = "force accumulated in the correctors of PISO",
     .equations = "LS 5.21",
     .function = "correct_force",
-    .value = BODY_METHOD_PISO_IB,
+    .set = set_piso_ib,
 };

@@ -7,8 +7,8 @@
  * volume, momentum and force stay [SX15 A.1]. A field is continued into the
  * body by the same weights: an image has the value of what it mirrors.
  */
-#ifndef RESOLVED_MIRRORS_H
-#define RESOLVED_MIRRORS_H
+#ifndef RESOLVED_AMONG_MIRRORS_H
+#define RESOLVED_AMONG_MIRRORS_H
 
 #include "averaging/averaging_wall.h"
 #include "resolved/solid_bodies.h"

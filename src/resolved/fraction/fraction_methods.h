@@ -6,15 +6,12 @@
  * show that. LS calls the first one a fictitious domain method [LS 5.17-5.20],
  * the second one PISO-IB [LS 5.21].
  */
-#ifndef RESOLVED_FRACTION_METHODS_H
-#define RESOLVED_FRACTION_METHODS_H
+#ifndef RESOLVED_FRACTION_FRACTION_METHODS_H
+#define RESOLVED_FRACTION_FRACTION_METHODS_H
 
-#include "base/model.h"
 #include "resolved/solid_bodies.h"
 
-extern const struct model fraction_methods_fictitious, fraction_methods_piso_ib;
-
-void fraction_methods_set_fictitious(struct solid_bodies *b);
-void fraction_methods_set_piso_ib(struct solid_bodies *b);
+extern const struct body_method fraction_methods_fictitious,
+    fraction_methods_piso_ib;
 
 #endif
