@@ -158,9 +158,18 @@ static int count_numbers(const struct settings *s, const struct mesh *m)
 /* --- walls that rotate ------------------------------------------------------
  */
 
-/* omega x (x - centre) at the middle of each face, without what rounding or the
- * flat faces of a round wall leave of a normal part; that of a wall which would
- * move through itself is an error. */
+/* From the point of boundary face f where its viscous force takes the velocity
+ * of a wall, below the centre of the cell, back to the middle of the face; 0
+ * where there is nothing between them but rounding. */
+static void from_foot(const struct mesh *m, int f, double off[3])
+{
+    if (m->skewed && mesh_misses_middle(m, f, off)) return;
+    off[0] = off[1] = off[2] = 0.0;
+}
+
+/* omega x (x - centre) at the foot of the centre of each face's cell, without
+ * what rounding or the flat faces of a round wall leave of a normal part; that
+ * of a wall which would move through itself is an error. */
 static int add_rotation(const struct settings *s, const struct mesh *m,
                         const struct patch *p, struct boundary *b)
 {
@@ -175,14 +184,18 @@ static int add_rotation(const struct settings *s, const struct mesh *m,
     settings_vector(s, path, omega);
     for (int j = 0; j < p->n; j++) {
         const double *const S = &m->S[3 * (p->first + j)];
-        double x[3], arm[3];
+        double x[3], arm[3], off[3], less[3];
         face_corners_middle(m, p->first + j, x);
         vector_between(x, centre, arm);
         vector_cross(omega, arm, &u[3 * j]);
         fastest = fmax(fastest, vector_length(&u[3 * j]));
         const double out = vector_dot(&u[3 * j], S) / vector_dot(S, S);
         through = fmax(through, fabs(out) * vector_length(S));
-        vector_along(&u[3 * j], -out, S, &u[3 * j]);
+        from_foot(m, p->first + j, off);
+        vector_cross(omega, off, less);
+        vector_along(&u[3 * j], -1.0, less, &u[3 * j]);
+        vector_along(&u[3 * j], -vector_dot(&u[3 * j], S) / vector_dot(S, S), S,
+                     &u[3 * j]);
     }
     *b = (struct boundary){.kind = BOUNDARY_NO_SLIP, .walls = u, .memory = u};
     memcpy(b->rotation, omega, sizeof omega);

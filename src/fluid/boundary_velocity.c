@@ -10,7 +10,7 @@
 static void tangential_part(const double u[3], const double S[3], double SS,
                             double to[3])
 {
-    const double through = u[0] * S[0] + u[1] * S[1] + u[2] * S[2];
+    const double through = vector_dot(u, S);
 
     for (int k = 0; k < 3; k++)
         to[k] = u[k] - through * S[k] / SS;
@@ -22,7 +22,7 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
     const struct mesh *const m = fl->mesh;
     const int c = m->owner[f];
     const double *const S = &m->S[3 * f], *const u = &fl->u[3 * c];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
 
     if (b->kind == BOUNDARY_SLIP) {
         tangential_part(u, S, SS, to);
@@ -38,14 +38,8 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
 
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            velocity_at(fl, &fl->options.boundaries[i], f - p->first, f,
-                        &u_b[3 * (f - m->n_internal)]);
-    }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
 }
 
 double *boundary_reach(const struct mesh *m, const struct boundary *b)
@@ -55,17 +49,14 @@ double *boundary_reach(const struct mesh *m, const struct boundary *b)
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
-        const int foot =
-            b[i].kind == BOUNDARY_SLIP || b[i].kind == BOUNDARY_OUTLET;
+        const int foot = b[i].kind == BOUNDARY_SLIP ||
+                         b[i].kind == BOUNDARY_OUTLET || b[i].walls != NULL;
         for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const d = &m->d[3 * f];
             double off[3];
-            mesh_off_middle(m, f, off);
-            const int moved =
-                foot && vector_length(off) > 1e-6 * vector_length(d);
+            const int moved = mesh_misses_middle(m, f, off) && foot;
             for (int k = 0; k < 3; k++)
                 reach[3 * (f - m->n_internal) + k] =
-                    d[k] - (moved ? off[k] : 0.0);
+                    m->d[3 * f + k] - (moved ? off[k] : 0.0);
         }
     }
     return reach;
@@ -89,8 +80,7 @@ static double inlet_velocity(const struct fluid *fl, const struct boundary *b,
     double sum = 0.0, surface = 0.0;
 
     for (int j = 0; j < p->n; j++) {
-        const double *const S = &fl->mesh->S[3 * (p->first + j)];
-        const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+        const double area = vector_length(&fl->mesh->S[3 * (p->first + j)]);
         sum += area * boundary_inlet_share(b, j, fl->t);
         surface += area;
     }

@@ -29,8 +29,9 @@ void systems_free(struct fluid *fl);
 
 /* boundary_velocity.c: from the centre of the cell to where the velocity of its
  * boundary face holds [m], 3 a boundary face (velocity_gradient.h): the middle
- * of the face, or, at slip walls and outlets, where it is the velocity of the
- * cell, the foot of the centre. NULL: the same everywhere. */
+ * of the face, or the foot of the centre at slip walls and outlets, which have
+ * the velocity of the cell, and at walls that rotate. NULL: the middle
+ * everywhere. */
 double *boundary_reach(const struct mesh *m, const struct boundary *b);
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in

@@ -21,6 +21,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "linear/face_loops.h"
 #include "linear/reduce.h"
 #include "fluid/deferred.h"
@@ -28,16 +29,6 @@
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
-
-static inline double dot3(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static int is_outlet(const struct fluid *fl, int patch)
-{
-    return fl->options.boundaries[patch].kind == BOUNDARY_OUTLET;
-}
 
 /* Coefficients of a cell for its faces, once a step: rho eps_nm1 / (gamma dt
  * eps_phi), the time derivative per superficial flux; 1 / (gamma V), for its
@@ -107,8 +98,9 @@ FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
     const double slope =
-        (1.0 - w) * pressure->per_force[o] * dot3(&jump->inertia[3 * o], S) +
-        w * pressure->per_force[n] * dot3(&jump->inertia[3 * n], S);
+        (1.0 - w) * pressure->per_force[o] *
+            vector_dot(&jump->inertia[3 * o], S) +
+        w * pressure->per_force[n] * vector_dot(&jump->inertia[3 * n], S);
 
     pressure->explicit_flux[f] +=
         pressure->conductance[f] * face_jump_of_pressure(fl, f, o, n) -
@@ -126,7 +118,7 @@ static void store_jump_fluxes(const struct fluid *fl)
         const int o = m->owner[f];
         pressure->explicit_flux[f] -=
             pressure->m_face[f] * pressure->per_force[o] *
-            dot3(&fl->jump->inertia[3 * o], &m->S[3 * f]);
+            vector_dot(&fl->jump->inertia[3 * o], &m->S[3 * f]);
     }
 }
 
@@ -138,18 +130,14 @@ static void face_mobilities(struct fluid *fl)
 
     PARALLEL_RANGES(m->n_cells, 12, cell_resistances, fl);
     FOR_EACH_FACE(fl->faces, 4, inner_mobility, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const int o = m->owner[f];
-            pressure->m_face[f] =
-                is_outlet(fl, i) ? 1.0 / pressure->resistance[o] : 0.0;
-            pressure->conductance[f] =
-                pressure->m_face[f] * fl->geometry->face_coefficient[f];
-            pressure->explicit_flux[f] = pressure->m_face[f] *
-                                         pressure->per_flux[o] *
-                                         levels->phi_old[f];
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const int o = m->owner[f];
+        pressure->m_face[f] =
+            b->kind == BOUNDARY_OUTLET ? 1.0 / pressure->resistance[o] : 0.0;
+        pressure->conductance[f] =
+            pressure->m_face[f] * fl->geometry->face_coefficient[f];
+        pressure->explicit_flux[f] =
+            pressure->m_face[f] * pressure->per_flux[o] * levels->phi_old[f];
     }
     if (levels->ddt_older != NULL) store_old_time_fluxes(fl);
     if (fl->options.coupled) store_jump_fluxes(fl);
@@ -195,8 +183,8 @@ FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
     const double *const S = &fl->mesh->S[3 * f];
 
     fl->phi[f] = pressure->explicit_flux[f] +
-                 pressure->m_face[f] * (from_o * dot3(&H[3 * o], S) +
-                                        from_n * dot3(&H[3 * n], S));
+                 pressure->m_face[f] * (from_o * vector_dot(&H[3 * o], S) +
+                                        from_n * vector_dot(&H[3 * n], S));
 }
 
 /* phi without the part of the pressure. The fluxes of walls and inlets are
@@ -209,14 +197,12 @@ static void predicted_fluxes(struct fluid *fl)
     FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
     if (fl->deferred != NULL) fl->deferred->add_to_fluxes(fl->deferred, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
-            const int o = m->owner[f];
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const int o = m->owner[f];
+        if (b->kind == BOUNDARY_OUTLET)
             fl->phi[f] = pressure->explicit_flux[f] +
                          pressure->m_face[f] * pressure->per_force[o] *
-                             dot3(&fl->momentum->H[3 * o], &m->S[3 * f]);
-        }
+                             vector_dot(&fl->momentum->H[3 * o], &m->S[3 * f]);
     }
 }
 
@@ -273,12 +259,10 @@ static void pressure_rhs(struct fluid *fl)
         pressure->scale = sqrt(squares);
     }
     PARALLEL_RANGES(m->n_cells, 8, rhs_rows, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_OUTLET)
             pressure->divergence[m->owner[f]] +=
-                pressure->conductance[f] * fl->options.boundaries[i].pressure;
-    }
+                pressure->conductance[f] * b->pressure;
 }
 
 FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
@@ -289,18 +273,14 @@ FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
 
 static void add_pressure_fluxes(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
     const struct pressure_system *const pressure = fl->pressure;
 
     FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, pressure->conductance,
                   fl->p, fl->phi);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        const double outside = fl->options.boundaries[i].pressure;
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
-            fl->phi[f] -=
-                pressure->conductance[f] * (outside - fl->p[m->owner[f]]);
-    }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_OUTLET)
+            fl->phi[f] -= pressure->conductance[f] *
+                          (b->pressure - fl->p[fl->mesh->owner[f]]);
 }
 
 struct solve_report pressure_correct(struct fluid *fl)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "linear/faces.h"
 #include "fluid/deferred.h"
 #include "fluid/face_jump.h"
@@ -25,19 +26,11 @@ static int has(const struct fluid *fl, enum boundary_kind kind)
 /* 1 if a slip wall is not normal to an axis. */
 static int has_inclined_slip(const struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const S = &m->S[3 * f];
-            const double least =
-                fmin(fmin(fabs(S[0]) + fabs(S[1]), fabs(S[1]) + fabs(S[2])),
-                     fabs(S[2]) + fabs(S[0]));
-            if (least > 1e-12 * (fabs(S[0]) + fabs(S[1]) + fabs(S[2])))
-                return 1;
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const double *const S = &fl->mesh->S[3 * f];
+        const double x = fabs(S[0]), y = fabs(S[1]), z = fabs(S[2]);
+        const double least = fmin(fmin(x + y, y + z), z + x);
+        if (b->kind == BOUNDARY_SLIP && least > 1e-12 * (x + y + z)) return 1;
     }
     return 0;
 }
@@ -166,9 +159,9 @@ static void free_arrays(struct fluid *fl)
 static void fill_geometry(struct face_geometry *g, const struct mesh *m)
 {
     for (int f = 0; f < m->n_faces; f++) {
-        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-        g->SS[f] = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-        g->Sd[f] = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+        const double *const S = &m->S[3 * f];
+        g->SS[f] = vector_dot(S, S);
+        g->Sd[f] = vector_dot(S, &m->d[3 * f]);
         g->face_coefficient[f] = g->SS[f] / g->Sd[f];
     }
 }

@@ -46,8 +46,9 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
 /* Rows first .. last - 1 of the same product, for a caller that uses them while
- * they are still in the cache; but each field has its own diagonal, diag[m * i +
- * k], in place of A->diag. Without diag (NULL) the product has no diagonal part.
+ * they are still in the cache; but each field has its own diagonal, diag[m * i
+ * + k], in place of A->diag. Without diag (NULL) the product has no diagonal
+ * part.
  */
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y);

@@ -176,8 +176,7 @@ void mesh_collect_faces(struct mesh *m)
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
-        mesh_off_middle(m, f, off);
-        if (larger(off, 1e-6, &m->d[3 * f])) m->skewed = 1;
+        if (mesh_misses_middle(m, f, off)) m->skewed = 1;
     }
     for (int c = 0; c < m->n_cells && m->skewed; c++)
         if (m->cell_start[c + 1] - m->cell_start[c] == 4) m->skewed = 2;
@@ -186,11 +185,7 @@ void mesh_collect_faces(struct mesh *m)
 void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    const double ratio = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-                         (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
-
-    for (int k = 0; k < 3; k++)
-        rest[k] = S[k] - ratio * d[k];
+    vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, rest);
 }
 
 void mesh_off_middle(const struct mesh *m, int f, double off[3])
@@ -203,6 +198,12 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3])
         for (int k = 0; k < 3; k++)
             off[k] = m->face_centre[3 * f + k] -
                      m->centre[3 * m->owner[f] + k] - (1.0 - m->w[f]) * d[k];
+}
+
+int mesh_misses_middle(const struct mesh *m, int f, double off[3])
+{
+    mesh_off_middle(m, f, off);
+    return larger(off, 1e-6, &m->d[3 * f]);
 }
 
 int mesh_dimensions(const struct mesh *m)
@@ -220,7 +221,7 @@ double mesh_openness(const struct mesh *m)
             const double *const S = &m->S[3 * m->cell_face[a]];
             for (int k = 0; k < 3; k++)
                 sum[k] += m->out[a] * S[k];
-            surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+            surface += vector_length(S);
         }
         const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
         if (surface > 0.0) worst = fmax(worst, open / surface);

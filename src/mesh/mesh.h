@@ -159,6 +159,9 @@ void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
  * face the part of its link along it [m]. */
 void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
+/* The same, and whether it is more than 1e-6 of the link [-]. */
+int mesh_misses_middle(const struct mesh *m, int f, double off[3]);
+
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
 int mesh_dimensions(const struct mesh *m);
 

@@ -248,7 +248,7 @@ static int check_integrator(const struct settings *s)
 static int check_list(const struct settings *s)
 {
     const struct dem_options o = particle_options_dem(s, 1.0);
-    const char *const unknown = o.method->unknown(&o);
+    const char *const unknown = o.method->unsupported(&o);
     if (unknown == NULL) return 0;
     return settings_wrong(s, "particles.list",
                           "%s does not support %s; %s does", o.method->name,

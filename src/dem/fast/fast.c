@@ -14,7 +14,7 @@
  * d / MARGIN_PARTS. The optima are flat. */
 enum { SKIN_PARTS = 3, THINNEST_SKIN = 6, MARGIN_PARTS = 600 };
 
-static const char *unknown(const struct dem_options *o)
+static const char *unsupported(const struct dem_options *o)
 {
     (void)o;
     return NULL;
@@ -200,7 +200,7 @@ const struct dem_method fast_verlet = {
     .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
     .keys = {skin_keys},
-    .unknown = unknown,
+    .unsupported = unsupported,
     .skin = skin_of,
     .create = create,
     .free = release,

@@ -28,12 +28,9 @@ static void fill_velocity_gradients(struct deferred_terms *d,
 {
     const struct mesh *const m = fl->mesh;
 
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            boundary_face_velocity(fl, &fl->options.boundaries[i], f - p->first,
-                                   f, &d->u_boundary[3 * (f - m->n_internal)]);
-    }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        boundary_face_velocity(fl, b, j, f,
+                               &d->u_boundary[3 * (f - m->n_internal)]);
     fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
 }
 

@@ -109,14 +109,11 @@ void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl)
     if (d->normal_equations != NULL)
         PARALLEL_RANGES(m->n_cells, 30, pressure_slopes, d, fl);
     FOR_EACH_FACE(fl->faces, 12, inner_pressure, d, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind == BOUNDARY_OUTLET) continue;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const off = &d->off[3 * f];
-            fl->p_face[f] += vector_dot(&fl->grad_p[3 * m->owner[f]], off) -
-                             vector_dot(fl->mean_gradient, off);
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const double *const off = &d->off[3 * f];
+        if (b->kind == BOUNDARY_OUTLET) continue;
+        fl->p_face[f] += vector_dot(&fl->grad_p[3 * m->owner[f]], off) -
+                         vector_dot(fl->mean_gradient, off);
     }
 }
 

@@ -28,7 +28,7 @@ static int parabola(const struct inlet_request *r, struct boundary *b,
             const double *const x = m->box.edge[k];
             if (m->S[3 * (p->first + j) + k] == 0.0 && r->between_walls[k])
                 profile[j] *= parabola_profile_mean(x[at[k]] / x[n[k]],
-                                                x[at[k] + 1] / x[n[k]]);
+                                                    x[at[k] + 1] / x[n[k]]);
         }
     }
     b->profile = b->memory = profile;

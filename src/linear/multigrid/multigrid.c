@@ -123,8 +123,7 @@ void multigrid_set_coefficients(struct multigrid *mg, const double *g,
 {
     struct level *const v = mg->level;
 
-    mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g)
-                                     : rms(v->n, sums));
+    mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g) : rms(v->n, sums));
     level_set_fine(v, g, sums, mg->unit);
     for (int k = 1; k < mg->n_levels; k++)
         level_galerkin_coarsen(&v[k], &v[k - 1], mg->unit);
