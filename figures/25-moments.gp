@@ -17,7 +17,7 @@ do for [r = 0:1] { do for [k = 0:4] {
     splot field(r) index k using 1:2:3
     unset table
 } }
-set terminal pngcairo size 760,500 font "Sans,10" background "#ffffff"
+set terminal png size 760,500 background "#ffffff"
 set output "figures/25-moments.png"
 set multiplot
 do for [r = 0:1] { do for [k = 0:4] {

@@ -22,7 +22,7 @@ do for [what = 0:1] {
         unset contour
         set surface
     }
-    set terminal pngcairo size 1000,470 font "Sans,10" background "#ffffff"
+    set terminal png size 1000,470 background "#ffffff"
     set output word("figures/26-snapshots-grains.png figures/26-snapshots-fields.png", what + 1)
     set multiplot
     set palette defined (0 "#ffffff", 0.3 "#9fc3d9", 0.62 "#0b3c5d")
