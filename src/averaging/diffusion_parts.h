@@ -1,4 +1,4 @@
-/* diffusion_parts.h -- what the folders may add to the diffusion.
+/* diffusion_parts.h -- variants of the diffusion that folders provide.
  *
  * Chapter "Averaging".
  */

@@ -5,9 +5,8 @@
  *          cell.
  * linear   the value and the Gauss gradient of that cell,
  *              q_i = f_c + (1 / V_c) sum_f S_f (f_f - f_c) . (x_i - x_c).
- *          Exact for linear fields also on graded
- *          meshes and across a period too; second order for smooth ones; jumps
- *          at faces by what the gradients of the two cells differ. At a
+ *          Exact for linear fields, also on graded meshes and across a period;
+ *          second order for smooth ones; discontinuous at faces. At a
  *          boundary f_f is the given value; then it is exact there as well. If
  *          none is given, the gradient of a cell at the boundary is fitted to
  *          its neighbours, again exact for linear fields; there is none in a

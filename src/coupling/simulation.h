@@ -1,4 +1,4 @@
-/* simulation.h -- all parts of one simulation.
+/* simulation.h -- all parts of a simulation.
  * Chapter "The coupled loop".
  *
  * A pointer is NULL if the case does not have that part: no fluid, no

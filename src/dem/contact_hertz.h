@@ -7,7 +7,7 @@
  *
  * with S_n = 2 E* sqrt(R* delta) for the normal dashpot and S_t = k_t for the
  * tangential one; zeta belongs to e (contact_damping_ratio). The factor
- * sqrt(5/6) is what makes the rebound keep e of its speed for a force that
+ * sqrt(5/6) gives the rebound the fraction e of the speed for a force that
  * grows as delta^(3/2); as with the linear law the contact ends at delta = 0.
  */
 #ifndef DEM_CONTACT_HERTZ_H

@@ -129,20 +129,20 @@ static double random_coefficient(const struct stochastic_drag *self,
 }
 
 static void stochastic_drag_drag(void *memory, struct simulation *sim,
-                                 double *k, int stride)
+                                 double *k)
 {
     struct stochastic_drag *const self = memory;
     const int n = sim->particles->n;
     long cuts = 0;
 
-#pragma omp parallel for schedule(static) reduction(+ : cuts) if (n >= 1000)
+#pragma omp parallel for schedule(static) reduction(+ : cuts) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++) {
         if (self->y[i] == 0.0)
             self->y[i] = normal_of(self, sim->particles, i, sim->steps);
-        const double all = k[stride * i];
+        const double all = k[i];
         const double part = random_coefficient(self, sim, i);
         cuts += fabs(part) > all;
-        k[stride * i] = all + fmax(-all, fmin(all, part)); /* [EW18 32] */
+        k[i] = all + fmax(-all, fmin(all, part)); /* [EW18 32] */
     }
     self->cuts += cuts;
     self->uses += n;
@@ -169,7 +169,7 @@ static void stochastic_drag_after_particles(void *memory,
     const double a = stochastic_drag_memory(sim->dt, self->T);
     const int n = sim->particles->n;
 
-#pragma omp parallel for schedule(static) if (n >= 1000)
+#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++)
         self->y[i] = stochastic_drag_step(
             a, 1.0, self->y[i],
