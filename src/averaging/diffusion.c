@@ -10,7 +10,7 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
-#include "averaging/diffusion_parts.h"
+#include "averaging/diffusion_variants.h"
 #include "base/alloc.h"
 #include "linear/chebyshev.h"
 #include "linear/csr.h"
