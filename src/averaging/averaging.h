@@ -7,7 +7,7 @@
  * the spread force on the field.
  *
  *     sum_c V_c spread(q)_c = sum_i q_i
- *     sum_i q_i gather(f)_i = sum_c V_c f_c spread(q)_c
+ *     sum_i q_i gather(phi)_i = sum_c V_c phi_c spread(q)_c
  *
  * The m numbers of a cell or particle are interleaved, field[m * c + k] and q[m
  * * i + k], and are spread together, which is much cheaper than one by one. The

@@ -62,8 +62,8 @@ struct simulation {
     struct effect_state *at_work;    /* the one whose hook runs */
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
-    struct processes *processes; /* that have the other parts of it; NULL: it
-                                    is whole */
+    struct processes *processes; /* with the other parts of it; NULL: there is
+                                    one process */
 };
 
 /* Visits all parts that decide the next step (state.h); a simulation that is

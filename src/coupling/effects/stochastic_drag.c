@@ -8,10 +8,11 @@
  * along the slip. It changes nothing but the coefficient k of the drag k w, by
  * k' = (pi/8) rho_f d^2 eps^2 |w| C', so that what the fluid is charged with,
  * sub-steps and implicit treatment stay as they are, and momentum with them.
- * Where k' would be below -k the drag would turn round: there |k'| is cut to k,
- * above as below lest the mean should move, and the cuts are counted.
+ * For k' below -k the drag would change its direction: |k'| is limited to k,
+ * above as below so that the mean does not change, and the limited values are
+ * counted.
  *
- * Kept for each particle is y = C' / sigma, whose variance is 1 on any path
+ * The state of a particle is y = C' / sigma, whose variance is 1 on any path
  * through regions of other sigma. It changes once a step of the fluid, before
  * the fluid is charged for the next one. The normal numbers are those of seed,
  * particle and step (base/random.h); 0 is a particle that has none yet.
