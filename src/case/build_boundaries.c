@@ -91,7 +91,7 @@ static int check_values(const struct settings *s, const struct boundary *b,
         for (int j = 0; j < r->patch->n; j++) {
             const double t =
                 times > 0 ? settings_real(s, "output.end") * i / times : 0.0;
-            const double u = boundary_inlet_share(b, j, t);
+            const double u = boundary_inlet_profile(b, j, t);
             if (u >= 0.0 && u < HUGE_VAL) continue;
             snprintf(wrong, INLET_PROFILE_TEXT,
                      "it gives %g on face %d of %d at %g s; expected >= 0", u,

@@ -49,7 +49,7 @@ static void add_shares(const struct mesh *m, const struct patch *p,
 
     for (int j = 0; j < p->n; j++) {
         const double area = vector_length(&m->S[3 * (p->first + j)]);
-        const double share = boundary_inlet_share(b, j, t);
+        const double share = boundary_inlet_profile(b, j, t);
         sum += share * area;
         surface += area;
         *peak = fmax(*peak, share);
