@@ -65,7 +65,7 @@ struct mesh {
     double *S;      /* [m^2] area vector, 3 a face */
     double *d;      /* [m] owner to neighbour centre (boundary: to the face
                        centre), 3 a face */
-    double *w;      /* [-] share of the owner in a linear face value
+    double *w;      /* [-] weight of the owner in a linear face value
                        (boundary: 0, the face has a value of its own) */
     int n_patches;
     struct patch *patches;
