@@ -1,8 +1,8 @@
 #!/bin/sh
 # 19-long-cells.sh -- a ring of NR cells across and 446 round, with inlets,
 # outlets and slip walls in turn about it: the pressure of the cells along a
-# radius, from within, and by which factor its difference from cell to cell
-# changes on the way in.
+# radius, from within, by which factor its difference from cell to cell changes
+# on the way in, and that factor by (19.8), or 0.
 #
 #   sh figures/19-long-cells.sh NR
 set -eu
@@ -31,13 +31,23 @@ awk -v nr="$nr" 'BEGIN {
     print "); };"
 }' >"$dir/ring.cfg"
 winnow run "$dir/ring.cfg" -o "$dir/out" --quiet
-tail -1 "$dir/out/probes.csv" | awk -F, -v nr="$nr" '{
-    print "# r, length over width of the cell; p [Pa]; factor"
+tail -1 "$dir/out/probes.csv" | awk -F, -v nr="$nr" '
+function excess(x, ratio) { # of the right side of (19.8)
+    return -2 * x * (1 + x) ^ 2 * (1 + ratio ^ 2) - (1 - x) ^ 4
+}
+function expected(ratio,   x) {
+    for (x = -1; x < 0; x += 0.001) if (excess(x, ratio) > 0) return x
+    return 0
+}
+{
+    print "# r, length over width of the cell; p [Pa]; factor; (19.8)"
     for (i = nr - 10; i <= nr; i++) {
         r = 1 + 3 * (i - 0.5) / nr
-        printf "%.3f %5.1f %8.4f", r, 3 / nr / (6.283185307 * r / 446), $(i + 1)
+        ratio = 3 / nr / (6.283185307 * r / 446)
+        printf "%.3f %5.1f %8.4f", r, ratio, $(i + 1)
         if (i < nr && i > 1)
-            printf " %6.2f", ($(i + 1) - $i) / ($(i + 2) - $(i + 1))
+            printf " %6.2f %6.2f", ($(i + 1) - $i) / ($(i + 2) - $(i + 1)),
+                   expected(ratio)
         print ""
     }
 }'

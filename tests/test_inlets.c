@@ -142,9 +142,9 @@ START_TEST(a_parabola_by_formula_is_that_between_the_walls_of_a_box)
         inlet("inlet = 2.0; profile = \"formula\"; formula = \"6*y*(1-y)\";");
 
     for (int j = 0; j < 8; j++)
-        ck_assert_double_eq_tol(boundary_inlet_share(&a->boundaries[0], j, 0.0),
-                                boundary_inlet_share(&b->boundaries[0], j, 0.0),
-                                1e-13);
+        ck_assert_double_eq_tol(
+            boundary_inlet_profile(&a->boundaries[0], j, 0.0),
+            boundary_inlet_profile(&b->boundaries[0], j, 0.0), 1e-13);
     build_free(a);
     build_free(b);
 }
@@ -196,11 +196,11 @@ START_TEST(a_profile_from_a_table_or_a_file_is_linear_between_its_rows)
             const double *const e = b->mesh->box.edge[1];
             const double y = 0.5 * (e[j] + e[j + 1]);
             ck_assert_double_eq_tol(
-                boundary_inlet_share(&a->boundaries[0], j, 7.0), 1.0 + 1.5 * y,
-                1e-13);
+                boundary_inlet_profile(&a->boundaries[0], j, 7.0),
+                1.0 + 1.5 * y, 1e-13);
             ck_assert_double_eq_tol(
-                boundary_inlet_share(&b->boundaries[0], j, 1.0), 1.0 + 1.5 * y,
-                1e-13);
+                boundary_inlet_profile(&b->boundaries[0], j, 1.0),
+                1.0 + 1.5 * y, 1e-13);
         }
         build_free(b);
     }
@@ -217,7 +217,7 @@ START_TEST(a_profile_of_points_in_a_plane_keeps_a_constant)
 
     for (int j = 0; j < 8; j++)
         ck_assert_double_eq_tol(
-            boundary_inlet_share(&sim->boundaries[0], j, 0.0), 3.0, 1e-13);
+            boundary_inlet_profile(&sim->boundaries[0], j, 0.0), 3.0, 1e-13);
     build_free(sim);
 }
 END_TEST

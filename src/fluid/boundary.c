@@ -15,7 +15,7 @@ double boundary_inlet_velocity(const struct boundary *b, double t)
     return U[i] + (U[i + 1] - U[i]) * (t - x[i]) / (x[i + 1] - x[i]);
 }
 
-double boundary_inlet_share(const struct boundary *b, int j, double t)
+double boundary_inlet_profile(const struct boundary *b, int j, double t)
 {
     if (b->varying != NULL) return b->varying(b, j, t);
     return b->profile != NULL ? b->profile[j] : 1.0;

@@ -77,7 +77,7 @@ static int check_values(const struct settings *s, const struct boundary *b,
         for (int j = 0; j < r->patch->n; j++) {
             const double t =
                 times > 0 ? settings_real(s, "output.end") * i / times : 0.0;
-            const double u = boundary_inlet_share(b, j, t);
+            const double u = boundary_inlet_profile(b, j, t);
             if (u >= 0.0 && u < HUGE_VAL) continue;
             snprintf(wrong, INLET_PROFILE_TEXT,
                      "it gives %g on face %d of %d at %g s; expected >= 0", u,
@@ -130,7 +130,7 @@ static void add_shares(const struct mesh *m, const struct patch *p,
 
     for (int j = 0; j < p->n; j++) {
         const double area = vector_length(&m->S[3 * (p->first + j)]);
-        const double share = boundary_inlet_share(b, j, t);
+        const double share = boundary_inlet_profile(b, j, t);
         sum += share * area;
         surface += area;
         *peak = fmax(*peak, share);
