@@ -51,7 +51,8 @@ static void release_part(struct engine *e)
     e->part = NULL;
 }
 
-/* The file: what LAMMPS had, of a run that goes on; or "". */
+/* The file has the spheres of a run that goes on; its name is "" in a new one.
+ */
 int engine_build_part(struct engine *e, const char *file)
 {
     int code;
