@@ -597,5 +597,15 @@ sed 's/"fixed"; },/"fixed"; } );/
     bodies.cfg >clump.cfg
 fact a_clump_that_turns_goes_on_to_the_same_bits 0 "" gone_on clump
 
+fact free_box_asks_for_its_density 2 "bodies.boxes: number 0 is moved and asks for its density" \
+    body -s 'bodies.boxes=({position=[0.05,0.08,0.05]; size=[0.03,0.03,0.03]; motion="free";})'
+fact box_that_is_held_has_no_spin 2 "bodies.boxes: number 0 does not turn and has a spin" \
+    body -s 'bodies.boxes=({position=[0.05,0.08,0.05]; size=[0.03,0.03,0.03]; spin=[0.0,1.0,0.0];})'
+sed 's/^ *{ position = .0.06.*/boxes = ( { position = [0.05, 0.07, 0.05]; size = [0.03, 0.026, 0.03]; rotation = [0.0, 0.3, 0.5];\
+        density = 2500.0; motion = "free"; spin = [0.0, 0.0, 5.0]; } ); };/
+     s/"fixed"; },/"fixed"; } );/' bodies.cfg >box.cfg
+fact a_box_that_turns_goes_on_to_the_same_bits 0 "" gone_on box
+fact blocks_are_shown_as_they_turn 0 "" grep -q body_surfaces whole/manifest.txt
+
 echo "command line: $facts passed, $failed failed"
 [ $failed -eq 0 ]

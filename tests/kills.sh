@@ -278,6 +278,10 @@ check "a run for a copy" short flow.cfg -o was -s output.end=0.003
 check "the folder has the case" short was/case.cfg -o again
 check "which gives the same bits" cmp was/history.csv again/history.csv
 check "status of what is done" says 'ended *done' "$winnow" status was
+mkdir two-lines
+cp was/manifest.txt two-lines
+sed 's/"done"/"it broke\\u000aTry again"/' was/summary.json >two-lines/summary.json
+check "status of a reason of two lines" says 'ended *it broke Try again' "$winnow" status two-lines
 check "and what goes further" says 'go further.*--resume' "$winnow" status was
 cp -r was foreign
 short linked.cfg -o other -s output.end=1e-4 2>said

@@ -29,7 +29,7 @@ struct pool_options {
                            outlives the pool */
     const char *time;   /* NULL: bdf2 */
     double virtual_mass;
-    enum body_method method;
+    const struct body_method *method;
     int n; /* bodies */
     int dem_steps;
     double tolerance; /* 0: 1e-10 */
@@ -108,7 +108,7 @@ static inline void pool_one_sphere_by(struct pool *p, double d, int cells,
                                       double mu, double dt, double gradient,
                                       const double x[3],
                                       enum body_motion motion, double density,
-                                      enum body_method method)
+                                      const struct body_method *method)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {cells, cells, cells},
@@ -117,8 +117,7 @@ static inline void pool_one_sphere_by(struct pool *p, double d, int cells,
                                    .dt = dt,
                                    .gradient = {gradient, 0.0, 0.0},
                                    .method = method,
-                                   .time = method == BODY_METHOD_HOLD ? "bdf2"
-                                                                      : "euler",
+                                   .time = method == NULL ? "bdf2" : "euler",
                                    .virtual_mass = 2.0};
     const struct body_shape sphere = body_shape_sphere(d);
 
@@ -131,8 +130,7 @@ static inline void pool_one_sphere(struct pool *p, double d, int cells,
                                    const double x[3], enum body_motion motion,
                                    double density)
 {
-    pool_one_sphere_by(p, d, cells, mu, dt, gradient, x, motion, density,
-                       BODY_METHOD_HOLD);
+    pool_one_sphere_by(p, d, cells, mu, dt, gradient, x, motion, density, NULL);
 }
 
 #endif

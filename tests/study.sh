@@ -81,6 +81,28 @@ cells_are_second_order() {
                    END { exit n != 3 || wrong }' cells/study.md
 }
 fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order
+# A flow through both walls of a channel blows the profile along it to one side, V u' =
+# nu u'' + g with u = 0 below and u' = 0 above: a layer of nu/V, eight cells of the
+# finest mesh at the top. Upwind convection is of order 1, from below, since the layer
+# is thin; linear convection of order 2.
+cat >blown.cfg <<'END'
+title = "a channel with a flow through its walls";
+mesh = { size = [0.01, 0.02, 0.01]; cells = [1, 16, 1]; periodic = [true, false, true]; };
+fluid = { density = 1000; viscosity = 0.1; step = 0.02; bottom = { inlet = 0.05; };
+          top = { outlet = 0.0; }; mean_gradient = [-100.0, 0.0, 0.0]; tolerance = 1e-12; };
+output = { end = 2; every = 2;
+    probes = ( { field = "u_x"; position = [0.005, 0.0175, 0.005]; } ); };
+END
+"$winnow" study blown.cfg -s fluid.convection=upwind,linear \
+    -s mesh.cells='[1,16,1],[1,32,1],[1,64,1]' --measure u_x -o blown --quiet \
+    --truth '0.1/0.05*(0.0175 - 1e-4/0.05*exp(-10)*(exp(0.0175*500) - 1))'
+blown_has_order() { # scheme, from, to
+    awk -F' [|] ' -v scheme="=$1," -v low="$2" -v high="$3" '
+        /^[|]/ && index($1, scheme) { n++; if (n == 3 && ($5 + 0 < low || $5 + 0 > high)) wrong = 1 }
+        END { exit n != 3 || wrong }' blown/study.md
+}
+fact upwind_convection_is_reported_with_order_1_against_a_formula blown_has_order upwind 0.8 1.05
+fact linear_convection_is_reported_with_order_2_against_a_formula blown_has_order linear 1.9 2.1
 # A sphere that rests on a spring falls into it, v = g/w sin(wt), w^2 = k/m, and never
 # leaves it: the force has no jump, and velocity-Verlet is of second order.
 cat >spring.cfg <<'END'

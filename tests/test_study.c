@@ -2,6 +2,7 @@
 /* Asks for models by name: needs src/study/equations */
 /* What a study computes: choices, measures, truths, means with their errors,
  * orders. The processes are in tests/study.sh. */
+#include "case/resume/read_summary.h"
 #include "study/choices.h"
 #include "study/curve.h"
 #include "study/measure.h"
@@ -69,7 +70,8 @@ START_TEST(a_value_as_is_sets_nothing)
 END_TEST
 
 /* A step gets smaller; of cells only those that change count, and more of them
- * are smaller. */
+ * are smaller. A word among numbers has no size, and the numbers keep theirs.
+ */
 START_TEST(sizes_fall_from_coarse_to_fine)
 {
     struct choices c = two_choices();
@@ -83,6 +85,12 @@ START_TEST(sizes_fall_from_coarse_to_fine)
     ck_assert_int_eq(choices_add(&c, "averaging.method=pcm,kernel"), 0);
     ck_assert_double_nan(choices_size(&c.of[0], 0));
     ck_assert_int_eq(choices_axis(&c), -1);
+    choices_free(&c);
+    ck_assert_int_eq(choices_add(&c, "particles.skin=8e-4,4e-4,auto,1e-4"), 0);
+    ck_assert_double_eq(choices_size(&c.of[0], 1) / choices_size(&c.of[0], 3),
+                        4.0);
+    ck_assert_double_nan(choices_size(&c.of[0], 2));
+    ck_assert_int_eq(choices_axis(&c), 0);
     choices_free(&c);
 }
 END_TEST
@@ -200,13 +208,15 @@ START_TEST(numbers_of_a_summary_are_found_by_their_path)
 
     scratch_make(dir);
     scratch_write(scratch_path(dir, "summary.json"), summary);
-    ck_assert_double_eq(results_number(dir, "steps"), 12.0);
-    ck_assert_double_eq(results_number(dir, "seconds.cfd"), 0.25);
-    ck_assert_double_eq(results_number(dir, "seconds.steps"), 3.0);
-    ck_assert_double_eq(results_number(dir, "worst.overlap"), 1e-3);
-    ck_assert_double_nan(results_number(dir, "exit_code"));
-    ck_assert_double_nan(results_number(dir, "cfd"));
-    ck_assert_double_nan(results_number(dir, "case"));
+    ck_assert_double_eq(read_summary_number(dir, "steps"), 12.0);
+    ck_assert_double_eq(read_summary_number(dir, "seconds.cfd"), 0.25);
+    ck_assert_double_eq(read_summary_number(dir, "seconds.steps"), 3.0);
+    ck_assert_double_eq(read_summary_number(dir, "worst.overlap"), 1e-3);
+    ck_assert_double_nan(read_summary_number(dir, "exit_code"));
+    ck_assert_double_nan(read_summary_number(dir, "cfd"));
+    ck_assert_double_nan(read_summary_number(dir, "case"));
+    ck_assert_double_nan(read_summary_number(dir, "seconds.overlap"));
+    ck_assert_double_nan(read_summary_number(dir, "steps.cfd"));
     scratch_clear(dir);
 }
 END_TEST
@@ -219,7 +229,7 @@ START_TEST(texts_of_a_summary_are_those_that_were_written)
     scratch_make(dir);
     scratch_write(scratch_path(dir, "summary.json"),
                   "{\n  \"exit_reason\": \"a \\\"b\\\" \\\\u\\u000ac\"\n}\n");
-    char *const text = results_text(dir, "exit_reason");
+    char *const text = read_summary_text(dir, "exit_reason");
     ck_assert_str_eq(text, "a \"b\" \\u\nc");
     free(text);
     scratch_clear(dir);

@@ -211,10 +211,6 @@ int averaging_check(const struct averaging_method *method,
                     const struct mesh *mesh, const struct averaging_options *o)
 {
     const struct averaging_options full = completed(o);
-
-    if (method != &diffusion_method) return 0;
-    if (strcmp(full.scheme, "crank-nicolson") != 0) return 0;
-    const double steps = diffusion_safe_steps(mesh, full.bandwidth);
-    const double safe = ceil(steps * (1.0 - 1e-9)); /* 12.000000001 is 12 */
-    return full.steps < safe ? number_clamped(safe, 0, INT_MAX) : 0;
+    return method == &diffusion_method ? diffusion_needed_steps(mesh, &full)
+                                       : 0;
 }

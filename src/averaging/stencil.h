@@ -22,7 +22,7 @@ struct stencil {
     int n_shapes;
     int *shape; /* [-] n_cells; which one a cell has */
     int *start; /* [-] n_shapes + 1; the entries of shape s are start[s] ... */
-    int *step;  /* [-] cell number of the entry less that of the cell */
+    int *index_offset; /* [-] cell number of the entry less that of the cell */
     double *dx, *dy, *dz; /* [m] from the cell's centre to the entry's */
     int largest;          /* [-] entries of the largest shape */
 };

@@ -4,6 +4,7 @@
 #define CASE_BUILD_BOUNDARIES_H
 
 #include "fluid/boundary.h"
+#include "fluid/inlet_profile.h"
 #include "mesh/mesh.h"
 #include "case/settings.h"
 
@@ -13,13 +14,15 @@ struct boundary *build_boundaries(const struct settings *s,
                                   const struct mesh *m, double **series);
 void build_boundaries_free(struct boundary *all, int n, double *series);
 
-/* 0 if all inlets and rotating walls can be built; else 2 after a message. */
-int build_boundaries_check(const struct settings *s);
+/* 1 if the case gives a key of a patch, whose path this makes. */
+enum { BUILD_BOUNDARIES_PATH = 128 };
+int build_boundaries_has(const struct settings *s, const struct patch *p,
+                         const char *key, char path[BUILD_BOUNDARIES_PATH]);
 
-/* The velocity of an inlet over what the case gives, as its profile makes it
- * [-]: the mean over the patch and the largest of a face, at any time of the
- * run. */
-void build_boundaries_shares(const struct settings *s, const char *patch,
-                             double *mean, double *peak);
+/* The profile of an inlet, and the times of a run, besides 0, at which one that
+ * varies is looked at. */
+enum { BUILD_BOUNDARIES_TIMES = 64 };
+const struct inlet_profile *build_boundaries_profile(const struct settings *s,
+                                                     const struct patch *p);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build_particles.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -8,10 +9,8 @@
 #include "base/alloc.h"
 #include "case/build_free.h"
 #include "case/case_steps.h"
-#include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
-#include "case/case_overlap.h"
 #include "case/case_mesh.h"
 #include "case/particle_options.h"
 
@@ -185,8 +184,6 @@ static int complete(const struct settings *s, struct simulation *sim,
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    o->attractions = sim->attractions =
-        case_cohesion_create(s, &o->n_attractions);
     return case_part_complete(s, sim, o);
 }
 
@@ -206,6 +203,14 @@ int build_particles_check(const struct settings *s)
     return code;
 }
 
+void build_particles_limit(const struct settings *s, struct simulation *sim)
+{
+    const double most = settings_real(s, "particles.max_overlap");
+    const double expected = settings_real(s, "particles.expected_overlap");
+
+    dem_limit_overlap(sim->dem, fmin(expected, most), most);
+}
+
 int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver)
 {
@@ -220,7 +225,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
-    case_overlap_limit(s, sim);
+    build_particles_limit(s, sim);
     code = case_part_add(s, sim);
     if (code != 0) return code;
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);

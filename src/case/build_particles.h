@@ -16,4 +16,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
  * moves, and nothing is kept. */
 int build_particles_check(const struct settings *s);
 
+/* The overlaps that the case expects and allows. */
+void build_particles_limit(const struct settings *s, struct simulation *sim);
+
 #endif

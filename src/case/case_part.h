@@ -55,8 +55,6 @@ struct case_part {
     int (*add)(const struct settings *s, struct simulation *sim);
     /* After all else has been created. */
     int (*add_last)(const struct settings *s, struct simulation *sim);
-    /* What to say after a run. */
-    void (*after_run)(const struct simulation *sim);
 };
 
 /* All of them, ended by NULL. */
@@ -73,8 +71,5 @@ int case_part_add(const struct settings *s, struct simulation *sim);
 int case_part_add_last(const struct settings *s, struct simulation *sim);
 int case_part_bed_file(const struct settings *s, char *path, size_t room);
 int case_part_count_later(const struct settings *s);
-struct case_diameters case_part_later_diameters(const struct settings *s,
-                                                int material);
-void case_part_after_run(const struct simulation *sim);
 
 #endif

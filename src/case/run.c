@@ -14,15 +14,13 @@
 #include "coupling/processes.h"
 #include "dem/population.h"
 #include "output/folder.h"
-#include "case/breakdown.h"
 #include "case/build.h"
-#include "case/case_part.h"
-#include "case/case_overlap.h"
+#include "case/case_check.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/case_scales.h"
 #include "case/progress.h"
 #include "case/recorder.h"
+#include "case/run_part.h"
 #include "case/saver.h"
 
 enum {
@@ -64,12 +62,21 @@ struct run {
     const struct saver *saver; /* NULL: the run cannot be saved */
     void *memory;              /* of the saver */
     int resumes;               /* [-] 1: it had begun, and goes on */
-    char why[BREAKDOWN_TEXT];  /* it broke down */
+    char why[RUN_PART_TEXT];   /* it broke down */
 };
 
 static int broke_down(struct run *run)
 {
-    breakdown_describe(run->sim, run->why);
+    const struct simulation *const sim = run->sim;
+    int known = 0;
+
+    for (int i = 0; run_parts[i] != NULL && !known; i++)
+        if (run_parts[i]->broke_down != NULL)
+            known = run_parts[i]->broke_down(sim, run->why);
+    if (!known)
+        snprintf(run->why, RUN_PART_TEXT,
+                 "the computation broke down at t = %g s (step %ld)", sim->t,
+                 sim->steps + 1);
     return BROKE_DOWN;
 }
 
@@ -106,7 +113,9 @@ static int advance(struct run *run, struct progress *bar,
 
         if (is_cut_short(sim)) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
-        case_overlap_warn(sim, &told);
+        for (int i = 0; run_parts[i] != NULL; i++)
+            if (run_parts[i]->after_step != NULL)
+                run_parts[i]->after_step(sim, &told);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
         if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
             return NOT_WRITTEN;
@@ -128,7 +137,8 @@ static int go(struct run *run)
     thread_tuner_restore(&tuner);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
-    case_part_after_run(run->sim);
+    for (int i = 0; run_parts[i] != NULL; i++)
+        if (run_parts[i]->after_run != NULL) run_parts[i]->after_run(run->sim);
     return code;
 }
 
@@ -277,7 +287,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (case_scales_check(s) != 0 || check_engine(s) != 0) return WRONG;
+    if (case_check_run(s) != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;

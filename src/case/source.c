@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/source.h"
 
-#include "case/digits.h"
-#include "case/include.h"
+#include "case/case_check.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -76,36 +75,13 @@ static void include_beside(config_t *tree, const char *file)
     config_set_include_dir(tree, folder);
 }
 
-/* libconfig reads a whole number that does not fit an int as another one, so
- * every file that gave a setting is looked through for such numbers. */
-static int check_digits(const config_t *tree, const config_setting_t *s,
-                        char last[SOURCE_TEXT])
-{
-    char file[SOURCE_TEXT];
-    int code = 0;
-
-    locate(tree, config_setting_source_file(s), "", file);
-    if (file[0] != '\0' && strcmp(file, last) != 0) {
-        strcpy(last, file);
-        code = digits_check_file(file);
-    }
-    if (config_setting_is_aggregate(s))
-        for (int i = 0; i < config_setting_length(s) && code == 0; i++)
-            code = check_digits(tree, config_setting_get_elem(s, (unsigned)i),
-                                last);
-    return code;
-}
-
 int source_read(config_t *tree, const char *file)
 {
-    char last[SOURCE_TEXT] = "";
-
     config_init(tree);
     include_beside(tree, file);
-    const int code = include_check(file, config_get_include_dir(tree));
+    const int code = case_check_file(file, config_get_include_dir(tree));
     if (code != 0) return code;
-    if (!config_read_file(tree, file)) return wrong_syntax(tree, file);
-    return check_digits(tree, config_root_setting(tree), last);
+    return config_read_file(tree, file) ? 0 : wrong_syntax(tree, file);
 }
 
 int source_is_default(const config_setting_t *setting)

@@ -18,12 +18,8 @@ const struct effect *effects_named(const char *name)
 
 void effects_add(struct simulation *sim, const struct effect *e, void *memory)
 {
-    const size_t n = (size_t)sim->n_effects;
-    struct effect_state *const more = alloc_zeroed(n + 1, sizeof *more);
-
-    if (n > 0) memcpy(more, sim->effects, n * sizeof *more);
-    free(sim->effects);
-    sim->effects = more;
+    sim->effects = alloc_grown(sim->effects, sim->n_effects, sim->n_effects + 1,
+                               sizeof *sim->effects);
     sim->effects[sim->n_effects++] =
         (struct effect_state){.effect = e, .memory = memory};
 }

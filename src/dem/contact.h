@@ -55,6 +55,7 @@ struct contact_constants {
 /* What a law says of one contact. */
 struct contact_response {
     double elastic;      /* [N] */
+    double stored;       /* [J] by the elastic force: its integral over delta */
     double eta_n, eta_t; /* [kg/s] */
     double k_t;          /* [N/m] */
 };
@@ -86,7 +87,6 @@ struct contact_law {
      * in which a wave goes round it [LS 5.11]; HUGE_VAL for a law that has no
      * elastic waves. */
     double (*wave_time)(const struct material *m, double r, double rho);
-    double stored; /* [-] elastic energy over elastic(delta) delta */
     contact_respond *respond;
 };
 

@@ -89,6 +89,5 @@ const struct contact_law contact_hertz = {
     .constants = constants,
     .duration = duration,
     .wave_time = wave_time,
-    .stored = 0.4,
     .respond = contact_hertz_respond,
 };

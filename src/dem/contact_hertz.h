@@ -68,9 +68,11 @@ contact_hertz_respond(const struct contact_constants *k, double delta,
 {
     const double S_n = contact_hertz_slope(k->normal, R_star, delta);
     const double eta = contact_hertz_damping(k->damping_n, S_n, m_star);
+    const double F = contact_hertz_force(k->normal, R_star, delta);
 
     return (struct contact_response){
-        .elastic = contact_hertz_force(k->normal, R_star, delta),
+        .elastic = F,
+        .stored = 0.4 * F * delta, /* (2/5) k_n delta^(5/2) */
         .eta_n = eta,
         .k_t = contact_hertz_tangential(k->tangential, R_star, delta),
         .eta_t = k->damping_t * eta,

@@ -73,6 +73,5 @@ const struct contact_law contact_linear = {
     .constants = constants,
     .duration = duration,
     .wave_time = wave_time,
-    .stored = 0.5,
     .respond = contact_linear_respond,
 };

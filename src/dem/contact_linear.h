@@ -47,10 +47,12 @@ contact_linear_respond(const struct contact_constants *k, double delta,
                        double R_star, double m_star)
 {
     const double eta = contact_linear_dashpot(k->damping_n, k->normal, m_star);
+    const double F = contact_linear_force(k->normal, delta);
 
     (void)R_star;
     return (struct contact_response){
-        .elastic = contact_linear_force(k->normal, delta),
+        .elastic = F,
+        .stored = 0.5 * F * delta, /* k delta^2 / 2 */
         .eta_n = eta,
         .k_t = k->tangential,
         .eta_t = k->damping_t * eta,

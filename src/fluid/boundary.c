@@ -34,13 +34,6 @@ void boundary_release(struct boundary *b)
         free(b->memory);
 }
 
-double boundary_parabola(double a, double b)
-{
-    const double square = a * a + a * b + b * b; /* (b^3 - a^3) / (b - a) */
-
-    return 3.0 * (a + b) - 2.0 * square; /* mean of 6 s (1 - s) */
-}
-
 static const struct key inlet_keys[] = {
     {"fluid.<patch>.inlet", KEY_SERIES, "m/s", ">= 0", KEY_OPTIONAL,
      "superficial velocity into the box, constant or ((time, velocity), ...)",

@@ -36,7 +36,8 @@ struct boundary {
                                face of the patch, borrowed; NULL: uniform */
     double wall[3];         /* [m/s] of a no-slip wall, no part of it normal */
     const double *walls;    /* [m/s] the same where it differs between the faces
-                               of the patch, 3 a face; NULL: `wall` */
+                               of the patch, 3 a face, at the foot of the centre
+                               of the cell; NULL: `wall` */
     double rotation[3];     /* [rad/s] of a rigid wall, in `walls` already */
     /* [-] the profile of face j of an inlet at time t [s], where it varies in
      * time; NULL: `profile`. */
@@ -58,9 +59,5 @@ const double *boundary_wall_velocity(const struct boundary *b, int j);
 
 /* Frees b->memory. */
 void boundary_release(struct boundary *b);
-
-/* Mean of a parabolic profile, zero at both ends of a channel 0 .. 1, over the
- * interval a .. b, divided by its mean over the channel [-]. */
-double boundary_parabola(double a, double b);
 
 #endif

@@ -29,11 +29,6 @@ static double void_change(const struct fluid *fl, int c)
     return w->older == 0.0 ? change : change + w->older * fl->eps_nm1[c];
 }
 
-FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
-}
-
 static void void_rate_rows(int first, int last, const struct fluid *fl)
 {
     for (int c = first; c < last; c++)
@@ -48,7 +43,7 @@ static void mixture_rows(int first, int last, const struct fluid *fl,
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    SUM_OVER_FACES(fl->faces, first, last, source, outflow, flux);
+    SUM_OVER_FACES(fl->faces, first, last, source, face_loops_outflow, flux);
 }
 
 void continuity_source(struct fluid *fl)
@@ -98,7 +93,7 @@ static void residual_rows(int first, int last, const struct fluid *fl,
         defect[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, outflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow, fl->phi);
     SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
         l.defect = larger(l.defect, fabs(defect[c]));

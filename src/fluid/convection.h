@@ -43,4 +43,8 @@ struct convection_scheme {
 extern const struct convection_scheme *const convection_schemes[];
 const struct convection_scheme *convection_scheme_named(const char *name);
 
+/* The weights of upwind, which schemes with a deferred part use as well. */
+void convection_upwind_weights(const struct convection_faces *faces,
+                               double *share);
+
 #endif

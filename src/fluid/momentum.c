@@ -18,6 +18,7 @@
 
 #include "linear/face_loops.h"
 #include "linear/vec3.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
@@ -53,11 +54,6 @@ static double mass_change(const struct time_levels *l, int c)
     return l->eps_older != NULL ? change + w->older * l->eps_older[c] : change;
 }
 
-FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
-}
-
 /* Diagonal and right-hand side of the cells without boundary faces. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
@@ -71,7 +67,7 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
         diag[c] = levels->ddt[c] - diag[c];
         defect[c] = mass_change(fl->levels, c) * m->V[c] / fl->options.dt;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, outflow,
+    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow,
                    levels->convecting_flux);
     for (int c = first; c < last && levels->ddt_older != NULL; c++)
         diag[c] += levels->ddt_older[c];
@@ -98,7 +94,7 @@ static void add_inlet_face(struct fluid *fl, int f)
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
     const int c = m->owner[f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
     const double a = fl->options.mu * fl->geometry->face_coefficient[f] -
                      fl->options.rho * phi;
 
@@ -157,9 +153,8 @@ static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
     const double D = fl->options.mu * fl->geometry->face_coefficient[f];
-
     const int c = m->owner[f];
 
     for (int k = 0; k < 3; k++)
@@ -191,28 +186,17 @@ static void slip_diagonal(int first, int last, struct fluid *fl)
 
 static void add_slip_faces(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_slip_face(fl, f);
-    }
-    PARALLEL_RANGES(m->n_cells, 12, slip_diagonal, fl);
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_SLIP) add_slip_face(fl, f);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, slip_diagonal, fl);
 }
 
 static void add_boundaries(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
     fl->report.backflow_faces = 0;
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_boundary_face(fl, &fl->options.boundaries[i], f - p->first, f);
-    }
-    PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, fl->momentum);
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        add_boundary_face(fl, b, j, f);
+    PARALLEL_RANGES(fl->mesh->n_cells, 4, spread_diagonal, fl->momentum);
     if (fl->momentum->slip != NULL) add_slip_faces(fl);
 }
 
@@ -226,7 +210,7 @@ void momentum_assemble(struct fluid *fl)
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);
     }
-    if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->deferred != NULL) fl->deferred->add_to_momentum(fl->deferred, fl);
     if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

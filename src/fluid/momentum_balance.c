@@ -49,12 +49,8 @@ static void add_face(const struct fluid *fl, const double *p_face,
 static void add_boundaries(const struct fluid *fl, const double *p_face,
                            struct sum *s)
 {
-    for (int i = 0; i < fl->mesh->n_patches; i++) {
-        const struct patch *const p = &fl->mesh->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_face(fl, p_face, &fl->options.boundaries[i], f - p->first, f,
-                     s);
-    }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        add_face(fl, p_face, b, j, f, s);
 }
 
 void momentum_balance_of_boundaries(const struct fluid *fl, double impulse[3])

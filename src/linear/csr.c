@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Room for the entries of each row: every link has one in both its rows. */
 static void count_rows(struct csr *A, const int *owner, const int *neighbour)
@@ -94,6 +95,19 @@ void csr_free(struct csr *A)
     free(A);
 }
 
+void csr_set_diffusion(struct csr *A, const double *g, const double *sums)
+{
+    memcpy(A->diag, sums, (size_t)A->n * sizeof *sums);
+    for (int l = 0; l < A->n_links; l++) {
+        const int owner = A->col[A->lower[l]], neighbour = A->col[A->upper[l]];
+        const double entry = owner == neighbour ? 0.0 : g[l];
+
+        A->a[A->upper[l]] = A->a[A->lower[l]] = -entry;
+        A->diag[owner] += entry;
+        A->diag[neighbour] += entry;
+    }
+}
+
 static void rows(int first, int last, const struct csr *A, const double *x,
                  double *y)
 {
@@ -151,10 +165,4 @@ void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y)
 {
     FOR_FIELD_GROUPS(m, rows_of, first, last, A, m, diag, 1, x, y);
-}
-
-void csr_multiply_each(const struct csr *A, int m, const double *diag,
-                       const double *x, double *y)
-{
-    PARALLEL_RANGES(A->n, 4 * m, csr_rows_each, A, m, diag, x, y);
 }

@@ -97,9 +97,3 @@ void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
            is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
 }
-
-void ldu_multiply(const struct ldu *A, const double *diag3, const double *x,
-                  double *y)
-{
-    PARALLEL_RANGES(A->n, 12, ldu_rows, A, diag3, x, y);
-}

@@ -4,7 +4,6 @@
 #include "base/parallel_ranges.h"
 
 #include <assert.h>
-#include <math.h>
 
 enum { LANES = 32 };
 
@@ -30,11 +29,6 @@ double reduce_dot(int n, const double *x, const double *y)
 
     PARALLEL_SUM(sum, n, 1, reduce_range, x, y);
     return sum;
-}
-
-double reduce_rms(int n, const double *x)
-{
-    return sqrt(reduce_dot(n, x, x) / n);
 }
 
 /* Eight rows at a time make 8 m lanes: full vectors for any m. */

@@ -46,19 +46,13 @@ struct mesh_shape {
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 
-/* The cells that may contain a point: a grid of bins, and for each bin the
- * cells whose bounding boxes overlap it. */
-struct mesh_bins {
-    int n[3];
-    double inverse[3];   /* [1/m] of a bin's width */
-    int *start, *member; /* [-] the cells of a bin, ascending */
-    int *begin; /* [-] the cell whose centre is nearest to that of the bin; or
-                   -1 */
-    double *
-        plane; /* [-], [m] beside cell_face, 4 each: the normal out of the cell,
-                  and its product with the face centre relative to this cell */
-    double tiny;  /* [m] a point closer than this to a face counts as inside */
-    double slack; /* [m] gaps between warped faces are no wider */
+struct mesh;
+
+/* How the cell of a point is found in a mesh that is not a box: the cell, or -1
+ * outside, and the vector as in mesh_cell_and_offset. */
+struct mesh_search {
+    int (*cell)(const struct mesh *m, const double x[3], double offset[3]);
+    void (*free)(struct mesh_search *self);
 };
 
 struct mesh {
@@ -87,7 +81,7 @@ struct mesh {
     /* The following are set for polyhedral meshes only; else NULL and 0. */
     double *face_centre; /* [m] of each face, 3; on the owner's side */
     struct mesh_shape *shape;
-    struct mesh_bins *bins;
+    struct mesh_search *search;
     int n_periods;
     double period[3][3]; /* [m] shifts that lead from one end to the other */
     int *periodic_index; /* [-] n_internal, NULL without periods: k + 1 if the
@@ -125,13 +119,6 @@ struct mesh *mesh_retain(struct mesh *m);
  * cell; in a periodic direction the point is first moved into the box. */
 int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 
-/* The same on any mesh, by a walk from cell to cell that begins in a nearby
- * cell: each step crosses the face that the point is farthest beyond, until the
- * point is beyond none. If the walk fails (around a hole, or out of a concave
- * region), all cells of the point's bin are tested. -1 outside. */
-int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
-                   double z);
-
 /* mesh_cell_at, and the vector from the centre of the cell to the point, across
  * a period if need be [m]; the vector is not set if the point is outside. */
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
@@ -163,9 +150,6 @@ double mesh_period(const struct mesh *m, int k);
  * non-orthogonal, or misses the middle of its face. */
 void mesh_allocate(struct mesh *m);
 void mesh_collect_faces(struct mesh *m);
-/* Requires everything else to be set; no corner is farther from the plane of
- * its face than slack [m]. */
-void mesh_bins_create(struct mesh *m, double slack);
 
 /* S - d S.S / S.d: the non-orthogonal part of the area vector of inner face f
  * [m^2]. */
@@ -174,6 +158,9 @@ void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
 /* From where the link of a face inside crosses it to its middle; of a boundary
  * face the part of its link along it [m]. */
 void mesh_off_middle(const struct mesh *m, int f, double off[3]);
+
+/* The same, and whether it is more than 1e-6 of the link [-]. */
+int mesh_misses_middle(const struct mesh *m, int f, double off[3]);
 
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
 int mesh_dimensions(const struct mesh *m);

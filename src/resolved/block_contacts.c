@@ -29,17 +29,19 @@ static void impulse_of(const struct material *of, double m, double depth,
         J[k] = dt * F * n[k] - rub * slip[k];
 }
 
-/* Overlap over the diameter of the ball. */
+/* Overlap over the diameter of the ball, or over the width of a surface. */
 static double touch(struct solid_bodies *b, const struct body_gap *g, double dt)
 {
     double J[3];
 
+    b->touching++;
     impulse_of(&b->contacts.material, g->m, -g->z, g->n, g->v, dt, J);
     body_gaps_push(b, g, J);
-    return -g->z / (2.0 * g->R);
+    return -g->z / body_gaps_width(b, g);
 }
 
 double block_contacts_act(struct solid_bodies *b, double dt)
 {
+    b->touching = 0;
     return body_gaps_each(b, 0.0, dt, touch);
 }

@@ -9,14 +9,33 @@
 #include "resolved/body_motion.h"
 #include "resolved/body_turn.h"
 
+int body_gaps_hung(const struct solid_bodies *b, int i)
+{
+    return b->shape[i].kind == BODY_SPHERE && b->motion[i] == BODY_SPRING;
+}
+
 static int can_move(const struct solid_bodies *b, int i)
 {
     return b->motion[i] == BODY_FREE || b->motion[i] == BODY_SPRING;
 }
 
+/* 1 if it consists of balls that are no particles of b->dem. */
 static int is_clump(const struct solid_bodies *b, int i)
 {
-    return b->shape[i].kind == BODY_OUTLINE && b->shape[i].outline->n_balls > 0;
+    return b->shape[i].kind == BODY_OUTLINE ? b->shape[i].outline->width == 0.0
+                                            : body_gaps_hung(b, i);
+}
+
+/* 1 if points of its surface touch others. */
+static int has_points(const struct solid_bodies *b, int i)
+{
+    return b->shape[i].kind == BODY_OUTLINE && b->shape[i].outline->flat > 0;
+}
+
+/* One that is held along an axis may reach through the walls there. */
+static int moves_along(const struct solid_bodies *b, int i, int k)
+{
+    return b->motion[i] == BODY_FREE || b->spring[3 * i + k] > 0.0;
 }
 
 /* Mass with what is added to it [kg]. */
@@ -34,7 +53,7 @@ static double mass_at(const struct solid_bodies *b, int i, const double arm[3],
     const double M = mass_of(b, i);
     double G[6], turn[3], spin[3];
 
-    if (!is_clump(b, i) || b->motion[i] != BODY_FREE) return M;
+    if (b->shape[i].kind != BODY_OUTLINE || b->motion[i] != BODY_FREE) return M;
     vector_cross(arm, n, turn);
     body_turn_gyration(b, i, G);
     vector_solve(G, turn, spin);
@@ -60,8 +79,7 @@ static void push(struct solid_bodies *b, int i, const double arm[3],
     double turn[3];
 
     for (int k = 0; k < 3; k++)
-        if (b->motion[i] == BODY_FREE || b->spring[3 * i + k] > 0.0)
-            *v[k] += per_mass * J[k];
+        if (moves_along(b, i, k)) *v[k] += per_mass * J[k];
     vector_cross(arm, J, turn);
     for (int k = 0; k < 3; k++)
         turn[k] *= sign;
@@ -95,11 +113,13 @@ static void complete(const struct solid_bodies *b, const double from[3],
     g->m = can_move(b, g->i) ? 1.0 / (1.0 / m_i + 1.0 / m_j) : m_j;
 }
 
-/* Radius of the ball of a body that is nearest to r [m]. */
+/* Radius of the ball of a body that is nearest to r [m]; a surface counts as
+ * flat. */
 static double radius_near(const struct body_shape *shape, const double r[3])
 {
     double nearest = HUGE_VAL, R = HUGE_VAL;
 
+    if (shape->kind == BODY_OUTLINE && shape->outline->width > 0.0) return R;
     for (int k = 0; k < body_shape_balls(shape); k++) {
         const struct body_ball ball = body_shape_ball(shape, k);
         double away[3];
@@ -143,7 +163,7 @@ static double beside_walls(struct solid_bodies *b, const struct box_domain *box,
     g->R = ball->R;
     g->R_j = HUGE_VAL;
     for (int w = 0; w < 6; w++) {
-        if (box->periodic[w / 2]) continue;
+        if (box->periodic[w / 2] || !moves_along(b, g->i, w / 2)) continue;
         g->z = box_domain_gap(box, w, x) - ball->R;
         if (g->z >= reach) continue;
         memset(g->n, 0, sizeof g->n);
@@ -154,13 +174,65 @@ static double beside_walls(struct solid_bodies *b, const struct box_domain *box,
     return most;
 }
 
+/* A block on a spring, which does not turn: where it reaches to. */
+static double block_beside_walls(struct solid_bodies *b,
+                                 const struct box_domain *box,
+                                 struct body_gap *g, double reach, double dt,
+                                 body_gap_act *act)
+{
+    double extent[3], most = 0.0;
+
+    body_shape_extent(&b->shape[g->i], extent);
+    for (int k = 0; k < 3; k++) {
+        struct box_domain within = *box;
+        for (int e = 0; e < 3; e++) {
+            within.periodic[e] |= e != k;
+            within.lo[e] += extent[e];
+            within.hi[e] -= extent[e];
+        }
+        const struct body_ball centre = {.R = 0.0};
+        most = fmax(most, beside_walls(b, &within, &centre, g, reach, dt, act));
+    }
+    return most;
+}
+
 /* The balls of i act upon j: a clump on all that is no clump, and on a clump
- * after it; a sphere on what has no balls. */
+ * after it; a sphere on what does not consist of balls; points on this too. */
 static int acts_on(const struct solid_bodies *b, int i, int j)
 {
     if (i == j || !(can_move(b, i) || can_move(b, j))) return 0;
     if (is_clump(b, i)) return !is_clump(b, j) || i < j;
-    return can_move(b, i) && body_shape_balls(&b->shape[j]) == 0;
+    if (is_clump(b, j) || b->shape[j].kind == BODY_SPHERE) return 0;
+    return can_move(b, i) || has_points(b, i) || has_points(b, j);
+}
+
+/* 1 if nothing of i is nearer than `reach` [m] to j, as their extents show. */
+static int far_apart(const struct solid_bodies *b, const struct box_domain *box,
+                     int i, int j, double reach)
+{
+    const struct particles *const ps = b->ps;
+    const double r[3] = {box_domain_nearest(box, 0, ps->x[i] - ps->x[j]),
+                         box_domain_nearest(box, 1, ps->y[i] - ps->y[j]),
+                         box_domain_nearest(box, 2, ps->z[i] - ps->z[j])};
+    double of_i[3], of_j[3];
+
+    body_shape_extent(&b->shape[i], of_i);
+    body_shape_extent(&b->shape[j], of_j);
+    for (int k = 0; k < 3; k++)
+        if (fabs(r[k]) > of_i[k] + of_j[k] + reach) return 1;
+    return 0;
+}
+
+/* Those that i acts on and may be near to, in b->near; returns their number. */
+static int look_around(struct solid_bodies *b, const struct box_domain *box,
+                       int i, double reach)
+{
+    int n = 0;
+
+    for (int j = 0; j < b->ps->n; j++)
+        if (acts_on(b, i, j) && !far_apart(b, box, i, j, reach))
+            b->near[n++] = j;
+    return n;
 }
 
 double body_gaps_each(struct solid_bodies *b, double reach, double dt,
@@ -170,33 +242,44 @@ double body_gaps_each(struct solid_bodies *b, double reach, double dt,
     const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     double most = 0.0;
 
-    for (int i = 0; i < b->ps->n; i++)
+    for (int i = 0; i < b->ps->n; i++) {
+        const int n = look_around(b, &box, i, reach);
+        const int walls =
+            can_move(b, i) && (is_clump(b, i) || has_points(b, i));
         for (int k = 0; k < body_shape_balls(&b->shape[i]); k++) {
             const struct body_ball ball = body_shape_ball(&b->shape[i], k);
             struct body_gap g = {.i = i};
-            for (g.j = 0; g.j < b->ps->n; g.j++)
-                if (acts_on(b, i, g.j))
-                    most = fmax(
-                        most, beside_body(b, &box, &ball, &g, reach, dt, act));
+            for (int e = 0; e < n; e++) {
+                g.j = b->near[e];
+                most =
+                    fmax(most, beside_body(b, &box, &ball, &g, reach, dt, act));
+            }
             g.j = -1;
-            if (is_clump(b, i) && b->motion[i] == BODY_FREE)
+            if (walls)
                 most = fmax(most,
                             beside_walls(b, &box, &ball, &g, reach, dt, act));
         }
+        struct body_gap g = {.i = i, .j = -1};
+        if (b->motion[i] == BODY_SPRING && body_shape_balls(&b->shape[i]) == 0)
+            most = fmax(most, block_beside_walls(b, &box, &g, reach, dt, act));
+    }
     return most;
 }
 
 int body_gaps_touch(const struct solid_bodies *b, int i, int j)
 {
-    return b->dem != NULL && (body_shape_balls(&b->shape[i]) > 0 ||
-                              body_shape_balls(&b->shape[j]) > 0);
+    return body_shape_balls(&b->shape[i]) > 0 ||
+           body_shape_balls(&b->shape[j]) > 0;
 }
 
-/* How deep the deepest ball of i is in j [m]; 0 where it may be. */
+/* How deep the deepest ball of i is in j [m]; 0 where it may be: a tenth of its
+ * radius, or a twentieth of the width of a surface. */
 static double too_deep(const struct solid_bodies *b,
                        const struct box_domain *box, int i, int j)
 {
     const struct particles *const ps = b->ps;
+    const double share =
+        has_points(b, i) ? 0.05 * b->shape[i].outline->width : 0.0;
     double most = 0.0;
 
     for (int k = 0; k < body_shape_balls(&b->shape[i]); k++) {
@@ -206,9 +289,18 @@ static double too_deep(const struct solid_bodies *b,
             box_domain_nearest(box, 1, ps->y[i] + ball.at[1] - ps->y[j]),
             box_domain_nearest(box, 2, ps->z[i] + ball.at[2] - ps->z[j])};
         const double depth = ball.R - body_shape_distance(&b->shape[j], r);
-        if (depth > 0.1 * ball.R) most = fmax(most, depth);
+        if (depth > fmax(0.1 * ball.R, share)) most = fmax(most, depth);
     }
     return most;
+}
+
+double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g)
+{
+    const struct body_shape *const shape = &b->shape[g->i];
+
+    return g->R > 0.0                    ? 2.0 * g->R
+           : shape->kind == BODY_OUTLINE ? shape->outline->width
+                                         : 2.0 * shape->half[0];
 }
 
 double body_gaps_deepest(const struct solid_bodies *b, int pair[2])

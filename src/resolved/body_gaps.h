@@ -1,9 +1,10 @@
 /* body_gaps.h -- where balls come near to bodies that are no spheres, and balls
- * of clumps to walls. Chapter "Resolving the grains".
+ * of free bodies to walls. Chapter "Resolving the grains".
  *
- * A ball is a sphere, or one of those that a clump consists of. All that is
- * asked of the other body is its distance from the ball's centre and the normal
- * there. What two spheres do to one another, and spheres at walls, is dem's.
+ * A ball is a sphere, one of those that a clump consists of, or a point of a
+ * surface, of radius 0. All that is asked of the other body is its distance
+ * from the ball's centre and the normal there. What two spheres do to one
+ * another, and spheres at walls, is dem's.
  */
 #ifndef RESOLVED_BODY_GAPS_H
 #define RESOLVED_BODY_GAPS_H
@@ -34,7 +35,15 @@ double body_gaps_each(struct solid_bodies *b, double reach, double dt,
 void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
                     const double J[3]);
 
-/* 1 if contacts keep bodies i and j apart. */
+/* What an overlap is compared with [m]: the diameter of the ball, or where the
+ * body of a point is narrowest. */
+double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g);
+
+/* 1 if the body is a sphere on a spring: b->dem would give it an infinite mass,
+ * so its contacts are found here. */
+int body_gaps_hung(const struct solid_bodies *b, int i);
+
+/* 1 if contacts keep bodies i and j apart, of which one moves. */
 int body_gaps_touch(const struct solid_bodies *b, int i, int j);
 
 /* How deep a ball is in another body by more than a tenth of its radius, where

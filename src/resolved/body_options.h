@@ -3,12 +3,8 @@
 #define RESOLVED_BODY_OPTIONS_H
 
 #include "dem/dem_options.h"
+#include "resolved/body_method.h"
 
-enum body_method {
-    BODY_METHOD_HOLD,
-    BODY_METHOD_FICTITIOUS,
-    BODY_METHOD_PISO_IB
-};
 enum body_motion {
     BODY_FREE,
     BODY_FIXED,
@@ -24,10 +20,10 @@ struct squeeze_film {
 };
 
 struct solid_bodies_options {
-    enum body_method method;
-    double virtual_mass; /* [-] C_v */
-    double gravity[3];   /* [m/s^2] */
-    int dem_steps;       /* [-] particle steps in a step of the fluid */
+    const struct body_method *method; /* NULL: friction by distance */
+    double virtual_mass;              /* [-] C_v */
+    double gravity[3];                /* [m/s^2] */
+    int dem_steps; /* [-] particle steps in a step of the fluid */
     const struct dem_options *dem; /* borrowed; NULL: all bodies rest */
     struct squeeze_film lubrication;
 };

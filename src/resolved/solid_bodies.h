@@ -26,9 +26,11 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps;       /* centres, velocities, masses */
-    int springs, blocks, moves; /* [-] on springs; no spheres; any moves */
-    int met;         /* [-] 1: two overlap that have no contacts (mark.c) */
-    double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
+    int springs, blocks, moves; /* [-] on springs; with contacts of
+                                   block_contacts.h; any moves */
+    int met;      /* [-] 1: two overlap that have no contacts (mark.c) */
+    int touching; /* [-] contacts of block_contacts.h, a ball or point each */
+    double *turn; /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
     struct body_shape *shape;
@@ -51,6 +53,7 @@ struct solid_bodies {
     double dt_marked;   /* [s] step that the links were made for; 0: none */
     int *cell, n_cells; /* [-] the cells with a link, each once */
     int *body_of;   /* [-] while links are made: 1 + that around it; else 0 */
+    int *near;      /* [-] work space of body_gaps.c, one a body */
     double *hold;   /* [kg/(m^3 s)] sum of the links of a cell */
     double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
 };

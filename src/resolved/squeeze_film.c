@@ -96,10 +96,12 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
     }
 }
 
-/* A ball beside a body that is no sphere, or a ball of a clump. */
+/* A ball beside a body that is no sphere, or a ball of a clump. A point has no
+ * film: what flows out beside a surface is the mesh's. */
 static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
                          double dt)
 {
+    if (g->R == 0.0) return 0.0;
     const double speed = vector_dot(g->v, g->n),
                  R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
     const double gained =
@@ -113,9 +115,10 @@ static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
     return 0.0;
 }
 
+/* One on a spring is among the balls. */
 static int is_sphere(const struct solid_bodies *b, int i)
 {
-    return b->shape[i].kind == BODY_SPHERE;
+    return b->shape[i].kind == BODY_SPHERE && !body_gaps_hung(b, i);
 }
 
 void squeeze_film_act(struct solid_bodies *b, double dt)

@@ -129,12 +129,12 @@ int choices_add(struct choices *c, const char *text)
     const char *why = read_choice(&one, text);
 
     if (why == NULL && is_entry_twice(&one)) why = "a value is there twice";
-    for (int k = 0; k < one.key.n && why == NULL; k++)
+    for (int k = 0; k < one.key.n && why == NULL; k++) {
         if (is_known(c, one.key.text[k])) why = "the key was given before";
-    for (int k = 1; k < one.key.n && why == NULL; k++)
         for (int l = 0; l < k; l++)
             if (strcmp(one.key.text[k], one.key.text[l]) == 0)
                 why = "a key is there twice";
+    }
     if (why != NULL) {
         choice_free(&one);
         return refuse(text, why);
@@ -282,13 +282,17 @@ static double number(const struct choice *c, int entry)
 
 double choices_size(const struct choice *c, int entry)
 {
-    int rises = 1, falls = 1;
+    int rises = 1, falls = 1, n = 0;
+    double last = NAN;
 
-    for (int i = 1; i < c->n; i++) {
-        rises &= number(c, i) > number(c, i - 1);
-        falls &= number(c, i) < number(c, i - 1);
+    for (int i = 0; i < c->n; i++) {
+        const double size = number(c, i);
+        if (isnan(size)) continue;
+        rises &= n == 0 || size > last;
+        falls &= n++ == 0 || size < last;
+        last = size;
     }
-    if (c->n < 2 || rises == falls) return NAN;
+    if (n < 2 || rises == falls) return NAN;
     return falls ? number(c, entry) : 1.0 / number(c, entry);
 }
 

@@ -57,8 +57,9 @@ char *choices_label(const struct choices *c, int variant, int but);
 
 /* A number that falls from entry to entry as they get finer: the value of the
  * first key, or one over it if the values rise; of a vector the geometric mean
- * of its components that change. Only ratios of it mean anything. nan if the
- * values are words, or neither fall nor rise. */
+ * of its components that change. Only ratios of it mean anything. A word
+ * between numbers, such as "auto", has none, nan, and so have all entries if
+ * the first or the last is a word, or if they neither fall nor rise. */
 double choices_size(const struct choice *c, int entry);
 
 /* The choice along which the most sizes lie, at least two; -1 if none. */

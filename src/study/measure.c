@@ -5,8 +5,9 @@
 #include "base/file.h"
 #include "case/history.h"
 #include "case/nearest.h"
-#include "case/profiles.h"
+#include "case/means/profiles.h"
 #include "case/recorder_part.h"
+#include "case/resume/read_summary.h"
 #include "study/results.h"
 #include "study/statistics.h"
 
@@ -310,7 +311,7 @@ struct curve measure_take(const struct measure *m, const char *folder)
     struct curve found = {0};
 
     if (strcmp(m->file, "summary.json") == 0) {
-        const double value = results_number(folder, m->name);
+        const double value = read_summary_number(folder, m->name);
         return isfinite(value) ? point(NAN, value, 0.0) : found;
     }
     char *const path = file_join(folder, m->file);

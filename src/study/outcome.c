@@ -3,7 +3,6 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "study/results.h"
 #include "study/statistics.h"
 
 #include <math.h>

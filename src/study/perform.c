@@ -6,7 +6,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interrupt.h"
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 #include "study/workers.h"
 
 #include <errno.h>
@@ -46,7 +46,7 @@ static void put_left(const struct crew *c)
     double left = 0.0;
 
     for (int i = 0; i < c->n_runs; i++)
-        if (c->run[i].code == RUN_TO_DO) left += c->run[i].expected;
+        if (c->run[i].code < 0) left += c->run[i].expected;
     if (c->done > 0.0 && left > 0.0)
         fprintf(stderr, ", about %.0f s left", elapsed * left / c->done);
 }
@@ -57,7 +57,7 @@ static void show(const struct crew *c, const struct run *r)
 
     if (c->plan->words.quiet) return;
     for (int i = 0; i < c->n_runs; i++)
-        ended += c->run[i].code != RUN_TO_DO;
+        ended += c->run[i].code >= 0;
     fprintf(stderr, "%s%d of %d runs", c->on_terminal ? "\r\033[K" : "", ended,
             c->n_runs);
     put_left(c);
@@ -141,9 +141,10 @@ static struct texts command(const struct plan *p, const struct run *r,
  * folder. */
 static int start(struct crew *c, struct worker *w, struct run *r)
 {
-    const long owner = folder_process(r->folder);
+    const long owner = ownership_process(r->folder);
 
     *w = (struct worker){r, 0, 0};
+    r->code = RUN_GOES_ON;
     if (owner != 0) {
         if (!c->plan->words.quiet)
             fprintf(stderr, "%s is being run by process %ld; waiting for it\n",
@@ -166,18 +167,10 @@ static int start(struct crew *c, struct worker *w, struct run *r)
 
 /* --- all of them ---------------------------------------------------------- */
 
-static int is_going(const struct crew *c, const struct run *r)
-{
-    for (int i = 0; i < c->plan->words.jobs; i++)
-        if (c->worker[i].run == r) return 1;
-    return 0;
-}
-
 static struct run *next_run(const struct crew *c)
 {
     for (int i = 0; i < c->n_runs; i++)
-        if (c->run[i].code == RUN_TO_DO && !is_going(c, &c->run[i]))
-            return &c->run[i];
+        if (c->run[i].code == RUN_TO_DO) return &c->run[i];
     return NULL;
 }
 
@@ -211,13 +204,16 @@ static void look_at(struct crew *c, struct worker *w)
         if (code < 0) return;
         const int anew = w->resumed && (code == REFUSED || code == NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};
-        if (!anew) take_note(c, r, code);
-        /* What cannot be gone on from is still to be done. */
-        for (int i = 0; i < CHECKPOINTS && anew; i++)
+        if (!anew) {
+            take_note(c, r, code);
+            return;
+        }
+        r->code = RUN_TO_DO; /* for there is nothing to go on from */
+        for (int i = 0; i < CHECKPOINTS; i++)
             forget(r, checkpoints[i]);
         return;
     }
-    if (folder_process(r->folder) != 0) return;
+    if (ownership_process(r->folder) != 0) return;
     *w = (struct worker){NULL, 0, 0};
     runs_look(1, r);
     if (r->code != RUN_TO_DO) take_note(c, r, r->code);

@@ -2,14 +2,11 @@
 #include "study/results.h"
 
 #include "base/alloc.h"
-#include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* --- tables --------------------------------------------------------------- */
 
 static const char blanks[] = " \t\r";
 
@@ -118,100 +115,4 @@ int results_column(const struct results_table *t, const char *name)
             strchr(" (", t->name[i][n]) != NULL)
             return i;
     return -1;
-}
-
-/* --- the summary ---------------------------------------------------------- */
-
-/* The value of a key within braces, whose entries are lines `"key": value`
- * (summary.h); `text` stands behind the opening brace. NULL if there is none.
- */
-static const char *entry(const char *text, const char *key, size_t length)
-{
-    int depth = 0;
-
-    for (; *text != '\0' && depth >= 0; text++) {
-        if (*text == '}') depth--;
-        if (*text == '{') depth++;
-        if (*text != '"') continue;
-        const char *const word = text + 1;
-        for (text++; *text != '\0' && *text != '"'; text++)
-            if (*text == '\\' && text[1] != '\0') text++;
-        if (*text == '\0') return NULL;
-        if (depth == 0 && text[1] == ':' && (size_t)(text - word) == length &&
-            memcmp(word, key, length) == 0)
-            return text + 2 + strspn(text + 2, " ");
-    }
-    return NULL;
-}
-
-/* The place of a value in the text of a summary. */
-static const char *value_of(const char *text, const char *path)
-{
-    const char *at = strchr(text, '{');
-
-    while (at != NULL && *at == '{') {
-        const size_t length = strcspn(path, ".");
-
-        at = entry(at + 1, path, length);
-        if (path[length] == '\0') return at;
-        path += length + 1;
-    }
-    return NULL;
-}
-
-/* The value of a path in the summary of a folder as a new string, up to the end
- * of the file; NULL if it is not there. */
-static char *in_summary(const char *folder, const char *path)
-{
-    char *const file = file_join(folder, "summary.json");
-    const char *why;
-    size_t length;
-    char *const text = input_text(file, &length, &why);
-    const char *const at = text != NULL ? value_of(text, path) : NULL;
-    char *const found = at != NULL ? strdup(at) : NULL;
-
-    free(text);
-    free(file);
-    return found;
-}
-
-double results_number(const char *folder, const char *path)
-{
-    char *const text = in_summary(folder, path), *end = text;
-    const double value = text != NULL ? strtod(text, &end) : NAN;
-    const int found = end != text;
-
-    free(text);
-    return found ? value : NAN;
-}
-
-/* The text up to the closing quote; what stood behind a backslash as it is, and
- * a character that is given by its number, \u000a, as that. */
-static char *unquoted(const char *at)
-{
-    char *const text = alloc_zeroed(strlen(at) + 1, 1);
-
-    for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
-        const int escaped = *at == '\\' && at[1] != '\0';
-        char number[5] = "";
-
-        at += escaped;
-        if (escaped && *at == 'u' && strlen(at) > 4) {
-            memcpy(number, at + 1, 4);
-            at += 4;
-            text[n++] = (char)strtol(number, NULL, 16);
-        } else
-            text[n++] = *at;
-    }
-    return text;
-}
-
-char *results_text(const char *folder, const char *path)
-{
-    char *const text = in_summary(folder, path);
-    char *const found =
-        text != NULL && *text == '"' ? unquoted(text + 1) : NULL;
-
-    free(text);
-    return found;
 }

@@ -1,5 +1,4 @@
-/* results.h -- reads back what a run has written: its tables and its summary.
- */
+/* results.h -- reads back the tables that a run has written. */
 #ifndef STUDY_RESULTS_H
 #define STUDY_RESULTS_H
 
@@ -21,12 +20,5 @@ void results_table_free(struct results_table *t);
 /* The column of a name without its unit; of a probe, "us_y(0.1 0.2 0.3) [m/s]",
  * the name of the field will do. -1 if there is none. */
 int results_column(const struct results_table *t, const char *name);
-
-/* A number of the summary.json in a folder by its path, "seconds.cfd"; nan if
- * it is not there or null. */
-double results_number(const char *folder, const char *path);
-
-/* A text of it; NULL if it is not there. To be freed. */
-char *results_text(const char *folder, const char *path);
 
 #endif

@@ -3,12 +3,12 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 #include "case/resume/case_text.h"
-#include "study/results.h"
+#include "case/resume/read_summary.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -189,7 +189,7 @@ static void look(struct run *r)
 
     r->code = RUN_TO_DO;
     if (!is_same(r, &refused)) return;
-    const double code = results_number(r->folder, "exit_code");
+    const double code = read_summary_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
     else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPT_CODE)

@@ -19,10 +19,10 @@ struct run {
     unsigned long contents;  /* checksum of the case, overrides and all */
     struct texts overrides;
     double expected; /* [s] processor time, roughly; only ratios count */
-    int code;        /* exit code; RUN_TO_DO if it has not ended */
+    int code;        /* exit code; below 0 if it has not ended */
 };
 
-enum { RUN_TO_DO = -1 };
+enum { RUN_TO_DO = -1, RUN_GOES_ON = -2 };
 
 /* The runs of a plan: for each variant its seeds, for each of them its
  * repetitions. *n is their number. NULL with *code 2 or 4 after a message, or

@@ -3,9 +3,9 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
-#include "study/results.h"
+#include "case/resume/read_summary.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,7 +108,7 @@ static void put_run(const struct outcomes *o, const struct run *r, FILE *out)
     put_choices(o->plan, r, out);
     fprintf(out, ",%d,%d,%d", r->seed, r->time, r->code);
     for (int i = 0; i < FROM_SUMMARY; i++)
-        put_number(out, results_number(r->folder, from_summary[i].path));
+        put_number(out, read_summary_number(r->folder, from_summary[i].path));
     for (int m = 0; m < o->plan->n_measures; m++)
         put_measure(o, r, m, out);
     fputc('\n', out);
@@ -136,30 +136,24 @@ int study_report_runs(const struct outcomes *o)
 
 /* --- study.md ------------------------------------------------------------- */
 
-static void put_share(FILE *out, double share)
+/* Nothing for what is not there. */
+static void put_rounded(FILE *out, double value, int digits, const char *unit)
 {
     char text[NUMBER_LENGTH];
 
-    if (isfinite(share))
-        fprintf(out, "%s %%", number_rounded(100.0 * share, 3, text));
-}
-
-static void put_rounded(FILE *out, double value)
-{
-    char text[NUMBER_LENGTH];
-
-    fputs(isfinite(value) ? number_rounded(value, 4, text) : "", out);
+    if (isfinite(value))
+        fprintf(out, "%s%s", number_rounded(value, digits, text), unit);
 }
 
 static void put_finding(const struct finding *f, FILE *out)
 {
     fputs(" | ", out);
-    put_rounded(out, f->value);
+    put_rounded(out, f->value, 4, "");
     fputs(" | ", out);
-    put_share(out, f->error);
+    put_rounded(out, 100.0 * f->error, 3, " %");
     if (f->doubt > 0.0) {
         fputs(" +- ", out);
-        put_share(out, f->doubt);
+        put_rounded(out, 100.0 * f->doubt, 3, " %");
         if (!outcome_is_resolved(f) && isfinite(f->error))
             fputs(" (no difference)", out);
     }
@@ -172,7 +166,7 @@ static void put_finding(const struct finding *f, FILE *out)
 static char *reason_of(const struct run *r)
 {
     char *const log = file_join(r->folder, "log.txt");
-    char *reason = results_text(r->folder, "exit_reason");
+    char *reason = read_summary_text(r->folder, "exit_reason");
     const char *why;
     size_t length;
     char *const text = input_text(log, &length, &why);
@@ -199,10 +193,10 @@ static void put_variant(const struct outcomes *o, const struct outcome *v,
     for (const char *at = v->label; *at != '\0'; at++)
         fprintf(out, "%s%c", *at == '|' ? "\\" : "", *at);
     fputs(" | ", out);
-    put_rounded(out, v->seconds);
+    put_rounded(out, v->seconds, 4, "");
     if (!plan_cost_is_processor(o->plan)) {
         fputs(" | ", out);
-        put_rounded(out, v->cost);
+        put_rounded(out, v->cost, 4, "");
     }
     if (v->broken != NULL) {
         char *const reason = reason_of(v->broken);

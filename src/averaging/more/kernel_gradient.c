@@ -27,7 +27,7 @@ static int place(int j, int k)
 /* The neighbouring cells of a particle and their kernel weights. */
 struct kernel_weights {
     int host, n;
-    const int *step;
+    const int *index_offset;
     double *r; /* [m] from the particle to the centre, 3 an entry */
     double *w; /* [m^3] V_c exp(-r^2 / b^2) */
 };
@@ -40,7 +40,7 @@ static void collect_weights(const struct kernel_gradient *s, int i,
     const double far = kernel_gradient_reach * s->b;
 
     v->n = near->start[near->shape[v->host] + 1] - first;
-    v->step = &near->step[first];
+    v->index_offset = &near->index_offset[first];
     for (int e = 0; e < v->n; e++) {
         const double *const o = &s->h->offset[3 * i];
         double *const r = &v->r[3 * e];
@@ -48,7 +48,7 @@ static void collect_weights(const struct kernel_gradient *s, int i,
         r[1] = near->dy[first + e] - o[1];
         r[2] = near->dz[first + e] - o[2];
         const double r2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
-        v->w[e] = r2 < far * far ? s->h->mesh->V[v->host + v->step[e]] *
+        v->w[e] = r2 < far * far ? s->h->mesh->V[v->host + v->index_offset[e]] *
                                        exp(-r2 / (s->b * s->b))
                                  : 0.0;
     }
@@ -73,7 +73,7 @@ static double mean(const struct kernel_weights *v, int m, int k,
     double sum = 0.0, weight = 0.0;
 
     for (int e = 0; e < v->n; e++) {
-        sum += v->w[e] * field[m * (v->host + v->step[e]) + k];
+        sum += v->w[e] * field[m * (v->host + v->index_offset[e]) + k];
         weight += v->w[e];
     }
     return weight > 0.0 ? sum / weight : field[m * v->host + k];
@@ -88,7 +88,8 @@ static void find_one(const struct kernel_weights *v, const double A[6], int m,
     double B[3] = {0.0, 0.0, 0.0};
 
     for (int e = 0; e < v->n; e++) {
-        const double above = field[m * (v->host + v->step[e]) + k] - here;
+        const double above =
+            field[m * (v->host + v->index_offset[e]) + k] - here;
         for (int j = 0; j < 3; j++)
             B[j] += v->w[e] * above * v->r[3 * e + j];
     }

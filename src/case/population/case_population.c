@@ -10,13 +10,13 @@
 #include "base/number.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/case_overlap.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
 #include "case/particle_options.h"
+#include "case/run_part.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
                   bed_key[] = "particles.bed.sizes";
@@ -90,7 +90,8 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
                     sizeof path);
     in->own_list = insertion_read(path, &in->options.count);
     in->options.list = in->own_list;
-    if (in->options.rate == 0.0) in->options.overlap = case_overlap_in_wall(s);
+    if (in->options.rate == 0.0)
+        in->options.overlap = particle_options_wall_overlap(s);
     return in->own_list == NULL;
 }
 
@@ -394,5 +395,6 @@ const struct case_part case_population_part = {.keys = case_population_keys,
                                                .count_later = count,
                                                .later_diameters = diameters,
                                                .place = place,
-                                               .add = add,
-                                               .after_run = report};
+                                               .add = add};
+
+const struct run_part case_population_run = {.after_run = report};

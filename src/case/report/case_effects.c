@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case/case_cohesion.h"
-#include "case/case_cost.h"
-#include "case/case_limits.h"
+#include "case/cohesion/case_cohesion.h"
+#include "case/checks/case_cost.h"
+#include "case/checks/case_limits.h"
 #include "case/table_numbers.h"
 #include "coupling/effects.h"
 #include "coupling/stability.h"

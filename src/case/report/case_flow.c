@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "case/build_boundaries.h"
+#include "case/checks/boundary_check.h"
 #include "case/case_mesh.h"
 
 /* What flows fastest: velocities [m/s], and the largest Courant number over the
@@ -88,7 +88,7 @@ static void add_inlet(const struct settings *s, const struct mesh *m,
     const double U = largest_of(s, path);
     double e[3], mean, peak;
 
-    build_boundaries_shares(s, p->name, &mean, &peak);
+    boundary_check_shares(s, p->name, &mean, &peak);
     inward(m, p, e);
     for (int k = 0; k < 3; k++)
         e[k] *= U * peak;

@@ -7,7 +7,7 @@
 
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/case_limits.h"
+#include "case/checks/case_limits.h"
 #include "case/case_mesh.h"
 #include "case/particle_options.h"
 #include "coupling/drag.h"

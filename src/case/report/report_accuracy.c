@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/report/report_accuracy.h"
 
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 #include "case/check_line.h"
 #include "fluid/time_scheme.h"
 

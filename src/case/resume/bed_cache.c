@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "case/case_part.h"
 #include "case/resume/case_text.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/version.h"
 #include "case/resume/case_text.h"
 #include "case/resume/mesh_files.h"

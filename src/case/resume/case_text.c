@@ -8,7 +8,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
 #include "case/case_file.h"
 #include "case/case_steps.h"

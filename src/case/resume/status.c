@@ -9,28 +9,22 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
+#include "case/resume/read_summary.h"
 #include "case/resume/resume.h"
 #include "output/checkpoint/state_file.h"
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 
-/* The text of a key of summary.json as a new string; NULL if it has none. */
-static char *summary_text_of(const char *summary, const char *key)
+/* Why the run ended, on one line, as a new string; NULL if it did not. */
+static char *reason_of(const char *dir)
 {
-    char begin[64];
+    char *const text = read_summary_text(dir, "exit_reason");
 
-    snprintf(begin, sizeof begin, "\"%s\": \"", key);
-    const char *at = summary != NULL ? strstr(summary, begin) : NULL;
-    if (at == NULL) return NULL;
-    at += strlen(begin);
-    char *const text = alloc_zeroed(strlen(at) + 1, 1);
-    for (size_t n = 0; *at != '\0' && *at != '"'; at++) {
-        if (*at == '\\' && at[1] != '\0') at++;
-        text[n++] = *at == 'n' && at[-1] == '\\' ? ' ' : *at;
-    }
+    for (char *at = text; at != NULL && (at = strchr(at, '\n')) != NULL;)
+        *at = ' ';
     return text;
 }
 
@@ -120,7 +114,7 @@ static double end_of(struct state_file *f)
 /* 1 if the run goes on. */
 static int print_holder(const char *dir)
 {
-    const long process = folder_process(dir);
+    const long process = ownership_process(dir);
 
     if (process > 0)
         printf("%-11s process %ld is running\n", "running", process);
@@ -247,10 +241,10 @@ static const char *find_state(const char *dir, struct found *f)
     return name;
 }
 
-static int print_folder(const char *dir, const char *summary)
+static int print_folder(const char *dir)
 {
     struct found f = {NULL, 0.0};
-    char *const reason = summary_text_of(summary, "exit_reason");
+    char *const reason = reason_of(dir);
     const char *const name = find_state(dir, &f);
     const int ahead = print_ahead(dir);
 
@@ -275,24 +269,19 @@ static int print_folder(const char *dir, const char *summary)
 
 static int act(const struct command_line *l)
 {
-    const char *const dir = l->words[0], *why;
-    size_t length;
+    const char *const dir = l->words[0];
     char *const manifest = file_join(dir, "manifest.txt");
-    char *const path = file_join(dir, "summary.json");
     const int is_run = input_wrong(manifest) == NULL;
-    char *const summary = input_text(path, &length, &why);
     int code = 2;
 
     if (is_run)
-        code = print_folder(dir, summary);
+        code = print_folder(dir);
     else
         fprintf(stderr,
                 "winnow: %s is not the folder of a run: there is no "
                 "manifest.txt\n",
                 dir);
     free(manifest);
-    free(path);
-    free(summary);
     return code;
 }
 

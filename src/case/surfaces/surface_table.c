@@ -57,18 +57,16 @@ static void release(void *part)
     free(t);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    (void)s;
-    if (sim->n_surfaces == 0) return NULL;
+    if (v->sim->n_surfaces == 0) return NULL;
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
 
-    t->sim = sim;
+    t->sim = v->sim;
     t->t = -1.0;
-    t->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *t->before);
-    t->row = alloc_doubles(1 + EACH * sim->n_surfaces);
-    t->table = create_table(sim, folder);
+    t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
+    t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
+    t->table = create_table(v->sim, v->folder);
     if (t->table != NULL) return t;
     *failed = 1;
     release(t);

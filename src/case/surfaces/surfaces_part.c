@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
-#include "case/case_scales.h"
+#include "case/checks/case_scales.h"
 #include "case/check_line.h"
 #include "case/models.h"
 #include "case/surfaces/case_surfaces.h"

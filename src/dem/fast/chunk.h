@@ -65,7 +65,7 @@ struct chunk_measures {
 /* The energy budget of a chunk (energy.h); zero unless it is asked for. */
 struct chunk_energy {
     /* of the last sweep */
-    double normal;     /* [J] sum of elastic(delta) delta */
+    double normal;     /* [J] stored by the elastic forces */
     double tangential; /* [J] sum of (1/2) k_t xi^2 */
     double found;      /* [J] the same before the step, with the present k_t */
     double stored;     /* [J] and as stored by the previous sweep */

@@ -119,7 +119,7 @@ static void begin_budget(struct dem *dem)
     neighbours_barrier(fast_of(dem)->neighbours);
     if (omp_get_thread_num() == 0) {
         const struct energy before = *e;
-        *e = budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
+        *e = budget_collect(fast_of(dem)->neighbours);
         e->added = before.added;
         e->added += energy_residual(e) - energy_residual(&before);
     }

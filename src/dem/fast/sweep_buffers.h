@@ -26,14 +26,15 @@ struct sweep_buffers {
     double row[SWEEP_LANES]
               [8]; /* in: v_i - v_j [m/s], 1/R* [1/m], R_i omega_i + R_j omega_j
                       [m/s], 1/m* [1/kg]; out: as the loads of struct chunk */
-    double x[4][SWEEP_LANES];                      /* the columns of place */
-    double column[8][SWEEP_LANES];                 /* and of row, in and out */
-    double n[3][SWEEP_LANES];                      /* [-] from j to i */
-    double delta[SWEEP_LANES];                     /* [m] overlap */
-    double arm[SWEEP_LANES];                       /* [-] r / (R_i + R_j) */
-    double elastic[SWEEP_LANES];                   /* [N] */
-    double F_n[SWEEP_LANES];                       /* [N] along n */
-    double k_t[SWEEP_LANES];                       /* [N/m] */
+    double x[4][SWEEP_LANES];      /* the columns of place */
+    double column[8][SWEEP_LANES]; /* and of row, in and out */
+    double n[3][SWEEP_LANES];      /* [-] from j to i */
+    double delta[SWEEP_LANES];     /* [m] overlap */
+    double arm[SWEEP_LANES];       /* [-] r / (R_i + R_j) */
+    double elastic[SWEEP_LANES];   /* [N] */
+    double stored[SWEEP_LANES];    /* [J] set in loops with an energy budget */
+    double F_n[SWEEP_LANES];       /* [N] along n */
+    double k_t[SWEEP_LANES];       /* [N/m] */
     double eta_n[SWEEP_LANES], eta_t[SWEEP_LANES]; /* [kg/s] */
     double F_t[3][SWEEP_LANES];     /* [N] before Coulomb's cap */
     double deepest[SWEEP_LANES];    /* [-] largest delta / (R_i + R_j) */

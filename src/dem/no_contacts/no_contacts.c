@@ -237,7 +237,7 @@ static void run(struct dem *dem, int steps, struct dem_report *r)
 
 /* --- the other functions of dem_method.h ---------------------------------- */
 
-static const char *unknown(const struct dem_options *o)
+static const char *unsupported(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
@@ -290,7 +290,7 @@ const struct dem_method no_contacts_method = {
     .equations = "LS 4.1",
     .function = "travel",
     .no_contacts = 1,
-    .unknown = unknown,
+    .unsupported = unsupported,
     .create = create,
     .free = release,
     .run = run,

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/random.h"

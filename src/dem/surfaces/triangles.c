@@ -111,13 +111,9 @@ void triangles_free(struct triangles *t)
 static void add(struct triangle_list *list, int i)
 {
     if (list->n == list->capacity) {
-        const int capacity = 2 * list->capacity + 64;
-        int *const longer = alloc_ints(capacity);
-        if (list->n > 0)
-            memcpy(longer, list->number, (size_t)list->n * sizeof *longer);
-        free(list->number);
-        list->number = longer;
-        list->capacity = capacity;
+        list->capacity = 2 * list->capacity + 64;
+        list->number = alloc_grown(list->number, list->n, list->capacity,
+                                   sizeof *list->number);
     }
     list->number[list->n++] = i;
 }

@@ -11,7 +11,7 @@
 #include "case/build_free.h"
 #include "case/case_file.h"
 #include "case/history.h"
-#include "case/second_half.h"
+#include "case/means/second_half.h"
 #include "coupling/coupling.h"
 
 int engine_agree(int code)
@@ -181,9 +181,9 @@ static void add_row(struct engine *e)
     const struct simulation *const sim = e->part->sim;
 
     part_count_own(e->part);
-    second_half_add(e->rows);
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
         if (history_applies(c, sim)) c->value(sim);
+    second_half_add(e->rows);
 }
 
 static void obey(struct engine *e, const struct message *m)
