@@ -45,7 +45,7 @@ struct fluid_options {
     const struct convection_scheme *convection;
     double blend; /* [-] of linear, in the scheme `blended` */
     const struct velocity_gradient_scheme
-        *velocity_gradient; /* of u, where a scheme needs it; NULL: gauss */
+        *velocity_gradient; /* of u, where a scheme needs it; NULL: by-mesh */
     enum continuity continuity;
     int correctors;              /* [-] pressure corrections a step, at least */
     double p_relative_tolerance; /* [-] residual reduction of all pressure

@@ -34,7 +34,8 @@ static void fill_velocity_gradients(struct deferred_terms *d,
     fluid_velocity_gradient(fl, u, d->u_boundary, d->slope);
 }
 
-/* The explicit part of the scheme for component k at face f. */
+/* The explicit part of the convection scheme for component k at face f [m/s].
+ */
 static double explicit_part(const struct deferred_terms *d,
                             const struct fluid *fl, const double *u, int f,
                             int k)
@@ -98,9 +99,8 @@ static void add_non_orthogonal(struct deferred_terms *d, struct fluid *fl,
     }
 }
 
-/* mu sum S.S / S.d over the storage of a cell [-]: of equal cubes 6 nu dt /
- * h^2.
- */
+/* mu times the sum of S.S / S.d over the faces of a cell, over its coefficient
+ * of the time derivative [-]: 6 nu dt / h^2 for equal cubes. */
 static double diffusion_number(const struct fluid *fl, int c)
 {
     const struct mesh *const m = fl->mesh;

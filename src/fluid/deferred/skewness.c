@@ -30,7 +30,8 @@ double *skewness_of(const struct mesh *m)
     return off;
 }
 
-/* The link of cell c across face f; at the boundary the part normal to it. */
+/* d = the link of cell c across face f; at the boundary, the part of it that is
+ * normal to the face [m]. */
 static void link_of(const struct mesh *m, const double *off, int c, int f,
                     double d[3])
 {
@@ -58,8 +59,8 @@ double *skewness_normal_equations(const struct mesh *m, const double *off)
     return matrix;
 }
 
-/* The slope of p by least squares, with the pressures of boundary faces as they
- * are. */
+/* Sets the gradient of p by least squares, with the present pressures of the
+ * boundary faces. */
 static void pressure_slopes(int first, int last, const struct deferred_terms *d,
                             struct fluid *fl)
 {
@@ -83,8 +84,8 @@ static void pressure_slopes(int first, int last, const struct deferred_terms *d,
     }
 }
 
-/* off . grad x of a face inside, linear between the cells; per: numbers of
- * slope a cell. */
+/* off . grad x of an inner face, linear between the cells; `per` is how many
+ * numbers `slope` has for each cell. */
 static inline double skew_term(const struct deferred_terms *d,
                                const struct mesh *m, const double *slope,
                                int per, int f, int o, int n)
@@ -117,9 +118,9 @@ void skewness_add_pressures(const struct deferred_terms *d, struct fluid *fl)
     }
 }
 
-/* The time derivative at the face contains the old flux as it is: the share of
- * the term that the other forces bring is 1 - m_f c_f, which is all of it in a
- * steady flow, for any step. */
+/* Adds the term to the flux. The time derivative at the face contains the old
+ * flux as it is, so that only the part 1 - m_f c_f of the term is added, by the
+ * other forces; in a steady flow that makes all of it, for any step. */
 FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred_terms *d,
                        const struct fluid *fl)
 {
@@ -139,8 +140,8 @@ FACE_KERNEL inner_flux(int f, int o, int n, const struct deferred_terms *d,
     fl->phi[f] += (1.0 - pressure->m_face[f] * per_flux) * eps * flux;
 }
 
-/* The part that the neighbours have of the resistance of a cell: that of
- * viscosity and convection, without the drag and the time derivative. */
+/* The part of the resistance of a cell that viscosity and convection cause,
+ * without the drag and the time derivative. */
 static double resistance_of_neighbours(const struct fluid *fl, int c)
 {
     double local = fl->levels->ddt[c];
@@ -186,7 +187,8 @@ void skewness_add_fluxes(const struct deferred_terms *d, struct fluid *fl)
         FOR_EACH_FACE(fl->faces, 32, inner_mean, d, fl);
 }
 
-/* The share of linear in the weights of a scheme of two cells [-]. */
+/* The fraction of linear interpolation in the weights of a scheme of two cells
+ * [-]. */
 static double linear_share(const struct fluid *fl, int f, double upwind)
 {
     const double w = fl->mesh->w[f];
@@ -194,8 +196,8 @@ static double linear_share(const struct fluid *fl, int f, double upwind)
     return (upwind - fl->momentum->owner_weight[f]) / (upwind - w);
 }
 
-/* The term of component k for a scheme that looks upstream, at most as much of
- * it as the scheme takes of the slope along the link. */
+/* The term of component k for a scheme with the gradient of the upstream cell;
+ * it is limited by the same factor as the slope along the link. */
 static double skew_term_upstream(const struct deferred_terms *d,
                                  const struct fluid *fl, const double *u, int f,
                                  int with, int k)

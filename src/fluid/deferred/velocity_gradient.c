@@ -4,7 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Component k of u at face f: linear inside, given on the boundary. */
+/* Component k of u at face f: linear between two cells, given on the boundary
+ * [m/s]. */
 static double face_value(const struct mesh *m, const double *u,
                          const double *u_b, int f, int k)
 {

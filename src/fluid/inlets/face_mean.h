@@ -4,8 +4,9 @@
 
 #include "mesh/mesh.h"
 
-/* The mean over boundary face f of the function g(of, x), x [m]: by triangles
- * about the middle of the corners, exact for polynomials of degree 5. */
+/* The mean of the function g(of, x), x [m], over boundary face f. The face is
+ * divided into triangles about the middle of its corners; the mean is exact for
+ * polynomials of degree 5. */
 double face_mean(const struct mesh *m, int f,
                  double (*g)(const void *of, const double x[3]),
                  const void *of);

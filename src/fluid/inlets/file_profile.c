@@ -99,7 +99,7 @@ static double varying(const struct boundary *b, int j, double t)
                       (l->time[i + 1] - l->time[i]);
 }
 
-/* The columns of a file; non-zero after saying what is missing. */
+/* Finds the columns of a file; non-zero after a message if one is missing. */
 static int find_columns(struct rows *r, char wrong[INLET_PROFILE_TEXT])
 {
     static const char *const axes[3] = {"x", "y", "z"};
@@ -120,8 +120,9 @@ static int find_columns(struct rows *r, char wrong[INLET_PROFILE_TEXT])
     return 1;
 }
 
-/* Rows of one time follow each other, and on a line ascend. Returns the number
- * of levels, 0 after saying what is wrong. */
+/* Checks that the rows of one time follow each other, and that their points
+ * ascend if they are on a line. Returns the number of levels, or 0 after a
+ * message. */
 static int count_levels(const struct rows *r, int t,
                         char wrong[INLET_PROFILE_TEXT])
 {
@@ -145,7 +146,7 @@ static int count_levels(const struct rows *r, int t,
     return n;
 }
 
-/* Fills the levels, each from its rows. */
+/* Fills the levels from their rows. */
 static void fill(struct levels *l, struct rows *r, int t,
                  const struct inlet_request *q)
 {

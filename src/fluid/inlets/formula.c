@@ -25,7 +25,8 @@ enum { MOST_STEPS = 256, MOST_DEPTH = 64 };
 
 enum step_kind { NUMBER, PLACE, TIME, ONE, TWO };
 
-/* A step pushes a number, or replaces the top one or two by their function. */
+/* A step pushes a number onto the stack, or replaces one or two numbers at its
+ * top by a function of them. */
 struct step {
     enum step_kind kind;
     double number; /* of NUMBER */
@@ -86,7 +87,7 @@ static const struct {
              {"min", {.kind = TWO, .two = fmin}},
              {"max", {.kind = TWO, .two = fmax}}};
 
-/* What has been read of a text. */
+/* The state of reading a text. */
 struct reader {
     const char *text, *at;
     struct formula *made;
@@ -115,7 +116,7 @@ static void put(struct reader *r, struct step step)
     if (r->height > MOST_DEPTH) fail(r, "fewer parentheses");
 }
 
-/* 1 if the next sign is c, which is then read. */
+/* Reads the next sign if it is c; returns 1 if so. */
 static int took(struct reader *r, char c)
 {
     while (isspace((unsigned char)*r->at))

@@ -9,11 +9,12 @@
 
 struct formula;
 
-/* The formula; or NULL, and `wrong` says what and where. */
+/* Translates a formula; NULL if it is wrong, and `wrong` then says what and
+ * where. */
 struct formula *formula_create(const char *text, char *wrong, int room);
 void formula_free(struct formula *f);
 
-/* Its value at x [m] and t [s]. */
+/* The value of the formula at x [m] and t [s]. */
 double formula_value(const struct formula *f, const double x[3], double t);
 
 /* 1 if t stands in it. */

@@ -9,7 +9,7 @@
 #include "fluid/inlets/face_mean.h"
 #include "fluid/inlets/formula.h"
 
-/* All that a profile which varies in time has to remember, in one piece. */
+/* The data of a profile that varies in time, in one piece of memory. */
 struct by_formula {
     const struct mesh *mesh;
     int first; /* [-] face of the patch */

@@ -11,7 +11,8 @@ double parabola_profile_mean(double a, double b)
     return 3.0 * (a + b) - 2.0 * square; /* mean of 6 s (1 - s) */
 }
 
-/* A parabola in each direction that is between walls; mean 1. */
+/* Creates a profile that is a parabola in each direction between walls, with
+ * the mean 1. */
 static int parabola(const struct inlet_request *r, struct boundary *b,
                     char wrong[INLET_PROFILE_TEXT])
 {

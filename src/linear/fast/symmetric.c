@@ -13,7 +13,8 @@ enum {
         8, /* a distance is a band if at least one row in this number has it */
 };
 
-/* The distances that occur most, most frequent first. */
+/* Sets the distances of the bands: those that occur most often, the most
+ * frequent first. */
 static void find_bands(struct symmetric *S, const int *owner,
                        const int *neighbour)
 {
@@ -185,7 +186,7 @@ static void rest_rows(const struct symmetric *S, int first, int last,
     }
 }
 
-/* y[0 ..] = rows first .. last - 1 of A x. */
+/* y[i - first] = row i of A x, for first <= i < last. */
 static void rows(const struct symmetric *S, int first, int last, const float *x,
                  float *y)
 {
@@ -252,8 +253,8 @@ void symmetric_relax(const struct symmetric *S, const float *b, const float *x,
     PARALLEL_RANGES(S->n, 2, relax_rows, S, b, x, alpha, w, beta, gamma, y);
 }
 
-/* Rows first .. last - 1 of A x in double. Away from the ends of the vector a
- * test finds nothing to do. */
+/* Computes rows first .. last - 1 of A x in double. The tests of the ends have
+ * an effect only near the ends of the vector. */
 static void exact_rows(const struct symmetric *S, int first, int last,
                        const double *x, double *restrict y)
 {
@@ -299,7 +300,7 @@ double symmetric_multiply(const struct symmetric *S, const double *x, double *y)
     return xy;
 }
 
-/* Writes the coefficients of links first ..; each has a place of its own. */
+/* Writes the coefficients of links first .. last - 1, each to its own place. */
 static void write_links(int first, int last, struct symmetric *S,
                         const double *g)
 {

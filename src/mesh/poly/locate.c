@@ -205,7 +205,8 @@ static void fold(const struct mesh *m, const double x[3], double y[3])
         y[k] = m->n_periods > 0 ? o[k] + 0.5 * (m->lo[k] + m->hi[k]) : x[k];
 }
 
-/* The search that the mesh is given. */
+/* mesh_search.cell: the point is moved by whole periods first, and the walk
+ * begins in the cell that belongs to its bin. */
 static int cell(const struct mesh *m, const double x[3], double offset[3])
 {
     double y[3];
@@ -216,7 +217,8 @@ static int cell(const struct mesh *m, const double x[3], double offset[3])
 
 /* --- bins ----------------------------------------------------------------- */
 
-/* About as many bins as cells, as wide in each direction. */
+/* Sets the numbers and widths of the bins: about as many as cells, nearly
+ * cubes. */
 static void size_bins(const struct mesh *m, struct bins *b)
 {
     double volume = 1.0;
@@ -287,8 +289,8 @@ static double rounding(const struct mesh *m)
     return fmax(1e-12 * cbrt(least), 4e-15 * farthest);
 }
 
-/* For face a of a cell's list; across a period it is moved for the neighbour.
- */
+/* Sets the plane of face a of the list of a cell; for the neighbour across a
+ * period it is moved by the period. */
 static void set_plane(const struct mesh *m, int a)
 {
     const int f = m->cell_face[a];
@@ -309,7 +311,8 @@ static void set_plane(const struct mesh *m, int a)
     }
 }
 
-/* The cell of each bin whose centre is nearest to that of the bin. */
+/* Sets the cell with which a walk to each bin begins: the one whose centre is
+ * nearest to that of the bin. */
 static void choose_begins(const struct mesh *m)
 {
     struct bins *const b = bins_of(m);

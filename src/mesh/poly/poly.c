@@ -36,7 +36,7 @@ static const struct poly_part *partner(const struct poly_raw *r,
     return NULL;
 }
 
-/* From the first of two cyclic patches to the second [m]. */
+/* P = the vector from the first of two cyclic patches to the second [m]. */
 static void shift_of(const struct poly_raw *r, const struct poly_part *part,
                      double P[3])
 {
@@ -102,9 +102,9 @@ static int find_periods(struct mesh *m, struct poly_raw *r, const char *dir)
     return 0;
 }
 
-/* One face of the mesh from face f of the files; for the inner ones `far` is
- * the same face on the neighbour's side: itself, or its partner, which is a
- * period away. */
+/* Sets one face of the mesh from face f of the files. For an inner face `far`
+ * is the same face on the side of the neighbour: f itself, or its partner,
+ * which is a period away. */
 static void set_inner(struct mesh *m, const struct poly_raw *r, int to, int f,
                       int far, int crossing)
 {
@@ -157,8 +157,8 @@ struct join {
     int f, far, crossing;
 };
 
-/* The inner faces of the files and the cyclic pairs; returns how many. With
- * NULL it only counts. */
+/* Lists the inner faces of the files and the cyclic pairs; returns their
+ * number. With NULL it only counts. */
 static int list_inner(const struct poly_raw *r, struct join *list)
 {
     int n = 0;
@@ -180,8 +180,8 @@ static int list_inner(const struct poly_raw *r, struct join *list)
     return n;
 }
 
-/* How far apart the cells of an inner face are numbered, and the lower of them.
- */
+/* The difference of the numbers of the cells of an inner face, and the lower
+ * number. */
 static void place_of(const struct poly_raw *r, const struct join *one,
                      int *distance, int *least)
 {
@@ -254,7 +254,7 @@ static void find_periodic_patches(struct mesh *m, const struct poly_raw *r)
     }
 }
 
-/* m has its periods already. */
+/* Builds the mesh m, whose periods are known. */
 static void build(struct mesh *m, struct poly_raw *r)
 {
     int joined = 0;
@@ -281,7 +281,8 @@ static void build(struct mesh *m, struct poly_raw *r)
     locate_create(m, 2.0 * warp);
 }
 
-/* Cyclic patches must have a partner, and every face one patch. */
+/* Checks that each cyclic patch has a partner, and each boundary face one
+ * patch; 0 if so, else 1 after a message. */
 static int check_parts(const struct poly_raw *r, const char *dir)
 {
     int next = r->n_inner;

@@ -123,7 +123,7 @@ double poly_file_real(struct poly_file *p)
     return 0.0;
 }
 
-/* FoamFile { format ascii; ... }, if there is one. */
+/* Reads the header, FoamFile { format ascii; ... }, if there is one. */
 static void read_header(struct poly_file *p)
 {
     const struct poly_file start = *p;
@@ -149,7 +149,8 @@ static void read_header(struct poly_file *p)
     }
 }
 
-/* All of a file, be it packed by gzip or not; NULL if it cannot be read. */
+/* The whole text of a file, which may be packed by gzip; NULL if it cannot be
+ * read. */
 static char *unpack(const char *path, long *size)
 {
     const gzFile f = input_wrong(path) == NULL ? gzopen(path, "rb") : NULL;

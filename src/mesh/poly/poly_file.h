@@ -23,7 +23,8 @@ struct poly_file {
 void poly_file_open(struct poly_file *p, const char *dir, const char *name);
 void poly_file_close(struct poly_file *p);
 
-/* The next word or sign: ( ) { } ; alone, else up to a blank or a sign. */
+/* The next word, which ends before a blank or a sign; each of the signs ( ) { }
+ * ; is a word of its own. */
 void poly_file_word(struct poly_file *p, char word[POLY_WORD]);
 void poly_file_expect(struct poly_file *p, const char *word);
 int poly_file_int(struct poly_file *p);

@@ -7,7 +7,7 @@
 #include "base/alloc.h"
 #include "mesh/poly/poly_rows.h"
 
-/* The cells beside each, one row a cell. */
+/* The neighbours of each cell, a row for each. */
 static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
 {
     int *const used = alloc_ints(r->n_cells);
@@ -26,8 +26,8 @@ static void neighbours_of(const struct poly_raw *r, int *start, int *beside)
     free(used);
 }
 
-/* Cuthill and McKee's numbering: breadth-first from one cell; if cells remain,
- * again from the first of these. */
+/* Numbers the cells as Cuthill and McKee do, breadth-first from one cell; if
+ * cells remain, it starts again from the first of these. */
 static void number_in_waves(struct poly_raw *r)
 {
     int *const start = alloc_ints(r->n_cells + 1);
@@ -56,7 +56,8 @@ static void number_in_waves(struct poly_raw *r)
     free(queue);
 }
 
-/* The sum over the inner faces of how far apart their cells are numbered. */
+/* The sum over the inner faces of the differences of the numbers of their
+ * cells. */
 static double spread(const struct poly_raw *r)
 {
     double sum = 0.0;
@@ -66,8 +67,8 @@ static double spread(const struct poly_raw *r)
     return sum;
 }
 
-/* Sorts the numbers in order by their keys 0 .. n_keys - 1, equal ones as they
- * were. */
+/* Sorts the numbers in `order` by their keys 0 .. n_keys - 1; those with equal
+ * keys stay in their order. */
 static void sort_by(const int *key, int n_keys, int n, int *order)
 {
     int *const next = alloc_ints(n_keys + 1), *const old = alloc_ints(n);
@@ -85,8 +86,9 @@ static void sort_by(const int *key, int n_keys, int n, int *order)
 
 enum { ROW = 8 }; /* least average number of faces in a row */
 
-/* The order of faces by distance, and of equal ones by the lower cell; or,
- * where too few of these follow each other, NULL. */
+/* The order of the faces by the difference of the numbers of their cells, and
+ * where it is equal, by the lower number; or NULL, where too few faces in this
+ * order form rows. */
 static int *order_in_rows(int n, int n_cells, const int *least,
                           const int *distance)
 {
@@ -130,8 +132,8 @@ static int has_rows(const struct poly_raw *r)
     return found;
 }
 
-/* Cells by their three integers, those of the longest direction side by side.
- * 0 if they have none. */
+/* Numbers the cells by their three integers, with consecutive numbers along the
+ * longest direction; 0 if they have none. */
 static int number_in_rows(struct poly_raw *r)
 {
     int extent[3], by[3] = {0, 1, 2};
@@ -169,8 +171,8 @@ static void take(struct poly_raw *r, int *number)
     r->number = number;
 }
 
-/* Of two numberings with rows, or of two without, the closer one; the first if
- * they are equal. */
+/* Keeps the numbering that gives neighbours the closer numbers; if both are
+ * equal, the first. */
 void poly_number_cells(struct poly_raw *r)
 {
     number_as_filed(r);

@@ -17,12 +17,12 @@
  * first cell, whichever gives neighbouring cells closer numbers. */
 void poly_number_cells(struct poly_raw *r);
 
-/* The order of n inner faces, of which are known the lower cell and how far
- * apart the cells are numbered; to be freed. */
+/* The order of n inner faces, from the lower number of their cells and the
+ * difference of both; the caller frees it. */
 int *poly_face_order(int n, int n_cells, const int *least, const int *distance);
 
-/* Their boundary faces without the cyclic ones, patch after patch, in the order
- * of the cells; to be freed. */
+/* The boundary faces without the cyclic ones, patch after patch, in the order
+ * of the cells; the caller frees the list. */
 int *poly_boundary_order(const struct poly_raw *r);
 
 #endif

@@ -46,7 +46,7 @@ static int read_points(struct poly_raw *r, const char *dir)
     return p.failed;
 }
 
-/* One face, n ( a b c ... ), at the end of the corners so far. */
+/* Reads one face, n ( a b c ... ), and adds its corners to the list. */
 static void read_face(struct poly_raw *r, struct poly_file *p, int f, int *room)
 {
     const int n = poly_file_count(p, (int)strlen("0 "));
@@ -90,7 +90,7 @@ static int read_faces(struct poly_raw *r, const char *dir)
     return p.failed;
 }
 
-/* owner or neighbour: one cell a face. */
+/* Reads owner or neighbour, one cell for each face. */
 static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
                        int *n, int *failed)
 {
@@ -116,7 +116,7 @@ static int *read_cells(struct poly_raw *r, const char *dir, const char *name,
     return cell;
 }
 
-/* key value; of a patch. Values in brackets are skipped. */
+/* Reads one entry of a patch, key value; a value in brackets is skipped. */
 static void read_entry(struct poly_file *p, struct poly_part *part,
                        const char *key)
 {
@@ -219,8 +219,9 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Triangles from the mean of the corners: their sum is the area, and the mean
- * of their middles, weighted by area, the middle of the face. */
+/* A face is divided into triangles about the mean of its corners. The sum of
+ * their areas is its area, and the mean of their middles, weighted by area, is
+ * its middle. */
 static void measure_face(struct poly_raw *r, int f)
 {
     const int n = r->start[f + 1] - r->start[f];
@@ -249,7 +250,8 @@ static void measure_face(struct poly_raw *r, int f)
         x[k] = sum > 0.0 ? x[k] / sum : mean[k];
 }
 
-/* Pyramids from the mean of the face middles: volume and centre. */
+/* A cell is divided into pyramids about the mean of the middles of its faces,
+ * which give its volume and centre. */
 static void measure_cells(struct poly_raw *r)
 {
     double *const mean = alloc_doubles(3 * r->n_cells);
@@ -379,7 +381,7 @@ int poly_raw_measure(struct poly_raw *r, const char *dir)
     return wrong_face(r, dir) || wrong_cell(r, dir) || wrong_link(r, dir);
 }
 
-/* How far any corner is off the plane of its face [m]. */
+/* The largest distance of a corner from the plane of its face [m]. */
 double poly_raw_warp(const struct poly_raw *r)
 {
     double most = 0.0;

@@ -6,7 +6,7 @@
 
 enum { POLY_RAW_PATCHES = 10000 };
 
-/* A patch as it stands in the file. */
+/* A patch of the file. */
 struct poly_part {
     char name[64], type[64], other[64];
     int first, n;
@@ -33,9 +33,9 @@ int poly_raw_read(struct poly_raw *r, const char *dir);
 /* Only the patches. */
 int poly_raw_read_parts(struct poly_raw *r, const char *dir);
 
-/* Middles and areas of the faces, volumes and centres of the cells; non-zero
- * after one message if a face has no area, a cell is not closed or its volume
- * not positive. */
+/* Computes the middles and areas of the faces, and the volumes and centres of
+ * the cells; non-zero after one message if a face has no area, or a cell is not
+ * closed or has no positive volume. */
 int poly_raw_measure(struct poly_raw *r, const char *dir);
 double poly_raw_warp(const struct poly_raw *r);
 

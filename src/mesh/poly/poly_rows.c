@@ -15,7 +15,8 @@ struct walk {
     char *reached;
 };
 
-/* 0 if a cell has not six faces, or a face not four corners. */
+/* Lists the faces of each cell; 0 if a cell does not have six faces, or a face
+ * not four corners. */
 static int take_faces(struct walk *w)
 {
     const struct poly_raw *const r = w->r;
@@ -43,7 +44,8 @@ static int has_corner(const struct poly_raw *r, int f, int point)
            corner[3] == point;
 }
 
-/* How many corners faces f, g and h share; h = g: how many f and g do. */
+/* The number of corners that faces f, g and h have in common; with h = g, those
+ * of f and g. */
 static int common(const struct poly_raw *r, int f, int g, int h)
 {
     int n = 0;
@@ -64,8 +66,9 @@ static int find(const struct walk *w, int c, int f, int g, int corners)
     return -1;
 }
 
-/* The faces of cell c in order: `first` is number s, and face 2 k of this cell
- * shares an edge with face 2 k of the previous one. 0 if it is none. */
+/* Puts the faces of cell c in order: `first` gets the number s, and face 2 k
+ * has an edge in common with face 2 k of the cell before. 0 if the cell is no
+ * hexahedron. */
 static int turn(struct walk *w, int c, int first, int s, const int before[6])
 {
     int face[6];
@@ -84,7 +87,8 @@ static int turn(struct walk *w, int c, int first, int s, const int before[6])
     return 1;
 }
 
-/* The first cell: any face, one beside it, one beside both. */
+/* Orders the faces of the first cell: any face, one beside it, and one beside
+ * both. */
 static int begin(struct walk *w)
 {
     const int *const own = w->face[0];
@@ -107,8 +111,8 @@ static int begin(struct walk *w)
     return 1;
 }
 
-/* From the cells that have been reached to those behind their faces; returns
- * how many there are in the end. */
+/* Goes from the cells that have been reached to those behind their faces, until
+ * there are no more; returns how many have been reached. */
 static int walk_on(struct walk *w)
 {
     const struct poly_raw *const r = w->r;

@@ -9,9 +9,9 @@
 
 #include "mesh/poly/poly_raw.h"
 
-/* Three integers a cell, 3 * n_cells of them from 0 on, and how many there are
- * in each direction; to be freed. NULL if a cell is no hexahedron, or not all
- * are reached. */
+/* The three integers of each cell, which begin at 0, and how many values they
+ * have in each direction; the caller frees the list. NULL if a cell is no
+ * hexahedron, or not all are reached. */
 int *poly_rows_find(const struct poly_raw *r, int extent[3]);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "base/alloc.h"
 
-/* For each cell its polygons, in the order of the files. */
+/* Lists the polygons of each cell, in the order of the files. */
 static void list_polygons(const struct poly_raw *r, struct mesh_shape *s)
 {
     int *const used = alloc_ints(r->n_cells);

@@ -23,7 +23,8 @@ static double skewness(const struct mesh *m, int f)
     return sqrt(dot(off, off) / dot(d, d));
 }
 
-/* Between a cell's centre and the middles of its faces: most over least. */
+/* The largest distance of a cell's centre from the middle of a face over the
+ * smallest [-]. */
 static double aspect(const struct mesh *m, int c)
 {
     double least = INFINITY, most = 0.0;

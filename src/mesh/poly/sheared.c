@@ -77,8 +77,8 @@ static void inner_faces(struct poly_raw *r, const int n[3])
                 }
 }
 
-/* The faces of one end; the partners at the other end come in the same order,
- * so that a period joins them. */
+/* Adds the faces of one end. Their partners at the other end have the same
+ * order, so that a period joins them. */
 static void end_faces(struct poly_raw *r, const struct box *b, int k, int upper)
 {
     struct poly_part *const part = &r->part[r->n_parts++];
