@@ -283,6 +283,7 @@ static void visit(void *record, struct state *s)
 const struct recorder_part bodies_record = {.create = create,
                                             .free = release,
                                             .row = add_row,
+                                            .last_row = add_row,
                                             .fields = add_picture,
                                             .columns = columns,
                                             .summarize = summarize,

@@ -194,7 +194,7 @@ static void obey(struct engine *e, const struct message *m)
     if (m->order == RELEASE) release_part(e);
     if (m->order == PROCESSES_START) coupling_start(part->sim);
     if (m->order == PROCESSES_STEP) coupling_step(part->sim);
-    if (m->order == PROCESSES_LOOK) snapshot_take(e->last, part->sim);
+    if (m->order == PROCESSES_SNAPSHOT) snapshot_take(e->last, part->sim);
     if (m->order == PROCESSES_ROW) add_row(e);
     if (m->order == PROCESSES_ROW_DONE) part_count_own(part);
     if (m->order == WRITE) pieces_write(part, e->last, m->path);
