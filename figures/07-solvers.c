@@ -6,6 +6,8 @@
 #include "base/alloc.h"
 #include "linear/cg.h"
 #include "linear/chebyshev.h"
+#include "linear/multigrid/multigrid.h"
+#include "linear_case.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -54,12 +56,6 @@ static void box_free(struct box *b)
     free(b->V);
 }
 
-static double noise(unsigned *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) / 8388607.5 - 1.0;
-}
-
 /* Conductivity: blocks of four cells a side, each 1 or as given, at random. */
 static double *blocks(const struct box *b, double jump)
 {
@@ -102,7 +98,7 @@ static struct csr *pressure(const struct box *b, const double *k,
 struct system {
     struct box box;
     struct csr *A;
-    struct multigrid *mg;
+    struct preconditioned by_multigrid, by_diagonal;
     struct cg_work *work;
     double *b, *x;
 };
@@ -115,9 +111,12 @@ static struct system system_create(int n, double jump, const double h[3])
     unsigned seed = 1;
 
     s.A = pressure(box, k, h);
-    s.mg = multigrid_create(box->cells, box->n_links, box->owner,
-                            box->neighbour, box->strength, box->link, box->V);
-    multigrid_update(s.mg, s.A);
+    s.by_multigrid.kind = &multigrid_preconditioned;
+    s.by_multigrid.matrix =
+        multigrid_create(box->cells, box->n_links, box->owner, box->neighbour,
+                         box->strength, box->link, box->V);
+    s.by_diagonal = (struct preconditioned){&preconditioned_jacobi, s.A};
+    set_from(s.by_multigrid, s.A);
     s.work = cg_work_create(box->cells);
     s.b = alloc_doubles(box->cells);
     s.x = alloc_doubles(box->cells);
@@ -131,7 +130,7 @@ static void system_free(struct system *s)
 {
     box_free(&s->box);
     csr_free(s->A);
-    multigrid_free(s->mg);
+    preconditioned_free(s->by_multigrid);
     cg_work_free(s->work);
     free(s->b);
     free(s->x);
@@ -145,8 +144,9 @@ static struct solve_report solve(struct system *s, int multigrid,
 
     memset(s->x, 0, (size_t)s->box.cells * sizeof *s->x);
 
-    const struct solve_report r = cg_solve(s->A, multigrid ? s->mg : NULL, s->b,
-                                           s->x, tolerance, 0.0, most, s->work);
+    const struct solve_report r =
+        cg_solve(multigrid ? s->by_multigrid : s->by_diagonal, s->b, s->x,
+                 tolerance, 0.0, most, s->work);
 
     if (seconds != NULL) *seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     return r;
@@ -266,8 +266,9 @@ static void levels(void)
 {
     struct system y = system_create(32, 1.0, cubes);
 
-    for (int k = 0; k < multigrid_levels(y.mg); k++)
-        printf("level %d: %5d cells\n", k, multigrid_unknowns(y.mg, k));
+    for (int k = 0; k < multigrid_levels(y.by_multigrid.matrix); k++)
+        printf("level %d: %5d cells\n", k,
+               multigrid_unknowns(y.by_multigrid.matrix, k));
     system_free(&y);
 }
 

@@ -16,7 +16,7 @@ plot part("100") using 1:2 with lines linetype 1 title "Re 100", \
      part("1000") using 1:4 with lines linetype 3 dashtype 2 \
          title "its limit", \
      table using 1:2 with points pointtype 6 linetype 3 \
-         title "Albensoeder and Kuhlmann"
+         title "Albensoeder et al."
 set xlabel "x at y = z = 1/2"
 set ylabel "v over the lid's u"
 unset key

@@ -14,7 +14,7 @@ set key bottom right
 plot "<awk '$2 == 1' " . table using 1:3:4 with yerrorlines linetype 1 pointtype 7 title "along the flow", \
      "<awk '$2 == 1' " . table using 1:5:6 with yerrorlines linetype 2 pointtype 9 title "across it"
 unset ylabel
-set xlabel "{/Symbol d}_{0.5} [{/:Italic d}]"
+set xlabel "δ_{0.5} [{/:Italic d}]"
 set xrange [0.8:2.2]
 set key top right
 plot "<awk '$1 == 1' " . table using 2:3:4 with yerrorlines linetype 1 pointtype 7 title "along the flow", \

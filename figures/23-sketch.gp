@@ -71,9 +71,9 @@ set xrange [-1.5:1.5]
 set yrange [-1:1.1]
 set ytics 0.5
 set border 3
-set xlabel "{/:Italic r} / {/Symbol d}_{0.5} [-]"
+set xlabel "{/:Italic r} / δ_{0.5} [-]"
 set arrow 1 from -0.5,0.5 to 0.5,0.5 heads linecolor rgb gray
-set label 1 "{/Symbol d}_{0.5}" at 0,0.3 center textcolor rgb gray
+set label 1 "δ_{0.5}" at 0,0.3 center textcolor rgb gray
 set label 2 "{/:Italic W}" at 0.3,0.95 textcolor rgb blue
 set label 3 "d{/:Italic W}/d{/:Italic r}" at 0.45,-0.85 textcolor rgb orange
 w(r) = exp(-r * r / (2 * s * s))

@@ -5,8 +5,8 @@ set terminal svg size 900,900 dynamic font "sans,13" background "#ffffff"
 set output "figures/24-liquid.svg"
 table = "figures/24-liquid-8.txt"
 set multiplot layout 3,2 margins 0.10,0.97,0.07,0.98 spacing 0.12,0.09
-set xlabel "{/:Italic C}_d near one Re_p and {/Symbol e}"
-set ylabel "share"
+set xlabel "{/:Italic C}_d near one Re_p and ε"
+set ylabel "probability density"
 plot table index "[EW18 fig. 6] C_d, share" using 1:2 with boxes linetype 1 notitle
 set xlabel "samples"
 set ylabel "deviation of {/:Italic C}_d"
@@ -18,7 +18,7 @@ set xlabel "Re_p"
 set xrange [0:*]
 set ylabel "{/:Italic C}_d"
 bins = "[EW18 figs. 8-10] Re_p, eps, samples, mean of C_d, its deviation, that over the mean, C_d of Beetstra"
-plot table index bins using 1:4 with linespoints linetype 1 pointtype 7 title "resolved, each line one {/Symbol e}", \
+plot table index bins using 1:4 with linespoints linetype 1 pointtype 7 title "resolved, each line one ε", \
      table index bins using 1:7 with lines linetype 2 dashtype 2 title "Beetstra"
 set ylabel "its deviation over {/:Italic C}_d"
 set yrange [0:0.6]
@@ -26,11 +26,11 @@ plot table index bins using 1:6 with linespoints linetype 1 pointtype 7 notitle
 set xrange [*:*]
 set yrange [0:*]
 set xlabel "force over weight"
-set ylabel "share"
+set ylabel "probability density"
 plot table index "[EW18 fig. 11] force over weight of the grains at one time, share" using 1:2 with histeps linetype 1 title "all, at one time", \
      table index "[EW18 fig. 11] the same of one grain over its path, share" using 1:2 with histeps linetype 2 title "one, over its path"
 set yrange [-0.4:1]
-set xlabel "{/Symbol t} [{/:Italic d}/{/:Italic u}_{in}]"
+set xlabel "τ [{/:Italic d}/{/:Italic u}_{in}]"
 set ylabel "autocorrelation of the force"
 plot table index "[EW18 figs. 12, 13] tau, autocorrelation of the force along the flow, its integral" using 1:2 with lines linetype 1 notitle, 0 linecolor "#555555" notitle
 unset multiplot

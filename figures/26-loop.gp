@@ -6,7 +6,7 @@ set datafile separator ","
 set multiplot layout 1,2
 set xlabel "x [mm]"
 set xrange [0:16]
-set yrange [0.35:1]
+set yrange [0.2:1]
 do for [k = 0:1] {
     if (k == 0) {
         set title "pcm with a cap of 0.7"

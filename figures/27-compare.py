@@ -17,6 +17,7 @@ difference of the two sides; blocks, the error of the mean by blocks of 2 s from
 to a wall at which there are no spheres; like ours it is constant beyond the last point.
 """
 import math
+import re
 import sys
 
 from profile_lines import at, rms
@@ -227,28 +228,43 @@ def measures(r, end=4.0):
     return found + [mirror(lines[3])]
 
 
-STUDENT = {1: 12.71, 2: 4.30, 3: 3.18, 4: 2.78, 5: 2.57}  # 95 %, by degrees of freedom
+def student(n):
+    """The two-sided 95 % point of Student's distribution of n degrees of freedom, by its
+    series about the normal one (within 0.02 from three on, Abramowitz & Stegun 26.7.5)."""
+    z = 1.959964
+    return (z + (z**3 + z) / (4 * n) + (5 * z**5 + 16 * z**3 + 3 * z) / (96 * n**2)
+            + (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / (384 * n**3))
 
 
 def vary(table):
-    """Beside each number a star if it is farther from the mean of the runs that differ
-    by their seed alone than one more such run would be in 95 of 100 cases."""
-    rows = {r.name: measures(r) for r in runs(table) if r.end > 2.0}
-    same = [found for name, found in rows.items() if name.startswith("seed-")]
-    n = len(same)
-    means = [sum(column) / n for column in zip(*same)]
-    errors = [STUDENT[n - 1] * math.sqrt(sum((v - m) ** 2 for v in column) / (n - 1) * (1 + 1 / n))
-              if n > 1 else math.inf for column, m in zip(zip(*same), means)]
-    print("# offset of eps_f at 16.4, 31.2 mm; rms of the even part: eps_f at 16.4, 31.2 mm,")
-    print("# us_y at 15, 25 mm [m/s]; mirror error of us_y at 25 mm; to time [s]")
-    ends = {r.name: r.end for r in runs(table)}
-    for name, found in sorted(rows.items(), key=lambda row: not row[0].startswith("seed-")):
-        cells = [f"{v:+.3f}{'*' if abs(v - m) > e else ' '}" if i < 2 else
-                 f"{v:.3f}{'*' if abs(v - m) > e else ' '}"
-                 for i, (v, m, e) in enumerate(zip(found, means, errors))]
-        print(f"{name:16s} {' '.join(cells)} {ends[name]:g}")
-    print(f"{'95 %':16s} " + " ".join(f"{e:.3f} " if i > 1 else f" {e:.3f} "
-                                          for i, e in enumerate(errors)))
+    """Means over the seeds of each choice. All choices are taken to scatter alike: the
+    variance within the choices is pooled. A number has a star if it differs from that of
+    the bed as it is by more than chance does in 95 of 100 comparisons; beside it stands
+    by how much the two may differ by chance."""
+    groups = {}
+    for r in runs(table):
+        if r.end >= 3.9:
+            groups.setdefault(re.sub(r"^(seed)-\d+$|\+\d+$", r"\1", r.name), []).append(measures(r))
+    means = {name: [sum(c) / len(found) for c in zip(*found)] for name, found in groups.items()}
+    free = sum(len(found) - 1 for found in groups.values())
+    spread = [math.sqrt(sum((found[k] - means[name][k]) ** 2
+                            for name, group in groups.items() for found in group) / free)
+              for k in range(len(means["seed"]))]
+    same, n = means.pop("seed"), len(groups["seed"])
+    print("# means over seeds: offset of eps_f at 16.4, 31.2 mm; rms of the even part: eps_f at")
+    print("# 16.4, 31.2 mm, us_y at 15, 25 mm [m/s]; mirror error of us_y at 25 mm; seeds")
+    print(f"{'as it is':16s} " + " ".join(f"{v:+.3f} " if k < 2 else f"{v:.3f} "
+                                          for k, v in enumerate(same)) + f" {n}")
+    for name, found in sorted(means.items()):
+        m = len(groups[name])
+        chance = [student(free) * s * math.sqrt(1 / n + 1 / m) for s in spread]
+        marks = ["*" if abs(v - w) > c else " " for v, w, c in zip(found, same, chance)]
+        print(f"{name:16s} " + " ".join(f"{v:+.3f}{mark}" if k < 2 else f"{v:.3f}{mark}"
+                                        for k, (v, mark) in enumerate(zip(found, marks))) + f" {m}")
+    for m in sorted({len(groups[name]) for name in means}):
+        print(f"{f'by chance, {m}':16s} " + " ".join(
+            f" {student(free) * s * math.sqrt(1 / n + 1 / m):.3f} "[k >= 2:] for k, s in
+            enumerate(spread)))
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ vary() {
     done
     for seed in 1 2 3; do
         while read -r name change; do
-            [ $seed = 1 ] || name=$name.$seed
+            [ $seed = 1 ] || name=$name+$seed
             # shellcheck disable=SC2086 # words
             run "$name" 0.9 $seed 2.4e-3 12,32,3 4.0 $change </dev/null
         done <<END

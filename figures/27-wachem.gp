@@ -6,7 +6,7 @@ set output "figures/27-wachem.svg"
 set xlabel "time [s]"
 set ylabel "pressure less its mean [Pa]"
 set key top right horizontal
-set yrange [-300:350]
+set yrange [-300:450]
 set xrange [0:3]
 stats "< awk '!/^#/ && $1 > 1' figures/27-wachem.txt" using 2 nooutput
 plot "figures/data/van-wachem-2001.txt" using ($1 - 3.01):2 with lines linetype 2 title "measured", \

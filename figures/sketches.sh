@@ -18,4 +18,4 @@ draw 30-beds beds cases/fluidization-ramp.cfg \
     diameter=1.775e-3 cases/fluidization-two-sizes.cfg diameter=1.42e-3 cases/seepage.cfg
 draw 23-beds beds grains=512 diameter=1 cases/ew18-liquid.cfg \
     grains=2000 diameter=1 cases/ew18-gas.cfg
-draw 27-beds beds cases/van-wachem-bed.cfg cases/goldschmidt-bed.cfg
+draw 27-beds beds cases/van-wachem-bed.cfg cases/goldschmidt-bed.cfg cases/spouted-bed.cfg

@@ -10,9 +10,10 @@
 #
 # and the array drag_laws[], of pointers, ended by NULL. The order is that of
 # the rows, the first being the default; `after NAME` or `before NAME` at the
-# end of a row puts the model next to another one, `first` before all others. A
-# kind alone makes an array that may be empty. Where nothing but a constant tells the models of a kind apart, their
-# descriptors are of the type struct model (base/model.h), and a row is
+# end of a row puts the model next to another one, `first` before all others,
+# `last` after them. A kind alone makes an array that may be empty. Where nothing
+# but a constant tells the models of a kind apart, their descriptors are of the
+# type struct model (base/model.h), and a row is
 #
 #   surface_shape:model  surface_plane
 #
@@ -51,6 +52,7 @@ NF == 0 || $1 == "needs" { next }
 { split($1, word, ":"); $1 = word[1] }
 !($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0; type[$1] = word[2] }
 NF == 1 { next }
+NF == 3 && $3 == "last" { ends[$1] = $2; next }
 NF == 3 && $3 == "first" { at = 0 }
 NF == 4 && ($3 == "after" || $3 == "before") {
     for (at = n[$1]; at > 0 && model[$1, at] != $4; at--) continue
@@ -62,7 +64,7 @@ NF == 3 && $3 == "first" || NF == 4 {
     model[$1, at + 1] = $2
     next
 }
-NF != 2 { wrong("expected a kind, a descriptor, and perhaps: after NAME, before NAME, or: first") }
+NF != 2 { wrong("expected a kind, a descriptor, and perhaps: after NAME, before NAME, or: first, last") }
 { model[$1, ++n[$1]] = $2 }
 
 END {
@@ -71,6 +73,7 @@ END {
     print "#include <stddef.h>"
     for (k = 1; k <= n_kinds; k++) {
         kind = kinds[k]
+        if (kind in ends) model[kind, ++n[kind]] = ends[kind]
         name = type[kind] != "" ? type[kind] : kind
         all = "const struct " name
         print "\nstruct " name ";"

@@ -267,6 +267,11 @@ if command -v pandoc >/dev/null; then
         'echo "$1" | awk -f "$2/tidy.awk"' - \
         '<mo accent="true">̇</mo><mo accent="true">¯</mo>' "$tools"
     fact a_listing_tells_file_and_line 0 ">src/base/fall.c, line 2</a>" cat out/01-fall.html
+    printf '## part\n$ echo %s\nspeed = 4.429 [m/s]\n\n## other\nspeed = 7\n' \
+        "$(yes word | head -30 | tr '\n' ' ')" >figures/fall.txt
+    fact a_long_command_has_several_lines 0 'word word \' \
+        sh -c "sh '$tools/book.sh' out && cat out/01-fall.html"
+    fresh
     edit 's/^From/$x From/' $chapter
     fact raw_tex_is_told 1 "01-fall.html: raw TeX" sh "$tools/book.sh" out
     fresh && edit 's/^From/[here](02-none.md) &/' $chapter

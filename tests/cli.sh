@@ -311,6 +311,26 @@ same() {
         diff -r one/particles two/particles && echo same
 }
 fact one_and_two_threads_give_the_same_bits 0 same same
+# A row at each second step, an end after an odd number of them, and a later end.
+rows() { # folder, end, option...
+    dir=$1 end=$2
+    shift 2
+    "$winnow" run tiny.cfg -o "$dir" --quiet -s output.history=4e-4 \
+        -s 'output.probes=({field="p";position=[0.003,0.005,0.003];})' \
+        -s output.end="$end" "$@" >said 2>&1
+}
+last_time() { tail -1 "$1" | cut -d, -f1; }
+rows_to_the_end() {
+    rows ended 0.0102 &&
+        echo "$(last_time ended/history.csv) $(last_time ended/probes.csv)"
+}
+fact the_state_at_the_end_is_a_row 0 "0.0102 0.0102" rows_to_the_end
+rows_beyond_the_end() {
+    rows at_once 0.012 && rows ended 0.012 --resume &&
+        cmp ended/history.csv at_once/history.csv &&
+        cmp ended/probes.csv at_once/probes.csv && echo same
+}
+fact a_run_that_goes_on_has_no_row_of_the_old_end 0 same rows_beyond_the_end
 quiet() {
     for run in new replaced; do
         "$winnow" run tiny.cfg -o quiet --quiet 2>&1 >/dev/null
@@ -596,6 +616,16 @@ sed 's/"fixed"; },/"fixed"; } );/
      s/^ *{ position = .0.06.*/clumps = ( { file = "pair.spheres"; position = [0.05, 0.07, 0.05]; density = 1200.0; spin = [0.0, 0.0, 5.0]; } ); };/' \
     bodies.cfg >clump.cfg
 fact a_clump_that_turns_goes_on_to_the_same_bits 0 "" gone_on clump
+
+fact free_box_asks_for_its_density 2 "bodies.boxes: number 0 is moved and asks for its density" \
+    body -s 'bodies.boxes=({position=[0.05,0.08,0.05]; size=[0.03,0.03,0.03]; motion="free";})'
+fact box_that_is_held_has_no_spin 2 "bodies.boxes: number 0 does not turn and has a spin" \
+    body -s 'bodies.boxes=({position=[0.05,0.08,0.05]; size=[0.03,0.03,0.03]; spin=[0.0,1.0,0.0];})'
+sed 's/^ *{ position = .0.06.*/boxes = ( { position = [0.05, 0.07, 0.05]; size = [0.03, 0.026, 0.03]; rotation = [0.0, 0.3, 0.5];\
+        density = 2500.0; motion = "free"; spin = [0.0, 0.0, 5.0]; } ); };/
+     s/"fixed"; },/"fixed"; } );/' bodies.cfg >box.cfg
+fact a_box_that_turns_goes_on_to_the_same_bits 0 "" gone_on box
+fact blocks_are_shown_as_they_turn 0 "" grep -q body_surfaces whole/manifest.txt
 
 echo "command line: $facts passed, $failed failed"
 [ $failed -eq 0 ]

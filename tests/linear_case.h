@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "linear/csr.h"
+#include "linear/preconditioned.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -186,6 +187,25 @@ static inline void add_wall(struct csr *A, const struct links *b,
     for (int i = 0; i < b->n; i++)
         if (b->at[3 * i] < h[0])
             A->diag[i] += 2.0 * h[1] * h[2] / h[0] * (k == NULL ? 1.0 : k[i]);
+}
+
+/* Sets the coefficients of A, which has the same links, from those of `from`.
+ */
+static inline void set_from(struct preconditioned A, const struct csr *from)
+{
+    double *const g = alloc_doubles(from->n_links);
+    double *const sums = alloc_doubles(from->n);
+
+    for (int l = 0; l < from->n_links; l++)
+        g[l] = -from->a[from->upper[l]];
+    for (int i = 0; i < from->n; i++) {
+        sums[i] = from->diag[i];
+        for (int e = from->start[i]; e < from->start[i + 1]; e++)
+            sums[i] += from->a[e];
+    }
+    preconditioned_set(A, g, sums);
+    free(g);
+    free(sums);
 }
 
 /* The same matrix with all its zeros, by rows. */

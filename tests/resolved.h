@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "dem/dem_method.h"
+#include "resolved/blocks/block_contacts.h"
 #include "resolved/body_motion.h"
 #include "resolved/solid_bodies.h"
 
@@ -29,7 +30,7 @@ struct pool_options {
                            outlives the pool */
     const char *time;   /* NULL: bdf2 */
     double virtual_mass;
-    enum body_method method;
+    const struct body_method *method;
     int n; /* bodies */
     int dem_steps;
     double tolerance; /* 0: 1e-10 */
@@ -59,6 +60,7 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
                                      .virtual_mass = o->virtual_mass,
                                      .dem_steps =
                                          o->dem_steps > 0 ? o->dem_steps : 1,
+                                     .others = &block_contacts,
                                      .dem = &dem};
 
     for (int k = 0; k < 3; k++) {
@@ -108,7 +110,7 @@ static inline void pool_one_sphere_by(struct pool *p, double d, int cells,
                                       double mu, double dt, double gradient,
                                       const double x[3],
                                       enum body_motion motion, double density,
-                                      enum body_method method)
+                                      const struct body_method *method)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {cells, cells, cells},
@@ -117,8 +119,7 @@ static inline void pool_one_sphere_by(struct pool *p, double d, int cells,
                                    .dt = dt,
                                    .gradient = {gradient, 0.0, 0.0},
                                    .method = method,
-                                   .time = method == BODY_METHOD_HOLD ? "bdf2"
-                                                                      : "euler",
+                                   .time = method == NULL ? "bdf2" : "euler",
                                    .virtual_mass = 2.0};
     const struct body_shape sphere = body_shape_sphere(d);
 
@@ -131,8 +132,7 @@ static inline void pool_one_sphere(struct pool *p, double d, int cells,
                                    const double x[3], enum body_motion motion,
                                    double density)
 {
-    pool_one_sphere_by(p, d, cells, mu, dt, gradient, x, motion, density,
-                       BODY_METHOD_HOLD);
+    pool_one_sphere_by(p, d, cells, mu, dt, gradient, x, motion, density, NULL);
 }
 
 #endif

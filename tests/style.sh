@@ -86,7 +86,7 @@ rooms() {
 seams_left=0
 seams() {
     grep -rn --include='*.[ch]' '^#include "' src | awk '
-    BEGIN { aside["resolved"]; aside["study"] } # Makefile: folders themselves
+    BEGIN { aside["resolved"]; aside["study"]; aside["distributed"] } # ASIDE of the Makefile
     { # src/room/[folder/]file:line:#include "other/[folder/]file"
         split($1, colon, ":"); n = split(colon[1], path, "/")
         split($0, quoted, "\""); m = split(quoted[2], included, "/")

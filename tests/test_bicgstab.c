@@ -75,7 +75,7 @@ static double residual(const struct setting *s, int k)
     double *const y = alloc_doubles(3 * s->b.n);
     double sum = 0.0;
 
-    csr_multiply_each(s->A, 3, s->diag, s->x, y);
+    csr_rows_each(0, s->A->n, s->A, 3, s->diag, s->x, y);
     for (int i = k; i < 3 * s->b.n; i += 3)
         sum += (s->rhs[i] - y[i]) * (s->rhs[i] - y[i]);
     free(y);
@@ -134,7 +134,7 @@ START_TEST(a_good_guess_costs_nothing)
     struct setting s = convection(7, 7, 7, 2.0);
     double *const exact = noise_vector(3 * s.b.n, 5);
 
-    csr_multiply_each(s.A, 3, s.diag, exact, s.rhs);
+    csr_rows_each(0, s.A->n, s.A, 3, s.diag, exact, s.rhs);
     memcpy(s.x, exact, 3 * (size_t)s.b.n * sizeof *exact);
 
     const struct solve_report r = solve(&s, 1e-12, 0.0, 10);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/block_means.h"
+#include "output/means/block_means.h"
 #include "facts.h"
 
 #include <gsl/gsl_randist.h>

@@ -6,13 +6,14 @@
 
 #include "base/vector.h"
 #include "facts.h"
+#include "resolved/fraction/fraction_methods.h"
 #include "resolved/squeeze_film.h"
 
 static const double middle[3] = {0.5, 0.5, 0.5};
 
 /* A cubic array of solid fraction 0.216 with 9 cells in a diameter: drag over
  * that of [ZH82], at nu dt / h^2 = vn. */
-static double drag_by(enum body_method method, double vn, int steps,
+static double drag_by(const struct body_method *method, double vn, int steps,
                       struct pool *p)
 {
     const double d = cbrt(6.0 * 0.216 / M_PI);
@@ -31,9 +32,11 @@ static double drag_by(enum body_method method, double vn, int steps,
 START_TEST(ls_5_18_velocity_set_after_the_step_loses_half_of_the_drag)
 {
     struct pool p;
-    const double short_step = drag_by(BODY_METHOD_FICTITIOUS, 0.1, 300, &p);
+    const double short_step =
+        drag_by(&fraction_methods_fictitious, 0.1, 300, &p);
     pool_free(&p);
-    const double long_step = drag_by(BODY_METHOD_FICTITIOUS, 1.0, 100, &p);
+    const double long_step =
+        drag_by(&fraction_methods_fictitious, 1.0, 100, &p);
     pool_free(&p);
 
     ck_assert_double_ge(short_step, 0.75);
@@ -48,7 +51,7 @@ START_TEST(ls_5_17_the_fluid_inside_moves_with_the_body)
     struct pool p;
     double worst = 0.0, flow[3];
 
-    drag_by(BODY_METHOD_FICTITIOUS, 0.1, 120, &p);
+    drag_by(&fraction_methods_fictitious, 0.1, 120, &p);
     fluid_mean_flow(p.fluid, flow);
     for (int j = 0; j < p.bodies->n_links; j++) {
         const struct hold_link *const l = &p.bodies->link[j];
@@ -66,7 +69,7 @@ START_TEST(ls_5_20_the_corrected_fluxes_have_no_divergence)
 {
     struct pool p;
 
-    drag_by(BODY_METHOD_FICTITIOUS, 1.0, 100, &p);
+    drag_by(&fraction_methods_fictitious, 1.0, 100, &p);
     ck_assert_double_le(p.fluid->report.mass_residual, 1e-6);
     ck_assert_double_eq_tol(p.bodies->force[0] / 1e-6, 1.0, 1e-3);
     ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
@@ -82,7 +85,7 @@ START_TEST(ls_5_19_the_correction_of_the_velocity_follows_the_fluxes)
     struct pool p;
     double worst = 0.0, most = 0.0;
 
-    drag_by(BODY_METHOD_FICTITIOUS, 1.0, 100, &p);
+    drag_by(&fraction_methods_fictitious, 1.0, 100, &p);
     for (int f = 0; f < p.mesh->n_internal; f++) {
         const double *const S = &p.mesh->S[3 * f];
         const double of_cells =
@@ -101,9 +104,9 @@ END_TEST
 START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
 {
     struct pool p;
-    const double short_step = drag_by(BODY_METHOD_PISO_IB, 0.3, 150, &p);
+    const double short_step = drag_by(&fraction_methods_piso_ib, 0.3, 150, &p);
     pool_free(&p);
-    const double long_step = drag_by(BODY_METHOD_PISO_IB, 3.0, 100, &p);
+    const double long_step = drag_by(&fraction_methods_piso_ib, 3.0, 100, &p);
     double worst = 0.0, flow[3];
 
     fluid_mean_flow(p.fluid, flow);
@@ -118,8 +121,8 @@ START_TEST(ls_5_21_the_accumulated_force_makes_the_sphere_too_large)
 END_TEST
 
 /* A sphere begins to move in a closed box, in a fluid at rest. */
-static void sphere_in_a_closed_box(struct pool *p, enum body_method method,
-                                   double lid)
+static void sphere_in_a_closed_box(struct pool *p,
+                                   const struct body_method *method, double lid)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
                                    .cells = {8, 8, 8},
@@ -146,7 +149,7 @@ START_TEST(ls_5_19_the_balance_of_momentum_knows_when_the_walls_acted)
 {
     struct pool p;
 
-    sphere_in_a_closed_box(&p, BODY_METHOD_FICTITIOUS, 0.3);
+    sphere_in_a_closed_box(&p, &fraction_methods_fictitious, 0.3);
     for (int i = 0; i < 5; i++) {
         pool_run(&p, 1);
         ck_assert_double_le(p.fluid->report.momentum_residual, 1e-10);
@@ -168,7 +171,7 @@ START_TEST(ls_5_18_what_was_convected_is_counted_before_the_body_acts)
                                    .mu = 0.01,
                                    .dt = 0.02,
                                    .inlet = 0.5,
-                                   .method = BODY_METHOD_FICTITIOUS};
+                                   .method = &fraction_methods_fictitious};
     const struct body_shape sphere = body_shape_sphere(0.4);
     struct pool p;
 
@@ -191,8 +194,8 @@ END_TEST
 START_TEST(ls_5_21_a_body_begins_to_move_in_a_fluid_at_rest)
 {
     struct pool p;
-    const enum body_method method =
-        _i == 0 ? BODY_METHOD_PISO_IB : BODY_METHOD_FICTITIOUS;
+    const struct body_method *const method =
+        _i == 0 ? &fraction_methods_piso_ib : &fraction_methods_fictitious;
 
     sphere_in_a_closed_box(&p, method, 0.0);
     pool_run(&p, 1);

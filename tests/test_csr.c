@@ -120,7 +120,7 @@ START_TEST(each_field_may_have_its_own_diagonal)
         double *const y = alloc_doubles(m * A->n);
         double *const z = alloc_doubles(m * A->n);
 
-        csr_multiply_each(A, m, d, x, y);
+        csr_rows_each(0, A->n, A, m, d, x, y);
         csr_multiply_many(A, m, x, z);
         for (int i = 0; i < A->n; i++)
             for (int k = 0; k < m; k++) { /* rounding of two sums of order 1 */
@@ -130,8 +130,8 @@ START_TEST(each_field_may_have_its_own_diagonal)
                                         1e-14);
             }
         memset(d, 0, (size_t)(m * A->n) * sizeof *d);
-        csr_multiply_each(A, m, d, x, y);
-        csr_multiply_each(A, m, NULL, x, z); /* as with none but zeros */
+        csr_rows_each(0, A->n, A, m, d, x, y);
+        csr_rows_each(0, A->n, A, m, NULL, x, z); /* as with none but zeros */
         for (int i = 0; i < m * A->n; i++)
             ck_assert_double_eq(y[i], z[i]);
         free(x);

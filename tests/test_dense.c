@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/dense.h"
+#include "linear/multigrid/dense.h"
 
 #include "facts.h"
 #include "linear_case.h"

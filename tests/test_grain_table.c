@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/population/grain_table.h"
-#include "base/csv.h"
+#include "base/tables/csv.h"
 
-#include "base/csv.h"
+#include "base/tables/csv.h"
 #include "facts.h"
 #include "scratch.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/graph.h"
+#include "linear/multigrid/graph.h"
 
 #include "facts.h"
 #include "linear_case.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/pairwise_aggregation.h"
+#include "linear/multigrid/pairwise_aggregation.h"
 
 #include "facts.h"
 #include "linear_case.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/picture.h"
+#include "output/pictures/picture.h"
 #include "facts.h"
 #include "scratch.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mesh/poly/quality.h"
 #include "fluid/fluid.h"
+#include "mesh/poly/locate.h"
 #include "mesh/poly/poly.h"
 #include "mesh/poly/poly_order.h"
 
@@ -192,12 +193,15 @@ START_TEST(a_walk_finds_the_cell_of_a_point)
     struct mesh *const m = mesh_of(all[_i]);
     for (int c = 0; c < m->n_cells; c++) {
         const double *const x = &m->centre[3 * c];
+        double offset[3];
         for (int from = 0; from < m->n_cells; from += 7)
-            ck_assert_int_eq(mesh_cell_from(m, from, x[0], x[1], x[2]), c);
+            ck_assert_int_eq(locate_from(m, from, x, offset), c);
         ck_assert_int_eq(mesh_cell_at(m, x[0], x[1], x[2]), c);
     }
+    const double outside[3] = {-1.0, 0.1, 0.1};
+    double none[3];
     if (m->n_periods == 0)
-        ck_assert_int_eq(mesh_cell_from(m, 0, -1.0, 0.1, 0.1), -1);
+        ck_assert_int_eq(locate_from(m, 0, outside, none), -1);
     mesh_free(m);
 }
 END_TEST
@@ -298,14 +302,12 @@ START_TEST(a_point_behind_a_corner_is_found)
     }
     m = poly_build(&r, "ring");
     ck_assert_ptr_nonnull(m);
+    double offset[3];
     for (int c = 0; c < m->n_cells; c++)
         for (int from = 0; from < m->n_cells; from++)
-            ck_assert_int_eq(mesh_cell_from(m, from, m->centre[3 * c],
-                                            m->centre[3 * c + 1],
-                                            m->centre[3 * c + 2]),
+            ck_assert_int_eq(locate_from(m, from, &m->centre[3 * c], offset),
                              c);
     const double middle[3] = {0.0, 0.0, 0.25};
-    double offset[3];
     ck_assert_int_eq(mesh_cell_and_offset(m, middle, offset), -1);
     poly_raw_release(&r);
     mesh_free(m);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for schemes by name: needs src/fluid/deferred */
 #include "fluid/fluid.h"
 #include "facts.h"
 
@@ -275,7 +276,7 @@ START_TEST(slopes_of_a_linear_field_are_exact_on_graded_cells)
                                              m->d[3 * f + j]);
             }
         }
-    velocity_gradient_schemes[_i % 2]->fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i % 2]->fill(m, NULL, u, u_b, slope);
     for (int i = 0; i < 9 * m->n_cells; i++)
         ck_assert_double_eq_tol(slope[i], G[i % 9 / 3][i % 3], 1e-12);
     free(u);
@@ -301,7 +302,7 @@ START_TEST(slopes_of_a_parabola_are_those_of_the_formulas)
         u_b[3 * (f - m->n_internal) + 1] = u[3 * m->owner[f] + 1];
     const double below = (2.0 * 0.25 + 1.0 * 4.0) / 3.0; /* at x = 1 */
     const double above = (2.0 * 4.0 + 1.0 * 25.0) / 3.0; /* at x = 3 */
-    velocity_gradient_schemes[_i]->fill(m, u, u_b, slope);
+    velocity_gradient_schemes[_i]->fill(m, NULL, u, u_b, slope);
     ck_assert_double_eq_tol(
         slope[9 + 3], _i ? 0.5 * (2.5 + 7.0) : 0.5 * (above - below), 1e-12);
     for (int i = 0; i < 9; i++)

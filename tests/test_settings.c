@@ -4,6 +4,7 @@
 #include "case/models.h"
 #include "case/settings.h"
 
+/* needs src/case/text */
 #include "facts.h"
 #include "capture.h"
 
@@ -16,6 +17,12 @@ static const struct key effect_keys[] = {
     {"effects.pull", KEY_GROUP, "", "", KEY_OPTIONAL, "a pull", "",
      "particles"},
     {"effects.pull.force", KEY_REAL, "N", "> 0", NULL, "how strong", "", ""},
+    {"output.profiles", KEY_LIST, "", "", "", "a list of groups", "", ""},
+    {"output.profiles.field", KEY_NAME, "", "eps_f | p | u_x", NULL, "a word",
+     "", ""},
+    {"output.profiles.height", KEY_REAL, "m", ">= 0", NULL, "a number", "", ""},
+    {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0", "one with a default",
+     "", ""},
     KEY_END};
 
 static const char good[] =

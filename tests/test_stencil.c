@@ -27,7 +27,8 @@ static int listed(const struct stencil *s, int host, int c,
     int n = 0;
 
     for (int e = s->start[shape]; e < s->start[shape + 1]; e++)
-        n += host + s->step[e] == c && fabs(s->dx[e] - link[0]) < 1e-12 &&
+        n += host + s->index_offset[e] == c &&
+             fabs(s->dx[e] - link[0]) < 1e-12 &&
              fabs(s->dy[e] - link[1]) < 1e-12 &&
              fabs(s->dz[e] - link[2]) < 1e-12;
     return n;
@@ -82,7 +83,7 @@ START_TEST(a_stencil_contains_the_cells_near_its_own_and_no_others)
                 if ((c + _i) % 7 != 0) continue; /* a part will do */
                 ck_assert_int_le(n, s->largest);
                 ck_assert_int_eq(compare_one_host(m, s, at, b[_i % 4]), n);
-                ck_assert_int_eq(s->step[first], 0);
+                ck_assert_int_eq(s->index_offset[first], 0);
             }
     stencil_free(s);
     mesh_free(m);
@@ -127,7 +128,7 @@ START_TEST(cells_that_share_a_corner_are_near)
     for (int c = 0; c < m->n_cells; c++) {
         const int shape = near->shape[c];
         for (int e = near->start[shape]; e < near->start[shape + 1]; e++)
-            listed[c + near->step[e]] = c + 1;
+            listed[c + near->index_offset[e]] = c + 1;
         for (int p = 0; p < m->shape->n_points; p++)
             for (int b = 0; b < m->n_cells && has_corner(m->shape, c, p); b++)
                 ck_assert(!has_corner(m->shape, b, p) || listed[b] == c + 1);

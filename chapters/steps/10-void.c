@@ -238,7 +238,7 @@ int main(int argc, char **argv)
     }
     for (int c = W; c < W * (NY + 1); c++)
         lowest = fmin(lowest, eps[c]);
-    printf("t = %g s: lowest eps = %.6f, pressure drop = %.5g Pa\n", t_end,
+    printf("t = %g s: lowest eps = %.6f, pressure drop = %.8g Pa\n", t_end,
            lowest, 1.5 * row(1) - 0.5 * row(2));
     printf("beta at eps = 0.5 and 0.5 m/s: %.9g kg/(m^3 s)\n",
            0.5 * resistance(0.5, 0.5));

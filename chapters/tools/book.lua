@@ -80,6 +80,31 @@ local function paragraph(block)
   return blocks
 end
 
+-- A command of a transcript on as many lines as it needs, cut between its words, so
+-- that it can still be copied.
+local function folded(command)
+  local lines, line, quote = pandoc.List(), "", nil
+  for space, word in command:gmatch("( *)([^ ]+)") do
+    if not quote and line ~= "" and #line + #word > 84 then
+      lines:insert(line .. " \\")
+      line = "      " .. word
+    else
+      line = line .. space .. word
+    end
+    for mark in word:gmatch("['\"]") do
+      if not quote then quote = mark elseif quote == mark then quote = nil end
+    end
+  end
+  lines:insert(line)
+  return table.concat(lines, "\n")
+end
+
+local function transcript(text)
+  return (("\n" .. text):gsub("\n(%$ [^\n]+)", function(command)
+    return "\n" .. (#command > 92 and folded(command) or command)
+  end):sub(2))
+end
+
 -- The file and line above a listing.
 local function blocks(list)
   local out = pandoc.List()
@@ -92,6 +117,7 @@ local function blocks(list)
     if (what == "code" or what == "output" or what == "tests") and next_block
         and next_block.t == "CodeBlock" then
       file, line = file:match("^([^:]+):?(%d*)$")
+      if what == "output" then next_block.text = transcript(next_block.text) end
       local place = line ~= "" and "#L" .. line or ""
       local said = line ~= "" and file .. ", line " .. line or file
       out:insert(pandoc.Div({ pandoc.Plain({ pandoc.Link(said, file .. ".html" .. place) }) },

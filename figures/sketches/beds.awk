@@ -15,6 +15,23 @@ function value(s, key) {
     sub(/[;} ].*/, "", s)
     return s
 }
+function at_height(field, height,    k) { # fields at one height have one line
+    for (k = 1; k <= sensors[n]; k++)
+        if (px[n, k] == -1 && py[n, k] + 0 == height + 0) {
+            sensor[n, k] = sensor[n, k] ", " field
+            return
+        }
+    sensor[n, ++sensors[n]] = field; py[n, sensors[n]] = height; px[n, sensors[n]] = -1
+}
+function slot(s,    part, k, m, pair) { # where the table of an inlet is not zero
+    sub(/.*table = [(]/, "", s)
+    m = split(s, part, /[)]/)
+    for (k = 1; k <= m; k++)
+        if (sub(/.*[(]/, "", part[k]) && split(part[k], pair, /, */) == 2 && pair[2] > 0) {
+            if (!(n in from)) from[n] = pair[1] + 0
+            to[n] = pair[1] + 0
+        }
+}
 FNR == 1 {
     n++
     name[n] = FILENAME
@@ -36,13 +53,15 @@ part == "output" && /position = / && /field = "/ {
     sub(/.*field = "/, "", f); sub(/".*/, "", f)
     sensor[n, ++sensors[n]] = f; px[n, sensors[n]] = v[1]; py[n, sensors[n]] = v[2]
 }
+part == "fluid" && /table = / { slot($0) }
 part == "output" && /height = / && /field = "/ {
     f = $0; sub(/.*field = "/, "", f); sub(/".*/, "", f)
-    sensor[n, ++sensors[n]] = f; py[n, sensors[n]] = value($0, "height"); px[n, sensors[n]] = -1
+    at_height(f, value($0, "height"))
 }
-part == "effects" && /bubbles = .*height/ { sensor[n, ++sensors[n]] = "bubbles"; py[n, sensors[n]] = value($0, "height"); px[n, sensors[n]] = -1 }
+part == "effects" && /bubbles = .*height/ { at_height("bubbles", value($0, "height")) }
 END {
     each = 225
+    for (i = 1; i <= n; i++) if (many_heights(i)) each = 240
     begin(n * each + (n < 3 ? 80 : 20), 440)
     tall = 0
     for (i = 1; i <= n; i++) if (H[i] > tall) tall = H[i]
@@ -53,6 +72,10 @@ END {
     if (points) said = said (said ? ";  " : "") "cross: a sensor"
     word(20, 431, said, "start", soft, " font-size=\"13\"")
     end()
+}
+function many_heights(i,    k) { # of the same fields: these are named once
+    for (k = 2; k <= sensors[i] && sensor[i, k] == sensor[i, 1]; k++) ;
+    return sensors[i] > 2 && k > sensors[i]
 }
 function bed(x, i,    scale, w, h, base, p, k, y, unit, in_units, up, shift, last, said) {
     if (wrap[i]) wrapped = 1
@@ -70,7 +93,13 @@ function bed(x, i,    scale, w, h, base, p, k, y, unit, in_units, up, shift, las
     box(x, base - h, w, h, "none", "none")
     line(x, base - h, x, base, ink, wrap[i] ? 1 : 2.5, wrap[i] ? "2 3" : ""); line(x + w, base - h, x + w, base, ink, wrap[i] ? 1 : 2.5, wrap[i] ? "2 3" : "")
     line(x, base, x + w, base, blue, 1.5); line(x, base - h, x + w, base - h, blue, 1.5)
-    for (k = 0; k < 3; k++) arrow(x + w * (k + 0.5) / 3, base + 24, x + w * (k + 0.5) / 3, base + 3, blue)
+    if (i in from) {
+        line(x, base, x + w, base, ink, 2.5)
+        line(x + from[i] * scale, base, x + to[i] * scale, base, "white", 3)
+        line(x + from[i] * scale, base, x + to[i] * scale, base, blue, 1.5)
+        arrow(x + w / 2, base + 24, x + w / 2, base + 3, blue)
+    } else
+        for (k = 0; k < 3; k++) arrow(x + w * (k + 0.5) / 3, base + 24, x + w * (k + 0.5) / 3, base + 3, blue)
     arrow(x + w / 2, base - h - 2, x + w / 2, base - h - 20, blue)
     word(x + w / 2, base + 42, sprintf("%g (%g) %s", W[i] * in_units, T[i] * in_units, unit), "middle")
     arrow(x - 10, base, x - 10, base - h, soft, 1)
@@ -86,9 +115,10 @@ function bed(x, i,    scale, w, h, base, p, k, y, unit, in_units, up, shift, las
         if (px[i, up] < 0) { line(x - 3, y, x + w + 6, y, orange, 2, "6 3"); lines = 1 }
         else { mark(x + px[i, up] * scale, y); line(x + px[i, up] * scale + 6, y, x + w + 6, y, orange, 1); points = 1 }
         shift = y + 5 > last - 15 ? last - 15 : y + 5
-        word(x + w + 10, shift, sensor[i, up] sprintf(", %g %s", py[i, up] * in_units, unit), "start", orange, " font-size=\"13\"")
+        word(x + w + 10, shift, (many_heights(i) ? "" : sensor[i, up] ", ") sprintf("%g %s", py[i, up] * in_units, unit), "start", orange, " font-size=\"13\"")
         last = shift
     }
+    if (many_heights(i)) word(x + w + 10, last - 18, sensor[i, 1], "start", orange, " font-size=\"13\"")
 }
 function mark(x, y) {
     line(x - 5, y - 5, x + 5, y + 5, orange, 2.5); line(x - 5, y + 5, x + 5, y - 5, orange, 2.5)

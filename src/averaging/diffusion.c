@@ -10,42 +10,27 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
-#include "averaging/diffusion_parts.h"
+#include "averaging/diffusion_variants.h"
 #include "base/alloc.h"
-#include "linear/cg_many.h"
 #include "linear/chebyshev.h"
 #include "linear/csr.h"
 
-enum { MAX_ITERATIONS = 1000 };
-
 struct diffusion {
     const struct cell_of_particle *h; /* borrowed */
-    const struct scheme *scheme;
+    const struct diffusion_scheme *scheme;
     const struct diffusion_variation *variation;
     struct bandwidth *vary; /* NULL: everywhere the same */
-    int steps;              /* [-] */
-    int fields;       /* [-] fields for which the arrays below are allocated */
-    double tolerance; /* [-] */
-    double dtau;      /* [m^2] T / steps */
+    int fields;             /* [-] most in a call */
+    double T;               /* [m^2] */
+    double tolerance;       /* [-] */
+    double *smooth;         /* a copy of the field to be gathered */
+    /* One of the three ways is used, and the others are NULL. */
+    void *steps; /* state of scheme->stepping */
     const struct diffusion_operator *direct;
-    void *exponential; /* state of direct; NULL: the series is used */
-    struct csr *K;     /* [m] -V times div (D grad) */
-    double max_fields; /* [-] largest D for which the series holds */
+    void *exponential; /* state of direct */
     struct chebyshev *series;
-    struct csr *A; /* [m^3] V + (a share of) dtau K */
-    struct cg_many_work *work;
-    double *rhs;    /* [m^3 times the field] */
-    double *stage;  /* of a step, as wide */
-    double *wide;   /* a field padded to `fields` */
-    double *smooth; /* a copy of the field to be gathered */
-};
-
-/* How one scheme takes a step on m fields side by side. */
-struct scheme {
-    const char *name;
-    double implicit; /* [-] share of dtau K in A */
-    void (*step)(struct diffusion *, int m, double *u,
-                 struct averaging_report *r); /* NULL: no steps */
+    struct csr *K;    /* [m] of the series: -V div (D grad) */
+    double largest_D; /* [-] for which the series holds */
 };
 
 double diffusion_kernel(double r, double b)
@@ -64,11 +49,6 @@ double diffusion_bandwidth(double T)
     return sqrt(4.0 * T);
 }
 
-double diffusion_safe_steps(const struct mesh *m, double b)
-{
-    return 0.5 * diffusion_time(b) * mesh_diffusion_rate(m);
-}
-
 /* exp(-T L): directly where that is possible, else by the series. */
 static void apply_exponential(struct diffusion *d, int m, double *u,
                               struct averaging_report *r)
@@ -81,134 +61,40 @@ static void apply_exponential(struct diffusion *d, int m, double *u,
     r->worst = (struct solve_report){.converged = 1};
 }
 
-/* rhs = V u - factor K y, for m fields side by side. */
-static void right_side(struct diffusion *d, int m, double factor,
-                       const double *u, const double *y)
-{
-    const double *const V = d->h->mesh->V;
-    const int n = d->h->mesh->n_cells;
-
-    if (factor > 0.0) csr_multiply_many(d->K, m, y, d->rhs);
-#pragma omp parallel for schedule(static)
-    for (int c = 0; c < n; c++)
-        for (int k = m * c; k < m * c + m; k++)
-            d->rhs[k] = V[c] * u[k] - (factor > 0.0 ? factor * d->rhs[k] : 0.0);
-}
-
-static void worse_of(struct solve_report *worst, const struct solve_report *one)
-{
-    const int failed = worst->converged && !one->converged;
-
-    worst->iterations = GSL_MAX_INT(worst->iterations, one->iterations);
-    worst->converged = worst->converged && one->converged;
-    if (failed || one->after > worst->after) {
-        worst->before = one->before;
-        worst->after = one->after;
-    }
-}
-
-/* Solves A u = rhs. The initial u has the same sum, and the solver is
- * preconditioned by V, so the sum of V u is conserved to rounding [SX15 A.5]
- * after any number of iterations. */
-static void solve(struct diffusion *d, double *u, struct averaging_report *r)
-{
-    const struct solve_report one =
-        cg_many_solve(d->A, d->h->mesh->V, d->rhs, u, d->tolerance, 0.0,
-                      MAX_ITERATIONS, d->work);
-    worse_of(&r->worst, &one);
-    r->products += one.iterations + 1;
-}
-
-/* Crank-Nicolson or implicit Euler: A u_new = V u - what is explicit. */
-static void theta_step(struct diffusion *d, int m, double *u,
-                       struct averaging_report *r)
-{
-    const double factor = (1.0 - d->scheme->implicit) * d->dtau;
-
-    right_side(d, m, factor, u, u);
-    r->products += factor > 0.0;
-    solve(d, u, r);
-}
-
-/* Two stages with one matrix; the second is the step:
- *     A y = V u,  A u_new = V u - (1 - gamma) dtau K y,  A = V + gamma dtau K.
- * The scheme is of second order for gamma = 1 - 1/sqrt 2, and L-stable. */
-static void sdirk2_step(struct diffusion *d, int m, double *u,
-                        struct averaging_report *r)
-{
-    const int n = m * d->h->mesh->n_cells;
-    const double factor = (1.0 - d->scheme->implicit) * d->dtau;
-
-    memcpy(d->stage, u, (size_t)n * sizeof *u);
-    right_side(d, m, 0.0, u, u);
-    solve(d, d->stage, r);
-    right_side(d, m, factor, u, d->stage);
-    r->products++;
-    solve(d, u, r);
-}
-
-static void apply_steps(struct diffusion *d, int m, double *u,
-                        struct averaging_report *r)
-{
-    r->products = 0;
-    r->worst = (struct solve_report){.converged = 1};
-    for (int step = 0; step < d->steps; step++)
-        d->scheme->step(d, m, u, r);
-}
-
-/* The work space of the solver has a fixed number of fields; unused ones are
- * zero, and the solver does no iterations for them. */
-static void apply_padded(struct diffusion *d, int m, double *u,
-                         struct averaging_report *r)
-{
-    const int n = d->h->mesh->n_cells, all = d->fields;
-    double *const wide = d->wide;
-
-    if (m == all) {
-        apply_steps(d, m, u, r);
-        return;
-    }
-#pragma omp parallel for schedule(static)
-    for (int c = 0; c < n; c++)
-        for (int k = 0; k < all; k++)
-            wide[all * c + k] = k < m ? u[m * c + k] : 0.0;
-    apply_steps(d, all, wide, r);
-#pragma omp parallel for schedule(static)
-    for (int c = 0; c < n; c++)
-        for (int k = 0; k < m; k++)
-            u[m * c + k] = wide[all * c + k];
-}
-
-static const struct scheme schemes[] = {
-    {"exponential", 0.0, NULL},
-    {"series", 0.0, NULL},
-    {"crank-nicolson", 0.5, theta_step},
-    {"implicit-euler", 1.0, theta_step},
-    {"sdirk2", 1.0 - M_SQRT1_2, sdirk2_step},
-};
-
 static void smooth(struct diffusion *d, int m, double *u,
                    struct averaging_report *r)
 {
-    if (d->scheme->step == NULL)
-        apply_exponential(d, m, u, r);
+    if (d->steps != NULL)
+        d->scheme->stepping->apply(d->steps, m, u, r);
     else
-        apply_padded(d, m, u, r);
+        apply_exponential(d, m, u, r);
 }
 
-static const struct scheme *scheme_named(const char *name)
+static const struct diffusion_scheme *scheme_named(const char *name)
 {
-    for (size_t i = 0; i < sizeof schemes / sizeof *schemes; i++)
-        if (name == NULL || strcmp(schemes[i].name, name) == 0)
-            return &schemes[i];
+    for (int i = 0; diffusion_schemes[i] != NULL; i++)
+        if (strcmp(diffusion_schemes[i]->name, name) == 0)
+            return diffusion_schemes[i];
     return NULL;
+}
+
+int diffusion_needed_steps(const struct mesh *mesh,
+                           const struct averaging_options *o)
+{
+    const struct diffusion_stepping *const by =
+        scheme_named(o->scheme)->stepping;
+    const int n = by == NULL || by->safe_steps == NULL
+                      ? 0
+                      : by->safe_steps(mesh, o->bandwidth);
+
+    return o->steps < n ? n : 0;
 }
 
 const struct model bandwidth_uniform = {
     .name = "uniform",
     .what = "the same everywhere, but for regions",
     .equations = "",
-    .function = "fill_matrices",
+    .function = "fill_matrix",
 };
 
 static int is_uniform(const struct averaging_options *o)
@@ -252,40 +138,26 @@ static int wrong_options(const struct averaging_options *o)
     return 0;
 }
 
-static void fill_matrices(struct diffusion *d)
+static void fill_matrix(struct diffusion *d)
 {
-    const struct mesh *const m = d->h->mesh;
     const double *const D = d->vary != NULL ? d->variation->D(d->vary) : NULL;
 
-    diffusion_matrix_fill(d->K, m, NULL, 1.0, D);
-    if (d->A != NULL)
-        diffusion_matrix_fill(d->A, m, m->V, d->scheme->implicit * d->dtau, D);
+    if (d->steps != NULL)
+        d->scheme->stepping->fill(d->steps, D);
+    else
+        diffusion_matrix_fill(d->K, d->h->mesh, NULL, 1.0, D);
 }
 
-/* Creates the series for the matrix with the largest possible D on all faces; K
- * is then set to its actual coefficients. */
+/* Creates the series for the matrix with the largest possible D on all faces;
+ * fill_matrix then sets the actual coefficients of K. */
 static void make_series(struct diffusion *d)
 {
     const struct mesh *const m = d->h->mesh;
 
-    d->max_fields = d->vary != NULL ? d->variation->largest(d->vary) : 1.0;
-    diffusion_matrix_fill(d->K, m, NULL, d->max_fields, NULL);
+    d->largest_D = d->vary != NULL ? d->variation->largest(d->vary) : 1.0;
+    diffusion_matrix_fill(d->K, m, NULL, d->largest_D, NULL);
     chebyshev_free(d->series);
-    d->series = chebyshev_create(d->K, m->V, d->dtau * d->steps, d->tolerance,
-                                 d->fields);
-}
-
-/* Creates the matrix and the solver of a scheme with steps. */
-static void make_solver(struct diffusion *d)
-{
-    const struct mesh *const m = d->h->mesh;
-    const int n = m->n_cells;
-
-    d->A = csr_create(n, m->n_internal, m->owner, m->neighbour);
-    d->work = cg_many_work_create(n, d->fields);
-    d->rhs = alloc_doubles(n * d->fields);
-    d->stage = alloc_doubles(n * d->fields);
-    d->wide = alloc_doubles(n * d->fields);
+    d->series = chebyshev_create(d->K, m->V, d->T, d->tolerance, d->fields);
 }
 
 /* Finds a direct way of the exponential, where D is the same on all lines of
@@ -294,12 +166,11 @@ static void find_direct(struct diffusion *d, const struct averaging_options *o)
 {
     const double b = d->vary != NULL ? o->bandwidth : 0.0;
 
-    if (d->scheme != &schemes[0]) return;
+    if (!d->scheme->directly) return;
     if (d->vary != NULL && !d->variation->is_by_lines(o)) return;
     for (int i = 0; diffusion_operators[i] != NULL; i++) {
         d->direct = diffusion_operators[i];
-        d->exponential =
-            d->direct->create(d->h->mesh, d->dtau * o->steps, b, o->tolerance);
+        d->exponential = d->direct->create(d->h->mesh, d->T, b, o->tolerance);
         if (d->exponential != NULL) return;
     }
 }
@@ -313,25 +184,26 @@ static void *diffusion_create(const struct cell_of_particle *h,
 
     d->h = h;
     d->scheme = scheme_named(o->scheme);
-    d->steps = o->steps;
     d->fields = o->fields;
     d->tolerance = o->tolerance;
-    d->dtau = diffusion_time(o->bandwidth) / d->steps;
+    /* rounded as the sum of the steps of the other schemes */
+    d->T = diffusion_time(o->bandwidth) / o->steps * o->steps;
     d->variation = variation_of(o);
     d->vary = is_uniform(o) ? NULL : d->variation->create(h, o);
     d->smooth = alloc_doubles(m->n_cells * d->fields);
     find_direct(d, o);
     if (d->exponential != NULL) return d;
-    d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
-    if (d->scheme->step != NULL)
-        make_solver(d);
-    else
+    if (d->scheme->stepping != NULL) {
+        d->steps = d->scheme->stepping->create(d->scheme, m, o);
+    } else {
+        d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
         make_series(d);
-    fill_matrices(d);
+    }
+    fill_matrix(d);
     return d;
 }
 
-/* Updates the matrices where the bandwidth depends on the particles. The series
+/* Updates the matrix where the bandwidth depends on the particles. The series
  * also holds for smaller coefficients. */
 static void diffusion_bind(void *state, struct averaging_report *r)
 {
@@ -339,9 +211,9 @@ static void diffusion_bind(void *state, struct averaging_report *r)
 
     (void)r;
     if (d->vary == NULL || !d->variation->bind(d->vary)) return;
-    if (d->series != NULL && d->variation->largest(d->vary) > d->max_fields)
+    if (d->series != NULL && d->variation->largest(d->vary) > d->largest_D)
         make_series(d);
-    fill_matrices(d);
+    fill_matrix(d);
 }
 
 static void diffusion_free(void *state)
@@ -350,13 +222,9 @@ static void diffusion_free(void *state)
 
     if (d->vary != NULL) d->variation->free(d->vary);
     if (d->exponential != NULL) d->direct->free(d->exponential);
+    if (d->steps != NULL) d->scheme->stepping->free(d->steps);
     csr_free(d->K);
-    csr_free(d->A);
     chebyshev_free(d->series);
-    cg_many_work_free(d->work);
-    free(d->rhs);
-    free(d->stage);
-    free(d->wide);
     free(d->smooth);
     free(d);
 }

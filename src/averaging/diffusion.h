@@ -10,18 +10,17 @@
  * eps_s U_s and eps_f F [SX15 9], are diffused together. Because there is no
  * flux through the boundary, the sum of V phi is conserved [SX15 A.3-A.6].
  *
- * The schemes in pseudo-time, where K is the mesh Laplacian times -V:
- *   exponential     exp(-T V^-1 K): no steps, no error in tau beyond the
- *                   tolerance; in a box direction by direction (separable.h),
- *                   else by its Chebyshev series
- *   series          the same, always by the series
- *   crank-nicolson  as [SX15]: second order; undershoots if the steps are few
- *   implicit-euler  first order; never undershoots
+ * The result is exp(-T V^-1 K) of that field, where K is the mesh Laplacian
+ * times -V. The scheme "exponential" takes no steps and has no error in tau
+ * beyond the tolerance; in a box it is applied direction by direction
+ * (more/separable.h), else by its Chebyshev series, as the scheme "series"
+ * always is. The schemes with steps are in schemes/diffusion_steps.h.
  */
 #ifndef AVERAGING_DIFFUSION_H
 #define AVERAGING_DIFFUSION_H
 
 #include "averaging/averaging_method.h"
+#include "averaging/diffusion_scheme.h"
 #include "base/model.h"
 #include "mesh/mesh.h"
 
@@ -29,9 +28,6 @@ extern const struct averaging_method diffusion_method;
 
 /* Names for options.vary, ended by NULL; the first is the default: uniform. */
 extern const struct model *const bandwidth_rules[];
-
-/* The schemes, ended by NULL; the first is the default. */
-extern const struct model *const diffusion_schemes[];
 
 /* The keys that the method reads besides the bandwidth. */
 extern const struct key diffusion_keys[];
@@ -43,10 +39,9 @@ double diffusion_kernel(double r, double b);
 double diffusion_time(double b);
 double diffusion_bandwidth(double T);
 
-/* With at least this many steps Crank-Nicolson does not undershoot for any
- * field, because in the explicit half of a step no cell loses more than it
- * contains, dtau / 2 K_cc / V_c <= 1. In equal cubes 3 T / dx^2, 2 T / dx^2 in
- * two dimensions. Fewer may be sufficient; see the chapter. */
-double diffusion_safe_steps(const struct mesh *m, double b);
+/* 0, or the number of steps [-] that the scheme of the options, which are
+ * complete, needs to avoid undershoots, if it has fewer. */
+int diffusion_needed_steps(const struct mesh *mesh,
+                           const struct averaging_options *o);
 
 #endif

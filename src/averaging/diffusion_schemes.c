@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* diffusion_schemes.c -- what is told about the schemes of diffusion.c. */
+/* diffusion_schemes.c -- the keys and the descriptors of diffusion.c.
+ * Chapter "Averaging". */
 #include "averaging/diffusion.h"
 
 #include <stddef.h>
@@ -25,45 +26,17 @@ const struct key diffusion_keys[] = {
      "its bandwidth; 0: what pcm gives stays", "", ""},
     KEY_END};
 
-static const struct key steps_keys[] = {
-    {"averaging.steps", KEY_INT, "-", ">= 1, <= 1000", "3",
-     "steps of the diffusion in pseudo-time", "SX15 5", ""},
-    KEY_END};
-
-const struct model diffusion_exponential = {
+const struct diffusion_scheme diffusion_exponential = {
     .name = "exponential",
     .what = "the matrix exponential; no steps",
     .equations = "",
     .function = "apply_exponential",
+    .directly = 1,
 };
 
-const struct model diffusion_series = {
+const struct diffusion_scheme diffusion_series = {
     .name = "series",
     .what = "the same, always by its series",
     .equations = "",
     .function = "chebyshev_apply",
-};
-
-const struct model diffusion_crank_nicolson = {
-    .name = "crank-nicolson",
-    .what = "second order; undershoots if the steps are few",
-    .equations = "SX15 5",
-    .function = "theta_step",
-    .keys = {steps_keys},
-};
-
-const struct model diffusion_implicit_euler = {
-    .name = "implicit-euler",
-    .what = "first order; never undershoots",
-    .equations = "",
-    .function = "theta_step",
-    .keys = {steps_keys},
-};
-
-const struct model diffusion_sdirk2 = {
-    .name = "sdirk2",
-    .what = "second order, L-stable; undershoots little",
-    .equations = "",
-    .function = "sdirk2_step",
-    .keys = {steps_keys},
 };

@@ -17,7 +17,7 @@ static const double rounding = 1e-9; /* [-] of the largest */
 
 struct kernel {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *shares;
+    struct weights *weights;
     double b; /* [m] */
 };
 
@@ -154,8 +154,8 @@ static void *create(const struct cell_of_particle *h,
 
     k->h = h;
     k->b = o->bandwidth;
-    k->shares = weights_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
-                               (struct weights_rule){weigh, k, 0});
+    k->weights = weights_create(h, reach * k->b, STENCIL_TO_CENTRE, o->fields,
+                                (struct weights_rule){weigh, k, NULL});
     return k;
 }
 
@@ -178,7 +178,7 @@ static void kernel_free(void *state)
 {
     struct kernel *const k = state;
 
-    weights_free(k->shares);
+    weights_free(k->weights);
     free(k);
 }
 
@@ -186,7 +186,7 @@ static void kernel_spread(void *state, int m, const double *q, double *field,
                           struct averaging_report *r)
 {
     const struct kernel *const k = state;
-    r->unsupported = weights_spread(k->shares, m, q, field);
+    r->unsupported = weights_spread(k->weights, m, q, field);
 }
 
 static void kernel_gather(void *state, int m, const double *field, double *q,
@@ -195,7 +195,7 @@ static void kernel_gather(void *state, int m, const double *field, double *q,
     const struct kernel *const k = state;
 
     (void)r;
-    weights_gather(k->shares, m, field, q);
+    weights_gather(k->weights, m, field, q);
 }
 
 const struct averaging_method kernel_method = {

@@ -69,15 +69,6 @@ struct walk {
     int *latest;  /* [-] n_cells; latest entry of a cell, or -1 */
 };
 
-static void *grown(void *old, int used, int room, size_t size)
-{
-    void *const p = alloc_zeroed((size_t)room, size);
-
-    if (used > 0) memcpy(p, old, (size_t)used * size);
-    free(old);
-    return p;
-}
-
 /* Adds the image of cell c at the link unless it is there already. */
 static void walk_add(struct walk *w, int c, const double link[3])
 {
@@ -89,9 +80,9 @@ static void walk_add(struct walk *w, int c, const double link[3])
     }
     if (w->n == w->room) {
         w->room = 2 * w->room + 64;
-        w->cell = grown(w->cell, w->n, w->room, sizeof *w->cell);
-        w->other = grown(w->other, w->n, w->room, sizeof *w->other);
-        w->link = grown(w->link, w->n, w->room, 3 * sizeof *w->link);
+        w->cell = alloc_grown(w->cell, w->n, w->room, sizeof *w->cell);
+        w->other = alloc_grown(w->other, w->n, w->room, sizeof *w->other);
+        w->link = alloc_grown(w->link, w->n, w->room, 3 * sizeof *w->link);
     }
     w->cell[w->n] = c;
     w->other[w->n] = w->latest[c];
@@ -154,7 +145,7 @@ static int same_shape(const struct stencil *s, int shape, const struct walk *w)
     if (s->start[shape + 1] - first != w->n) return 0;
     for (int e = 0; e < w->n; e++) {
         const int at = first + e;
-        if (s->step[at] != w->cell[e] - w->cell[0] ||
+        if (s->index_offset[at] != w->cell[e] - w->cell[0] ||
             fabs(s->dx[at] - w->link[3 * e]) > w->alike ||
             fabs(s->dy[at] - w->link[3 * e + 1]) > w->alike ||
             fabs(s->dz[at] - w->link[3 * e + 2]) > w->alike)
@@ -181,13 +172,14 @@ static void add_shape(struct stencil *s, const struct walk *w, int *room)
 
     if (first + w->n > *room) {
         *room = 2 * *room + w->n;
-        s->step = grown(s->step, first, *room, sizeof *s->step);
-        s->dx = grown(s->dx, first, *room, sizeof *s->dx);
-        s->dy = grown(s->dy, first, *room, sizeof *s->dy);
-        s->dz = grown(s->dz, first, *room, sizeof *s->dz);
+        s->index_offset =
+            alloc_grown(s->index_offset, first, *room, sizeof *s->index_offset);
+        s->dx = alloc_grown(s->dx, first, *room, sizeof *s->dx);
+        s->dy = alloc_grown(s->dy, first, *room, sizeof *s->dy);
+        s->dz = alloc_grown(s->dz, first, *room, sizeof *s->dz);
     }
     for (int e = 0; e < w->n; e++) {
-        s->step[first + e] = w->cell[e] - w->cell[0];
+        s->index_offset[first + e] = w->cell[e] - w->cell[0];
         s->dx[first + e] = w->link[3 * e];
         s->dy[first + e] = w->link[3 * e + 1];
         s->dz[first + e] = w->link[3 * e + 2];
@@ -262,7 +254,7 @@ void stencil_free(struct stencil *s)
     if (s == NULL) return;
     free(s->shape);
     free(s->start);
-    free(s->step);
+    free(s->index_offset);
     free(s->dx);
     free(s->dy);
     free(s->dz);

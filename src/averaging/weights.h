@@ -14,13 +14,19 @@
 #include "averaging/cell_of_particle.h"
 #include "averaging/stencil.h"
 
-/* The cells near a cell: cell cell + step[e], with its centre at (dx[e], dy[e],
- * dz[e]) from the cell's. Entry 0 is the cell itself. */
+/* The cells near a cell c: their numbers are c + index_offset[e], and their
+ * centres are at (dx[e], dy[e], dz[e]) from that of c. Entry 0 is c itself. */
 struct neighbourhood {
     int cell, n;
-    int first; /* [-] entry 0 among those of the stencil */
     const int *index_offset;
     const double *dx, *dy, *dz; /* [m] */
+};
+
+/* Weights w [-] of one particle in n cells, as offsets from its own cell. */
+struct weight_list {
+    int n;
+    const int *index_offset;
+    const double *w;
 };
 
 /* The rule of a method. weigh writes the weights [-] of particle i, whose
@@ -31,8 +37,9 @@ struct weights_rule {
     int (*weigh)(const void *state, int i, const struct neighbourhood *near,
                  double *w);
     const void *state; /* borrowed */
-    int cache; /* 1: the weights are few and expensive; they are computed once
-                  for each weights_bind, and the non-zero ones are stored */
+    /* The weights of particle h->particle[a], for a method that stores them;
+     * NULL: weigh is called at every use. */
+    struct weight_list (*list)(const void *state, int a);
 };
 
 struct weights;
@@ -44,21 +51,14 @@ struct weights *weights_create(const struct cell_of_particle *h, double reach,
                                struct weights_rule rule);
 void weights_free(struct weights *s);
 
-/* Computes larger neighbourhoods if the reach has become too small for a new,
- * larger particle. */
-void weights_extend(struct weights *s, double reach);
-
-/* Computes cached weights again; to be called when particles have moved. */
-void weights_bind(struct weights *s);
-
 /* The cells near cell c. */
 struct neighbourhood weights_around(const struct weights *s, int c);
 
-/* Borrowed; another one after weights_extend. */
+/* Borrowed. */
 const struct stencil *weights_stencil(const struct weights *s);
 
-/* Returns the number of particles that were assigned to their own cell alone.
- */
+/* Spreading, and its adjoint. weights_spread returns the number of particles
+ * that were assigned to their own cell alone; 0 if the rule has a list. */
 int weights_spread(const struct weights *s, int m, const double *q,
                    double *field);
 void weights_gather(const struct weights *s, int m, const double *field,

@@ -41,6 +41,15 @@ int *alloc_ints(int n)
     return alloc_zeroed(counted(n), sizeof(int));
 }
 
+void *alloc_grown(void *old, int used, int n, size_t size)
+{
+    void *const grown = alloc_zeroed(counted(n), size);
+
+    if (used > 0) memcpy(grown, old, (size_t)used * size);
+    free(old);
+    return grown;
+}
+
 /* The lower of two limits; the second may be absent. */
 static double lower(double most, double limit)
 {

@@ -16,6 +16,10 @@ void *alloc_zeroed(size_t n, size_t size);
 double *alloc_doubles(int n);
 int *alloc_ints(int n);
 
+/* An array of n items of the given size [bytes] that begins with the first
+ * `used` ones of `old`, which is freed; the others are zero. */
+void *alloc_grown(void *old, int used, int n, size_t size);
+
 /* The most memory that this program can have: that of the machine, or the limit
  * of the process [byte]. */
 double alloc_most(void);

@@ -9,6 +9,8 @@
 #ifndef BASE_MODEL_H
 #define BASE_MODEL_H
 
+#include <string.h>
+
 #include "base/key.h"
 
 struct model {
@@ -19,6 +21,18 @@ struct model {
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     int value;                          /* of the enumeration */
 };
+
+/* The definition of a function that finds a model of a kind by its name, or
+ * returns NULL: of `struct drag_law` it is drag_law_named, which looks through
+ * drag_laws. The name is the first member of each descriptor. */
+#define MODEL_NAMED(kind)                                                      \
+    const struct kind *kind##_named(const char *name)                          \
+    {                                                                          \
+        const struct kind *const *k = kind##s;                                 \
+        while (*k != 0 && strcmp((*k)->name, name) != 0)                       \
+            k++;                                                               \
+        return *k;                                                             \
+    }
 
 /* A model may have keys of its own: one of its tables, of numbers that nothing
  * else reads. It is given them in the order of the rows; so many at most. */

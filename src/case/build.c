@@ -31,7 +31,9 @@ struct averaging_options build_averaging_options(const struct settings *s)
     struct averaging_options o = {
         .bandwidth = bandwidth_of(s),
         .scheme = settings_text(s, "averaging.scheme"),
-        .steps = settings_int(s, "averaging.steps"),
+        .steps = settings_has(s, "averaging.steps")
+                     ? settings_int(s, "averaging.steps")
+                     : 0, /* the default of the methods */
         .tolerance = settings_real(s, "averaging.tolerance"),
         .cap = settings_has(s, "averaging.cap")
                    ? settings_real(s, "averaging.cap")

@@ -13,13 +13,22 @@ struct boundary *build_boundaries(const struct settings *s,
                                   const struct mesh *m, double **series);
 void build_boundaries_free(struct boundary *all, int n, double *series);
 
-/* 0 if all inlets and rotating walls can be built; else 2 after a message. */
-int build_boundaries_check(const struct settings *s);
+/* 1 if the case gives a key of a patch, whose path this makes. */
+enum { BUILD_BOUNDARIES_PATH = 128 };
+int build_boundaries_has(const struct settings *s, const struct patch *p,
+                         const char *key, char path[BUILD_BOUNDARIES_PATH]);
 
-/* The velocity of an inlet over what the case gives, as its profile makes it
- * [-]: the mean over the patch and the largest of a face, at any time of the
- * run. */
-void build_boundaries_shares(const struct settings *s, const char *patch,
-                             double *mean, double *peak);
+/* What a folder adds to the boundary of a patch, where the case gives this key
+ * of it; `build` gets the boundary as it is without, and returns 0, or 2 after
+ * a message. */
+struct boundary_builder {
+    const char *key; /* "profile" */
+    int (*build)(const struct settings *s, const struct mesh *m,
+                 const struct patch *p, struct boundary *b);
+    /* 1 if only building shows whether the case is right; NULL: it always is
+     * so. */
+    int (*is_checked)(const struct settings *s, const struct patch *p);
+};
+extern const struct boundary_builder *const boundary_builders[]; /* NULL ends */
 
 #endif

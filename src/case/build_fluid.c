@@ -38,7 +38,10 @@ struct fluid_options build_fluid_options(const struct settings *s,
         .time = time_scheme_named(settings_text(s, "fluid.time")),
         .blend = settings_real(s, "fluid.blend"),
         .velocity_gradient =
-            velocity_gradient_scheme_named(settings_text(s, "fluid.gradient")),
+            velocity_gradient_schemes[0] == NULL
+                ? NULL /* there is no such key without a scheme */
+                : velocity_gradient_scheme_named(
+                      settings_text(s, "fluid.gradient")),
         .outer_correctors = settings_int(s, "fluid.outer_correctors"),
         .continuity = (enum continuity)models_value(
             fluid_continuity_forms, settings_text(s, "fluid.continuity")),

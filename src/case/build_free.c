@@ -25,7 +25,6 @@ void build_free(struct simulation *sim)
     if (sim->population != NULL)
         sim->population->functions->free(sim->population);
     free(sim->materials);
-    free(sim->attractions);
     particles_free(sim->particles);
     fluid_free(sim->fluid);
     build_boundaries_free(sim->boundaries,

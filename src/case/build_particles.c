@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build_particles.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -8,10 +9,8 @@
 #include "base/alloc.h"
 #include "case/build_free.h"
 #include "case/case_steps.h"
-#include "case/case_cohesion.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
-#include "case/case_overlap.h"
 #include "case/case_mesh.h"
 #include "case/particle_options.h"
 
@@ -74,8 +73,8 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     return found;
 }
 
-/* A bed that was kept for another run, and whose file is damaged, is settled
- * anew. */
+/* The file of a bed that another run has kept is damaged: it is removed, and
+ * the bed is settled again. */
 static int remake_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
                       const struct bed_saver *saver, const char *path,
@@ -118,7 +117,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
-/* Of the i-th group of a list: number 0 where it names none. */
+/* The material of the i-th group of a list: number 0 where it names none. */
 static int material_of(const struct settings *s, const char *list, int i)
 {
     return settings_item_has(s, list, i, "material")
@@ -127,7 +126,7 @@ static int material_of(const struct settings *s, const char *list, int i)
                : 0;
 }
 
-/* The spheres, where the case puts them; without a dem. */
+/* The spheres at the positions of the case; there is no dem yet. */
 static int put_spheres(const struct settings *s, struct simulation *sim,
                        const struct dem_options *o)
 {
@@ -179,14 +178,12 @@ static int place_bed(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-/* What the particles are made of, what they touch and what moves them. */
+/* The options of dem, with the materials and with what folders add. */
 static int complete(const struct settings *s, struct simulation *sim,
                     struct dem_options *o)
 {
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    o->attractions = sim->attractions =
-        case_cohesion_create(s, &o->n_attractions);
     return case_part_complete(s, sim, o);
 }
 
@@ -206,6 +203,14 @@ int build_particles_check(const struct settings *s)
     return code;
 }
 
+void build_particles_limit(const struct settings *s, struct simulation *sim)
+{
+    const double most = settings_real(s, "particles.max_overlap");
+    const double expected = settings_real(s, "particles.expected_overlap");
+
+    dem_limit_overlap(sim->dem, fmin(expected, most), most);
+}
+
 int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver)
 {
@@ -220,7 +225,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
         code = place_spheres(s, sim, &o);
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
-    case_overlap_limit(s, sim);
+    build_particles_limit(s, sim);
     code = case_part_add(s, sim);
     if (code != 0) return code;
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);

@@ -2,9 +2,9 @@
 #include "case/case_file.h"
 
 #include "mesh/mesh_form.h"
-#include "case/read_mesh.h"
+#include "case/mesh_reader.h"
+#include "case/case_check.h"
 #include "case/case_part.h"
-#include "case/validate.h"
 #include "case/keys.h"
 #include "case/models.h"
 #include "case/recorder_part.h"
@@ -38,8 +38,9 @@ struct settings *case_file_read(const char *file, int n_overrides,
     case_file_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    *code = read_mesh(s);
-    if (*code == 0) *code = validate_case(s);
+    *code = case_check_mesh(s);
+    if (*code == 0 && mesh_readers[0] != NULL) *code = mesh_readers[0]->read(s);
+    if (*code == 0) *code = case_check_whole(s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

@@ -1,8 +1,8 @@
 /* case_materials.h -- the materials of a case, by name and by number.
  *
  * Number 0 is called "grains"; the others come in the order of the list
- * particles.materials. Whatever is made of something (a sphere, a wall) names
- * it, and finds its number here.
+ * particles.materials. A sphere or a wall names its material, and
+ * case_materials_number returns the number of that name.
  */
 #ifndef CASE_CASE_MATERIALS_H
 #define CASE_CASE_MATERIALS_H
@@ -23,9 +23,11 @@ int case_materials_have_rolling(const struct settings *s);
 /* All but number 0, to be released with free(); NULL if there is no other. */
 struct materials *case_materials_create(const struct settings *s);
 
-/* For validate_case: 0, or 2 after one message. A name that the case gives at
- * `path` must be one of the materials'. */
-int case_materials_check(const struct settings *s);
+/* What is measured for the k-th pair of them. */
+struct materials_measured case_materials_pair(const struct settings *s, int k);
+
+/* A name that the case gives at `path` must be one of the materials': 0, or 2
+ * after one message. */
 int case_materials_check_name(const struct settings *s, const char *path,
                               const char *name);
 

@@ -2,10 +2,7 @@
 #include "case/case_mesh.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
-
-#include "base/vector.h"
 
 /* --- making it ------------------------------------------------------------ */
 
@@ -52,6 +49,15 @@ double case_mesh_cells(const struct settings *s)
     if (!settings_has(s, "mesh.cells")) return 0.0;
     const struct box_spec spec = case_mesh_box(s);
     return (double)spec.cells[0] * spec.cells[1] * spec.cells[2];
+}
+
+const struct mesh_form *case_mesh_form(const struct settings *s, int from_files)
+{
+    for (int i = 0; mesh_forms[i] != NULL; i++)
+        if ((mesh_forms[i]->read != NULL) == from_files &&
+            settings_has(s, mesh_forms[i]->keys[0].path))
+            return mesh_forms[i];
+    return NULL;
 }
 
 /* --- where it is ---------------------------------------------------------- */
@@ -101,68 +107,4 @@ int case_mesh_holds(const struct settings *s, const double x[3])
     for (int k = 0; k < 3; k++)
         if (!(x[k] >= lo[k] && x[k] <= hi[k])) return 0;
     return 1;
-}
-
-/* --- checks --------------------------------------------------------------- */
-
-/* The area of a patch [m^2]. */
-static double area_of(const struct mesh *m, const struct patch *p)
-{
-    double area = 0.0;
-
-    for (int f = p->first; f < p->first + p->n; f++)
-        area += vector_length(&m->S[3 * f]);
-    return area;
-}
-
-/* A moving wall moves along itself: every face of it. */
-static int check_wall(const struct settings *s, const struct mesh *m,
-                      const struct patch *p, const char *path)
-{
-    double u[3];
-
-    settings_vector(s, path, u);
-    for (int f = p->first; f < p->first + p->n; f++) {
-        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
-        const double out = vector_dot(u, S) / vector_length(S);
-        if (fabs(out) <= 1e-6 * vector_length(u)) continue;
-        return settings_wrong(s, path,
-                              "the wall would move through itself, at %g m/s "
-                              "at [%g, %g, %g] m; expected 0",
-                              out, x[0], x[1], x[2]);
-    }
-    return 0;
-}
-
-static int check_patch(const struct settings *s, const struct mesh *m,
-                       const struct patch *p)
-{
-    const char *const side = settings_side(s, p->name);
-    char path[128];
-
-    if (side == NULL && (p->is_symmetry || settings_mesh(s) == NULL)) return 0;
-    if (side == NULL)
-        return settings_wrong(s, "fluid",
-                              "the patch %s, %d faces with %.3g m^2, has no "
-                              "boundary condition: give fluid.%s",
-                              p->name, p->n, area_of(m, p), p->name);
-    snprintf(path, sizeof path, "%s.profile", side);
-    if (settings_has(s, path) &&
-        strcmp(settings_text(s, path), "parabola") == 0)
-        return settings_wrong(s, path,
-                              "only the inlet of a plain box can have a "
-                              "parabola; expected uniform, formula, table or "
-                              "file");
-    snprintf(path, sizeof path, "%s.wall", side);
-    return settings_has(s, path) ? check_wall(s, m, p, path) : 0;
-}
-
-int case_mesh_check_fluid(const struct settings *s)
-{
-    const struct mesh *const m = settings_mesh(s);
-    int code = 0;
-
-    for (int i = 0; m != NULL && i < m->n_patches && code == 0; i++)
-        code = check_patch(s, m, &m->patches[i]);
-    return code;
 }

@@ -1,13 +1,13 @@
 /* case_mesh.h -- the space that a case describes.
  *
  * A box, a sheared box, or a mesh from files. The last two are made once, when
- * the case is read, and kept with it: what the case says of patches is held
- * against them.
+ * the case is read, and kept in the settings, because the boundary conditions
+ * of the case are checked against their patches.
  */
 #ifndef CASE_CASE_MESH_H
 #define CASE_CASE_MESH_H
 
-#include "mesh/mesh.h"
+#include "mesh/mesh_form.h"
 #include "case/settings.h"
 
 /* The plain box that the case gives. */
@@ -23,6 +23,11 @@ struct mesh *case_mesh_outline(const struct settings *s);
  * files. They may be more than an int holds. */
 double case_mesh_cells(const struct settings *s);
 
+/* The form of mesh that the case chooses, one from files or one that is made of
+ * the box; NULL if it chooses none of that sort. */
+const struct mesh_form *case_mesh_form(const struct settings *s,
+                                       int from_files);
+
 /* Where particles can be at all: the smallest box around the mesh, or what a
  * period makes one of it; and in which directions it is periodic. */
 void case_mesh_ends(const struct settings *s, double lo[3], double hi[3]);
@@ -33,9 +38,5 @@ double case_mesh_volume(const struct settings *s);
 
 /* 1 if the point is inside [m]. */
 int case_mesh_holds(const struct settings *s, const double x[3]);
-
-/* Checks the patches and their boundary conditions, where the mesh is no plain
- * box. */
-int case_mesh_check_fluid(const struct settings *s);
 
 #endif

@@ -2,7 +2,6 @@
 #include "case/case_part.h"
 
 #include <limits.h>
-#include <math.h>
 
 #include "base/number.h"
 
@@ -72,26 +71,4 @@ int case_part_count_later(const struct settings *s)
         if (case_parts[i]->count_later != NULL)
             sum += case_parts[i]->count_later(s);
     return number_clamped(sum, 0, INT_MAX);
-}
-
-struct case_diameters case_part_later_diameters(const struct settings *s,
-                                                int material)
-{
-    struct case_diameters all = {0.0, 0.0};
-
-    for (int i = 0; case_parts[i] != NULL; i++) {
-        if (case_parts[i]->later_diameters == NULL) continue;
-        const struct case_diameters d =
-            case_parts[i]->later_diameters(s, material);
-        if (d.max <= 0.0) continue;
-        all.min = all.max > 0.0 ? fmin(all.min, d.min) : d.min;
-        all.max = fmax(all.max, d.max);
-    }
-    return all;
-}
-
-void case_part_after_run(const struct simulation *sim)
-{
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->after_run != NULL) case_parts[i]->after_run(sim);
 }

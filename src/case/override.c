@@ -2,7 +2,7 @@
 #include "case/override.h"
 
 #include "base/alloc.h"
-#include "case/digits.h"
+#include "case/case_check.h"
 #include "case/source.h"
 
 #include <assert.h>
@@ -147,12 +147,11 @@ static config_setting_t *walk(config_t *tree, const char *text, char *path,
 static int set(config_setting_t *group, const char *name, const char *text,
                const char *value)
 {
+    const char *const wrong = case_check_text(value);
     config_t tree;
-    int line, code;
+    int code;
 
-    if (digits_find(value, &line) != NULL)
-        return refuse(text, "too large for a whole number, at most 2147483647; "
-                            "a real one has a point or an exponent");
+    if (wrong != NULL) return refuse(text, wrong);
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));
     else

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/particle_options.h"
 
+#include <string.h>
+
 #include "dem/dem_method.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
@@ -58,4 +60,13 @@ void particle_options_release(struct bed_options *b)
 {
     if (b->sizes != NULL) b->free_sizes(b->sizes);
     b->sizes = NULL;
+}
+
+double particle_options_wall_overlap(const struct settings *s)
+{
+    static const char key[] = "particles.overlaps";
+    const int allowed =
+        settings_has(s, key) && strcmp(settings_text(s, key), "allow") == 0;
+
+    return allowed ? 0.5 : 0.01;
 }

@@ -17,4 +17,8 @@ struct dem_options particle_options_dem(const struct settings *s, double step);
 struct bed_options particle_options_bed(const struct settings *s);
 void particle_options_release(struct bed_options *b);
 
+/* How deep a placed sphere may be in a wall of the box, over its diameter [-]:
+ * 0.01, and up to its centre where particles.overlaps is "allow". */
+double particle_options_wall_overlap(const struct settings *s);
+
 #endif

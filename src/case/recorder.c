@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/recorder_internal.h"
-#include "case/effect_shares.h"
 
 #include <assert.h>
 #include <math.h>
@@ -17,7 +16,6 @@
 #include "coupling/effect_columns.h"
 #include "coupling/effect_count.h"
 #include "coupling/processes.h"
-#include "output/picture.h"
 #include "output/summary.h"
 #include "dem/population.h"
 #include "case/case_steps.h"
@@ -28,16 +26,12 @@ void recorder_free(struct recorder *r)
     table_free(r->history);
     recorder_part_free(&r->parts);
     field_output_free(r->pictures);
-    animation_free(r->animation);
-    profiles_free(r->lines);
-    probes_free(r->probes);
-    second_half_free(r->second_half);
     if (r->whole != r->snapshot) snapshot_free(r->whole);
     snapshot_free(r->snapshot);
     free(r);
 }
 
-/* --- what is kept for the summary --------------------------------------- */
+/* --- extremes for the summary ------------------------------------------- */
 
 static void update_extremes(struct recorder *r)
 {
@@ -59,7 +53,7 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-/* --- the moments --------------------------------------------------------- */
+/* --- rows and fields ----------------------------------------------------- */
 
 static int add_row(struct recorder *r)
 {
@@ -73,37 +67,13 @@ static int add_row(struct recorder *r)
         if (effects[i].effect->columns != NULL)
             n += effects[i].effect->columns->row(effects[i].memory, r->sim,
                                                  &row[n]);
-    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
-}
-
-/* The present state as a picture (picture.h). */
-static struct picture picture_of(const struct recorder *r)
-{
-    const struct snapshot *const s = r->whole;
-
-    return (struct picture){.title = settings_text(r->settings, "title"),
-                            .time = s->t,
-                            .mesh = r->seen->mesh,
-                            .eps = s->eps,
-                            .u = s->u,
-                            .p = s->p,
-                            .walls = r->sim->n_surfaces > 0,
-                            .n = s->n,
-                            .x = {s->x[0], s->x[1], s->x[2]},
-                            .v = {s->v[0], s->v[1], s->v[2]},
-                            .d = s->d,
-                            .pressure = r->sim->fluid != NULL &&
-                                        r->sim->particles != NULL};
+    return table_add(r->history, row) != 0;
 }
 
 static int add_fields(struct recorder *r)
 {
-    const struct picture p = picture_of(r);
-
-    if (field_output_add(r->pictures, r->snapshot) != 0 ||
-        recorder_part_fields(&r->parts, r->snapshot->t) != 0)
-        return 1;
-    return r->animation != NULL && animation_add(r->animation, &p) != 0;
+    return field_output_add(r->pictures, r->snapshot) != 0 ||
+           recorder_part_fields(&r->parts, r->snapshot->t) != 0;
 }
 
 void recorder_take_snapshots(struct recorder *r)
@@ -121,16 +91,22 @@ int recorder_sample(struct recorder *r)
     update_extremes(r);
     if (step % r->row_every == 0) {
         recorder_take_snapshots(r);
-        profiles_add(r->lines, (double)r->row_every * r->sim->dt);
         processes_join(r->sim, PROCESSES_ROW);
-        second_half_add(r->second_half);
-        const int failed = add_row(r);
+        const int failed = add_row(r) != 0 || recorder_part_row(&r->parts) != 0;
         processes_join(r->sim, PROCESSES_ROW_DONE);
-        if (failed || probes_add(r->probes) != 0) return 1;
+        if (failed) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     recorder_take_snapshots(r);
     return add_fields(r);
+}
+
+int recorder_last_row(struct recorder *r)
+{
+    if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
+        return 0;
+    recorder_take_snapshots(r);
+    return add_row(r) != 0 || recorder_part_last_row(&r->parts) != 0;
 }
 
 int recorder_last_state(struct recorder *r)
@@ -216,7 +192,7 @@ static void write_counts(struct summary *f, const struct recorder *r)
     }
 }
 
-/* What is yet to come has no exit code: it is null. */
+/* The exit code of a run that has not ended: null in the summary. */
 enum { STILL_RUNNING = -1 };
 
 static int write_summary(const struct recorder *r, const char *reason, int code)
@@ -245,10 +221,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_counts(f, r);
-    second_half_write(r->second_half, f);
-    profiles_summary(r->lines, f);
     recorder_part_summarize(&r->parts, f);
-    effect_shares_write(f, sim);
     return summary_commit(f);
 }
 
@@ -275,7 +248,7 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed. */
+/* A run that is killed leaves this summary. */
 int recorder_begin(const struct recorder *r)
 {
     return write_summary(r, "running", STILL_RUNNING);
@@ -297,23 +270,18 @@ static int begin(struct recorder *r, int resume)
 /* The parts that write from the start; non-zero after a message. */
 static int create_parts(struct recorder *r)
 {
-    const struct simulation *const sim = r->sim;
-    struct folder *const folder = r->folder;
+    const struct recorder_view view = {.settings = r->settings,
+                                       .sim = r->sim,
+                                       .seen = r->seen,
+                                       .snapshot = r->snapshot,
+                                       .whole = r->whole,
+                                       .folder = r->folder};
 
-    if (recorder_part_create(&r->parts, r->settings, sim, folder) != 0)
-        return 1;
-    recorder_part_prepare(&r->parts, r->snapshot);
+    if (recorder_part_create(&r->parts, &view) != 0) return 1;
     r->history = create_history(r);
     if (r->history == NULL) return 1;
-    r->pictures = field_output_create(sim, folder);
-    if (r->pictures == NULL) return 1;
-    if (settings_bool(r->settings, "output.animation") &&
-        sim->particles != NULL) {
-        r->animation = animation_create(folder);
-        if (r->animation == NULL) return 1;
-    }
-    r->probes = probes_create(r->settings, r->seen, r->whole, folder);
-    return r->probes == NULL;
+    r->pictures = field_output_create(r->sim, r->folder);
+    return r->pictures == NULL;
 }
 
 struct recorder *recorder_create(const struct settings *s,
@@ -335,9 +303,7 @@ struct recorder *recorder_create(const struct settings *s,
         r->seen = sim->processes->whole;
         r->whole = snapshot_create(r->seen);
     }
-    r->second_half = second_half_create(sim, settings_real(s, "output.end"));
-    r->lines = profiles_create(s, r->seen, r->whole);
-    if (r->lines != NULL && begin(r, resume) == 0) {
+    if (begin(r, resume) == 0) {
         if (create_parts(r) == 0) return r;
         if (!resume)
             write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
@@ -348,29 +314,13 @@ struct recorder *recorder_create(const struct settings *s,
 
 /* --- the end -------------------------------------------------------------- */
 
-/* The last state as a picture, and all of them as an animation, drawn only
- * where there is a gnuplot. */
-static int draw_picture(const struct recorder *r)
-{
-    const struct picture p = picture_of(r);
-    const char *const dir = folder_name(r->folder);
-
-    if (settings_bool(r->settings, "output.picture") &&
-        (r->seen != r->sim || r->sim->processes == NULL)) {
-        if (picture_write(r->folder, &p) != 0) return 1;
-        if (picture_draw(r->folder) == 0) printf("picture %s/bed.png\n", dir);
-    }
-    return r->animation != NULL && animation_draw(r->animation, &p) != 0;
-}
-
 /* The summary comes last: what it calls done is there. Where writing has failed
  * before, nothing but the summary is tried. */
 int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
     if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        (profiles_write(r->lines, r->folder) != 0 ||
-         recorder_part_finish(&r->parts) != 0 || draw_picture(r) != 0)) {
+        recorder_part_finish(&r->parts) != 0) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -382,13 +332,6 @@ void recorder_print(const struct recorder *r)
     const struct simulation *const sim = r->sim;
     const char *const dir = folder_name(r->folder);
 
-    if (second_half_has_any(r->second_half) && sim->particles != NULL)
-        printf("pressure drop %.1f Pa (mean of the second half), weight of the "
-               "bed %.1f Pa%s\n",
-               second_half_pressure_drop(r->second_half),
-               second_half_weight(r->second_half),
-               sim->mesh->shape != NULL ? " over the mean section" : "");
-    effect_shares_print(sim);
     recorder_part_print(&r->parts);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,

@@ -4,12 +4,8 @@
 
 #include "case/field_output.h"
 #include "case/history.h"
-#include "case/probes.h"
-#include "case/profiles.h"
 #include "case/recorder.h"
 #include "case/recorder_part.h"
-#include "case/second_half.h"
-#include "output/animation.h"
 #include "output/table.h"
 
 enum { MOST_COLUMNS = 128 };
@@ -28,12 +24,8 @@ struct recorder {
     struct snapshot *snapshot;
     struct snapshot *whole; /* of what is drawn; the same on one machine */
     struct field_output *pictures;
-    struct animation *animation;     /* NULL: off */
     struct recorder_part_list parts; /* what folders add */
-    struct profiles *lines;
-    struct probes *probes;
-    long row_every, picture_every; /* [-] steps of the loop */
-    struct second_half *second_half;
+    long row_every, picture_every;   /* [-] steps of the loop */
     /* For the summary: the worst of the whole run. */
     double worst_mass, worst_momentum, worst_exchange, worst_overlap, worst_cfl;
     double eps_lowest;

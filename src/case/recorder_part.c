@@ -4,15 +4,15 @@
 #include <assert.h>
 #include <stddef.h>
 
-int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
-                         const struct simulation *sim, struct folder *folder)
+int recorder_part_create(struct recorder_part_list *l,
+                         const struct recorder_view *v)
 {
     int failed = 0;
 
     for (int i = 0; recorder_parts[i] != NULL && !failed; i++) {
         assert(l->n < RECORDER_PART_MOST);
         l->part[l->n] = recorder_parts[i];
-        l->state[l->n] = recorder_parts[i]->create(s, sim, folder, &failed);
+        l->state[l->n] = recorder_parts[i]->create(v, &failed);
         l->n += l->state[l->n] != NULL;
     }
     return failed;
@@ -22,13 +22,6 @@ void recorder_part_free(struct recorder_part_list *l)
 {
     for (int i = 0; i < l->n; i++)
         l->part[i]->free(l->state[i]);
-}
-
-void recorder_part_prepare(const struct recorder_part_list *l,
-                           struct snapshot *s)
-{
-    for (int i = 0; i < l->n; i++)
-        if (l->part[i]->prepare != NULL) l->part[i]->prepare(l->state[i], s);
 }
 
 int recorder_part_columns(const struct recorder_part_list *l,
@@ -68,6 +61,11 @@ void recorder_part_print(const struct recorder_part_list *l)
 int recorder_part_row(const struct recorder_part_list *l)
 {
     EACH_PART(row, l->state[i]);
+}
+
+int recorder_part_last_row(const struct recorder_part_list *l)
+{
+    EACH_PART(last_row, l->state[i]);
 }
 
 int recorder_part_fields(const struct recorder_part_list *l, double t)

@@ -15,6 +15,17 @@
 #include "output/folder.h"
 #include "output/summary.h"
 
+/* What a part can read; all is borrowed. Where several processes compute the
+ * simulation, `sim` is the share of this one, and `seen` and `whole` have what
+ * is drawn of all of it; on one machine they are the same. */
+struct recorder_view {
+    const struct settings *settings;
+    const struct simulation *sim, *seen;
+    struct snapshot *snapshot;    /* of sim; a part may add fields to it */
+    const struct snapshot *whole; /* of seen */
+    struct folder *folder;
+};
+
 struct recorder_part {
     const struct key *keys; /* its table; NULL: none */
     /* 0 if what the case says is possible; else 2 after a message. */
@@ -22,12 +33,10 @@ struct recorder_part {
     /* What the functions below get, released by free. NULL if this simulation
      * has nothing of the kind, and, with *failed, after a message if the file
      * cannot be written. */
-    void *(*create)(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed);
+    void *(*create)(const struct recorder_view *v, int *failed);
     void (*free)(void *part);
-    /* What it adds to the snapshots, at the start. */
-    void (*prepare)(void *part, struct snapshot *s);
     int (*row)(void *part);               /* with each row of history.csv */
+    int (*last_row)(void *part);          /* with one that the end adds */
     int (*fields)(void *part, double t);  /* with the fields of time t [s] */
     int (*finish)(void *part);            /* at the end of the run */
     const struct history_column *columns; /* of history.csv; the last has no
@@ -42,7 +51,7 @@ struct recorder_part {
 extern const struct recorder_part *const recorder_parts[];
 
 /* Those that this simulation has something of. */
-enum { RECORDER_PART_MOST = 16 };
+enum { RECORDER_PART_MOST = 32 };
 struct recorder_part_list {
     int n;
     const struct recorder_part *part[RECORDER_PART_MOST];
@@ -50,14 +59,13 @@ struct recorder_part_list {
 };
 
 /* The same of all parts together. */
-int recorder_part_create(struct recorder_part_list *l, const struct settings *s,
-                         const struct simulation *sim, struct folder *folder);
+int recorder_part_create(struct recorder_part_list *l,
+                         const struct recorder_view *v);
 void recorder_part_free(struct recorder_part_list *l);
 int recorder_part_columns(const struct recorder_part_list *l,
                           const struct history_column **column, int room);
-void recorder_part_prepare(const struct recorder_part_list *l,
-                           struct snapshot *s);
 int recorder_part_row(const struct recorder_part_list *l);
+int recorder_part_last_row(const struct recorder_part_list *l);
 int recorder_part_fields(const struct recorder_part_list *l, double t);
 int recorder_part_finish(const struct recorder_part_list *l);
 void recorder_part_summarize(const struct recorder_part_list *l,

@@ -26,17 +26,13 @@ void recorder_state(struct recorder *r, struct state *s)
 {
     state_begin(s, "recorder");
     sums_state(r, s);
-    second_half_state(r->second_half, s);
     if (r->sim->processes == NULL)
         snapshot_state(r->snapshot, r->sim->mesh, s);
     else if (s->loading)
         recorder_take_snapshots(r);
-    profiles_state(r->lines, s);
     table_state(r->history, s);
-    probes_state(r->probes, s);
     recorder_part_state(&r->parts, s);
     field_output_state(r->pictures, s);
-    if (r->animation != NULL) animation_state(r->animation, s);
     folder_state(r->folder, s);
     state_end(s);
 }

@@ -14,15 +14,13 @@
 #include "coupling/processes.h"
 #include "dem/population.h"
 #include "output/folder.h"
-#include "case/breakdown.h"
 #include "case/build.h"
-#include "case/case_part.h"
-#include "case/case_overlap.h"
+#include "case/case_check.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/case_scales.h"
 #include "case/progress.h"
 #include "case/recorder.h"
+#include "case/run_part.h"
 #include "case/saver.h"
 
 enum {
@@ -32,7 +30,7 @@ enum {
     INTERRUPTED = INTERRUPT_CODE
 };
 
-/* Looks and keeps the time that writing takes. */
+/* Samples the simulation and adds the wall time that this takes. */
 static int sample(struct recorder *r, struct simulation *sim)
 {
     double clock = clock_now();
@@ -42,7 +40,7 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-/* One step, by as many threads as pay. */
+/* One step with the number of threads that was measured to be fastest. */
 static int step(struct simulation *sim, struct thread_tuner *tuner)
 {
     const double began = clock_processor();
@@ -64,12 +62,21 @@ struct run {
     const struct saver *saver; /* NULL: the run cannot be saved */
     void *memory;              /* of the saver */
     int resumes;               /* [-] 1: it had begun, and goes on */
-    char why[BREAKDOWN_TEXT];  /* it broke down */
+    char why[RUN_PART_TEXT];   /* it broke down */
 };
 
 static int broke_down(struct run *run)
 {
-    breakdown_describe(run->sim, run->why);
+    const struct simulation *const sim = run->sim;
+    int known = 0;
+
+    for (int i = 0; run_parts[i] != NULL && !known; i++)
+        if (run_parts[i]->broke_down != NULL)
+            known = run_parts[i]->broke_down(sim, run->why);
+    if (!known)
+        snprintf(run->why, RUN_PART_TEXT,
+                 "the computation broke down at t = %g s (step %ld)", sim->t,
+                 sim->steps + 1);
     return BROKE_DOWN;
 }
 
@@ -85,8 +92,8 @@ static int start(struct run *run)
                : 0;
 }
 
-/* A signal ends the search of new particles for room, and so the step is not
- * the one that it would have been. */
+/* 1 if a signal has ended the insertion of particles early: this step differs
+ * from that of a run without the signal. */
 static int is_cut_short(const struct simulation *sim)
 {
     return interrupt_arrived() && sim->population != NULL &&
@@ -106,7 +113,9 @@ static int advance(struct run *run, struct progress *bar,
 
         if (is_cut_short(sim)) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
-        case_overlap_warn(sim, &told);
+        for (int i = 0; run_parts[i] != NULL; i++)
+            if (run_parts[i]->after_step != NULL)
+                run_parts[i]->after_step(sim, &told);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
         if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
             return NOT_WRITTEN;
@@ -128,7 +137,8 @@ static int go(struct run *run)
     thread_tuner_restore(&tuner);
     progress_end(&bar);
     if (code == INTERRUPTED) interrupt_take();
-    case_part_after_run(run->sim);
+    for (int i = 0; run_parts[i] != NULL; i++)
+        if (run_parts[i]->after_run != NULL) run_parts[i]->after_run(run->sim);
     return code;
 }
 
@@ -164,6 +174,7 @@ static int finish(struct run *run, int code)
     if (code != NOT_WRITTEN && run->saver != NULL &&
         run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
+    if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, run->why), code) != 0)
@@ -192,7 +203,7 @@ static int run_simulation(struct run *run)
     return code;
 }
 
-/* What is to be cleared away if the run does not begin. */
+/* The files that are removed if the run does not begin. */
 struct beginning {
     const struct run *run;
     struct folder *folder;
@@ -208,7 +219,7 @@ static void leave(void *of)
     if (b->bed != NULL) file_remove_part(b->bed);
 }
 
-/* While a bed settles a signal waits until that is saved. */
+/* A signal that arrives while a bed settles waits until the bed is saved. */
 static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
 {
     struct beginning *const b = of;
@@ -219,7 +230,7 @@ static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
     return code;
 }
 
-/* The simulation; otherwise a signal meanwhile ends the program. */
+/* Builds the simulation; a signal during this time ends the program. */
 static struct simulation *build(const struct run *run, int *code)
 {
     const struct settings *const s = run->settings;
@@ -277,7 +288,7 @@ int run_case(const struct settings *s, const struct run_options *o)
 {
     int code;
 
-    if (case_scales_check(s) != 0 || check_engine(s) != 0) return WRONG;
+    if (case_check_run(s) != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
@@ -311,7 +322,7 @@ static int act(const struct command_line *l)
     int code;
     struct interrupt_watch watch;
 
-    /* Then there are only files, and on stderr what is wrong. */
+    /* With --quiet there are only files, and errors on stderr. */
     if (l->quiet && freopen("/dev/null", "w", stdout) == NULL)
         return NOT_WRITTEN;
     char *const dir = default_dir(l->words[0]);

@@ -3,10 +3,10 @@
 
 #include "case/models.h"
 #include "base/left_out.h"
+#include "case/case_check.h"
 #include "case/override.h"
 #include "case/schema.h"
 #include "case/source.h"
-#include "case/unit_range.h"
 
 #include <limits.h>
 #include <math.h>
@@ -46,7 +46,7 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
-/* Of one line, as messages are. */
+/* A name of one line, because messages have one line. */
 static int is_file_name(const config_setting_t *s)
 {
     return config_setting_type(s) == CONFIG_TYPE_STRING &&
@@ -90,8 +90,8 @@ static int is_series(const struct key *key, const config_setting_t *s)
     return 1;
 }
 
-/* A word, or a group with the first key of one model of a patch, and others
- * that belong with it. */
+/* A word, or a group with the first key of one model of a patch and with other
+ * keys of that model. */
 static int is_patch(const struct key *key, const config_setting_t *s)
 {
     const char *name[MOST_PATCH_KEYS];
@@ -147,47 +147,6 @@ static int is_count_as_real(const struct key *key, const config_setting_t *s)
                 CONFIG_TYPE_FLOAT)
                 return 1;
     return key->type == KEY_INT && config_setting_type(s) == CONFIG_TYPE_FLOAT;
-}
-
-/* What rounding leaves of a 0 in a point or a direction may be as small. */
-static int may_be_tiny(const struct key *key)
-{
-    return key->type == KEY_VECTOR && strchr(key->allowed, '>') == NULL;
-}
-
-/* The first number in s whose magnitude the unit of its key cannot have; 0 if
- * there is none. The times of a series may be any. */
-static double extreme(const struct key *key, const config_setting_t *s)
-{
-    const int whole = key->type == KEY_INT || key->type == KEY_COUNTS;
-    const struct unit_range *const r = unit_range_of(key->unit);
-    const int n = config_setting_is_array(s) || config_setting_is_list(s)
-                      ? config_setting_length(s)
-                      : 0;
-    double x = 0.0;
-
-    if (config_setting_is_number(s) && !whole &&
-        !unit_range_holds(r, number(s)) &&
-        !(may_be_tiny(key) && fabs(number(s)) < r->least))
-        return number(s);
-    for (int i = key->type == KEY_SERIES && n == 2 &&
-                 config_setting_is_number(config_setting_get_elem(s, 0));
-         i < n && x == 0.0; i++)
-        x = extreme(key, config_setting_get_elem(s, (unsigned)i));
-    return x;
-}
-
-static int check_magnitude(const struct key *key, const char *path,
-                           const config_setting_t *s)
-{
-    const struct unit_range *const r = unit_range_of(key->unit);
-    const double x = extreme(key, s);
-
-    if (x == 0.0) return 0;
-    return source_wrong(s,
-                        "%s: expected 0 or a magnitude between %g and %g [%s], "
-                        "found %g",
-                        path, r->least, r->most, key->unit, x);
 }
 
 /* A key, or a word in its place, of a folder that is not built. */
@@ -301,7 +260,7 @@ static int check_setting(const struct key *const *tables, const char *path,
     if (key == NULL) return unknown(tables, path, s);
     if (!fits(key, s)) return misfit(key, path, s);
     if ((code = unmet(key, s)) != 0) return code;
-    if (key->type != KEY_LIST && (code = check_magnitude(key, path, s)) != 0)
+    if (key->type != KEY_LIST && (code = case_check_value(key, path, s)) != 0)
         return code;
     if (config_setting_is_group(s)) return check_group(tables, path, s);
     if (key->type == KEY_LIST)

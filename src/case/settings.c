@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "case/override.h"
-#include "case/patch_schema.h"
+#include "case/mesh_reader.h"
 #include "case/schema.h"
 #include "case/source.h"
 #include "case/schema_check.h"
@@ -34,34 +34,6 @@ void settings_beside(const struct settings *s, const char *file, char *path,
     snprintf(path, room, "%.*s%s", folder, at, file);
 }
 
-/* Where the mesh comes from files, its patches take the place of the sides. */
-static int take_patches(struct settings *s)
-{
-    const config_setting_t *at;
-    const struct mesh_form *const form = patch_schema_form(&s->tree, &at);
-    struct mesh_patch_name *patch;
-    char dir[SETTINGS_PATH];
-
-    if (form == NULL) return 0;
-    settings_beside(s, config_setting_get_string(at), dir, sizeof dir);
-    if (!form->is_there(dir))
-        return source_wrong(at, "%s: there is no mesh in the folder %s: %s",
-                            form->keys[0].path, dir, form->looked_for);
-    const int n = form->patches(dir, &patch);
-    if (n < 0) return 2;
-    if (patch_schema_check(s->tables, at, n, patch) != 0) {
-        free(patch);
-        return 2;
-    }
-    s->patches = alloc_zeroed(s->n_tables, sizeof *s->patches);
-    for (size_t i = 0; i < s->n_tables; i++) {
-        s->patches[i] = patch_schema_create(s->tables[i], n, patch);
-        if (s->patches[i] != NULL) s->tables[i] = s->patches[i];
-    }
-    free(patch);
-    return 0;
-}
-
 struct settings *settings_create(const char *file, int n_overrides,
                                  const char *const *overrides,
                                  const struct key *const *tables, int *code)
@@ -76,7 +48,8 @@ struct settings *settings_create(const char *file, int n_overrides,
     *code = source_read(&s->tree, file);
     for (int i = 0; i < n_overrides && *code == 0; i++)
         *code = override_apply(&s->tree, overrides[i]);
-    if (*code == 0) *code = take_patches(s);
+    if (*code == 0 && mesh_readers[0] != NULL)
+        *code = mesh_readers[0]->patches(s, &s->tree, s->tables, &s->patches);
     if (*code == 0) *code = schema_check_check(&s->tree, s->tables);
     if (*code == 0) {
         schema_check_fill(&s->tree, s->tables);
@@ -128,8 +101,8 @@ static int type_fits(const struct key *key, enum key_type type)
                                                      key->type == KEY_FILE);
 }
 
-/* The setting of a path whose row must have the type. The tables say that it
- * is there; if it is not, the caller did not ask settings_has first. */
+/* The setting of a path whose row must have the type. A setting that is not
+ * there is an error of the caller, which has to call settings_has first. */
 static const config_setting_t *find(const struct settings *s, const char *path,
                                     enum key_type type)
 {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/source.h"
 
-#include "case/digits.h"
-#include "case/include.h"
+#include "case/case_check.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -42,7 +41,7 @@ static void quote(const char *file, int number)
         fprintf(stderr, "    %s\n", line + strspn(line, " \t"));
 }
 
-/* What to do about a complaint of libconfig that is dark by itself. */
+/* A hint for a message of libconfig that does not say what to change. */
 static const char *advice(const char *complaint)
 {
     if (strstr(complaint, "mismatched element") != NULL)
@@ -61,7 +60,10 @@ static int wrong_syntax(const config_t *tree, const char *file)
     fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
             complaint, advice(complaint));
     quote(in, config_error_line(tree));
-    return strstr(complaint, "cannot open include") != NULL ? 4 : 2;
+    return config_error_type(tree) == CONFIG_ERR_FILE_IO ||
+                   strstr(complaint, "cannot open include") != NULL
+               ? 4
+               : 2;
 }
 
 /* libconfig looks for included files in one folder: that of the case. */
@@ -76,36 +78,13 @@ static void include_beside(config_t *tree, const char *file)
     config_set_include_dir(tree, folder);
 }
 
-/* libconfig reads a whole number that does not fit an int as another one, so
- * every file that gave a setting is looked through for such numbers. */
-static int check_digits(const config_t *tree, const config_setting_t *s,
-                        char last[SOURCE_TEXT])
-{
-    char file[SOURCE_TEXT];
-    int code = 0;
-
-    locate(tree, config_setting_source_file(s), "", file);
-    if (file[0] != '\0' && strcmp(file, last) != 0) {
-        strcpy(last, file);
-        code = digits_check_file(file);
-    }
-    if (config_setting_is_aggregate(s))
-        for (int i = 0; i < config_setting_length(s) && code == 0; i++)
-            code = check_digits(tree, config_setting_get_elem(s, (unsigned)i),
-                                last);
-    return code;
-}
-
 int source_read(config_t *tree, const char *file)
 {
-    char last[SOURCE_TEXT] = "";
-
     config_init(tree);
     include_beside(tree, file);
-    const int code = include_check(file, config_get_include_dir(tree));
+    const int code = case_check_file(file, config_get_include_dir(tree));
     if (code != 0) return code;
-    if (!config_read_file(tree, file)) return wrong_syntax(tree, file);
-    return check_digits(tree, config_root_setting(tree), last);
+    return config_read_file(tree, file) ? 0 : wrong_syntax(tree, file);
 }
 
 int source_is_default(const config_setting_t *setting)

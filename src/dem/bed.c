@@ -40,7 +40,7 @@ static int upward(const struct bed_options *bed, const struct dem_options *dem)
 static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
                          const struct dem_options *dem)
 {
-    const double room = dem->hi[l->up] - dem->lo[l->up];
+    const double available = dem->hi[l->up] - dem->lo[l->up];
     const double height = l->n[l->up] * l->space[l->up];
 
     for (int k = 0; k < 3; k++)
@@ -51,11 +51,11 @@ static int lattice_wrong(const struct lattice *l, const struct bed_options *bed,
                     bed->diameter, dem->hi[k] - dem->lo[k]);
             return 1;
         }
-    if (height <= room) return 0;
+    if (height <= available) return 0;
     fprintf(stderr,
             "winnow: the bed does not fit: %d spheres of %g m on a lattice "
             "need %g m of height, the box has %g m\n",
-            bed->count, bed->diameter, height, room);
+            bed->count, bed->diameter, height, available);
     return 1;
 }
 
@@ -78,8 +78,8 @@ static struct lattice lattice_of(const struct bed_options *bed,
     return l;
 }
 
-/* A diameter, drawn with numbers of their own, so that jitter and sizes do not
- * depend on each other. */
+/* The next diameter. Sizes and jitter are drawn from two generators, so that
+ * one does not depend on the other. */
 static double next_size(const struct bed_options *bed, gsl_rng *random)
 {
     return bed->sizes == NULL
@@ -103,33 +103,47 @@ struct bed_range bed_range(const struct bed_options *bed)
     return r;
 }
 
-/* Sphere after sphere to the sites of the lattice. */
-static void fill_lattice(const struct lattice *l, const struct bed_options *bed,
-                         const struct dem_options *dem, bed_put *put, void *to)
+/* Calls put for the spheres of the bed, one after the other on the sites of the
+ * lattice; with a region only on sites where a sphere has room, as far as they
+ * reach. Returns the number of spheres. */
+static int fill_lattice(const struct lattice *l, const struct bed_options *bed,
+                        const struct dem_options *dem,
+                        const struct placement_region *region, bed_put *put,
+                        void *to)
 {
     const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
+    const long layer = (long)l->n[a] * l->n[c];
+    const double height = dem->hi[l->up] - dem->lo[l->up];
+    const double sites = (double)layer * floor(height / l->space[l->up]);
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng *const sizes = gsl_rng_alloc(gsl_rng_ranlxd1);
+    int i = 0;
+
     gsl_rng_set(random, bed->seed);
     gsl_rng_set(sizes, bed->seed);
-    for (int i = 0; i < bed->count; i++) {
-        const double d = next_size(bed, sizes);
-        int site[3];
+    double d = next_size(bed, sizes);
+    for (long q = 0; i < bed->count; q++) {
+        long site[3];
         double x[3];
 
-        site[a] = i % l->n[a];
-        site[c] = i / l->n[a] % l->n[c];
-        site[l->up] = i / l->n[a] / l->n[c];
+        if (region != NULL && (double)q >= sites) break;
+        site[a] = q % l->n[a];
+        site[c] = q / l->n[a] % l->n[c];
+        site[l->up] = q / layer;
         for (int k = 0; k < 3; k++) {
             const double room = bed->jitter * (l->space[k] - d);
             const double shift = room * (gsl_rng_uniform(random) - 0.5);
-            const double at = (site[k] + 0.5) * l->space[k] + shift;
+            const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
             x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
         }
-        put(to, i, x, d);
+        if (region != NULL && !region->has_room(region->state, x, 0.5 * d))
+            continue;
+        put(to, i++, x, d);
+        d = next_size(bed, sizes);
     }
     gsl_rng_free(random);
     gsl_rng_free(sizes);
+    return i;
 }
 
 /* The bed as if all its spheres were as wide as the widest. */
@@ -148,55 +162,11 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
     const struct lattice l = lattice_of(&widest, dem);
 
     if (lattice_wrong(&l, &widest, dem)) return 1;
-    fill_lattice(&l, bed, dem, put, to);
+    fill_lattice(&l, bed, dem, NULL, put, to);
     return 0;
 }
 
-/* The same if some sites have no space: tries site after site until all spheres
- * are placed. Non-zero after a message if there are too few sites. */
-static int fill_room(struct particles *ps, const struct lattice *l,
-                     const struct bed_options *bed,
-                     const struct dem_options *dem)
-{
-    const int a = (l->up + 1) % 3, c = (l->up + 2) % 3;
-    const double height = dem->hi[l->up] - dem->lo[l->up];
-    const long layer = (long)l->n[a] * l->n[c];
-    const double sites = (double)layer * floor(height / l->space[l->up]);
-    gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng *const sizes = gsl_rng_alloc(gsl_rng_ranlxd1);
-    int i = 0;
-
-    gsl_rng_set(random, bed->seed);
-    gsl_rng_set(sizes, bed->seed);
-    double d = next_size(bed, sizes);
-    for (long q = 0; (double)q < sites && i < bed->count; q++) {
-        long site[3];
-        double x[3];
-        site[a] = q % l->n[a];
-        site[c] = q / l->n[a] % l->n[c];
-        site[l->up] = q / layer;
-        for (int k = 0; k < 3; k++) {
-            const double room = bed->jitter * (l->space[k] - d);
-            const double shift = room * (gsl_rng_uniform(random) - 0.5);
-            const double at = ((double)site[k] + 0.5) * l->space[k] + shift;
-            x[k] = k == l->up && !l->down ? dem->hi[k] - at : dem->lo[k] + at;
-        }
-        if (!bed->region.has_room(bed->region.state, x, 0.5 * d)) continue;
-        particles_add(ps, x, d, bed->density);
-        d = next_size(bed, sizes);
-        i++;
-    }
-    gsl_rng_free(random);
-    gsl_rng_free(sizes);
-    if (i == bed->count) return 0;
-    fprintf(stderr,
-            "winnow: the bed does not fit: the mesh has room for %d of its %d "
-            "spheres on a lattice\n",
-            i, bed->count);
-    return 1;
-}
-
-/* Where a bed is put. */
+/* The particles that a bed is added to. */
 struct filling {
     struct particles *ps;
     double density; /* [kg/m^3] */
@@ -206,23 +176,35 @@ static void put_one(void *to, int i, const double x[3], double d)
 {
     const struct filling *const f = to;
 
-    (void)i; /* which is that of the particle */
+    (void)i; /* particles_add counts them itself */
     particles_add(f->ps, x, d, f->density);
+}
+
+/* Fills the sites in the region; non-zero after a message if there are too few.
+ */
+static int fill_region(struct filling *f, const struct bed_options *bed,
+                       const struct dem_options *dem)
+{
+    const struct bed_options widest = widest_of(bed);
+    const struct lattice l = lattice_of(&widest, dem);
+    const int n = fill_lattice(&l, bed, dem, &bed->region, put_one, f);
+
+    if (n == bed->count) return 0;
+    fprintf(stderr,
+            "winnow: the bed does not fit: the mesh has room for %d of its %d "
+            "spheres on a lattice\n",
+            n, bed->count);
+    return 1;
 }
 
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem)
 {
     struct filling f = {ps, bed->density};
-    int wrong;
+    const int wrong = bed->region.has_room == NULL
+                          ? bed_each(bed, dem, put_one, &f)
+                          : fill_region(&f, bed, dem);
 
-    if (bed->region.has_room == NULL) {
-        wrong = bed_each(bed, dem, put_one, &f);
-    } else {
-        const struct bed_options widest = widest_of(bed);
-        const struct lattice l = lattice_of(&widest, dem);
-        wrong = fill_room(ps, &l, bed, dem);
-    }
     if (wrong || bed->region.start_wrong == NULL) return wrong;
     return bed->region.start_wrong(bed->region.state, ps);
 }

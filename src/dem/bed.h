@@ -1,12 +1,12 @@
 /* bed.h -- the particles before time 0: a settled bed.
  * Chapter "Particles and contact".
  *
- * Spheres on a cubic lattice, from the bottom up, each shifted at random within
- * its site; then they settle under gravity, first with a very dissipative
- * material and a drag, so that the bed comes to rest soon, then with the real
- * material. The same options give the same bed, bit for bit. With several sizes
- * the lattice is that of the largest, and sizes are assigned to sites at
- * random.
+ * Spheres are placed on a cubic lattice, from the bottom up, each shifted at
+ * random within its site; then they settle under gravity, first with a very
+ * dissipative material and a drag, so that the bed comes to rest soon, then
+ * with the real material. The same options give the same bed, bit for bit. With
+ * several sizes the lattice is that of the largest, and sizes are assigned to
+ * sites at random.
  */
 #ifndef DEM_BED_H
 #define DEM_BED_H
@@ -28,7 +28,7 @@ struct bed_options {
     double settle;     /* [s] longest time; 0 leaves the lattice */
     struct placement_region region; /* sites without space stay empty */
     struct sizes *sizes;            /* borrowed; NULL: all have that diameter */
-    /* The diameter [m] that the share p of the sizes is below. */
+    /* The diameter [m] below which the fraction p of the spheres is. */
     double (*quantile)(const struct sizes *s, double p);
     void (*free_sizes)(struct sizes *s); /* for the owner of the sizes */
     const struct bed_saver *saver; /* borrowed; NULL: settling is not saved
@@ -40,7 +40,7 @@ struct bed_report {
     double kinetic; /* [-] kinetic energy a particle over m g d */
     double time;    /* [s] that settling took */
     long steps;     /* [-] */
-    int stopped;    /* [-] not 0: its saver has ended the settling, with this
+    int stopped;    /* [-] not 0: the saver has ended the settling, with this
                        exit code */
     double height;  /* [m] twice the mean height of the centres */
     double top;     /* [m] highest point of any particle over the bottom */
@@ -75,9 +75,11 @@ extern const struct bed_store *const bed_stores[];
  * exists; else fills the lattice, settles it, and writes the file. ps has
  * capacity for it; `run` was created for ps with `dem` and starts with the
  * tangential displacements of the bed. A bed that was read and one that was
- * settled continue identically, bit for bit. Non-zero after a message,
- * BED_UNSAVED if the file cannot be written; without one BED_LOST if a particle
- * is lost (see r->dem), and BED_STOPPED if its saver ended the settling. */
+ * settled continue identically, bit for bit.
+ *
+ * Returns BED_CREATED; BED_REFUSED or, if the file cannot be written,
+ * BED_UNSAVED after a message; or without one BED_LOST if a particle is lost
+ * (see r->dem), and BED_STOPPED if the saver ended the settling. */
 enum {
     BED_CREATED,
     BED_ABSENT,
@@ -90,15 +92,15 @@ int bed_create(const char *path, struct particles *ps, struct dem *run,
                const struct bed_options *bed, const struct dem_options *dem,
                struct bed_report *r);
 
-/* Of the diameters that its seed draws: the smallest and the largest [m], and
+/* The smallest and the largest diameter [m] that the seed of the bed draws, and
  * the volume of all spheres [m^3]. */
 struct bed_range {
     double min, max, volume;
 };
 struct bed_range bed_range(const struct bed_options *bed);
 
-/* Its parts. Adds the lattice to ps; non-zero after a message if the box is too
- * small, or if a sphere overlaps a wall. */
+/* The parts of bed_create. bed_fill adds the lattice to ps; non-zero after a
+ * message if the box is too small, or if a sphere overlaps a wall. */
 int bed_fill(struct particles *ps, const struct bed_options *bed,
              const struct dem_options *dem);
 
@@ -109,8 +111,8 @@ int bed_each(const struct bed_options *bed, const struct dem_options *dem,
              bed_put *put, void *to);
 
 /* Lets ps settle, with a step of limits.h. Positive if a particle is lost,
- * negative after a message if there is no room to run in. A
- * bed that is not settled in time is not an error here: see r->settled. */
+ * negative after a message if the options do not fit (dem_create). A bed that
+ * is not settled in time is not an error here: see r->settled. */
 int bed_settle(struct particles *ps, const struct bed_options *bed,
                const struct dem_options *dem, struct bed_report *r,
                struct bed_springs *springs);

@@ -15,7 +15,7 @@ static const double settling_speed = 1.0; /* [m/s] that the step is made for */
 static const double settling_drag = 3.0;  /* [-] relaxation over sqrt(d/g) */
 enum { CHECK_EVERY = 50 };
 
-/* The two parts of the way, and its end. */
+/* The two parts of the settling, and its end. */
 enum { DISSIPATIVE, REAL, ENDED };
 
 struct bed_settling {
@@ -25,7 +25,7 @@ struct bed_settling {
     struct dem *run;
     double *own_mass;     /* [kg] sorted with the particles; or NULL */
     double step;          /* [s] */
-    int part;             /* [-] of the way */
+    int part;             /* [-] of the settling */
     double weight;        /* [N] with the masses that settle */
     struct bed_report *r; /* time, steps and kinetic energy so far */
 };
@@ -39,8 +39,8 @@ double bed_settling_time(const struct bed_settling *b)
  * mean one, because otherwise the step would have to resolve their short
  * impacts; the state of rest depends on the weights alone. Returns their own
  * masses, sorted with the particles from now on; NULL with one size. */
-static double *set_added_mass(struct particles *ps,
-                              const struct bed_options *bed)
+static double *raise_small_masses(struct particles *ps,
+                                  const struct bed_options *bed)
 {
     const double mean = bed->density * M_PI / 6.0 * gsl_pow_3(bed->diameter);
 
@@ -53,7 +53,7 @@ static double *set_added_mass(struct particles *ps,
     return own;
 }
 
-static void clear_added_mass(struct particles *ps, double *own)
+static void restore_masses(struct particles *ps, double *own)
 {
     if (own == NULL) return;
     memcpy(ps->m, own, (size_t)ps->n * sizeof *own);
@@ -120,8 +120,8 @@ static int call_saver(struct bed_settling *b, enum bed_moment when)
 }
 
 /* Runs until the bed is at rest, at the earliest at `least` [s]; multiplies all
- * velocities by `kept` at each check. */
-static int run_to_rest(struct bed_settling *b, double least, double kept)
+ * velocities by `factor` at each check. */
+static int run_to_rest(struct bed_settling *b, double least, double factor)
 {
     struct bed_report *const r = b->r;
     struct thread_tuner tuner;
@@ -138,15 +138,16 @@ static int run_to_rest(struct bed_settling *b, double least, double kept)
         r->kinetic = (r->dem.translation + r->dem.rotation) /
                      (b->weight * b->bed->diameter);
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
-        if (kept < 1.0) slow_down(b->ps, kept);
+        if (factor < 1.0) slow_down(b->ps, factor);
     } while (!lost && !r->settled && r->time < b->bed->settle);
     thread_tuner_restore(&tuner);
     return lost;
 }
 
-/* The way, or the rest of it: in its first part for at least the time in which
- * a sphere falls by its diameter, because all are at rest at the start. */
-static int go(struct bed_settling *b)
+/* Both parts of the settling, or what is left of them. The first lasts at least
+ * as long as a sphere takes to fall by its diameter, because all spheres are at
+ * rest at the start. */
+static int settle_in_parts(struct bed_settling *b)
 {
     const double fall = sqrt(b->bed->diameter / vector_length(b->bed->gravity));
     const double interval = CHECK_EVERY * b->step;
@@ -179,13 +180,13 @@ int bed_settling_run(struct particles *ps, const struct bed_options *bed,
                                          bed->density, settling_speed);
     b.run = dem_create(ps, &settling);
     if (b.run == NULL) return -1;
-    b.own_mass = set_added_mass(ps, bed);
+    b.own_mass = raise_small_masses(ps, bed);
     set_weight(ps, ps->m, bed->gravity);
     begin_part(&b, DISSIPATIVE);
-    const int lost = go(&b);
+    const int lost = settle_in_parts(&b);
     springs->list = dem_springs(b.run, &springs->n);
     dem_free(b.run);
-    clear_added_mass(ps, b.own_mass);
+    restore_masses(ps, b.own_mass);
     set_weight(ps, ps->m, (const double[3]){0.0, 0.0, 0.0});
     return lost;
 }

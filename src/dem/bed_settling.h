@@ -1,8 +1,8 @@
-/* bed_settling.h -- a bed on its way to rest.
+/* bed_settling.h -- the settling of a bed.
  * Chapter "Particles and contact".
  *
- * It settles first with a very dissipative material and a viscous drag, without
- * which rolling spheres would not stop; then with the real material.
+ * A bed settles first with a very dissipative material and a viscous drag,
+ * without which rolling spheres would not stop; then with the real material.
  */
 #ifndef DEM_BED_SETTLING_H
 #define DEM_BED_SETTLING_H
@@ -14,7 +14,7 @@ enum bed_moment { BED_BEGINS, BED_MOVES, BED_RESTS };
 
 struct bed_settling;
 
-/* All that the rest of the way depends on (state.h). */
+/* All that the rest of the settling depends on (state.h). */
 void bed_settling_state(struct bed_settling *b, struct state *s);
 
 /* The time since it was dropped [s]. */

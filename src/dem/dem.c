@@ -60,12 +60,12 @@ int dem_period_wrong(const struct dem_options *o, double widest, double mean)
 static int options_wrong(const struct dem_options *o,
                          const struct particles *ps)
 {
-    const char *const unknown = method_of(o)->unknown(o);
+    const char *const unsupported = method_of(o)->unsupported(o);
     double widest = 0.0;
 
-    if (unknown != NULL) {
+    if (unsupported != NULL) {
         fprintf(stderr, "winnow: particles.list = \"%s\" does not support %s\n",
-                method_of(o)->name, unknown);
+                method_of(o)->name, unsupported);
         return 1;
     }
     for (int i = 0; i < ps->n; i++)

@@ -1,10 +1,11 @@
 /* dem_method.h -- how pairs are found and loads computed. Chapters "Particles
  * and contact" and "Neighbours".
  *
- * The motion of the particles is computed by one of several methods, which
- * give the same numbers up to rounding: the reference loop (reference.h) for
- * readers, and the fast one (fast/fast.h). dem.c calls them through this table
- * of functions only.
+ * The motion of the particles is computed by one of several methods. The
+ * reference loop (reference.h), which is written to be read, and the fast one
+ * (fast/fast.h) give the same numbers up to rounding; another one leaves the
+ * contacts out (no_contacts/). dem.c calls them through this table of functions
+ * only.
  */
 #ifndef DEM_DEM_METHOD_H
 #define DEM_DEM_METHOD_H
@@ -20,7 +21,7 @@ struct dem_method {
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     int no_contacts; /* [-] 1: particles pass through each other */
     /* The option that it does not support, in words; NULL: none. */
-    const char *(*unknown)(const struct dem_options *o);
+    const char *(*unsupported)(const struct dem_options *o);
     /* Gap [m] up to which it lists pairs of particles that have this mean
      * diameter [m]; NULL: 0. */
     double (*skin)(const struct dem_options *o, double mean);
@@ -36,8 +37,11 @@ struct dem_method {
     void (*limit_overlap)(struct dem *dem);
     /* Visits dem->state (state.h). */
     void (*visit)(struct dem *dem, struct state *s);
+    /* The contact histories as a new list (dem.h). */
+    /* A new list of the contact histories (dem.h). */
     struct dem_spring *(*springs)(struct dem *dem, int *n);
-    /* All of the list exist; index: as of dem_indices. */
+    /* The next run starts with these histories, whose particles all exist;
+     * index: the present index of each id. */
     void (*restore_springs)(struct dem *dem, const struct dem_spring *list,
                             int n, const int *index);
 };

@@ -13,17 +13,17 @@
 #include "base/state.h"
 
 struct energy {
-    /* Now there. */
+    /* The present energy. */
     double kinetic; /* [J] of translation and rotation, and of the added mass */
     double normal, tangential; /* [J] in the springs of the contacts */
-    /* Gone since the first run. */
+    /* Losses since the first run. */
     double damped_n, damped_t; /* [J] in the dashpots */
     double slid;               /* [J] by friction where it slides */
-    double released;           /* [J] by tangential springs that turn, part, or
-                                  soften as the overlap shrinks; less what they
-                                  gain as it grows */
+    double released;           /* [J] by tangential springs, where the contact
+                                  turns or ends and where k_t falls with the
+                                  overlap; less what they gain as it grows */
     double rolled;             /* [J] against rolling friction */
-    /* Come since then. */
+    /* Gains since then. */
     double work;      /* [J] of the outside forces: gravity, the fluid */
     double attracted; /* [J] work of the attractions, returned on separation
                          where the force is conservative */
@@ -33,7 +33,7 @@ struct energy {
                      velocities between two runs */
 };
 
-/* All terms (state.h). */
+/* Visits all terms (state.h). */
 void energy_state(struct energy *e, struct state *s);
 
 /* The left side less the right one [J]. */

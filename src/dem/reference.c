@@ -10,8 +10,9 @@
 #include "dem/dem_internal.h"
 #include "dem/rolling.h"
 
-/* Sphere a and its partner b, another sphere or, NULL, a wall: then its partner
- * is a sphere of the same radius behind the wall that does not move. */
+/* The contact of sphere a with sphere b, or with a wall if b is NULL. A wall is
+ * placed like a sphere of the same radius behind it that does not move; its 1/R
+ * and 1/m are 0. */
 struct contact {
     struct sphere *a, *b;
     const struct contact_constants *k;
@@ -51,9 +52,9 @@ static struct contact contact_between(struct sphere *a, struct sphere *b,
     return c;
 }
 
-/* Friction [LS 4.8]: the displacement xi is turned into the plane of contact
- * and advanced by v_t dt; where the force is above Coulomb's limit, both are
- * cut back. */
+/* Friction [LS 4.8]: the displacement xi is projected into the plane of contact
+ * and advanced by v_t dt. A force above Coulomb's limit is reduced to it, and
+ * so is xi where its spring alone exceeds the limit. */
 static void tangential_force(struct contact *c,
                              const struct contact_response *law, double xi[3],
                              double dt, struct energy *e)
@@ -125,27 +126,23 @@ static void add_loads(const struct contact *c, const double M[3])
     }
 }
 
-/* The history that the contact of i with this partner had in the step before;
- * zero for a new contact. It is put among those of this step. */
-static struct touch *touch_with(struct reference *r, int i, int partner)
+/* Returns the history of the contact of i with this partner: that of the step
+ * before, or zero for a new contact. It becomes one of this step. */
+static struct history *history_of(struct reference *r, int i, int partner)
 {
-    struct touches *const now = &r->now;
-    const struct touches *const before = &r->before;
+    struct histories *const now = &r->now;
+    const struct histories *const before = &r->before;
 
     if (now->n == now->capacity) {
         now->capacity = 2 * now->capacity + 64;
-        struct touch *const larger =
-            alloc_zeroed((size_t)now->capacity, sizeof *larger);
-        if (now->n > 0)
-            memcpy(larger, now->list, (size_t)now->n * sizeof *larger);
-        free(now->list);
-        now->list = larger;
+        now->list =
+            alloc_grown(now->list, now->n, now->capacity, sizeof *now->list);
     }
-    struct touch *const touch = &now->list[now->n++];
-    *touch = (struct touch){.partner = partner};
+    struct history *const history = &now->list[now->n++];
+    *history = (struct history){.partner = partner};
     for (int q = before->start[i]; q < before->start[i + 1]; q++)
-        if (before->list[q].partner == partner) *touch = before->list[q];
-    return touch;
+        if (before->list[q].partner == partner) *history = before->list[q];
+    return history;
 }
 
 static void note_overlap(struct reference *r, const struct contact *c, int i,
@@ -179,14 +176,14 @@ static void add_contact(struct reference *r, int i, int partner,
     c.k = &r->constants[a->material * materials_count(all) + material_b];
     const struct contact_response law =
         r->options->law->respond(c.k, c.delta, c.R_star, c.m_star);
-    struct touch *const touch = touch_with(r, i, partner);
+    struct history *const history = history_of(r, i, partner);
     c.F_n = law.elastic - law.eta_n * c.v_n; /* [LS 4.4, 4.7] */
-    tangential_force(&c, &law, touch->xi, dt, r->energy);
+    tangential_force(&c, &law, history->xi, dt, r->energy);
     if (c.k->rolling > 0.0)
-        rolling_friction(&c, law.k_t, touch->roll_angle, dt, M, r->energy);
+        rolling_friction(&c, law.k_t, history->roll_angle, dt, M, r->energy);
     add_loads(&c, M);
     note_overlap(r, &c, i, partner);
-    r->energy->normal += r->options->law->stored * law.elastic * c.delta;
+    r->energy->normal += law.stored;
     r->energy->damped_n += dt * law.eta_n * c.v_n * c.v_n;
 }
 
@@ -247,8 +244,8 @@ static void add_pair(struct reference *r, int i, int j, double dt)
     add_attractions(r, a, b, x, gap, dt);
 }
 
-/* The sphere behind the wall touches it, so that even a particle whose centre
- * has passed the wall is pushed back. */
+/* x points from the sphere behind the wall, which touches the wall, so that
+ * even a particle whose centre has passed the wall is pushed back. */
 static void add_wall(struct reference *r, int i, int w, double dt)
 {
     struct sphere *const a = &r->sphere[i];
@@ -290,7 +287,7 @@ static void sort_into_cells(struct reference *r)
 
 void reference_forces(struct reference *r, double dt)
 {
-    const struct touches swap = r->before;
+    const struct histories swap = r->before;
 
     r->before = r->now;
     r->now = swap;

@@ -1,9 +1,9 @@
 /* reference.h -- the readable contact loop.  Chapter "Particles and contact".
  *
- * Every pair is looked at, one after the other, and every formula stands as it
- * is printed: no lists, no chunks, no vectors, one thread. The candidates are
- * all pairs ("all-pairs"), or the pairs of neighbouring cells ("link-cells").
- * The fast loop (fast/) gives the same numbers up to rounding, and is tested
+ * The pairs are computed one after the other, and each formula has its printed
+ * form: no lists, no chunks, no vectors, one thread. The candidates are all
+ * pairs ("all-pairs"), or the pairs of neighbouring cells ("link-cells"). The
+ * fast loop (fast/) gives the same numbers up to rounding, and is tested
  * against this one.
  */
 #ifndef DEM_REFERENCE_H
@@ -25,16 +25,16 @@ struct sphere {
 
 /* The history of a contact: what depends on the path, and not on the present
  * positions and velocities alone. */
-struct touch {
+struct history {
     int partner;          /* [-] a sphere, or -1 - w for wall w */
     double xi[3];         /* [m] tangential displacement */
     double roll_angle[3]; /* [rad] theta (rolling.h) */
 };
 
-/* The touches of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A
- * pair belongs to the sphere with the smaller index. */
-struct touches {
-    struct touch *list;
+/* Those of sphere i are list[start[i]] ... list[start[i + 1] - 1]. A pair
+ * belongs to the sphere with the smaller index. */
+struct histories {
+    struct history *list;
     int n, capacity;
     int *start;
 };
@@ -45,13 +45,13 @@ struct reference {
     struct box_domain box;
     int n, capacity; /* [-] spheres */
     struct sphere *sphere;
-    struct link_cells *cells;    /* NULL: all pairs */
-    struct touches now, before;  /* of this step, and of the one before */
-    struct energy *energy;       /* the budget (energy.h) */
-    double max_overlap;          /* [-] largest of this run */
-    struct dem_overlap *deepest; /* of all runs */
-    const int *id;               /* [-] of each sphere */
-    long sorts;                  /* [-] into cells, in this run */
+    struct link_cells *cells;     /* NULL: all pairs */
+    struct histories now, before; /* of this step, and of the one before */
+    struct energy *energy;        /* the budget (energy.h) */
+    double max_overlap;           /* [-] largest of this run */
+    struct dem_overlap *deepest;  /* of all runs */
+    const int *id;                /* [-] of each sphere */
+    long sorts;                   /* [-] into cells, in this run */
 };
 
 /* Computes F and T of all spheres; the contact histories advance by dt [s]. */

@@ -13,12 +13,11 @@
 /* What dem->state is. */
 struct run {
     struct reference loop;
-    struct energy unused;      /* the budget of a run that needs none */
-    struct dem_report *report; /* of the run at hand */
-    int stale;                 /* [-] 1: particles were changed from outside */
+    struct energy unused; /* the budget of a run that needs none */
+    int stale;            /* [-] 1: particles were changed from outside */
 };
 
-static const char *unknown(const struct dem_options *o)
+static const char *unsupported(const struct dem_options *o)
 {
     if (o->n_surfaces > 0) return "surfaces";
     if (o->n_prescribed > 0) return "prescribed particles";
@@ -42,15 +41,9 @@ static int create(struct dem *dem)
     r->now.start = alloc_ints(capacity + 1);
     r->before.start = alloc_ints(capacity + 1);
     r->deepest = &dem->deepest;
+    if (dem->method == &reference_link_cells)
+        r->cells = link_cells_create(capacity, &r->box);
     run->stale = 1;
-    return 0;
-}
-
-static int create_link_cells(struct dem *dem)
-{
-    create(dem);
-    struct reference *const r = &((struct run *)dem->state)->loop;
-    r->cells = link_cells_create(r->capacity, &r->box);
     return 0;
 }
 
@@ -189,7 +182,8 @@ static void take_steps(struct reference *r, const struct particles *ps,
         kick(r, ps, k == 0 ? by->first * dt : dt);
         drift(r, ps, dt);
         if (check_lost(r, report) > 0) return;
-        r->energy->released += r->energy->tangential; /* less what is found */
+        /* reference_forces subtracts what the springs still have */
+        r->energy->released += r->energy->tangential;
         reference_forces(r, dt);
         report->steps++;
     }
@@ -198,7 +192,8 @@ static void take_steps(struct reference *r, const struct particles *ps,
 
 /* --- the sums of a run ---------------------------------------------------- */
 
-/* Forces of particles that were changed; the budget counts nothing released. */
+/* The forces after a change of the particles; nothing is counted as released.
+ */
 static void start(struct reference *r)
 {
     const double released = r->energy->released;
@@ -262,7 +257,7 @@ static void run_steps(struct dem *dem, int steps, struct dem_report *report)
 
 /* --- state ------------------------------------------------------------- */
 
-static void touches_state(struct touches *t, int n_spheres, struct state *s)
+static void histories_state(struct histories *t, int n_spheres, struct state *s)
 {
     state_begin(s, "contacts");
     state_count(s, "count", &t->n, INT_MAX);
@@ -279,7 +274,7 @@ static void touches_state(struct touches *t, int n_spheres, struct state *s)
     state_end(s);
 }
 
-/* The loads of the last step push in the first half of the next one. */
+/* The loads of the last step act in the first half kick of the next one. */
 static void visit(struct dem *dem, struct state *s)
 {
     struct run *const run = dem->state;
@@ -288,7 +283,7 @@ static void visit(struct dem *dem, struct state *s)
     struct sphere *const all = r->sphere;
 
     state_whole(s, "stale", "-", &run->stale);
-    touches_state(&r->now, n, s);
+    histories_state(&r->now, n, s);
     state_reals_of(s, "force", "N", all->F, sizeof *all, n, 3);
     state_reals_of(s, "torque", "N m", all->T, sizeof *all, n, 3);
 }
@@ -297,7 +292,7 @@ static void visit(struct dem *dem, struct state *s)
 
 static struct dem_spring *springs(struct dem *dem, int *n)
 {
-    const struct touches *const now = &((struct run *)dem->state)->loop.now;
+    const struct histories *const now = &((struct run *)dem->state)->loop.now;
     const int *const id = dem->ps->id;
     struct dem_spring *const list = alloc_zeroed((size_t)now->n, sizeof *list);
     int i = 0;
@@ -306,7 +301,7 @@ static struct dem_spring *springs(struct dem *dem, int *n)
     for (int q = 0; q < now->n; q++) {
         while (q >= now->start[i + 1])
             i++;
-        const struct touch *const t = &now->list[q];
+        const struct history *const t = &now->list[q];
         list[q].id = id[i];
         list[q].other = t->partner < 0 ? t->partner : id[t->partner];
         memcpy(list[q].xi, t->xi, sizeof t->xi);
@@ -315,19 +310,19 @@ static struct dem_spring *springs(struct dem *dem, int *n)
     return list;
 }
 
-/* The owner and the history of an entry: a pair belongs to the sphere with the
- * smaller index, and xi and theta change sign with the owner. */
-static int touch_of(const struct dem_spring *spring, const int *index,
-                    struct touch *touch)
+/* Returns the owner of an entry, the sphere with the smaller index, and fills
+ * in its history: xi and theta change sign with the owner. */
+static int owner_and_history(const struct dem_spring *spring, const int *index,
+                             struct history *history)
 {
     const int i = index[spring->id];
     const int j = spring->other < 0 ? spring->other : index[spring->other];
     const double sign = j >= 0 && j < i ? -1.0 : 1.0;
 
-    touch->partner = sign < 0.0 ? i : j;
+    history->partner = sign < 0.0 ? i : j;
     for (int k = 0; k < 3; k++) {
-        touch->xi[k] = sign * spring->xi[k];
-        touch->roll_angle[k] = sign * spring->roll_angle[k];
+        history->xi[k] = sign * spring->xi[k];
+        history->roll_angle[k] = sign * spring->roll_angle[k];
     }
     return sign < 0.0 ? j : i;
 }
@@ -336,52 +331,42 @@ static void restore_springs(struct dem *dem, const struct dem_spring *list,
                             int n, const int *index)
 {
     struct run *const run = dem->state;
-    struct touches *const now = &run->loop.now;
-    struct touch touch;
+    struct histories *const now = &run->loop.now;
+    struct history history;
 
     free(now->list);
     now->list = alloc_zeroed((size_t)n, sizeof *now->list);
     now->n = now->capacity = n;
     memset(now->start, 0, ((size_t)run->loop.capacity + 1) * sizeof(int));
     for (int q = 0; q < n; q++)
-        now->start[touch_of(&list[q], index, &touch)]++;
+        now->start[owner_and_history(&list[q], index, &history)]++;
     for (int i = 0, sum = 0; i <= run->loop.capacity; i++) {
         sum += now->start[i];
         now->start[i] = sum; /* the end of sphere i; becomes its start */
     }
     for (int q = n - 1; q >= 0; q--) {
-        const int owner = touch_of(&list[q], index, &touch);
-        now->list[--now->start[owner]] = touch;
+        const int owner = owner_and_history(&list[q], index, &history);
+        now->list[--now->start[owner]] = history;
     }
     run->stale = 1;
 }
+
+/* The two methods differ by their candidates alone (create). */
+#define REFERENCE_FUNCTIONS                                                    \
+    .unsupported = unsupported, .create = create, .free = release,             \
+    .run = run_steps, .changed = changed, .limit_overlap = limit_overlap,      \
+    .visit = visit, .springs = springs, .restore_springs = restore_springs
 
 const struct dem_method reference_all_pairs = {
     .name = "all-pairs",
     .what = "every pair in every step, by the loop that is easiest to read",
     .equations = "LS 4.1-4.3",
     .function = "reference_forces",
-    .unknown = unknown,
-    .create = create,
-    .free = release,
-    .run = run_steps,
-    .changed = changed,
-    .limit_overlap = limit_overlap,
-    .visit = visit,
-    .springs = springs,
-    .restore_springs = restore_springs};
+    REFERENCE_FUNCTIONS};
 
 const struct dem_method reference_link_cells = {
     .name = "link-cells",
     .what = "pairs of neighbouring cells in every step, by the same loop",
     .equations = "LS section 5.2.2",
     .function = "link_cells_around",
-    .unknown = unknown,
-    .create = create_link_cells,
-    .free = release,
-    .run = run_steps,
-    .changed = changed,
-    .limit_overlap = limit_overlap,
-    .visit = visit,
-    .springs = springs,
-    .restore_springs = restore_springs};
+    REFERENCE_FUNCTIONS};

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 #include "case/case_mesh.h"
 #include "case/check_line.h"
 #include "distributed/refusal.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* advance.c -- divides a step where the Courant number limits it. */
+/* advance.c -- divides a step where its Courant number would be too large. */
 
-#include "fluid/fluid.h"
+#include "fluid/piso.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -29,17 +29,13 @@ static double fastest_inlet(const struct fluid *fl, double t)
     const struct mesh *const m = fl->mesh;
     double fastest = 0.0;
 
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct boundary *const b = &fl->options.boundaries[i];
-        const struct patch *const p = &m->patches[i];
-        for (int j = 0; j < p->n && b->kind == BOUNDARY_INLET; j++) {
-            const int f = p->first + j, c = m->owner[f];
-            const double *const S = &m->S[3 * f];
-            const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
-            const double U =
-                boundary_inlet_velocity(b, t) * boundary_inlet_share(b, j, t);
-            fastest = fmax(fastest, fabs(U) * area / (fl->eps[c] * m->V[c]));
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        if (b->kind != BOUNDARY_INLET) continue;
+        const int c = m->owner[f];
+        const double U =
+            boundary_inlet_velocity(b, t) * boundary_inlet_profile(b, j, t);
+        fastest = fmax(fastest, fabs(U) * sqrt(fl->geometry->SS[f]) /
+                                    (fl->eps[c] * m->V[c]));
     }
     return fastest;
 }

@@ -5,41 +5,29 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "base/vector.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
-
-static double dot3(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* to = u + factor S */
-static void add_multiple(const double u[3], double factor, const double *S,
-                         double to[3])
-{
-    for (int k = 0; k < 3; k++)
-        to[k] = u[k] + factor * S[k];
-}
 
 /* The velocity of what enters is the flux over the area times eps; backflow
  * through an outlet enters with zero velocity. */
 void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3])
 {
-    static const double rest[3] = {0.0, 0.0, 0.0};
+    static const double zero[3] = {0.0, 0.0, 0.0};
     const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_INLET || (b->enters && phi < 0.0))
-        add_multiple(rest, phi / (fl->eps[c] * SS), S, u);
+        vector_along(zero, phi / (fl->eps[c] * SS), S, u);
     else if (b->kind == BOUNDARY_OUTLET)
-        add_multiple(phi >= 0.0 ? inside : rest, 0.0, S, u);
+        vector_along(phi >= 0.0 ? inside : zero, 0.0, S, u);
     else if (b->kind == BOUNDARY_SLIP)
-        add_multiple(inside, -dot3(inside, S) / SS, S, u);
+        vector_along(inside, -vector_dot(inside, S) / SS, S, u);
     else
-        add_multiple(boundary_wall_velocity(b, j), 0.0, S, u);
+        vector_along(boundary_wall_velocity(b, j), 0.0, S, u);
 }
 
 void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
@@ -53,8 +41,8 @@ void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
         const double U = boundary_inlet_velocity(b, fl->t);
         for (int j = 0; j < p->n; j++) {
             const double *const S = &m->S[3 * (p->first + j)];
-            const double share = boundary_inlet_share(b, j, fl->t);
-            phi[p->first + j] = -U * share * sqrt(dot3(S, S));
+            const double share = boundary_inlet_profile(b, j, fl->t);
+            phi[p->first + j] = -U * share * vector_length(S);
         }
     }
 }

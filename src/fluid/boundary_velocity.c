@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fluid/fluid.h"
+#include "fluid/piso.h"
 
 #include <math.h>
 
-/* The velocity of the cell without its component normal to the wall. */
+#include "base/alloc.h"
+#include "base/vector.h"
+
+/* to = the velocity of the cell without its component normal to the wall. */
 static void tangential_part(const double u[3], const double S[3], double SS,
                             double to[3])
 {
-    const double through = u[0] * S[0] + u[1] * S[1] + u[2] * S[2];
+    const double through = vector_dot(u, S);
 
     for (int k = 0; k < 3; k++)
         to[k] = u[k] - through * S[k] / SS;
@@ -19,7 +22,7 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
     const struct mesh *const m = fl->mesh;
     const int c = m->owner[f];
     const double *const S = &m->S[3 * f], *const u = &fl->u[3 * c];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
 
     if (b->kind == BOUNDARY_SLIP) {
         tangential_part(u, S, SS, to);
@@ -35,27 +38,50 @@ static void velocity_at(const struct fluid *fl, const struct boundary *b, int j,
 
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b)
 {
-    const struct mesh *const m = fl->mesh;
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        velocity_at(fl, b, j, f, &u_b[3 * (f - fl->mesh->n_internal)]);
+}
+
+double *boundary_reach(const struct mesh *m, const struct boundary *b)
+{
+    if (!m->skewed) return NULL;
+    double *const reach = alloc_doubles(3 * (m->n_faces - m->n_internal));
 
     for (int i = 0; i < m->n_patches; i++) {
         const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            velocity_at(fl, &fl->options.boundaries[i], f - p->first, f,
-                        &u_b[3 * (f - m->n_internal)]);
+        const int foot = b[i].kind == BOUNDARY_SLIP ||
+                         b[i].kind == BOUNDARY_OUTLET || b[i].walls != NULL;
+        for (int f = p->first; f < p->first + p->n; f++) {
+            double off[3];
+            const int moved = mesh_misses_middle(m, f, off) && foot;
+            for (int k = 0; k < 3; k++)
+                reach[3 * (f - m->n_internal) + k] =
+                    m->d[3 * f + k] - (moved ? off[k] : 0.0);
+        }
     }
+    return reach;
 }
 
-/* The mean over an inlet, whose profile counts as 1 where it is that up to
- * rounding. */
+void fluid_velocity_gradient(const struct fluid *fl, const double *u,
+                             const double *u_b, double *slope)
+{
+    const struct velocity_gradient_scheme *const s =
+        fl->options.velocity_gradient != NULL ? fl->options.velocity_gradient
+                                              : velocity_gradient_schemes[0];
+
+    s->fill(fl->mesh, fl->geometry->reach, u, u_b, slope);
+}
+
+/* The mean velocity over an inlet [m/s]. A mean of the profile that is 1 within
+ * rounding counts as 1. */
 static double inlet_velocity(const struct fluid *fl, const struct boundary *b,
                              const struct patch *p)
 {
     double sum = 0.0, surface = 0.0;
 
     for (int j = 0; j < p->n; j++) {
-        const double *const S = &fl->mesh->S[3 * (p->first + j)];
-        const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
-        sum += area * boundary_inlet_share(b, j, fl->t);
+        const double area = vector_length(&fl->mesh->S[3 * (p->first + j)]);
+        sum += area * boundary_inlet_profile(b, j, fl->t);
         surface += area;
     }
     const int is_one = fabs(sum - surface) <= 1e-12 * surface;

@@ -7,8 +7,8 @@
 #include "linear/face_loops.h"
 #include "fluid/time_levels.h"
 
-/* Flux of solid volume through a face by linear interpolation; zero at the
- * boundary, which particles do not cross [m^3/s]. */
+/* Sets the flux of solid volume through an inner face, by linear interpolation
+ * [m^3/s]. */
 FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
                        double *flux)
 {
@@ -20,18 +20,13 @@ FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
               (w * a[2] + (1.0 - w) * b[2]) * S[2];
 }
 
-/* dt d eps/dt by the time scheme [-]. */
+/* dt times d eps/dt of cell c by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
     const struct time_weights *const w = &fl->levels->weights;
     const double change = w->now * fl->eps[c] - w->old * fl->eps_n[c];
 
     return w->older == 0.0 ? change : change + w->older * fl->eps_nm1[c];
-}
-
-FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
 }
 
 static void void_rate_rows(int first, int last, const struct fluid *fl)
@@ -48,7 +43,7 @@ static void mixture_rows(int first, int last, const struct fluid *fl,
 
     for (int c = first; c < last; c++)
         source[c] = 0.0;
-    SUM_OVER_FACES(fl->faces, first, last, source, outflow, flux);
+    SUM_OVER_FACES(fl->faces, first, last, source, face_loops_outflow, flux);
 }
 
 void continuity_source(struct fluid *fl)
@@ -64,7 +59,7 @@ void continuity_source(struct fluid *fl)
     }
     FOR_EACH_FACE(fl->faces, 8, solid_flux, fl, flux); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
-        flux[f] = 0.0;
+        flux[f] = 0.0; /* particles do not cross the boundary */
     PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
 }
 
@@ -98,7 +93,7 @@ static void residual_rows(int first, int last, const struct fluid *fl,
         defect[c] = source[c];
         through[c] = 0.0;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, outflow, fl->phi);
+    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow, fl->phi);
     SUM_OVER_FACES(fl->faces, first, last, through, half_size, fl->phi);
     for (int c = first; c < last; c++) {
         l.defect = larger(l.defect, fabs(defect[c]));

@@ -1,30 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/convection.h"
 
-#include <stddef.h>
-#include <string.h>
-
+#include "base/model.h"
 #include "fluid/velocity_gradient.h"
 
-static void weights_upwind(const struct convection_faces *faces, double *share)
+void convection_upwind_weights(const struct convection_faces *faces,
+                               double *weight)
 {
     for (int f = 0; f < faces->n; f++)
-        share[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
+        weight[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
 }
 
 const struct convection_scheme convection_upwind = {
     .name = "upwind",
     .what = "first order, bounded at any step",
     .equations = "XS11",
-    .function = "weights_upwind",
-    .owner_weights = weights_upwind,
+    .function = "convection_upwind_weights",
+    .owner_weights = convection_upwind_weights,
     .damps = 1,
 };
 
-static void weights_linear(const struct convection_faces *faces, double *share)
+static void weights_linear(const struct convection_faces *faces, double *weight)
 {
     for (int f = 0; f < faces->n; f++)
-        share[f] = faces->w[f];
+        weight[f] = faces->w[f];
 }
 
 const struct convection_scheme convection_linear = {
@@ -35,12 +34,13 @@ const struct convection_scheme convection_linear = {
     .owner_weights = weights_linear,
 };
 
-static void weights_blended(const struct convection_faces *faces, double *share)
+static void weights_blended(const struct convection_faces *faces,
+                            double *weight)
 {
     const double b = faces->blend;
 
     for (int f = 0; f < faces->n; f++)
-        share[f] =
+        weight[f] =
             b * faces->w[f] + (1.0 - b) * (faces->phi[f] >= 0.0 ? 1.0 : 0.0);
 }
 
@@ -58,48 +58,5 @@ const struct convection_scheme convection_blended = {
     .owner_weights = weights_blended,
 };
 
-/* Linear extrapolation from C to the face with the gradient in C. */
-static double beyond_second_upwind(double step, double rise, double reach)
-{
-    (void)step;
-    return reach * rise;
-}
-
-const struct convection_scheme convection_second_upwind = {
-    .name = "second-upwind",
-    .what = "second order, looks upstream only; may overshoot",
-    .equations = "SX15",
-    .function = "beyond_second_upwind",
-    .keys = {velocity_gradient_keys},
-    .owner_weights = weights_upwind,
-    .deferred = beyond_second_upwind,
-};
-
-/* The gradient in C and that of the link limit each other [VanLeer74]: with r =
- * (u_C - u_B) / (u_D - u_C) relative to C, B being as far upstream as D is
- * downstream, psi = (r + |r|) / (1 + r) of the linear step is taken. */
-static double beyond_van_leer(double step, double rise, double reach)
-{
-    const double back = 2.0 * rise - step; /* u_C - u_B */
-
-    if (back * step <= 0.0) return 0.0; /* C is an extremum */
-    return reach * 2.0 * back * step / (back + step);
-}
-
-const struct convection_scheme convection_van_leer = {
-    .name = "van-leer",
-    .what = "second order where smooth, bounded where not",
-    .equations = "VanLeer74",
-    .function = "beyond_van_leer",
-    .keys = {velocity_gradient_keys},
-    .owner_weights = weights_upwind,
-    .deferred = beyond_van_leer,
-};
-
-const struct convection_scheme *convection_scheme_named(const char *name)
-{
-    for (int i = 0; convection_schemes[i] != NULL; i++)
-        if (strcmp(convection_schemes[i]->name, name) == 0)
-            return convection_schemes[i];
-    return NULL;
-}
+MODEL_NAMED(convection_scheme)
+MODEL_NAMED(velocity_gradient_scheme)

@@ -41,6 +41,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "base/vector.h"
 #include "linear/face_loops.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
@@ -80,10 +81,8 @@ FACE_KERNEL split_by_cell_velocities(int f, int o, int n,
                                      const struct fluid *fl)
 {
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
-    const double *const u = &fl->u[3 * o], *const v = &fl->u[3 * n];
-    const double q =
-        w * fl->eps[o] * (u[0] * S[0] + u[1] * S[1] + u[2] * S[2]) +
-        (1.0 - w) * fl->eps[n] * (v[0] * S[0] + v[1] * S[1] + v[2] * S[2]);
+    const double q = w * fl->eps[o] * vector_dot(&fl->u[3 * o], S) +
+                     (1.0 - w) * fl->eps[n] * vector_dot(&fl->u[3 * n], S);
 
     split_jump(fl, f, o, n,
                fl->momentum->owner_weight[f] - fl->jump->upwind_bias[f], q);
@@ -103,7 +102,7 @@ static void split_jumps(struct fluid *fl)
         FOR_EACH_FACE(fl->faces, 8, split_by_flux, fl);
 }
 
-/* The forces of the jumps on the cells, part times S. */
+/* Sums the forces of the jumps on the cells: the part of the cell times S. */
 static void inertia_rows(int first, int last, const struct fluid *fl)
 {
     const struct face_jump *const jump = fl->jump;
@@ -113,8 +112,8 @@ static void inertia_rows(int first, int last, const struct fluid *fl)
                       jump->inertia);
 }
 
-/* Restores the jump force to the cells that the unbiased scheme would give it
- * to. */
+/* Moves the part of the jump forces that the bias gives to the other cell back
+ * to the cell in which the unbiased scheme has it. */
 static void restore_jump_force(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -172,12 +171,10 @@ static inline double gamma_jump_factor(const struct fluid *fl, int f, int o,
 
 static inline double normal_force(const struct fluid *fl, int c, int f)
 {
-    const double *const t = &fl->jump->smooth_force[3 * c];
-    const double *const S = &fl->mesh->S[3 * f];
-    return t[0] * S[0] + t[1] * S[1] + t[2] * S[2];
+    return vector_dot(&fl->jump->smooth_force[3 * c], &fl->mesh->S[3 * f]);
 }
 
-/* The contribution to p_N - p_O drives a flux. */
+/* Adds the flux that the contribution to p_N - p_O drives. */
 FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
 {
     fl->phi[f] += fl->pressure->conductance[f] *

@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/parallel_ranges.h"
+#include "base/vector.h"
 #include "linear/vec3.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
@@ -40,8 +41,9 @@ void fluid_reset_eps_history(struct fluid *fl)
     memcpy(fl->eps_nm1, fl->eps, size);
 }
 
-/* Momentum is rho eps u at the time level of u; for two-step schemes also that
- * of the older level, and the difference of the two. */
+/* The displaced momentum is rho eps u of the latest time level. A two-step
+ * scheme also has the gain of momentum since the level before, which changes as
+ * well. */
 double fluid_replace(struct fluid *fl, const double *eps_before)
 {
     double lowest = 1.0;
@@ -125,8 +127,7 @@ double fluid_kinetic_energy(const struct fluid *fl)
 
     for (int c = 0; c < fl->mesh->n_cells; c++) {
         const double *const u = &fl->u[3 * c];
-        sum += fl->eps[c] * fl->mesh->V[c] *
-               (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+        sum += fl->eps[c] * fl->mesh->V[c] * vector_dot(u, u);
     }
     return 0.5 * fl->options.rho * sum;
 }
@@ -136,8 +137,7 @@ double fluid_patch_pressure(const struct fluid *fl, const struct patch *patch)
     double force = 0.0, surface = 0.0;
 
     for (int f = patch->first; f < patch->first + patch->n; f++) {
-        const double *const S = &fl->mesh->S[3 * f];
-        const double area = sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+        const double area = vector_length(&fl->mesh->S[3 * f]);
         force += area * fl->p_face[f];
         surface += area;
     }

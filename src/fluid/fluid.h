@@ -121,6 +121,7 @@ struct fluid {
     struct face_jump *jump;
     struct time_levels *levels;
     struct face_geometry *geometry;
+    struct deferred *deferred; /* explicit terms of gradients; NULL: none */
     struct immersed *immersed; /* bodies that hold the fluid; NULL: none */
 };
 
@@ -179,5 +180,10 @@ double fluid_inlet_velocity(const struct fluid *fl);
  * of a no-slip wall, that of an inlet's flux, the tangential velocity of the
  * cell at a slip wall, and at an outlet the velocity of the cell. */
 void fluid_boundary_velocity(const struct fluid *fl, double *u_b);
+
+/* The gradient of u, a velocity of all cells, with u_b on the boundary faces
+ * (velocity_gradient.h) [1/s]. */
+void fluid_velocity_gradient(const struct fluid *fl, const double *u,
+                             const double *u_b, double *slope);
 
 #endif

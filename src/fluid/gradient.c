@@ -12,18 +12,18 @@
 
 #include <stddef.h>
 
+#include "base/vector.h"
 #include "linear/face_loops.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
 
 /* The gradient of p along S that balances the drag in cell c at face f, times
  * the area, is drag_explicit_part - drag_implicit_part phi: [N/m] and [kg/(m^3
  * s)]. */
 static inline double drag_explicit_part(const struct fluid *fl, int c, int f)
 {
-    const double *const S = &fl->mesh->S[3 * f], *const F = &fl->F[3 * c];
-    return (F[0] * S[0] + F[1] * S[1] + F[2] * S[2]) / piso_gamma(fl, c);
+    return vector_dot(&fl->F[3 * c], &fl->mesh->S[3 * f]) / piso_gamma(fl, c);
 }
 
 static inline double drag_implicit_part(const struct fluid *fl, int c)
@@ -82,25 +82,17 @@ static void inner_pressures(struct fluid *fl)
 
 static void boundary_pressures(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct boundary *const b = &fl->options.boundaries[i];
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const int o = m->owner[f];
-            fl->p_face[f] = fl->p[o];
-            if (b->kind == BOUNDARY_OUTLET)
-                fl->p_face[f] = b->pressure;
-            else if (fl->options.coupled)
-                fl->p_face[f] += (drag_explicit_part(fl, o, f) -
-                                  drag_implicit_part(fl, o) * fl->phi[f]) /
-                                 fl->geometry->face_coefficient[f];
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const int o = fl->mesh->owner[f];
+        fl->p_face[f] = b->kind == BOUNDARY_OUTLET ? b->pressure : fl->p[o];
+        if (fl->options.coupled && b->kind != BOUNDARY_OUTLET)
+            fl->p_face[f] += (drag_explicit_part(fl, o, f) -
+                              drag_implicit_part(fl, o) * fl->phi[f]) /
+                             fl->geometry->face_coefficient[f];
     }
 }
 
-/* The gradient of cells first .. last - 1. */
+/* Sets the gradient of cells first .. last - 1. */
 static void gradient_rows(int first, int last, struct fluid *fl)
 {
     const double *const V = fl->mesh->V, *const G = fl->mean_gradient;
@@ -115,13 +107,17 @@ static void gradient_rows(int first, int last, struct fluid *fl)
     }
 }
 
+void gradient_of_faces(struct fluid *fl)
+{
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+}
+
 void gradient_update(struct fluid *fl)
 {
     inner_pressures(fl);
     boundary_pressures(fl);
-    if (fl->geometry->normal_equations == NULL)
-        PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
-    if (fl->geometry->off == NULL) return;
-    skewness_add_pressures(fl);
-    PARALLEL_RANGES(fl->mesh->n_cells, 12, gradient_rows, fl);
+    if (fl->deferred != NULL)
+        fl->deferred->set_gradient(fl->deferred, fl);
+    else
+        gradient_of_faces(fl);
 }

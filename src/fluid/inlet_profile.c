@@ -1,18 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/inlet_profile.h"
 
-#include <stddef.h>
-#include <string.h>
+#include "base/model.h"
 
-#include "base/alloc.h"
-
-const struct inlet_profile *inlet_profile_named(const char *name)
-{
-    for (int i = 0; inlet_profiles[i] != NULL; i++)
-        if (strcmp(inlet_profiles[i]->name, name) == 0)
-            return inlet_profiles[i];
-    return NULL;
-}
+MODEL_NAMED(inlet_profile)
 
 static int uniform(const struct inlet_request *r, struct boundary *b,
                    char wrong[INLET_PROFILE_TEXT])
@@ -23,42 +14,10 @@ static int uniform(const struct inlet_request *r, struct boundary *b,
     return 0;
 }
 
-/* A parabola in each direction that is between walls; mean 1. */
-static int parabola(const struct inlet_request *r, struct boundary *b,
-                    char wrong[INLET_PROFILE_TEXT])
-{
-    const struct mesh *const m = r->mesh;
-    const struct patch *const p = r->patch;
-    double *const profile = alloc_doubles(p->n);
-
-    (void)wrong;
-    for (int j = 0; j < p->n; j++) {
-        const int *const n = m->box.n, c = m->owner[p->first + j];
-        const int at[3] = {c % n[0], c / n[0] % n[1], c / n[0] / n[1]};
-        profile[j] = 1.0;
-        for (int k = 0; k < 3; k++) {
-            const double *const x = m->box.edge[k];
-            if (m->S[3 * (p->first + j) + k] == 0.0 && r->between_walls[k])
-                profile[j] *= boundary_parabola(x[at[k]] / x[n[k]],
-                                                x[at[k] + 1] / x[n[k]]);
-        }
-    }
-    b->profile = b->memory = profile;
-    return 0;
-}
-
 const struct inlet_profile inlet_profile_uniform = {
     .name = "uniform",
     .what = "the same velocity everywhere",
     .equations = "",
     .function = "uniform",
     .create = uniform,
-};
-
-const struct inlet_profile inlet_profile_parabola = {
-    .name = "parabola",
-    .what = "zero at the walls beside the inlet of a plain box, its mean 1",
-    .equations = "",
-    .function = "boundary_parabola",
-    .create = parabola,
 };

@@ -14,6 +14,8 @@
  */
 #include "fluid/pressure_system.h"
 
+#include "base/vector.h"
+
 int mean_gradient_exists(const struct fluid_options *o)
 {
     for (int k = 0; k < 3; k++)
@@ -47,9 +49,6 @@ void mean_gradient_add(struct fluid *fl)
 
     for (int k = 0; k < 3; k++)
         if (fl->options.keeps_flow[k]) G[k] = required_gradient(fl, k);
-    for (int f = 0; f < m->n_internal; f++) {
-        const double *const S = &m->S[3 * f];
-        fl->phi[f] -=
-            fl->pressure->m_face[f] * (G[0] * S[0] + G[1] * S[1] + G[2] * S[2]);
-    }
+    for (int f = 0; f < m->n_internal; f++)
+        fl->phi[f] -= fl->pressure->m_face[f] * vector_dot(G, &m->S[3 * f]);
 }

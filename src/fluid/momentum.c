@@ -18,11 +18,12 @@
 
 #include "linear/face_loops.h"
 #include "linear/vec3.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
 
-/* The two coefficients of each face. */
+/* Sets the two coefficients of each face, from the weights of the scheme. */
 static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
@@ -44,7 +45,8 @@ static void face_coefficients(int first, int last, struct fluid *fl)
     }
 }
 
-/* Change in the step of the fluid fraction of the convected mass. */
+/* The change during the step of the fluid fraction of the convected mass, by
+ * the time scheme [-]. */
 static double mass_change(const struct time_levels *l, int c)
 {
     const struct time_weights *const w = &l->weights;
@@ -53,12 +55,8 @@ static double mass_change(const struct time_levels *l, int c)
     return l->eps_older != NULL ? change + w->older * l->eps_older[c] : change;
 }
 
-FACE_SUM_KERNEL outflow(int f, double out, const double *phi)
-{
-    return out * phi[f];
-}
-
-/* Diagonal and right-hand side of the cells without boundary faces. */
+/* Sets the diagonal, the defect and the right-hand side of the cells, without
+ * the boundary faces. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -71,7 +69,7 @@ static void cell_coefficients(int first, int last, struct fluid *fl)
         diag[c] = levels->ddt[c] - diag[c];
         defect[c] = mass_change(fl->levels, c) * m->V[c] / fl->options.dt;
     }
-    SUM_OVER_FACES(fl->faces, first, last, defect, outflow,
+    SUM_OVER_FACES(fl->faces, first, last, defect, face_loops_outflow,
                    levels->convecting_flux);
     for (int c = first; c < last && levels->ddt_older != NULL; c++)
         diag[c] += levels->ddt_older[c];
@@ -92,13 +90,14 @@ static void add_drag(int first, int last, struct fluid *fl)
              momentum->b + 3L * first);
 }
 
-/* The inlet velocity is phi over the area times eps. */
+/* Adds the momentum that enters through an inlet, and its viscous force; the
+ * velocity is phi over the area times eps. */
 static void add_inlet_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f], phi = fl->levels->convecting_flux[f];
     const int c = m->owner[f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
     const double a = fl->options.mu * fl->geometry->face_coefficient[f] -
                      fl->options.rho * phi;
 
@@ -107,7 +106,7 @@ static void add_inlet_face(struct fluid *fl, int f)
         fl->momentum->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
 }
 
-/* A wall, which may move along itself. */
+/* Adds the viscous force of a wall, whose velocity is tangential. */
 static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
@@ -118,7 +117,8 @@ static void add_wall_face(struct fluid *fl, const double wall[3], int f)
         fl->momentum->b[3 * c + k] += D * wall[k];
 }
 
-/* Enters with the velocity of its flux, without a viscous force. */
+/* Adds the momentum that enters with the velocity of its flux; there is no
+ * viscous force. */
 static void add_entering_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
@@ -150,23 +150,24 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int j,
     }
 }
 
-/* At a slip wall only the normal component has a viscous force, -D n (n . u):
- * n_k n_k on the diagonal of the components, which is the whole force where the
- * normal is parallel to an axis. */
+/* At a slip wall only the normal component has a viscous force, -D n (n . u).
+ * The part D n_k n_k is added to the diagonal of component k; it is the whole
+ * force where the normal is parallel to an axis. */
 static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
     const double *const S = &m->S[3 * f];
-    const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
+    const double SS = fl->geometry->SS[f];
     const double D = fl->options.mu * fl->geometry->face_coefficient[f];
-
     const int c = m->owner[f];
 
     for (int k = 0; k < 3; k++)
         fl->momentum->diag3[3 * c + k] += D * S[k] * S[k] / SS;
 }
 
-/* Three diagonals a cell, equal until slip walls add theirs. */
+/* Sets the diagonals of the three components, which are equal without slip
+ * walls.
+ */
 static void spread_diagonal(int first, int last, struct momentum_system *eqn)
 {
     vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);
@@ -191,28 +192,17 @@ static void slip_diagonal(int first, int last, struct fluid *fl)
 
 static void add_slip_faces(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_slip_face(fl, f);
-    }
-    PARALLEL_RANGES(m->n_cells, 12, slip_diagonal, fl);
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_SLIP) add_slip_face(fl, f);
+    PARALLEL_RANGES(fl->mesh->n_cells, 12, slip_diagonal, fl);
 }
 
 static void add_boundaries(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
     fl->report.backflow_faces = 0;
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++)
-            add_boundary_face(fl, &fl->options.boundaries[i], f - p->first, f);
-    }
-    PARALLEL_RANGES(m->n_cells, 4, spread_diagonal, fl->momentum);
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        add_boundary_face(fl, b, j, f);
+    PARALLEL_RANGES(fl->mesh->n_cells, 4, spread_diagonal, fl->momentum);
     if (fl->momentum->slip != NULL) add_slip_faces(fl);
 }
 
@@ -226,7 +216,7 @@ void momentum_assemble(struct fluid *fl)
         PARALLEL_RANGES(fl->mesh->n_cells, 12, add_drag, fl);
         face_jump_update(fl);
     }
-    if (fl->momentum->velocity_gradient != NULL) deferred_correction_add(fl);
+    if (fl->deferred != NULL) fl->deferred->add_to_momentum(fl->deferred, fl);
     if (fl->immersed != NULL) fl->immersed->add_friction(fl->immersed, fl);
     add_boundaries(fl);
 }

@@ -17,9 +17,9 @@ struct momentum_system {
     struct ldu *matrix; /* [kg/s] the a_N */
     double *diag;       /* [kg/s] a_P */
     double *diag3;      /* [kg/s] a_P and, on slip walls, their stress */
-    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it so
-                                     stiff that it must act on the new velocity;
-                                     3 a cell, NULL without slip walls */
+    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it that
+                                     is implicit in the corrector because it is
+                                     stiff; 3 a cell, NULL without slip walls */
     int oblique_slip;             /* 1: a slip wall is not normal to an axis */
     double *b;            /* [N] right side but for pressure and storage */
     double *rhs;          /* [N] */
@@ -28,19 +28,11 @@ struct momentum_system {
     double *defect;       /* [m^3/s] d(eps V)/dt + sum phi of the convecting
                              flux: the residual of continuity */
     double *owner_weight; /* [-] weight of the owner in the face velocity */
-    double *velocity_gradient,
-        *u_boundary; /* [1/s], [m/s] 9 a cell, 3 a boundary face; NULL if no
-                        scheme needs more than two cells */
     struct bicgstab_work *bicgstab;
 };
 
 /* momentum.c: fills the matrix, diag3 and b from the state. */
 void momentum_assemble(struct fluid *fl);
-
-/* deferred_correction.c: 1 if a scheme needs more than the two cells of a face;
- * adds its explicit part to b from the velocities known so far. */
-int deferred_correction_exists(const struct fluid *fl);
-void deferred_correction_add(struct fluid *fl);
 
 /* velocity.c: solves for u with the present grad_p. */
 struct solve_report velocity_predict(struct fluid *fl);

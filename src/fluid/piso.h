@@ -10,15 +10,29 @@
 struct face_geometry {
     double *SS, *Sd;          /* [m^2], [m^3] S.S and S.d of the faces */
     double *face_coefficient; /* [m] S.S / S.d: area over length of the link */
-    double *off;              /* [m] of skewness.h; NULL for a mesh without */
-    double *normal_equations; /* [1/m^2] of least squares, likewise; NULL
-                                 without tetrahedra */
+    double *reach;            /* [m] of boundary_reach; may be NULL */
 };
 
 /* systems.c: creates and frees all arrays and systems of a fluid, for its mesh
  * and options. */
 void systems_create(struct fluid *fl);
 void systems_free(struct fluid *fl);
+
+/* A loop over all boundary faces: b is the boundary condition of face f, which
+ * is the j-th of its patch. */
+#define FOR_EACH_BOUNDARY_FACE(fl, b, j, f)                                    \
+    for (int i_ = 0; i_ < (fl)->mesh->n_patches; i_++)                         \
+        for (const struct boundary *b = &(fl)->options.boundaries[i_];         \
+             b == &(fl)->options.boundaries[i_]; b++)                          \
+            for (int j = 0, f = (fl)->mesh->patches[i_].first;                 \
+                 j < (fl)->mesh->patches[i_].n; j++, f++)
+
+/* boundary_velocity.c: from the centre of the cell to where the velocity of its
+ * boundary face holds [m], 3 a boundary face (velocity_gradient.h): the middle
+ * of the face, or the foot of the centre at slip walls and outlets, which have
+ * the velocity of the cell, and at walls that rotate. NULL: the middle
+ * everywhere. */
+double *boundary_reach(const struct mesh *m, const struct boundary *b);
 
 /* gamma: the fluid's share of the pressure gradient, eps in [XS11 2.8], 1 in
  * [XS11 2.4]. */

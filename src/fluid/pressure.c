@@ -21,27 +21,18 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "linear/face_loops.h"
 #include "linear/reduce.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/piso.h"
-#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
-static inline double dot3(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static int is_outlet(const struct fluid *fl, int patch)
-{
-    return fl->options.boundaries[patch].kind == BOUNDARY_OUTLET;
-}
-
-/* Coefficients of a cell for its faces, once a step: rho eps_nm1 / (gamma dt
- * eps_phi), the time derivative per superficial flux; 1 / (gamma V), for its
- * forces; and 1 / m_P. */
+/* Sets the coefficients of the cells that their faces use, once a step: the
+ * time derivative per superficial flux, which is rho eps_old / (gamma dt
+ * eps_phi) with implicit Euler; 1 / (gamma V), for the forces; and 1 / m_P. */
 static void cell_resistances(int first, int last, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -66,7 +57,8 @@ double pressure_older_per_flux(const struct fluid *fl, int c)
            fl->eps_nm1[c];
 }
 
-/* Two-step scheme: the contribution of the flux one step before the last. */
+/* Adds the contribution of the flux one step before the last, in a two-step
+ * scheme. */
 static void store_old_time_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -82,8 +74,8 @@ static void store_old_time_fluxes(struct fluid *fl)
                                       pressure_older_per_flux(fl, m->owner[f]);
 }
 
-/* m_f, and the terms that are the same for all correctors: the conductance and
- * the part of the flux by the time derivative. */
+/* Sets m_f, and the terms that are the same for all correctors: the conductance
+ * and the part of the flux by the time derivative. */
 FACE_KERNEL inner_mobility(int f, int o, int n, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -107,8 +99,9 @@ FACE_KERNEL inner_jump(int f, int o, int n, const struct fluid *fl)
     const struct pressure_system *const pressure = fl->pressure;
     const double w = fl->mesh->w[f], *const S = &fl->mesh->S[3 * f];
     const double slope =
-        (1.0 - w) * pressure->per_force[o] * dot3(&jump->inertia[3 * o], S) +
-        w * pressure->per_force[n] * dot3(&jump->inertia[3 * n], S);
+        (1.0 - w) * pressure->per_force[o] *
+            vector_dot(&jump->inertia[3 * o], S) +
+        w * pressure->per_force[n] * vector_dot(&jump->inertia[3 * n], S);
 
     pressure->explicit_flux[f] +=
         pressure->conductance[f] * face_jump_of_pressure(fl, f, o, n) -
@@ -126,7 +119,7 @@ static void store_jump_fluxes(const struct fluid *fl)
         const int o = m->owner[f];
         pressure->explicit_flux[f] -=
             pressure->m_face[f] * pressure->per_force[o] *
-            dot3(&fl->jump->inertia[3 * o], &m->S[3 * f]);
+            vector_dot(&fl->jump->inertia[3 * o], &m->S[3 * f]);
     }
 }
 
@@ -138,18 +131,14 @@ static void face_mobilities(struct fluid *fl)
 
     PARALLEL_RANGES(m->n_cells, 12, cell_resistances, fl);
     FOR_EACH_FACE(fl->faces, 4, inner_mobility, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const int o = m->owner[f];
-            pressure->m_face[f] =
-                is_outlet(fl, i) ? 1.0 / pressure->resistance[o] : 0.0;
-            pressure->conductance[f] =
-                pressure->m_face[f] * fl->geometry->face_coefficient[f];
-            pressure->explicit_flux[f] = pressure->m_face[f] *
-                                         pressure->per_flux[o] *
-                                         levels->phi_old[f];
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const int o = m->owner[f];
+        pressure->m_face[f] =
+            b->kind == BOUNDARY_OUTLET ? 1.0 / pressure->resistance[o] : 0.0;
+        pressure->conductance[f] =
+            pressure->m_face[f] * fl->geometry->face_coefficient[f];
+        pressure->explicit_flux[f] =
+            pressure->m_face[f] * pressure->per_flux[o] * levels->phi_old[f];
     }
     if (levels->ddt_older != NULL) store_old_time_fluxes(fl);
     if (fl->options.coupled) store_jump_fluxes(fl);
@@ -182,8 +171,8 @@ void pressure_assemble(struct fluid *fl)
         pressure->boundary_conductance[pressure->pinned_cell] +=
             pin_pressure(fl, pressure->pinned_cell);
     if (fl->options.shared == NULL)
-        multigrid_set_coefficients(pressure->mg, pressure->conductance,
-                                   pressure->boundary_conductance);
+        preconditioned_set(pressure->matrix, pressure->conductance,
+                           pressure->boundary_conductance);
 }
 
 FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
@@ -195,58 +184,11 @@ FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
     const double *const S = &fl->mesh->S[3 * f];
 
     fl->phi[f] = pressure->explicit_flux[f] +
-                 pressure->m_face[f] * (from_o * dot3(&H[3 * o], S) +
-                                        from_n * dot3(&H[3 * n], S));
+                 pressure->m_face[f] * (from_o * vector_dot(&H[3 * o], S) +
+                                        from_n * vector_dot(&H[3 * n], S));
 }
 
-/* The pressure gradient that balances the momentum equation of a cell [Pa/m]
- * with the present velocities of its neighbours. */
-static void balancing_gradient(const struct fluid *fl, int c, double slope[3])
-{
-    const struct momentum_system *const momentum = fl->momentum;
-
-    for (int k = 0; k < 3; k++) {
-        const int i = 3 * c + k;
-        slope[k] = (momentum->H[i] + fl->levels->old_time_source[i] -
-                    momentum->diag[c] * fl->u[i]) *
-                       fl->pressure->per_force[c] -
-                   fl->mean_gradient[k];
-    }
-}
-
-/* S - d S.S / S.d, but not longer than two areas, as it is on links at 63
- * degrees to the normal: beyond, it would amplify itself from corrector to
- * corrector in flat tetrahedra. What is left out of the flux is of the order of
- * the square of the mesh width. */
-static void oblique_part(const struct fluid *fl, int f, double rest[3])
-{
-    const double most = 2.0; /* [-] */
-
-    mesh_oblique_part(fl->mesh, f, rest);
-    const double square =
-        dot3(rest, rest) / (most * most * fl->geometry->SS[f]);
-    for (int k = 0; k < 3 && square > 1.0; k++)
-        rest[k] /= sqrt(square);
-}
-
-/* The non-orthogonal part of grad p . S, linear between the cells. With the
- * gradient of the last correction, and cells strongly coupled by viscosity, the
- * correctors would diverge for a shear above 1/sqrt(8): their factor solves x^2
- * + 2 r x - r = 0, with r the fraction of the non-orthogonal part. With the
- * gradient that balances the momentum equation the factor is -r. */
-FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
-{
-    const double w = fl->mesh->w[f];
-    double rest[3], a[3], b[3];
-
-    oblique_part(fl, f, rest);
-    balancing_gradient(fl, o, a);
-    balancing_gradient(fl, n, b);
-    fl->phi[f] -= fl->pressure->m_face[f] *
-                  (w * dot3(a, rest) + (1.0 - w) * dot3(b, rest));
-}
-
-/* phi without the part of the pressure. The fluxes of walls and inlets are
+/* Sets phi without the part of the pressure. The fluxes of walls and inlets are
  * given. */
 static void predicted_fluxes(struct fluid *fl)
 {
@@ -255,16 +197,13 @@ static void predicted_fluxes(struct fluid *fl)
 
     FOR_EACH_FACE(fl->faces, 8, inner_flux, fl);
     if (fl->jump->smooth_force != NULL) face_jump_add_gamma_fluxes(fl);
-    if (m->oblique) FOR_EACH_FACE(fl->faces, 16, non_orthogonal_flux, fl);
-    if (fl->geometry->off != NULL) skewness_add_fluxes(fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++) {
-            const int o = m->owner[f];
+    if (fl->deferred != NULL) fl->deferred->add_to_fluxes(fl->deferred, fl);
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const int o = m->owner[f];
+        if (b->kind == BOUNDARY_OUTLET)
             fl->phi[f] = pressure->explicit_flux[f] +
                          pressure->m_face[f] * pressure->per_force[o] *
-                             dot3(&fl->momentum->H[3 * o], &m->S[3 * f]);
-        }
+                             vector_dot(&fl->momentum->H[3 * o], &m->S[3 * f]);
     }
 }
 
@@ -273,7 +212,7 @@ FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
     return -out * phi[f];
 }
 
-/* The residual of continuity of these fluxes, to be corrected by p. */
+/* Sets the residual of continuity of these fluxes, the right-hand side. */
 static void rhs_rows(int first, int last, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -305,10 +244,10 @@ static double scale_rows(int first, int last, const struct fluid *fl)
                         pressure->divergence);
 }
 
-/* The right-hand side of the pressure equation. In the first corrector of a
- * step also the 2-norm of the sums of |phi| of the cells, the scale of its
- * residual; where nothing flows in that one yet, because a force is added after
- * it, in the first in which something flows. */
+/* Sets the right-hand side of the pressure equation; and in the first corrector
+ * of a step the scale of its residual, which is the 2-norm of the sums of |phi|
+ * of the cells. If this is zero, because a force is added only later, it is set
+ * in the first corrector in which there are fluxes. */
 static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -321,12 +260,10 @@ static void pressure_rhs(struct fluid *fl)
         pressure->scale = sqrt(squares);
     }
     PARALLEL_RANGES(m->n_cells, 8, rhs_rows, fl);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_OUTLET)
             pressure->divergence[m->owner[f]] +=
-                pressure->conductance[f] * fl->options.boundaries[i].pressure;
-    }
+                pressure->conductance[f] * b->pressure;
 }
 
 FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
@@ -337,18 +274,14 @@ FACE_KERNEL inner_pressure_flux(int f, int o, int n, const double *conductance,
 
 static void add_pressure_fluxes(struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
     const struct pressure_system *const pressure = fl->pressure;
 
     FOR_EACH_FACE(fl->faces, 4, inner_pressure_flux, pressure->conductance,
                   fl->p, fl->phi);
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        const double outside = fl->options.boundaries[i].pressure;
-        for (int f = p->first; f < p->first + p->n && is_outlet(fl, i); f++)
-            fl->phi[f] -=
-                pressure->conductance[f] * (outside - fl->p[m->owner[f]]);
-    }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f)
+        if (b->kind == BOUNDARY_OUTLET)
+            fl->phi[f] -= pressure->conductance[f] *
+                          (b->pressure - fl->p[fl->mesh->owner[f]]);
 }
 
 struct solve_report pressure_correct(struct fluid *fl)
@@ -363,10 +296,9 @@ struct solve_report pressure_correct(struct fluid *fl)
     const double absolute = fl->options.tolerance * pressure->scale;
     const struct shared_solution *const shared = fl->options.shared;
     const struct solve_report report =
-        shared != NULL
-            ? shared->pressure(shared->parts, fl, relative, absolute)
-            : cg_reduce(NULL, pressure->mg, pressure->divergence, fl->p,
-                        relative, absolute, 500, pressure->cg);
+        shared != NULL ? shared->pressure(shared->parts, fl, relative, absolute)
+                       : cg_solve(pressure->matrix, pressure->divergence, fl->p,
+                                  relative, absolute, 500, pressure->cg);
     add_pressure_fluxes(fl);
     return report;
 }

@@ -9,7 +9,7 @@
 
 #include "fluid/fluid.h"
 #include "linear/cg.h"
-#include "linear/multigrid.h"
+#include "linear/preconditioned.h"
 
 struct pressure_system {
     double *per_force;  /* [1/m^3] 1 / (gamma V) */
@@ -28,7 +28,7 @@ struct pressure_system {
                         faces of each cell */
     int pinned_cell; /* cell whose pressure is fixed, or -1 if there is an
                         outlet */
-    struct multigrid *mg;
+    struct preconditioned matrix;
     struct cg_work *cg;
 };
 
@@ -47,9 +47,10 @@ double continuity_residual(struct fluid *fl);
 
 /* gradient.c: gradient_begin computes the parts of p_face and grad_p that do
  * not change during a step, gradient_update p_face and grad_p from p, phi and
- * the forces. */
+ * the forces, gradient_of_faces grad_p from p_face alone. */
 void gradient_begin(struct fluid *fl);
 void gradient_update(struct fluid *fl);
+void gradient_of_faces(struct fluid *fl);
 
 /* mean_gradient.c: 1 if the pressure has a mean gradient beside p; adapts it to
  * the prescribed mean flow and adds its contribution to the fluxes. */

@@ -8,11 +8,12 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/vector.h"
 #include "linear/faces.h"
+#include "fluid/deferred.h"
 #include "fluid/face_jump.h"
 #include "fluid/momentum_system.h"
 #include "fluid/pressure_system.h"
-#include "fluid/skewness.h"
 #include "fluid/time_levels.h"
 
 static int has(const struct fluid *fl, enum boundary_kind kind)
@@ -25,19 +26,11 @@ static int has(const struct fluid *fl, enum boundary_kind kind)
 /* 1 if a slip wall is not normal to an axis. */
 static int has_inclined_slip(const struct fluid *fl)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const S = &m->S[3 * f];
-            const double least =
-                fmin(fmin(fabs(S[0]) + fabs(S[1]), fabs(S[1]) + fabs(S[2])),
-                     fabs(S[2]) + fabs(S[0]));
-            if (least > 1e-12 * (fabs(S[0]) + fabs(S[1]) + fabs(S[2])))
-                return 1;
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        const double *const S = &fl->mesh->S[3 * f];
+        const double x = fabs(S[0]), y = fabs(S[1]), z = fabs(S[2]);
+        const double least = fmin(fmin(x + y, y + z), z + x);
+        if (b->kind == BOUNDARY_SLIP && least > 1e-12 * (x + y + z)) return 1;
     }
     return 0;
 }
@@ -48,8 +41,8 @@ static int two_steps(const struct fluid_options *o)
     return o->time != NULL && o->time->time_levels > 1;
 }
 
-/* What an array has its numbers for, and when it is needed. */
-enum place { CELL, FACE, INNER_FACE, BOUNDARY_FACE, PLACES };
+/* What an array has a number for, and the condition under which it exists. */
+enum place { CELL, FACE, INNER_FACE, PLACES };
 enum need {
     ALWAYS,
     COUPLED,    /* with particles */
@@ -58,7 +51,6 @@ enum need {
     SLIP_WALLS, /* at least one */
     TWO_STEPS,  /* in a two-step scheme */
     OWN_FLUX,   /* if momentum is not convected by the last step's flux */
-    GRADIENTS,  /* if a scheme uses more than two cells */
     NEEDS
 };
 
@@ -100,8 +92,6 @@ static int list_arrays(struct fluid *fl, struct array list[MOST_ARRAYS])
         {&fl->momentum->slip, 3, CELL, SLIP_WALLS},
         {&fl->momentum->slip_implicit, 3, CELL, SLIP_WALLS},
         {&fl->momentum->owner_weight, 1, INNER_FACE, ALWAYS},
-        {&fl->momentum->velocity_gradient, 9, CELL, GRADIENTS},
-        {&fl->momentum->u_boundary, 3, BOUNDARY_FACE, GRADIENTS},
         {&fl->pressure->per_force, 1, CELL, ALWAYS},
         {&fl->pressure->resistance, 1, CELL, ALWAYS},
         {&fl->pressure->per_flux, 1, CELL, ALWAYS},
@@ -139,18 +129,15 @@ static void allocate_arrays(struct fluid *fl)
     const struct mesh *const m = fl->mesh;
     const struct fluid_options *const o = &fl->options;
     const int biased = piso_nondissipative(fl);
-    const int count[PLACES] = {[CELL] = m->n_cells,
-                               [FACE] = m->n_faces,
-                               [INNER_FACE] = m->n_internal,
-                               [BOUNDARY_FACE] = m->n_faces - m->n_internal};
+    const int count[PLACES] = {
+        [CELL] = m->n_cells, [FACE] = m->n_faces, [INNER_FACE] = m->n_internal};
     const int needed[NEEDS] = {[ALWAYS] = 1,
                                [COUPLED] = o->coupled,
                                [BIASED] = biased,
                                [SMOOTH] = biased && o->pressure_shared,
                                [SLIP_WALLS] = has(fl, BOUNDARY_SLIP),
                                [TWO_STEPS] = two_steps(o),
-                               [OWN_FLUX] = ddt_uses_new_time(o),
-                               [GRADIENTS] = deferred_correction_exists(fl)};
+                               [OWN_FLUX] = ddt_uses_new_time(o)};
     struct array list[MOST_ARRAYS];
     const int n = list_arrays(fl, list);
 
@@ -172,9 +159,9 @@ static void free_arrays(struct fluid *fl)
 static void fill_geometry(struct face_geometry *g, const struct mesh *m)
 {
     for (int f = 0; f < m->n_faces; f++) {
-        const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-        g->SS[f] = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-        g->Sd[f] = S[0] * d[0] + S[1] * d[1] + S[2] * d[2];
+        const double *const S = &m->S[3 * f];
+        g->SS[f] = vector_dot(S, S);
+        g->Sd[f] = vector_dot(S, &m->d[3 * f]);
         g->face_coefficient[f] = g->SS[f] / g->Sd[f];
     }
 }
@@ -207,17 +194,17 @@ void systems_create(struct fluid *fl)
     fl->faces = faces_of(m);
     allocate_arrays(fl);
     fill_geometry(fl->geometry, m);
-    fl->geometry->off = skewness_of(m);
-    fl->geometry->normal_equations =
-        skewness_normal_equations(m, fl->geometry->off);
+    fl->geometry->reach = boundary_reach(m, fl->options.boundaries);
+    for (int i = 0; deferred_kinds[i] != NULL && fl->deferred == NULL; i++)
+        fl->deferred = deferred_kinds[i]->create(fl);
     fl->momentum->matrix =
         ldu_create(n, m->n_internal, m->owner, m->neighbour, fl->faces->pieces);
     fl->momentum->oblique_slip = has_inclined_slip(fl);
     fl->pressure->pinned_cell = has(fl, BOUNDARY_OUTLET) ? -1 : 0;
     if (fl->options.shared == NULL)
-        fl->pressure->mg =
-            multigrid_create(n, m->n_internal, m->owner, m->neighbour,
-                             fl->geometry->face_coefficient, m->d, m->V);
+        fl->pressure->matrix =
+            preconditioned_create(n, m->n_internal, m->owner, m->neighbour,
+                                  fl->geometry->face_coefficient, m->d, m->V);
     fl->pressure->cg = cg_work_create(n);
     fl->momentum->bicgstab = bicgstab_work_create(n);
 }
@@ -226,8 +213,9 @@ void systems_free(struct fluid *fl)
 {
     ldu_free(fl->momentum->matrix);
     bicgstab_work_free(fl->momentum->bicgstab);
-    multigrid_free(fl->pressure->mg);
+    preconditioned_free(fl->pressure->matrix);
     cg_work_free(fl->pressure->cg);
+    if (fl->deferred != NULL) fl->deferred->free(fl->deferred);
     free_arrays(fl);
     faces_release(fl->faces);
     free(fl->faces);
@@ -235,7 +223,6 @@ void systems_free(struct fluid *fl)
     free(fl->pressure);
     free(fl->jump);
     free(fl->levels);
-    free(fl->geometry->off);
-    free(fl->geometry->normal_equations);
+    free(fl->geometry->reach);
     free(fl->geometry);
 }

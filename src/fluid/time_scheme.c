@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fluid/time_scheme.h"
 
-#include <stddef.h>
-#include <string.h>
+#include "base/model.h"
 
 static struct time_weights weights_euler(double r)
 {
@@ -37,9 +36,4 @@ const struct time_scheme time_scheme_bdf2 = {
     .weights = weights_bdf2,
 };
 
-const struct time_scheme *time_scheme_named(const char *name)
-{
-    for (int i = 0; time_schemes[i] != NULL; i++)
-        if (strcmp(time_schemes[i]->name, name) == 0) return time_schemes[i];
-    return NULL;
-}
+MODEL_NAMED(time_scheme)

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "base/parallel_ranges.h"
+#include "base/vector.h"
 #include "linear/vec3.h"
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
@@ -16,31 +17,25 @@
  * is not normal to an axis, is explicit, with the present velocity. */
 static void add_slip_residual(const struct fluid *fl, double *right)
 {
-    const struct mesh *const m = fl->mesh;
-
-    for (int i = 0; i < m->n_patches; i++) {
-        const struct patch *const p = &m->patches[i];
-        if (fl->options.boundaries[i].kind != BOUNDARY_SLIP) continue;
-        for (int f = p->first; f < p->first + p->n; f++) {
-            const double *const S = &m->S[3 * f];
-            const double *const u = &fl->u[3 * m->owner[f]];
-            const double SS = S[0] * S[0] + S[1] * S[1] + S[2] * S[2];
-            const double Su = S[0] * u[0] + S[1] * u[1] + S[2] * u[2];
-            const double D = fl->options.mu * fl->geometry->face_coefficient[f];
-            for (int k = 0; k < 3; k++)
-                right[3 * m->owner[f] + k] -=
-                    D * S[k] * (Su - S[k] * u[k]) / SS;
-        }
+    FOR_EACH_BOUNDARY_FACE (fl, b, j, f) {
+        if (b->kind != BOUNDARY_SLIP) continue;
+        const int c = fl->mesh->owner[f];
+        const double *const S = &fl->mesh->S[3 * f], *const u = &fl->u[3 * c];
+        const double Su = vector_dot(S, u);
+        const double D = fl->options.mu * fl->geometry->face_coefficient[f];
+        for (int k = 0; k < 3; k++)
+            right[3 * c + k] -=
+                D * S[k] * (Su - S[k] * u[k]) / fl->geometry->SS[f];
     }
 }
 
-/* Blocks of cells whose data fit into the first-level cache. */
+/* The end of a block of cells whose data fit into the first-level cache. */
 static int block_end(int first, int last)
 {
     return first + VEC3_BLOCK < last ? first + VEC3_BLOCK : last;
 }
 
-/* gamma V of a block's cells, three times each. */
+/* gamma V of the cells of a block, three times each [m^3]. */
 static void spread_gamma_volumes(int first, int last, const struct fluid *fl,
                                  double *weight3)
 {

@@ -14,15 +14,17 @@
 #include "mesh/mesh.h"
 
 /* Fills slope, 9 a cell: [9 * c + 3 * k + j] is d u_k / d x_j [1/s]. u: 3 a
- * cell; u_b: 3 a boundary face, from that face's first on [m/s]. */
+ * cell; u_b: 3 a boundary face, from the first of them on [m/s], and reach [m]
+ * likewise the vector from the centre of the cell to where u_b is the velocity;
+ * NULL: the middle of the face. */
 struct velocity_gradient_scheme {
     const char *name;                   /* as a case spells it */
     const char *what;                   /* one line */
     const char *equations;              /* keys in chapters/references.md */
     const char *function;               /* the one that computes it */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
-    void (*fill)(const struct mesh *m, const double *u, const double *u_b,
-                 double *slope);
+    void (*fill)(const struct mesh *m, const double *reach, const double *u,
+                 const double *u_b, double *slope);
 };
 
 /* The key that chooses one, for the schemes of convection that use it. */

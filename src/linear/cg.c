@@ -8,7 +8,6 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 struct cg_work {
     int n;
@@ -37,15 +36,6 @@ void cg_work_free(struct cg_work *w)
     free(w);
 }
 
-/* y = A x; returns x.y */
-static double multiply(const struct csr *A, const struct multigrid *mg,
-                       const double *x, double *y)
-{
-    if (mg != NULL) return multigrid_multiply(mg, x, y);
-    csr_multiply(A, x, y);
-    return reduce_dot(A->n, x, y);
-}
-
 /* r = b - r over a range; returns its part of r.r */
 static double subtract(int first, int last, const double *b, double *r)
 {
@@ -55,35 +45,14 @@ static double subtract(int first, int last, const double *b, double *r)
 }
 
 /* r = b - A x; returns r.r */
-static double residual(const struct csr *A, const struct multigrid *mg,
-                       const double *b, const double *x,
-                       const struct cg_work *w)
+static double residual(struct preconditioned A, const double *b,
+                       const double *x, const struct cg_work *w)
 {
     double rr;
 
-    multiply(A, mg, x, w->r);
+    A.kind->multiply(A.matrix, x, w->r);
     PARALLEL_SUM(rr, w->n, 1, subtract, b, w->r);
     return rr;
-}
-
-/* z = r / diag over a range; returns its part of r.z */
-static double jacobi(int first, int last, const double *diag, const double *r,
-                     double *z)
-{
-    for (int i = first; i < last; i++)
-        z[i] = r[i] / diag[i];
-    return reduce_range(first, last, r, z);
-}
-
-/* z = M r; returns r.z */
-static double precondition(const struct csr *A, struct multigrid *mg,
-                           const double *r, double *z)
-{
-    double rz;
-
-    if (mg != NULL) return multigrid_apply(mg, r, z);
-    PARALLEL_SUM(rz, A->n, 1, jacobi, A->diag, r, z);
-    return rz;
 }
 
 /* p = z + beta p over a range */
@@ -108,20 +77,20 @@ static double advance(int first, int last, double alpha, struct cg_work *w,
     return reduce_range(first, last, r, r);
 }
 
-/* The iteration, until |r| <= target. Returns the last |r|. */
-static double iterate(const struct csr *A, struct multigrid *mg, double *x,
-                      double rr, double target, int max_iterations,
-                      struct cg_work *w, int *iterations)
+/* Iterates until |r| <= target; returns the last |r|. */
+static double iterate(struct preconditioned A, double *x, double rr,
+                      double target, int max_iterations, struct cg_work *w,
+                      int *iterations)
 {
     double rz_old = 1.0;
 
     for (int it = 0; it < max_iterations && sqrt(rr) > target; it++) {
-        const double rz = precondition(A, mg, w->r, w->z);
+        const double rz = A.kind->apply(A.matrix, w->r, w->z);
 
         PARALLEL_RANGES(w->n, 1, update_direction, it == 0 ? 0.0 : rz / rz_old,
                         w->z, w->p);
 
-        const double pq = multiply(A, mg, w->p, w->q);
+        const double pq = A.kind->multiply(A.matrix, w->p, w->q);
 
         if (!(pq > 0.0) || !isfinite(rz / pq)) break; /* A not positive */
         PARALLEL_SUM(rr, w->n, 1, advance, rz / pq, w, x);
@@ -131,49 +100,23 @@ static double iterate(const struct csr *A, struct multigrid *mg, double *x,
     return sqrt(rr);
 }
 
-/* Until |b - A x| is below a target and below `enough` of what it is at first,
- * whichever is larger. The square of a residual below sqrt(DBL_MIN), 1.5e-154,
- * has lost its digits: the iteration can mend nothing there, and it counts as
- * zero. */
-static struct solve_report solve(const struct csr *A, struct multigrid *mg,
-                                 const double *b, double *x, double scale,
-                                 double target, double enough,
-                                 int max_iterations, struct cg_work *w)
+/* The square of a residual below sqrt(DBL_MIN), 1.5e-154, has lost its digits:
+ * no iteration can reduce it further. */
+struct solve_report cg_solve(struct preconditioned A, const double *b,
+                             double *x, double reduction, double absolute,
+                             int max_iterations, struct cg_work *w)
 {
     struct solve_report report = {0, 0.0, 0.0, 1};
-    const double rr = residual(A, mg, b, x, w);
-    const double goal = fmax(fmax(target, enough * sqrt(rr)), sqrt(DBL_MIN));
+    const double size = sqrt(reduce_dot(w->n, b, b));
+    const double scale = size > 0.0 ? size : 1.0;
+    const double rr = residual(A, b, x, w);
+    const double target =
+        fmax(fmax(absolute, reduction * sqrt(rr)), sqrt(DBL_MIN));
     const double after =
-        iterate(A, mg, x, rr, goal, max_iterations, w, &report.iterations);
+        iterate(A, x, rr, target, max_iterations, w, &report.iterations);
 
     report.before = sqrt(rr) / scale;
     report.after = after / scale;
-    report.converged = after <= goal;
+    report.converged = after <= target;
     return report;
-}
-
-struct solve_report cg_solve(const struct csr *A, struct multigrid *mg,
-                             const double *b, double *x, double tolerance,
-                             double absolute, int max_iterations,
-                             struct cg_work *w)
-{
-    const double scale = sqrt(reduce_dot(w->n, b, b));
-
-    if (scale == 0.0) {
-        memset(x, 0, (size_t)A->n * sizeof *x);
-        return (struct solve_report){0, 0.0, 0.0, 1};
-    }
-    return solve(A, mg, b, x, scale, fmax(tolerance * scale, absolute), 0.0,
-                 max_iterations, w);
-}
-
-struct solve_report cg_reduce(const struct csr *A, struct multigrid *mg,
-                              const double *b, double *x, double enough,
-                              double absolute, int max_iterations,
-                              struct cg_work *w)
-{
-    const double scale = sqrt(reduce_dot(w->n, b, b));
-
-    return solve(A, mg, b, x, scale > 0.0 ? scale : 1.0, absolute, enough,
-                 max_iterations, w);
 }

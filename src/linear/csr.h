@@ -32,6 +32,12 @@ struct csr *csr_create(int n, int n_links, const int *owner,
                        const int *neighbour);
 void csr_free(struct csr *A);
 
+/* Makes A a matrix of diffusion: the entry -g[l] for each link l, except for
+ * one that joins a cell to itself, and a diagonal such that the row sums are
+ * `sums`.
+ */
+void csr_set_diffusion(struct csr *A, const double *g, const double *sums);
+
 /* y = A x. x and y do not overlap, here and below. */
 void csr_multiply(const struct csr *A, const double *x, double *y);
 
@@ -39,14 +45,11 @@ void csr_multiply(const struct csr *A, const double *x, double *y);
  * once for all fields. */
 void csr_multiply_many(const struct csr *A, int m, const double *x, double *y);
 
-/* Computes the same product, but each field has its own diagonal, diag[m * i +
- * k], in place of A->diag. If diag is NULL, only the off-diagonal part is
- * applied. */
-void csr_multiply_each(const struct csr *A, int m, const double *diag,
-                       const double *x, double *y);
-
-/* Computes rows first .. last - 1 of the same product, for a caller that uses
- * them while they are still in the cache. */
+/* Rows first .. last - 1 of the same product, for a caller that uses them while
+ * they are still in the cache; but each field has its own diagonal, diag[m * i
+ * + k], in place of A->diag. Without diag (NULL) the product has no diagonal
+ * part.
+ */
 void csr_rows_each(int first, int last, const struct csr *A, int m,
                    const double *diag, const double *x, double *y);
 

@@ -46,7 +46,7 @@ void ldu_update(struct ldu *A)
     if (A->rows != NULL) PARALLEL_RANGES(A->n_links, 2, fill_rows, A);
 }
 
-/* The entries of a piece's rows, as they lie. */
+/* The entries of the rows of a piece, which are contiguous. */
 static const double *entries(const struct ldu *A, const struct face_piece *p)
 {
     return (p->out > 0.0 ? A->upper : A->lower) + p->face;
@@ -96,10 +96,4 @@ void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
     while (A->pieces->next_of_cells(A->pieces, first, last, &p) &&
            is_inner(A, &p))
         vec3_add(p.n, 1.0, entries(A, &p), x + 3L * p.other, y + 3L * p.cell);
-}
-
-void ldu_multiply(const struct ldu *A, const double *diag3, const double *x,
-                  double *y)
-{
-    PARALLEL_RANGES(A->n, 12, ldu_rows, A, diag3, x, y);
 }

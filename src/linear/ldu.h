@@ -37,11 +37,9 @@ void ldu_update(struct ldu *A);
 /* sum[i] = the entries of row i, for first <= i < last. */
 void ldu_row_sums(int first, int last, const struct ldu *A, double *sum);
 
-/* y = A x, where x and y do not overlap; if diag3 is NULL, the product has no
- * diagonal part. ldu_rows computes rows first .. last - 1 only, for a caller
- * that uses them while they are still in the cache. */
-void ldu_multiply(const struct ldu *A, const double *diag3, const double *x,
-                  double *y);
+/* Rows first .. last - 1 of y = A x, where x and y do not overlap, for a caller
+ * that uses them while they are still in the cache. Without diag3 (NULL) the
+ * product has no diagonal part. */
 void ldu_rows(int first, int last, const struct ldu *A, const double *diag3,
               const double *x, double *y);
 

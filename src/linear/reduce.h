@@ -12,9 +12,6 @@ enum { REDUCE_FIELDS = 16 }; /* at most, side by side */
 double reduce_dot(int n, const double *x, const double *y);
 double reduce_range(int first, int last, const double *x, const double *y);
 
-/* The root of the mean of x_i^2. */
-double reduce_rms(int n, const double *x);
-
 /* dot[k] = sum_i x[m * i + k] y[m * i + k] for m fields side by side. */
 void reduce_dot_many(int n, int m, const double *x, const double *y,
                      double *dot);

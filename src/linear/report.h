@@ -8,8 +8,8 @@
 struct solve_report {
     int iterations;
     double before, after; /* [-] 2-norm of b - A x over its scale |b|_2, at
-                             entry and at return; both 0 if b = 0 */
-    int converged;        /* 1: |b - A x| <= max(tolerance |b|, absolute) */
+                             entry and at return */
+    int converged;        /* 1: |b - A x| is not above what was asked for */
 };
 
 #endif

@@ -22,16 +22,6 @@ static void shape_free(struct mesh_shape *s)
     free(s);
 }
 
-static void bins_free(struct mesh_bins *b)
-{
-    if (b == NULL) return;
-    free(b->start);
-    free(b->member);
-    free(b->begin);
-    free(b->plane);
-    free(b);
-}
-
 void mesh_free(struct mesh *m)
 {
     if (m == NULL || m->reference_count-- > 0) return;
@@ -49,7 +39,7 @@ void mesh_free(struct mesh *m)
     free(m->face_centre);
     free(m->periodic_index);
     shape_free(m->shape);
-    bins_free(m->bins);
+    if (m->search != NULL) m->search->free(m->search);
     for (int k = 0; k < 3; k++)
         free(m->box.edge[k]);
     free(m);
@@ -75,8 +65,9 @@ double mesh_period(const struct mesh *m, int k)
     return 0.0;
 }
 
-/* The interval of the edges that holds x: half open, the last one closed.
- * Starts from where x would lie among equal cells and walks. -1 outside. */
+/* The interval of the edges that contains x, or -1 outside. An interval
+ * contains its lower end, and the last one both. The search begins with the
+ * interval in which x would be if all were equal. */
 static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
@@ -90,7 +81,7 @@ static int interval_at(const double *edge, int n, double x)
     return i;
 }
 
-/* x moved by whole periods into [lo, hi). */
+/* x, moved by whole periods into [lo, hi). */
 static double wrapped(double x, double lo, double hi)
 {
     const double y = x - (hi - lo) * floor((x - lo) / (hi - lo));
@@ -104,7 +95,7 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
     double offset[3];
     int at[3];
 
-    if (m->face_centre != NULL) return mesh_cell_and_offset(m, point, offset);
+    if (m->search != NULL) return m->search->cell(m, point, offset);
     for (int k = 0; k < 3; k++) {
         const double lo = b->edge[k][0], hi = b->edge[k][b->n[k]];
         const double q = b->periodic[k] ? wrapped(point[k], lo, hi) : point[k];
@@ -112,6 +103,19 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z)
         if (at[k] < 0) return -1;
     }
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
+}
+
+int mesh_cell_and_offset(const struct mesh *m, const double x[3],
+                         double offset[3])
+{
+    if (m->search != NULL) return m->search->cell(m, x, offset);
+    const int c = mesh_cell_at(m, x[0], x[1], x[2]);
+    for (int k = 0; k < 3 && c >= 0; k++) {
+        const double period = mesh_period(m, k);
+        offset[k] = x[k] - m->centre[3 * c + k];
+        if (period > 0.0) offset[k] -= period * rint(offset[k] / period);
+    }
+    return c;
 }
 
 const struct patch *mesh_patch(const struct mesh *m, const char *name)
@@ -135,7 +139,7 @@ void mesh_allocate(struct mesh *m)
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 
-/* Whether a component of a is larger than this part of b. */
+/* 1 if a component of a is larger than `part` times the length of b. */
 static int larger(const double a[3], double part, const double b[3])
 {
     const double most = part * part * vector_dot(b, b);
@@ -143,7 +147,6 @@ static int larger(const double a[3], double part, const double b[3])
     return a[0] * a[0] > most || a[1] * a[1] > most || a[2] * a[2] > most;
 }
 
-/* For each cell its faces in ascending order. */
 void mesh_collect_faces(struct mesh *m)
 {
     int *const fill = alloc_ints(m->n_cells + 1);
@@ -167,27 +170,22 @@ void mesh_collect_faces(struct mesh *m)
     }
     free(fill);
     for (int f = 0; f < m->n_internal; f++) {
-        double rest[3];
-        mesh_oblique_part(m, f, rest);
-        if (larger(rest, 1e-10, &m->S[3 * f])) m->oblique = 1;
+        double oblique[3];
+        mesh_oblique_part(m, f, oblique);
+        if (larger(oblique, 1e-10, &m->S[3 * f])) m->oblique = 1;
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
-        mesh_off_middle(m, f, off);
-        if (larger(off, 1e-6, &m->d[3 * f])) m->skewed = 1;
+        if (mesh_misses_middle(m, f, off)) m->skewed = 1;
     }
     for (int c = 0; c < m->n_cells && m->skewed; c++)
         if (m->cell_start[c + 1] - m->cell_start[c] == 4) m->skewed = 2;
 }
 
-void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
+void mesh_oblique_part(const struct mesh *m, int f, double oblique[3])
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    const double ratio = (S[0] * S[0] + S[1] * S[1] + S[2] * S[2]) /
-                         (S[0] * d[0] + S[1] * d[1] + S[2] * d[2]);
-
-    for (int k = 0; k < 3; k++)
-        rest[k] = S[k] - ratio * d[k];
+    vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, oblique);
 }
 
 void mesh_off_middle(const struct mesh *m, int f, double off[3])
@@ -200,6 +198,12 @@ void mesh_off_middle(const struct mesh *m, int f, double off[3])
         for (int k = 0; k < 3; k++)
             off[k] = m->face_centre[3 * f + k] -
                      m->centre[3 * m->owner[f] + k] - (1.0 - m->w[f]) * d[k];
+}
+
+int mesh_misses_middle(const struct mesh *m, int f, double off[3])
+{
+    mesh_off_middle(m, f, off);
+    return larger(off, 1e-6, &m->d[3 * f]);
 }
 
 int mesh_dimensions(const struct mesh *m)
@@ -217,7 +221,7 @@ double mesh_openness(const struct mesh *m)
             const double *const S = &m->S[3 * m->cell_face[a]];
             for (int k = 0; k < 3; k++)
                 sum[k] += m->out[a] * S[k];
-            surface += sqrt(S[0] * S[0] + S[1] * S[1] + S[2] * S[2]);
+            surface += vector_length(S);
         }
         const double open = fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2]);
         if (surface > 0.0) worst = fmax(worst, open / surface);

@@ -1,12 +1,12 @@
-/* mesh.h -- space as a list of faces.
+/* mesh.h -- a mesh as a list of faces.
  * Chapter "The mesh".
  *
  * A face has an owner and, inside, a neighbour; its area vector S points from
  * the owner to the neighbour, or out of the domain. What leaves one cell
- * through a face enters the other, so a loop over faces conserves what it
- * transports. A periodic face is an ordinary face whose link vector d includes
- * the period: only d, never the difference of two centres, gives the distance
- * between two cells.
+ * through a face enters the other, so a sum over faces is conservative. A
+ * periodic face is an ordinary face whose link vector d includes the period:
+ * only d, never the difference of two centres, gives the distance between two
+ * cells.
  *
  * Faces 0 .. n_internal-1 have a neighbour; the faces of each patch follow. The
  * components of vectors on cells and faces are interleaved: the k-th component
@@ -26,7 +26,8 @@ struct patch {
     int is_symmetry; /* [-] 1: a symmetry plane by default */
 };
 
-/* The regular structure of a box, used to locate cells and to write files. */
+/* The regular structure of a box, with which cells are located and files
+ * written. */
 struct box {
     int n[3];        /* [-] cells per direction */
     int periodic[3]; /* [-] 1 where the two ends are one */
@@ -41,24 +42,18 @@ struct mesh_shape {
     int *start, *corner; /* [-] n_polygons + 1; the points of each */
     int *cell_start;     /* [-] n_cells + 1; the polygons of each cell are */
     int *polygon;        /* [-] polygon[cell_start[c]] ... */
-    int *turned;         /* [-] beside it: 1 if its corners go round with the
-                            normal out of the cell, -1 if into it */
+    int *turned;         /* [-] beside it: 1 if the normal by the order of its
+                            corners points out of the cell, -1 if into it */
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 
-/* The cells that may contain a point: a grid of bins, and for each bin the
- * cells whose bounding boxes overlap it. */
-struct mesh_bins {
-    int n[3];
-    double inverse[3];   /* [1/m] of a bin's width */
-    int *start, *member; /* [-] the cells of a bin, ascending */
-    int *begin; /* [-] the cell whose centre is nearest to that of the bin; or
-                   -1 */
-    double *
-        plane; /* [-], [m] beside cell_face, 4 each: the normal out of the cell,
-                  and its product with the face centre relative to this cell */
-    double tiny;  /* [m] a point closer than this to a face counts as inside */
-    double slack; /* [m] gaps between warped faces are no wider */
+struct mesh;
+
+/* How the cell of a point is found in a mesh that is not a box: the cell, or -1
+ * outside, and the vector as in mesh_cell_and_offset. */
+struct mesh_search {
+    int (*cell)(const struct mesh *m, const double x[3], double offset[3]);
+    void (*free)(struct mesh_search *self);
 };
 
 struct mesh {
@@ -70,7 +65,7 @@ struct mesh {
     double *S;      /* [m^2] area vector, 3 a face */
     double *d;      /* [m] owner to neighbour centre (boundary: to the face
                        centre), 3 a face */
-    double *w;      /* [-] share of the owner in a linear face value
+    double *w;      /* [-] weight of the owner in a linear face value
                        (boundary: 0, the face has a value of its own) */
     int n_patches;
     struct patch *patches;
@@ -81,13 +76,13 @@ struct mesh {
     int oblique;     /* 1: some link vector d is not normal to its face */
     int skewed;      /* 1: some link misses the middle of its face; 2: and some
                         cell is a tetrahedron */
-    double lo[3], hi[3]; /* [m] the smallest box around it */
+    double lo[3], hi[3]; /* [m] the smallest box around the mesh */
     int reference_count; /* [-] number of further owners, each of which calls
                             mesh_free */
     /* The following are set for polyhedral meshes only; else NULL and 0. */
     double *face_centre; /* [m] of each face, 3; on the owner's side */
     struct mesh_shape *shape;
-    struct mesh_bins *bins;
+    struct mesh_search *search;
     int n_periods;
     double period[3][3]; /* [m] shifts that lead from one end to the other */
     int *periodic_index; /* [-] n_internal, NULL without periods: k + 1 if the
@@ -112,7 +107,8 @@ struct mesh *mesh_create_box(const struct box_spec *spec);
  * and is all that the checks before a run need. */
 struct mesh *mesh_outline_box(const struct box_spec *spec);
 
-/* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
+/* An upper bound of the number of faces of such a box, which must not exceed
+ * MESH_MOST_FACES [-]. */
 double mesh_box_faces(const struct box_spec *spec);
 
 void mesh_free(struct mesh *m);
@@ -125,20 +121,13 @@ struct mesh *mesh_retain(struct mesh *m);
  * cell; in a periodic direction the point is first moved into the box. */
 int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 
-/* The same on any mesh, by a walk from cell to cell that begins in a nearby
- * cell: each step crosses the face that the point is farthest beyond, until the
- * point is beyond none. If the walk fails (around a hole, or out of a concave
- * region), all cells of the point's bin are tested. -1 outside. */
-int mesh_cell_from(const struct mesh *m, int begin, double x, double y,
-                   double z);
-
 /* mesh_cell_at, and the vector from the centre of the cell to the point, across
  * a period if need be [m]; the vector is not set if the point is outside. */
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
                          double offset[3]);
 
-/* The volumes of the smallest, the largest and the mean cell, also of an
- * outline [m^3]. */
+/* The volumes of the smallest and of the largest cell, and the mean of all
+ * [m^3]; of an outline, too. */
 void mesh_volumes(const struct mesh *m, double *least, double *most,
                   double *mean);
 
@@ -163,17 +152,19 @@ double mesh_period(const struct mesh *m, int k);
  * non-orthogonal, or misses the middle of its face. */
 void mesh_allocate(struct mesh *m);
 void mesh_collect_faces(struct mesh *m);
-/* Requires everything else to be set; no corner is farther from the plane of
- * its face than slack [m]. */
-void mesh_bins_create(struct mesh *m, double slack);
 
 /* S - d S.S / S.d: the non-orthogonal part of the area vector of inner face f
  * [m^2]. */
-void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
+void mesh_oblique_part(const struct mesh *m, int f, double oblique[3]);
 
-/* From where the link of a face inside crosses it to its middle; of a boundary
- * face the part of its link along it [m]. */
+/* off = the vector to the centre of inner face f from the point where the link
+ * crosses it; of a boundary face, the part of its link that is parallel to it
+ * [m].
+ */
 void mesh_off_middle(const struct mesh *m, int f, double off[3]);
+
+/* The same, and whether it is more than 1e-6 of the link [-]. */
+int mesh_misses_middle(const struct mesh *m, int f, double off[3]);
 
 /* The directions with more than one cell: 1, 2 or 3 (0 for a single cell). */
 int mesh_dimensions(const struct mesh *m);

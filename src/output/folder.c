@@ -3,283 +3,46 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "output/manifest.h"
+#include "output/folder_owner.h"
 
-#include <assert.h>
-#include <dirent.h>
-#include <errno.h>
-#include <fcntl.h>
-#include <fnmatch.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-static const char manifest[] = "manifest.txt";
-static const char ahead[] = "checkpoint.ahead";
-
-/* Patterns of all files that a run may write, folder by folder. */
-static const char *const below[] = {
-    ".",        "fluid",  "particles",   "surfaces",     "picture",
-    "profiles", "frames", "statistics",  "walls",        "contacts",
-    "case",     "bodies", "body_clumps", "body_surfaces"};
-static const char *const ours[] = {"./summary.json",
-                                   "./history.csv",
-                                   "./probes.csv",
-                                   "./surfaces.csv",
-                                   "./bodies.csv",
-                                   "./bodies.pvd",
-                                   "bodies/bodies_*.vtp",
-                                   "./body_*.pvd",
-                                   "body_*/body_*.vtp",
-                                   "./forces.csv",
-                                   "./walls.pvd",
-                                   "./contacts.pvd",
-                                   "walls/walls_*.vtp",
-                                   "contacts/contacts_*.vtp",
-                                   "./bed.png",
-                                   "./fluid.pvd",
-                                   "./particles.pvd",
-                                   "./surfaces.pvd",
-                                   "fluid/fluid_*vt?",
-                                   "particles/particles_*vtp",
-                                   "surfaces/surfaces_*.vtp",
-                                   "picture/particles.txt",
-                                   "picture/void_fraction.txt",
-                                   "picture/flow.txt",
-                                   "picture/walls.txt",
-                                   "picture/streamlines.txt",
-                                   "picture/bed.gp",
-                                   "picture/gnuplot.log",
-                                   "./bed.gif",
-                                   "frames/frame_*.txt",
-                                   "frames/bed.gp",
-                                   "frames/gnuplot.log",
-                                   "profiles/*.csv",
-                                   "statistics/*.csv",
-                                   "statistics/summary.json",
-                                   "./case.cfg",
-                                   "case/*",
-                                   "./checkpoint",
-                                   "./checkpoint.before",
-                                   "./checkpoint.*.?"};
-enum {
-    N_BELOW = sizeof below / sizeof below[0],
-    N_OURS = sizeof ours / sizeof ours[0]
-};
 
 struct folder {
     char *dir;
-    size_t there; /* [bytes] of dir that were a folder before */
-    char *path;   /* of the manifest */
-    int here;     /* descriptor of the folder; negative: not open */
-    int file;     /* of the manifest, locked; negative: not open */
-    int fresh;    /* [-] 1: the manifest was not there before */
-    int resumes;  /* [-] 1: what is listed already stays as it is */
-    int headed;   /* [-] 1: the manifest has its head already */
-    int quiet;    /* [-] 1: what is removed is not told */
-    off_t length; /* [bytes] of the manifest, whole lines */
-    struct manifest old;
+    void *own;   /* of the owner */
+    int resumes; /* [-] 1: tables that are there are continued */
+    int quiet;   /* [-] 1: what is removed is not told */
 };
 
-static int complaint(const char *what, const char *path)
+/* NULL: nothing keeps the folder for this run. */
+static const struct folder_owner *owner(void)
 {
-    fprintf(stderr, "winnow: cannot %s %s: %s\n", what, path, strerror(errno));
-    return 1;
-}
-
-/* --- ownership of the folder ---------------------------------------------- */
-
-/* The length of the part of the path that exists already. */
-static size_t length_there(const char *dir)
-{
-    char *const part = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
-    size_t n = strlen(part);
-    struct stat s;
-
-    while (n > 0 && stat(part, &s) != 0) {
-        while (n > 0 && part[n - 1] == '/')
-            n--;
-        while (n > 0 && part[n - 1] != '/')
-            n--;
-        part[n] = '\0';
-    }
-    free(part);
-    return n;
-}
-
-/* Non-zero after a message if another process has the lock. */
-static int lock(struct folder *f)
-{
-    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-
-    if (fcntl(f->file, F_SETLK, &l) == 0) return 0;
-    f->fresh = 0;
-    if (errno != EACCES && errno != EAGAIN) return complaint("lock", f->path);
-    fcntl(f->file, F_GETLK, &l);
-    fprintf(stderr,
-            "winnow: another run (process %ld) writes into %s; wait for its "
-            "end, or choose another folder with -o\n",
-            (long)l.l_pid, f->dir);
-    return 1;
-}
-
-/* The manifest may have been removed between our opening and our lock. */
-static int is_still_there(const struct folder *f)
-{
-    struct stat own, named;
-
-    return fstat(f->file, &own) == 0 &&
-           fstatat(f->here, manifest, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
-           own.st_ino == named.st_ino && own.st_dev == named.st_dev;
-}
-
-static int open_manifest(struct folder *f)
-{
-    const int how = O_RDWR | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-
-    f->file = openat(f->here, manifest, how | O_CREAT | O_EXCL, 0666);
-    f->fresh = f->file >= 0;
-    if (f->file < 0 && errno == EEXIST)
-        f->file = openat(f->here, manifest, how);
-    return f->file < 0 && errno != ENOENT ? complaint("write", f->path) : 0;
-}
-
-static int take(struct folder *f)
-{
-    if (file_make_dirs(f->dir) != 0) return 1;
-    f->here = open(f->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (f->here < 0) return complaint("open the folder", f->dir);
-    for (int turn = 0; turn < 100; turn++) {
-        if (open_manifest(f) != 0) return 1;
-        if (f->file < 0) continue; /* removed, since it existed */
-        if (lock(f) != 0) return 1;
-        if (is_still_there(f)) return 0;
-        close(f->file);
-        f->file = -1;
-    }
-    errno = ENOENT;
-    return complaint("write", f->path);
-}
-
-/* --- contents of the folder ----------------------------------------------- */
-
-static int is_ours(const char *name)
-{
-    char *const whole = file_join(".", name);
-    int found = 0;
-
-    for (int i = 0; i < N_OURS && !found; i++)
-        found = fnmatch(ours[i], strchr(name, '/') != NULL ? name : whole,
-                        FNM_PATHNAME) == 0;
-    free(whole);
-    return found;
-}
-
-static int is_foreign(const struct folder *f, const char *name)
-{
-    const char *const end = strrchr(name, '.');
-
-    if (!is_ours(name) || manifest_has(&f->old, name)) return 0;
-    if (end != NULL && strcmp(end, ".partial") == 0) return 0; /* half of one */
-    if (f->fresh)
-        fprintf(stderr,
-                "winnow: %s is not there, the list of the files of a run: "
-                "without it %s/%s may be another program's; move it away, or "
-                "choose another folder with -o\n",
-                f->path, f->dir, name);
-    else
-        fprintf(stderr,
-                "winnow: %s/%s is in the way: no run that %s tells of has "
-                "written it; move it away, or choose another folder with -o\n",
-                f->dir, name, manifest);
-    return 1;
-}
-
-/* Non-zero after a message if a run would overwrite something there. */
-static int looked_into(const struct folder *f, const char *folder)
-{
-    const int file =
-        openat(f->here, folder, O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
-    DIR *const list = file < 0 ? NULL : fdopendir(file);
-    int wrong = 0;
-
-    if (list == NULL && errno == ENOENT) return 0;
-    if (list == NULL) {
-        fprintf(stderr,
-                "winnow: %s/%s is in the way: a run needs a folder of that "
-                "name; move it away, or choose another folder with -o\n",
-                f->dir, folder);
-        return 1;
-    }
-    for (struct dirent *e; !wrong && (e = readdir(list)) != NULL;) {
-        if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0)
-            continue;
-        char *const name = file_join(folder, e->d_name);
-        wrong = is_foreign(f, name[0] == '.' ? name + 2 : name);
-        free(name);
-    }
-    closedir(list);
-    return wrong;
+    return folder_owners[0];
 }
 
 struct folder *folder_take(const char *dir)
 {
+    void *const own = owner() != NULL ? owner()->take(dir) : NULL;
+
+    if (owner() != NULL ? own == NULL : file_make_dirs(dir) != 0) return NULL;
     struct folder *const f = alloc_zeroed(1, sizeof *f);
-
-    f->here = f->file = -1;
     f->dir = strcpy(alloc_zeroed(strlen(dir) + 1, 1), dir);
-    f->path = file_join(dir, manifest);
-    f->there = length_there(dir);
-    int wrong = take(f) || manifest_read(&f->old, f->file, f->path);
-    for (int i = 0; i < N_BELOW && !wrong; i++)
-        wrong = looked_into(f, below[i]);
-    if (!wrong) return f;
-    folder_leave(f);
-    folder_free(f);
-    return NULL;
-}
-
-long folder_process(const char *dir)
-{
-    char *const path = file_join(dir, manifest);
-    const int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    struct flock l = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    const int found = file >= 0 && fcntl(file, F_GETLK, &l) == 0;
-
-    if (file >= 0) close(file);
-    free(path);
-    return found && l.l_type != F_UNLCK ? (long)l.l_pid : 0;
+    f->own = own;
+    return f;
 }
 
 void folder_free(struct folder *f)
 {
     if (f == NULL) return;
-    if (f->file >= 0) close(f->file);
-    if (f->here >= 0) close(f->here);
-    manifest_release(&f->old);
+    if (owner() != NULL) owner()->free(f->own);
     free(f->dir);
-    free(f->path);
     free(f);
 }
 
 void folder_leave(struct folder *f)
 {
-    char *const part = strcpy(alloc_zeroed(strlen(f->dir) + 1, 1), f->dir);
-    size_t n = strlen(part);
-
-    if (f->fresh && faccessat(f->here, ahead, F_OK, 0) != 0)
-        unlinkat(f->here, manifest, 0);
-    while (n > f->there) {
-        rmdir(part); /* if it is empty */
-        while (n > 0 && part[n - 1] == '/')
-            n--;
-        while (n > 0 && part[n - 1] != '/')
-            n--;
-        part[n] = '\0';
-    }
-    free(part);
+    if (owner() != NULL) owner()->leave(f->own);
 }
 
 void folder_set_quiet(struct folder *f)
@@ -287,74 +50,32 @@ void folder_set_quiet(struct folder *f)
     f->quiet = 1;
 }
 
-/* An empty list. Non-zero after a message. */
-static int write_head(struct folder *f)
+int folder_begin(struct folder *f)
 {
-    f->length = (off_t)strlen(MANIFEST_HEAD);
-    errno = ENOSPC; /* if only a part is written */
-    f->headed = ftruncate(f->file, 0) == 0 &&
-                write(f->file, MANIFEST_HEAD, (size_t)f->length) == f->length;
-    return f->headed ? 0 : complaint("write", f->path);
+    return owner() != NULL ? owner()->begin(f->own, f->quiet) : 0;
 }
 
 char *folder_ahead(struct folder *f)
 {
-    if (f->fresh && !f->headed && write_head(f) != 0) return NULL;
-    return file_join(f->dir, ahead);
-}
-
-int folder_begin(struct folder *f)
-{
-    int removed;
-
-    if (manifest_remove(&f->old, f->here, f->dir, &removed) != 0) return 1;
-    if (removed > 0 && !f->quiet)
-        fprintf(stderr, "%s: the %d files of an earlier run are replaced\n",
-                f->dir, removed);
-    manifest_release(&f->old);
-    f->fresh = 0;
-    return write_head(f);
+    const int failed = owner() != NULL && owner()->prepare(f->own) != 0;
+    return failed ? NULL : file_join(f->dir, FOLDER_AHEAD);
 }
 
 void folder_resume(struct folder *f)
 {
     f->resumes = 1;
-    f->fresh = 0;
-    f->length = lseek(f->file, 0, SEEK_END);
+    if (owner() != NULL) owner()->resume(f->own);
 }
 
 void folder_state(struct folder *f, struct state *s)
 {
-    long length = (long)f->length;
-
-    if (!s->loading && fsync(f->file) != 0)
-        s->failed = complaint("write", f->path);
-    state_long(s, "manifest_bytes", "-", &length);
-    if (!s->loading || s->failed) return;
-    s->failed = manifest_cut(f->file, f->path, length, f->here, f->dir) != 0;
-    f->length = (off_t)length;
-    f->resumes = 0;
+    if (owner() != NULL) owner()->state(f->own, s);
+    if (s->loading && !s->failed) f->resumes = 0;
 }
 
 static int list(struct folder *f, const char *name)
 {
-    if (f->resumes && manifest_has(&f->old, name)) return 0;
-    const size_t length = strlen(name);
-    char *const line = strcpy(alloc_zeroed(length + 2, 1), name);
-
-    assert(is_ours(name) || name[length - 1] == '/');
-    line[length] = '\n';
-    errno = ENOSPC; /* if only a part is written */
-    const ssize_t n = write(f->file, line, length + 1);
-    free(line);
-    if (n == (ssize_t)length + 1) {
-        f->length += n;
-        return 0;
-    }
-    complaint("write", f->path);
-    if (n > 0 && ftruncate(f->file, f->length) != 0)
-        complaint("take half a line off", f->path);
-    return 1;
+    return owner() != NULL ? owner()->list(f->own, name) : 0;
 }
 
 char *folder_file(struct folder *f, const char *name)

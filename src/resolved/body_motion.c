@@ -6,7 +6,6 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/block_contacts.h"
 #include "resolved/body_exit.h"
 #include "resolved/body_turn.h"
 #include "resolved/squeeze_film.h"
@@ -116,7 +115,7 @@ static int drift(struct solid_bodies *b, double dt)
 }
 
 /* The velocities of those on springs after a step [s], the spring first: as
- * symplectic Euler does it. Contacts push them as in the last particle step. */
+ * symplectic Euler does it. Their contacts are those of options.others. */
 static void pull_springs(struct solid_bodies *b, double step)
 {
     const struct dem_options *const o = &b->contacts;
@@ -125,8 +124,7 @@ static void pull_springs(struct solid_bodies *b, double step)
 
     for (int i = 0; i < ps->n; i++) {
         const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
-        const double e[3] = {ps->ex[i] + ps->cfx[i], ps->ey[i] + ps->cfy[i],
-                             ps->ez[i] + ps->cfz[i]};
+        const double e[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
         double *const v[3] = {&ps->vx[i], &ps->vy[i], &ps->vz[i]};
         for (int k = 0; k < 3 && b->motion[i] == BODY_SPRING; k++) {
             const double stiff = b->spring[3 * i + k];
@@ -164,15 +162,16 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
         b->lubrication.reach == 0.0)
         return dem_run(b->dem, n, &b->dem_report);
     b->dem_report.max_overlap = 0.0;
+    b->dem_report.contacts = 0;
     for (int k = 0; k < n && !failed; k++) {
-        if (b->dem != NULL && b->lubrication.reach > 0.0)
-            squeeze_film_act(b, step);
-        if (b->dem != NULL && b->blocks > 0) {
-            const double depth = block_contacts_act(b, step);
+        if (b->lubrication.reach > 0.0) squeeze_film_act(b, step);
+        if (b->blocks > 0 && b->options.others != NULL) {
+            const double depth = b->options.others->act(b, step);
             b->dem_report.max_overlap = fmax(b->dem_report.max_overlap, depth);
         }
         failed = move_once(b, step);
     }
+    b->dem_report.contacts += b->touching;
     return failed;
 }
 

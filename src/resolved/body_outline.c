@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/body_outline.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 /* C = <(x - c)(x - c)^T>, and the moments over the mass are tr C - C. */
 void body_outline_set_moments(struct body_outline *o, double V,
@@ -23,5 +23,7 @@ void body_outline_set_moments(struct body_outline *o, double V,
 
 void body_outline_free(struct body_outline *o)
 {
-    if (o != NULL) o->free(o);
+    if (o == NULL) return;
+    free(o->ball);
+    o->free(o);
 }

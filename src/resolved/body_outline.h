@@ -9,7 +9,7 @@
 
 struct body_ball {
     double at[3]; /* [m] centre */
-    double R;     /* [m] */
+    double R;     /* [m] 0: a point of a surface (shapes/contact_points.h) */
 };
 
 struct body_outline {
@@ -21,8 +21,12 @@ struct body_outline {
                            centroid: xx, xy, xz, yy, yz, zz */
     double half[3];     /* [m] of a box around the centroid that contains it */
     double centre[3];   /* [m] the centroid, where the shape was given */
-    int n_balls;        /* [-] spheres that it consists of; 0: none */
+    int n_balls;        /* [-] that touch others: the spheres that it consists
+                           of, or points of its surface; 0: none */
     struct body_ball *ball;
+    double
+        width; /* [m] where a surface is narrowest; 0: it consists of balls */
+    int flat;  /* [-] points in one plane, at most; 0: it has none */
     int n_triangles;        /* [-] of its surface; 0: none */
     double (*corner)[3][3]; /* [m]; borrowed from the shape */
 };

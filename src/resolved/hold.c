@@ -165,9 +165,10 @@ void hold_fluid(struct solid_bodies *b)
                                  .end = end};
 }
 
-const struct model hold_method = {
+const struct body_method hold_method = {
     .name = "hold",
     .what = "friction by distance, implicit in the momentum equation",
     .equations = "EW18 1-5, 15, 16",
     .function = "hold_fluid",
+    .set = hold_fluid,
 };

@@ -4,10 +4,9 @@
 #ifndef RESOLVED_HOLD_H
 #define RESOLVED_HOLD_H
 
-#include "base/model.h"
 #include "resolved/solid_bodies.h"
 
-extern const struct model hold_method;
+extern const struct body_method hold_method;
 
 /* Adds hold (u_b - u) to the momentum equation, implicit in u, and takes the
  * impulse of each step for the bodies. */

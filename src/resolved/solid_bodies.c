@@ -9,15 +9,10 @@
 #include "base/alloc.h"
 #include "resolved/body_exit.h"
 #include "resolved/body_turn.h"
-#include "resolved/fraction_methods.h"
-#include "resolved/hold.h"
 
 const double solid_bodies_immovable = 1e60;
 
-static void (*const set_method[])(struct solid_bodies *) = {
-    [BODY_METHOD_HOLD] = hold_fluid,
-    [BODY_METHOD_FICTITIOUS] = fraction_methods_set_fictitious,
-    [BODY_METHOD_PISO_IB] = fraction_methods_set_piso_ib};
+MODEL_NAMED(body_method)
 
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o)
@@ -40,11 +35,12 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
         *three[a] = alloc_doubles(3 * n);
     b->cells = cells;
     b->start = alloc_ints(n + 1);
+    b->near = alloc_ints(n);
     b->cell = alloc_ints(cells);
     b->body_of = alloc_ints(cells);
     b->hold = alloc_doubles(cells);
     b->hold_u = alloc_doubles(3 * cells);
-    set_method[o->method](b);
+    (o->method != NULL ? o->method : body_methods[0])->set(b);
     return b;
 }
 
@@ -74,6 +70,7 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->start);
     free(b->cell);
     free(b->body_of);
+    free(b->near);
     free(b->hold);
     free(b->hold_u);
     free(b);
@@ -122,6 +119,11 @@ void solid_bodies_set_spring(struct solid_bodies *b, int i,
     memcpy(&b->anchor[3 * i], x, sizeof x);
 }
 
+int solid_bodies_hung(const struct solid_bodies *b, int i)
+{
+    return b->shape[i].kind == BODY_SPHERE && b->motion[i] == BODY_SPRING;
+}
+
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
 {
     int free = 0;
@@ -134,7 +136,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         free |= b->motion[i] == BODY_FREE;
         b->springs += b->motion[i] == BODY_SPRING;
-        b->blocks += b->shape[i].kind != BODY_SPHERE;
+        b->blocks += b->shape[i].kind != BODY_SPHERE || solid_bodies_hung(b, i);
         b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
@@ -142,9 +144,10 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     b->exit = body_exit_create(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which
-     * no sphere comes to: block_contacts.h. */
+     * no sphere comes to. */
     for (int i = 0; i < b->ps->n; i++)
-        if (b->shape[i].kind != BODY_SPHERE) b->ps->d[i] *= 1e-3;
+        if (b->shape[i].kind != BODY_SPHERE || solid_bodies_hung(b, i))
+            b->ps->d[i] *= 1e-3;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;
 }

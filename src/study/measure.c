@@ -5,7 +5,7 @@
 #include "base/file.h"
 #include "case/history.h"
 #include "case/nearest.h"
-#include "case/profiles.h"
+#include "case/means/profiles.h"
 #include "case/recorder_part.h"
 #include "case/resume/read_summary.h"
 #include "study/results.h"

@@ -6,7 +6,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/interrupt.h"
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 #include "study/workers.h"
 
 #include <errno.h>
@@ -139,7 +139,7 @@ static struct texts command(const struct plan *p, const struct run *r,
  * folder. */
 static int start(struct crew *c, struct worker *w, struct run *r)
 {
-    const long owner = folder_process(r->folder);
+    const long owner = ownership_process(r->folder);
 
     *w = (struct worker){r, 0, 0};
     r->code = RUN_GOES_ON;
@@ -212,7 +212,7 @@ static void look_at(struct crew *c, struct worker *w)
             forget(r, checkpoints[i]);
         return;
     }
-    if (folder_process(r->folder) != 0) return;
+    if (ownership_process(r->folder) != 0) return;
     *w = (struct worker){NULL, 0, 0};
     runs_look(1, r);
     if (r->code != RUN_TO_DO) take_note(c, r, r->code);

@@ -2,7 +2,7 @@
 #include "study/results.h"
 
 #include "base/alloc.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,10 +3,10 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/interrupt.h"
 #include "base/version.h"
-#include "case/case_cost.h"
+#include "case/checks/case_cost.h"
 #include "case/resume/case_text.h"
 #include "case/resume/read_summary.h"
 

@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "output/gnuplot.h"
+#include "output/pictures/gnuplot.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
 #include "case/resume/read_summary.h"
 

@@ -110,9 +110,10 @@ function put_bodies(    where) { # above the particles, where there are any
             " length = 0.03; axis = [1.0, 0.0, 1.0]; });")
     else if (is("bodies", "clump"))
         put("  clumps = ({ file = \"pair.spheres\"; position = " at(0.5, where, 0.5) "; density = 2500; spin = [0.0, 1.0, 2.0]; });")
-    else if (is("bodies", "surface"))
+    else if (is("bodies", "surface solid"))
         put("  surfaces = ({ file = \"eight.stl\"; scale = 1e-3; position = " at(0.5, where, 0.5) \
-            "; motion = \"prescribed\"; velocity = [0.1, 0.2, -0.1]; spin = [5.0, 1.0, 0.0]; });")
+            (is("bodies", "solid") ? "; motion = \"free\"; density = 2500;" : \
+             "; motion = \"prescribed\"; velocity = [0.1, 0.2, -0.1];") " spin = [5.0, 1.0, 0.0]; });")
     else
         put("  spheres = ({ position = " at(0.5, where, 0.5) "; diameter = 0.0047;" \
             (is("bodies", "fixed") ? " motion = \"fixed\";" : \

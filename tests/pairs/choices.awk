@@ -22,8 +22,8 @@ BEGIN {
     choice("cfm", "u_tolerance", "0.0 0.1")
     choice("cfm", "p_relative_tolerance", "0.0 0.1")
     choice("f", "cfl", "off 0.5")
-    choice("c", "bodies", "none fixed free moving cylinder surface")
-    choice("f", "bodies", "none fixed free moving cylinder surface clump")
+    choice("c", "bodies", "none fixed free moving cylinder surface solid")
+    choice("f", "bodies", "none fixed free moving cylinder surface solid clump")
     choice("m", "bodies", "none free")
     choice("f", "body_method", "hold fictitious-domain piso-ib")
     choice("cpm", "contact", "hertz linear")
@@ -134,19 +134,19 @@ BEGIN {
           "pcm dpvm cube two-grid kernel gaussian",
           "it is a key of images, diffusion")
     # Bodies are held in equal cells of a plain box, and have three at least.
-    apart("bodies", "fixed free moving cylinder surface clump", "mesh",
+    apart("bodies", "fixed free moving cylinder surface solid clump", "mesh",
           "sheared dual cyclic slanted", "held in the cells of a plain box")
-    apart("bodies", "fixed free moving cylinder surface clump", "mesh", "graded",
+    apart("bodies", "fixed free moving cylinder surface solid clump", "mesh", "graded",
           "bodies ask for equal cells")
     apart("bodies", "fixed free moving", "mesh", "thin", "has a diameter of")
-    apart("bodies", "surface clump", "mesh", "thin", "has a part of")
+    apart("bodies", "surface solid clump", "mesh", "thin", "has a part of")
     # Among particles they are surfaces; one that moves changes eps where it is.
     if (letter != "f")
-        apart("bodies", "free moving surface", "continuity", "void-rate",
+        apart("bodies", "free moving surface solid", "continuity", "void-rate",
               "among particles a body that moves asks for")
-    apart("bodies", "fixed free moving cylinder surface", "cohesion",
+    apart("bodies", "fixed free moving cylinder surface solid", "cohesion",
           "van_der_waals capillary all", "not on bodies")
-    apart("bodies", "fixed free moving cylinder surface", "list",
+    apart("bodies", "fixed free moving cylinder surface solid", "list",
           "link-cells all-pairs none", "does not support surfaces")
     # One-way there are no solids on the mesh.
     apart("coupling", "one-way", "time_average", "on",

@@ -24,6 +24,21 @@ run() {
     }
 }
 
+# As run, but not again where it is done; one that was interrupted goes on.
+once() {
+    to=$out/$1
+    shift
+    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
+    again=
+    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
+    echo "$*" >"$to.begun"
+    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
+        tail -n 3 "$to.log" >&2
+        exit 1
+    }
+    echo "$*" >"$to.done"
+}
+
 made() { # PART
     echo "# Made by: sh tests/validate/resolved.sh build/winnow $1"
 }
@@ -96,7 +111,7 @@ falls() {
     while read -r name rho mu measured end step; do
         for cells in "30,48,30 4.5" "50,80,50 7.5"; do
             mesh=${cells% *} per=${cells#* }
-            run "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
+            once "fall-$name-$per" cases/falling-sphere.cfg -s "mesh.cells=[$mesh]" \
                 -s "fluid.density=$rho" -s "fluid.viscosity=$mu" \
                 -s "fluid.step=$step" -s "output.end=$end" -s output.every=10
             awk -F, -v name="$name" -v per="$per" -v dt="$step" -v U="$measured" '
@@ -107,9 +122,9 @@ falls() {
                 "$out/fall-$name-$per/bodies.csv" >"$out/fall-$name-$per.course"
         done
     done <<TABLE
-E1 970 0.373 0.0360 1.2 0.008
-E2 965 0.212 0.0572 1.2 0.008
-E3 962 0.113 0.0873 1.3 0.006
+E1 970 0.373 0.0360 2.4 0.008
+E2 965 0.212 0.0572 2.0 0.008
+E3 962 0.113 0.0873 1.5 0.006
 E4 960 0.058 0.1222 1.4 0.004
 TABLE
 }
@@ -140,21 +155,6 @@ densities() {
                 $out/density/bodies.csv
         done
     done
-}
-
-# As run, but not again where it is done; one that was interrupted goes on.
-once() {
-    to=$out/$1
-    shift
-    [ "$(cat "$to.done" 2>/dev/null)" != "$*" ] || return 0
-    again=
-    [ "$(cat "$to.begun" 2>/dev/null)" != "$*" ] || [ ! -e "$to/checkpoint" ] || again=--resume
-    echo "$*" >"$to.begun"
-    winnow run "$@" -o "$to" --quiet $again >"$to.log" 2>&1 || {
-        tail -n 3 "$to.log" >&2
-        exit 1
-    }
-    echo "$*" >"$to.done"
 }
 
 # NAME GRAINS CELLS STEP END: EW18's grains in a periodic box, 12 cells a diameter, in
@@ -356,6 +356,76 @@ CASE
             END { printf "%s %5.1f %10.2g %4d %8.4f\n", tolerance, t, P / sum, touched, deep }' \
             $out/fifty/bodies.csv $out/fifty/history.csv
     done
+}
+
+# What settles in `cases/blocks-settle.cfg`: ten seconds.
+blocks() {
+    run blocks cases/blocks-settle.cfg
+    echo "# time  height of plate, cube, cylinder; their speeds; contacts and deepest overlap over a width"
+    awk -F, '
+        FNR == 1 { file++; split("", at); for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i } next }
+        { t = sprintf("%.1f", $1) }
+        file == 1 { n[t] = $at["contacts_of_bodies"]; deep[t] = $at["max_overlap_of_bodies"]; next }
+        t % 2 != 0 { next }
+        { y[$2] = $at["y"]; v[$2] = sqrt($at["vx"] ^ 2 + $at["vy"] ^ 2 + $at["vz"] ^ 2) }
+        $2 == 2 { printf "%4s  %.3f %.3f %.3f  %.4f %.4f %.4f  %3d %.3f\n", t, y[0], y[1], y[2], v[0], v[1], v[2], n[t], deep[t] }
+    ' $out/blocks/history.csv $out/blocks/bodies.csv
+}
+
+# A spheroid, twice as long as wide, as a surface of triangles that is free in a shear
+# flow: half of its period, between two angles of 45 degrees, and its largest and
+# smallest rate, beside [Jeffery22]. Half a minute.
+jeffery() {
+    awk -v a=0.1875 -v b=0.09375 -v N=12 '
+        function point(i, j,   r, p) {
+            r = i % N ? b * sin(PI * i / N) : 0; p = PI * j / N
+            printf "vertex %.9g %.9g %.9g\n", r * cos(p), a * cos(PI * i / N), r * sin(p)
+        }
+        function triangle(i, j, k, l, m, n) {
+            print "facet normal 0 0 0\nouter loop"
+            point(i, j); point(k, l); point(m, n)
+            print "endloop\nendfacet"
+        }
+        BEGIN {
+            PI = 3.14159265358979
+            print "solid spheroid"
+            for (i = 0; i < N; i++) for (j = 0; j < 2 * N; j++) {
+                next_j = (j + 1) % (2 * N)
+                if (i > 0) triangle(i, j, i, next_j, i + 1, j)
+                if (i < N - 1) triangle(i, next_j, i + 1, next_j, i + 1, j)
+            }
+            print "endsolid spheroid"
+        }' >$out/spheroid.stl
+    cat >$out/jeffery.cfg <<CASE
+title = "A spheroid in a shear flow"; cites = "Jeffery22";
+mesh = { size = [1.0, 1.0, 0.8125]; cells = [32, 32, 26]; periodic = [true, false, true]; };
+fluid = { density = 1.0; viscosity = 0.14; step = 0.015; time = "bdf2"; convection = "linear";
+          bottom = { wall = [-0.5, 0.0, 0.0]; }; top = { wall = [0.5, 0.0, 0.0]; }; };
+bodies = { surfaces = ( { file = "spheroid.stl"; position = [0.5, 0.5, 0.40625]; density = 1.0; motion = "free"; } ); };
+output = { end = 13.0; every = 13.0; history = 0.15; };
+CASE
+    once jeffery $out/jeffery.cfg
+    echo "# half a period, largest and smallest rate; of Jeffery; the ratios"
+    awk -F, '
+        NR == 1 { for (i = 1; i <= NF; i++) { split($i, w, " "); at[w[1]] = i }; next }
+        {
+            phi = 2 * atan2(-$at["q_z"], $at["q_0"]) * 180 / 3.14159265358979
+            while (phi < before - 90) phi += 360
+            for (k = 0; k < 2; k++) {
+                mark = 45 + 180 * k
+                if (before < mark && phi >= mark) T[k] = t + ($1 - t) * (mark - before) / (phi - before)
+            }
+            rate = -$at["wz"]
+            if (phi > 45 && phi < 225) {
+                if (rate > most) most = rate
+                if (!least || rate < least) least = rate
+            }
+            before = phi; t = $1
+        }
+        END {
+            half = 3.14159265358979 * 2.5
+            printf "%.3f %.4f %.4f  %.3f 0.8 0.2  %.3f %.3f %.3f\n", T[1] - T[0], most, least, half, (T[1] - T[0]) / half, most / 0.8, least / 0.2
+        }' "$out/jeffery/bodies.csv"
 }
 
 # NAME OVERRIDES...: a sphere of six grains in a narrow bed

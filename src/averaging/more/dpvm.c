@@ -7,12 +7,14 @@
 #include "averaging/averaging.h"
 #include "averaging/poly/facets.h"
 #include "averaging/more/overlap.h"
+#include "averaging/more/stored_weights.h"
 #include "averaging/weights.h"
 #include "base/alloc.h"
 
 struct dpvm;
 
-/* The body, for boxes and for other cells. */
+/* The body that is divided: how in cells that are boxes, and its kind for
+ * others. */
 struct body {
     void (*divide)(const struct dpvm *d, const struct neighbourhood *near,
                    const double o[3], double R, double *w);
@@ -22,7 +24,11 @@ struct body {
 
 struct dpvm {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *shares;
+    struct weights *weights;
+    double reach; /* [m] that they were created for */
+    int fields;   /* [-] most in a call */
+    struct weights_rule rule;
+    struct stored_weights stored;
     struct body body;
     double *half; /* [m] of a box: half extents of the cells, 3; infinite where
                      a period is one cell wide, because this cell contains the
@@ -93,7 +99,7 @@ static void divide_cube(const struct dpvm *d, const struct neighbourhood *near,
     }
 }
 
-/* In boxes. */
+/* The rule for cells that are boxes. */
 static int dpvm_weights(const void *state, int i,
                         const struct neighbourhood *near, double *w)
 {
@@ -137,7 +143,7 @@ static int dpvm_weights_anywhere(const void *state, int i,
 static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
 static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 
-/* Of the largest body [m]. */
+/* Distance [m] of the farthest point of the largest body from its centre. */
 static double reach(const struct dpvm *d)
 {
     const struct particles *const ps = d->h->ps;
@@ -159,21 +165,41 @@ static void find_halves(struct dpvm *d)
                 d->half[3 * c + k] = INFINITY;
 }
 
+static struct weight_list list(const void *state, int a)
+{
+    const struct dpvm *const d = state;
+    return stored_weights_list(&d->stored, a);
+}
+
+/* The cells that the largest body can reach: found anew where a particle larger
+ * than all before has been inserted. */
+static void find_cells(struct dpvm *d)
+{
+    const double now = reach(d);
+
+    if (d->weights != NULL && now <= d->reach) return;
+    weights_free(d->weights);
+    d->reach = now;
+    d->weights = weights_create(d->h, now, STENCIL_TO_CELL, d->fields, d->rule);
+}
+
 static void *create(const struct cell_of_particle *h,
                     const struct averaging_options *o, struct body body)
 {
     const int is_box = h->mesh->shape == NULL;
     struct dpvm *const d = alloc_zeroed(1, sizeof *d);
-    const struct weights_rule rule = {
-        is_box ? dpvm_weights : dpvm_weights_anywhere, d, 1};
 
     d->h = h;
     d->body = body;
+    d->fields = o->fields;
+    d->rule = (struct weights_rule){
+        is_box ? dpvm_weights : dpvm_weights_anywhere, d, list};
+    d->stored = stored_weights_of(h->ps->capacity);
     if (is_box)
         find_halves(d);
     else
         d->facets = facets_create(h->mesh);
-    d->shares = weights_create(h, reach(d), STENCIL_TO_CELL, o->fields, rule);
+    find_cells(d);
     return d;
 }
 
@@ -193,27 +219,28 @@ static void dpvm_free(void *state)
 {
     struct dpvm *const d = state;
 
-    weights_free(d->shares);
+    weights_free(d->weights);
+    stored_weights_release(&d->stored);
     facets_free(d->facets);
     free(d->half);
     free(d);
 }
 
-/* A particle larger than all previous ones may have been inserted. */
 static void dpvm_bind(void *state, struct averaging_report *r)
 {
     struct dpvm *const d = state;
 
     (void)r;
-    weights_extend(d->shares, reach(d));
-    weights_bind(d->shares);
+    find_cells(d);
+    stored_weights_fill(&d->stored, d->h, d->weights, &d->rule);
 }
 
 static void dpvm_spread(void *state, int m, const double *q, double *field,
                         struct averaging_report *r)
 {
     const struct dpvm *const d = state;
-    r->unsupported = weights_spread(d->shares, m, q, field);
+    weights_spread(d->weights, m, q, field);
+    r->unsupported = d->stored.unsupported;
 }
 
 static void dpvm_gather(void *state, int m, const double *field, double *q,
@@ -222,7 +249,7 @@ static void dpvm_gather(void *state, int m, const double *field, double *q,
     const struct dpvm *const d = state;
 
     (void)r;
-    weights_gather(d->shares, m, field, q);
+    weights_gather(d->weights, m, field, q);
 }
 
 const struct averaging_method dpvm_method = {

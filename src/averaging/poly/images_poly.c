@@ -19,7 +19,7 @@ enum { ROUNDS = 8 };
 
 struct images_poly {
     const struct cell_of_particle *h; /* borrowed */
-    struct weights *shares;
+    struct weights *weights;
     struct gaussian_moments *normals;
 };
 
@@ -62,7 +62,7 @@ static void spread_even(const struct images_poly *s, double *got, double *w)
     for (int c = 0; c < m->n_cells; c++)
         got[c] = 0.0;
     for (int c = 0; c < m->n_cells; c++) {
-        const struct neighbourhood near = weights_around(s->shares, c);
+        const struct neighbourhood near = weights_around(s->weights, c);
         for (int k = 0; k < 6; k++) {
             const double nowhere[3] = {0.0, 0.0, 0.0};
             double o[3];
@@ -87,7 +87,7 @@ static void make_even(struct images_poly *s)
     const struct mesh *const m = s->h->mesh;
     struct gaussian_moments *const N = s->normals;
     double *const got = alloc_doubles(m->n_cells);
-    double *const w = alloc_doubles(weights_stencil(s->shares)->largest);
+    double *const w = alloc_doubles(weights_stencil(s->weights)->largest);
     double worst = INFINITY;
 
     for (int round = 0; round < ROUNDS && worst > even; round++) {
@@ -115,8 +115,8 @@ static void *images_poly_create(const struct cell_of_particle *h,
 
     s->h = h;
     s->normals = gaussian_moments_create(f, m, o->bandwidth);
-    s->shares = weights_create(h, reach, STENCIL_TO_CENTRE, o->fields,
-                               (struct weights_rule){images_weights, s, 0});
+    s->weights = weights_create(h, reach, STENCIL_TO_CENTRE, o->fields,
+                                (struct weights_rule){images_weights, s, NULL});
     make_even(s);
     wall_images_free(m);
     facets_free(f);
@@ -127,7 +127,7 @@ static void images_poly_free(void *state)
 {
     struct images_poly *const s = state;
 
-    weights_free(s->shares);
+    weights_free(s->weights);
     gaussian_moments_free(s->normals);
     free(s);
 }
@@ -136,7 +136,7 @@ static void images_poly_spread(void *state, int m, const double *q,
                                double *field, struct averaging_report *r)
 {
     const struct images_poly *const s = state;
-    r->unsupported = weights_spread(s->shares, m, q, field);
+    r->unsupported = weights_spread(s->weights, m, q, field);
 }
 
 static void images_poly_gather(void *state, int m, const double *field,
@@ -145,7 +145,7 @@ static void images_poly_gather(void *state, int m, const double *field,
     const struct images_poly *const s = state;
 
     (void)r;
-    weights_gather(s->shares, m, field, q);
+    weights_gather(s->weights, m, field, q);
 }
 
 const struct averaging_method images_poly_method = {

@@ -58,18 +58,14 @@ struct mirror_search {
 };
 
 /* Appends one element to an array. */
-static void *one_more(void *array, int *n, int *room, size_t size)
+static void *one_more(void *array, int *n, int *capacity, size_t size)
 {
-    if (*n < *room) {
-        ++*n;
-        return array;
+    if (*n == *capacity) {
+        *capacity = 2 * *capacity + 64;
+        array = alloc_grown(array, *n, *capacity, size);
     }
-    *room = 2 * *room + 64;
-    void *const wider = alloc_zeroed((size_t)*room, size);
-    if (*n > 0) memcpy(wider, array, (size_t)*n * size);
-    free(array);
     ++*n;
-    return wider;
+    return array;
 }
 
 /* The plane with that normal through the point, a new one if need be. */

@@ -45,16 +45,16 @@ static void release(void *part)
     free(c);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    if (sim->dem == NULL || !settings_bool(s, "output.contacts")) return NULL;
+    if (v->sim->dem == NULL || !settings_bool(v->settings, "output.contacts"))
+        return NULL;
     struct contacts *const c = alloc_zeroed(1, sizeof *c);
 
-    c->folder = folder;
+    c->folder = v->folder;
     c->writer = vtk_writer_create();
-    c->found = contact_list_create(sim);
-    c->series = field_output_series(folder, "contacts", "vtp");
+    c->found = contact_list_create(v->sim);
+    c->series = field_output_series(v->folder, "contacts", "vtp");
     if (c->series != NULL) return c;
     *failed = 1;
     release(c);

@@ -250,22 +250,21 @@ static void release(void *memory)
     free(f);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    if (settings_length(s, forces_list) == 0) return NULL;
+    if (settings_length(v->settings, forces_list) == 0) return NULL;
     struct forces *const f = alloc_zeroed(1, sizeof *f);
 
-    f->sim = sim;
-    f->n = settings_length(s, forces_list);
+    f->sim = v->sim;
+    f->n = settings_length(v->settings, forces_list);
     f->n_columns = 1;
     f->body = alloc_zeroed((size_t)f->n, sizeof *f->body);
     for (int i = 0; i < f->n; i++) {
-        create_body(s, sim, i, &f->body[i]);
+        create_body(v->settings, v->sim, i, &f->body[i]);
         f->n_columns += columns_of(&f->body[i]);
     }
     f->row = alloc_doubles(f->n_columns);
-    f->table = create_table(f, folder);
+    f->table = create_table(f, v->folder);
     if (f->table != NULL) return f;
     *failed = 1;
     release(f);
@@ -319,6 +318,7 @@ const struct recorder_part forces_part = {
     .check = forces_check,
     .create = create,
     .row = add_row,
+    .last_row = add_row,
     .free = release,
     .state = visit,
 };

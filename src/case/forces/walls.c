@@ -121,15 +121,15 @@ static void release(void *memory)
     free(w);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    if (sim->fluid == NULL || !settings_bool(s, "output.walls")) return NULL;
-    const int n = sim->mesh->n_faces - sim->mesh->n_internal;
+    if (v->sim->fluid == NULL || !settings_bool(v->settings, "output.walls"))
+        return NULL;
+    const int n = v->sim->mesh->n_faces - v->sim->mesh->n_internal;
     struct walls *const w = alloc_zeroed(1, sizeof *w);
 
-    w->sim = sim;
-    w->folder = folder;
+    w->sim = v->sim;
+    w->folder = v->folder;
     w->writer = vtk_writer_create();
     set_shape(w);
     w->patch = alloc_ints(n);
@@ -137,7 +137,7 @@ static void *create(const struct settings *s, const struct simulation *sim,
     w->y_plus = alloc_doubles(n);
     w->shear = alloc_doubles(3 * n);
     w->u = alloc_doubles(3 * n);
-    w->series = field_output_series(folder, "walls", "vtp");
+    w->series = field_output_series(v->folder, "walls", "vtp");
     if (w->series != NULL) return w;
     *failed = 1;
     release(w);

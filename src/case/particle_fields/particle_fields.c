@@ -132,38 +132,31 @@ struct chosen {
     struct contact_list *contacts; /* NULL unless they are counted */
 };
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    const char *text = settings_has(s, key) ? settings_text(s, key) : "";
-    struct chosen c = {.sorted = settings_bool(s, "output.sorted")};
+    const char *text =
+        settings_has(v->settings, key) ? settings_text(v->settings, key) : "";
+    struct chosen c = {.sorted = settings_bool(v->settings, "output.sorted")};
     char word[WORD];
     int used;
-
-    (void)folder, (void)failed;
+    (void)failed;
     for (; sscanf(text, " %63[^ ]%n", word, &used) == 1; text += used) {
         const int i = number_of(word);
         const int known =
-            fields[i].take == take_material && sim->particles != NULL &&
-            sim->particles->material != NULL; /* is written anyway */
+            fields[i].take == take_material && v->sim->particles != NULL &&
+            v->sim->particles->material != NULL; /* is written anyway */
         if (!known) c.field[c.n++] = i;
     }
-    if (sim->dem == NULL || (c.n == 0 && !c.sorted)) return NULL;
+    if (v->sim->dem == NULL || (c.n == 0 && !c.sorted)) return NULL;
     for (int i = 0; i < c.n; i++)
         if (fields[c.field[i]].take == take_contact_number)
-            c.contacts = contact_list_create(sim);
+            c.contacts = contact_list_create(v->sim);
     struct chosen *const made = alloc_zeroed(1, sizeof *made);
     *made = c;
+    for (int i = 0; i < c.n; i++)
+        snapshot_add(v->snapshot, &fields[c.field[i]], c.contacts);
+    if (c.sorted) snapshot_sort(v->snapshot);
     return made;
-}
-
-static void prepare(void *part, struct snapshot *s)
-{
-    const struct chosen *const c = part;
-
-    for (int i = 0; i < c->n; i++)
-        snapshot_add(s, &fields[c->field[i]], c->contacts);
-    if (c->sorted) snapshot_sort(s);
 }
 
 static void release(void *part)
@@ -189,6 +182,5 @@ const struct recorder_part particle_fields_part = {
     .keys = keys,
     .check = check,
     .create = create,
-    .prepare = prepare,
     .free = release,
 };

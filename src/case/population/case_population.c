@@ -10,18 +10,19 @@
 #include "base/number.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
 #include "case/case_mesh.h"
-#include "case/case_overlap.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
 #include "case/particle_options.h"
+#include "case/run_part.h"
 
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
                   bed_key[] = "particles.bed.sizes";
 
-/* More than this share of a region filled at random would take for ever. */
+/* The largest share of a region that random positions can fill in a short time.
+ */
 static const double densest = 0.3;
 
 static int has(const struct settings *s, int i, const char *key)
@@ -90,7 +91,8 @@ static int create_source(const struct settings *s, int i, struct insertion *in)
                     sizeof path);
     in->own_list = insertion_read(path, &in->options.count);
     in->options.list = in->own_list;
-    if (in->options.rate == 0.0) in->options.overlap = case_overlap_in_wall(s);
+    if (in->options.rate == 0.0)
+        in->options.overlap = particle_options_wall_overlap(s);
     return in->own_list == NULL;
 }
 
@@ -151,8 +153,7 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
     return c;
 }
 
-/* Spheres of a list that come at once must not overlap: the second would wait.
- */
+/* Spheres of a list that come at once do not overlap: the second would wait. */
 static int check_no_contacts(const struct settings *s, int i,
                              const struct insertion_options *o,
                              const struct box_domain *box)
@@ -241,7 +242,7 @@ static int check_sink(const struct settings *s, int i)
                           i);
 }
 
-/* --- what there will be -------------------------------------------------- */
+/* --- particles that come later ------------------------------------------- */
 
 static int count(const struct settings *s)
 {
@@ -272,7 +273,7 @@ static struct case_diameters diameters(const struct settings *s, int material)
     return all;
 }
 
-/* As dem_create asks of those that are there from the start. */
+/* The length of a period, which dem_create checks for those there at first. */
 static int check_period(const struct settings *s)
 {
     struct dem_options o = particle_options_dem(s, 1.0);
@@ -394,5 +395,6 @@ const struct case_part case_population_part = {.keys = case_population_keys,
                                                .count_later = count,
                                                .later_diameters = diameters,
                                                .place = place,
-                                               .add = add,
-                                               .after_run = report};
+                                               .add = add};
+
+const struct run_part case_population_run = {.after_run = report};

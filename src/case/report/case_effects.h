@@ -4,7 +4,7 @@
 #define CASE_REPORT_CASE_EFFECTS_H
 
 #include "coupling/effect_scales.h"
-#include "case/case_scales.h"
+#include "case/checks/case_scales.h"
 
 /* The scales from which the effects estimate their forces. */
 struct effect_scales case_effects_scales(const struct settings *s,

@@ -4,7 +4,7 @@
 #include "case/case_file.h"
 #include "case/case_materials.h"
 #include "case/command.h"
-#include "case/model_choice.h"
+#include "case/checks/model_choice.h"
 #include "case/report/equation_index.h"
 #include "case/report/list.h"
 #include "case/schema.h"

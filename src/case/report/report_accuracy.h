@@ -3,7 +3,7 @@
 #ifndef CASE_REPORT_REPORT_ACCURACY_H
 #define CASE_REPORT_REPORT_ACCURACY_H
 
-#include "case/case_scales.h"
+#include "case/checks/case_scales.h"
 #include "case/settings.h"
 
 /* For `winnow check`: for the steps and the cells, the time of the case over

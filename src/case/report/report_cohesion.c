@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "case/case_cohesion.h"
+#include "case/cohesion/case_cohesion.h"
 #include "case/check_line.h"
 #include "dem/cohesion/capillary.h"
 #include "dem/cohesion/electrostatic.h"

@@ -22,6 +22,7 @@ struct record {
     struct table *table;
     struct series *pictures;
     struct vtk_writer *writer;
+    double *d;                          /* [m] as it is shown */
     struct surroundings_filter *filter; /* NULL: no such columns */
 };
 
@@ -153,27 +154,28 @@ static void release(void *record)
     table_free(r->table);
     series_free(r->pictures);
     vtk_writer_free(r->writer);
+    free(r->d);
     surroundings_free(r->filter);
     free(r);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
     static const char width[] = "bodies.filter";
 
-    if (bodies_record_of(sim) == NULL) return NULL;
+    if (bodies_record_of(v->sim) == NULL) return NULL;
     struct record *const r = alloc_zeroed(1, sizeof *r);
 
-    r->sim = sim;
-    r->bodies = bodies_record_of(sim);
-    r->folder = folder;
-    if (settings_has(s, width))
-        r->filter =
-            surroundings_create(r->bodies, sim->fluid, settings_real(s, width));
-    r->table = create_table(r, folder);
-    r->pictures = r->table != NULL ? create_series(folder) : NULL;
+    r->sim = v->sim;
+    r->bodies = bodies_record_of(v->sim);
+    r->folder = v->folder;
+    if (settings_has(v->settings, width))
+        r->filter = surroundings_create(r->bodies, v->sim->fluid,
+                                        settings_real(v->settings, width));
+    r->table = create_table(r, v->folder);
+    r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
     r->writer = vtk_writer_create();
+    r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;
     release(r);
     *failed = 1;
@@ -218,8 +220,12 @@ static int add_picture(void *record, double t)
     const struct solid_bodies *const b = r->bodies;
     const struct particles *const ps = b->ps;
     const double *const x[3] = {ps->x, ps->y, ps->z};
+
+    for (int i = 0; i < ps->n; i++)
+        r->d[i] =
+            solid_bodies_hung(b, i) ? 2.0 * b->shape[i].half[0] : ps->d[i];
     const struct vtk_array arrays[] = {
-        {.name = "diameter", .components = 1, .values = ps->d, .single = 1},
+        {.name = "diameter", .components = 1, .values = r->d, .single = 1},
         {.name = "velocity",
          .components = 3,
          .split = {ps->vx, ps->vy, ps->vz},
@@ -277,6 +283,7 @@ static void visit(void *record, struct state *s)
 const struct recorder_part bodies_record = {.create = create,
                                             .free = release,
                                             .row = add_row,
+                                            .last_row = add_row,
                                             .fields = add_picture,
                                             .columns = columns,
                                             .summarize = summarize,

@@ -14,6 +14,7 @@
 #include "case/case_steps.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
+#include "case/resolved/case_blocks.h"
 #include "case/resolved/case_outlines.h"
 #include "case/particle_options.h"
 #include "coupling/effects.h"
@@ -23,7 +24,8 @@
 #include "resolved/among/among_effect.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/body_gaps.h"
+#include "resolved/blocks/block_contacts.h"
+#include "resolved/blocks/body_gaps.h"
 #include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
@@ -31,11 +33,6 @@ static const char list[] = "bodies.spheres";
 /* Steps of the fluid that an impact lasts where the case gives no stiffness:
  * the fluid has to follow the rebound. */
 static const double steps_an_impact = 8.0;
-
-static int is(const struct settings *s, int i, const char *motion)
-{
-    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
-}
 
 static enum body_motion motion_of(const struct settings *s, const char *of,
                                   int i)
@@ -53,28 +50,40 @@ static double volume(double d)
     return M_PI / 6.0 * d * d * d;
 }
 
-/* The lightest free body with what is added to it [kg], of a clump the largest
- * sphere; 0: none is free. */
-static double lightest(const struct settings *s)
+/* The least that a contact of one that moves so has to stop, with what is added
+ * to it [kg]; HUGE_VAL: there is none. */
+static double lightest_of(const struct settings *s, enum body_motion motion)
 {
+    const char *const others[] = {case_outlines_clumps, case_blocks_boxes,
+                                  case_blocks_cylinders,
+                                  case_outlines_surfaces};
     const double C_v = settings_real(s, "bodies.virtual_mass"),
                  rho = settings_real(s, "fluid.density");
     double least = HUGE_VAL;
 
     for (int i = 0; i < settings_length(s, list); i++)
-        if (is(s, i, "free"))
+        if (motion_of(s, list, i) == motion)
             least = fmin(
                 least, (settings_item_real(s, list, i, "density") + C_v * rho) *
                            volume(settings_item_real(s, list, i, "diameter")));
-    for (int i = 0; i < settings_length(s, case_outlines_clumps); i++) {
-        double R[2];
-        if (motion_of(s, case_outlines_clumps, i) != BODY_FREE) continue;
-        case_outlines_radii(s, i, R);
-        least = fmin(
-            least, (settings_item_real(s, case_outlines_clumps, i, "density") +
-                    C_v * rho) *
-                       volume(2.0 * R[1]));
-    }
+    for (int l = 0; l < 4; l++)
+        for (int i = 0; i < settings_length(s, others[l]); i++) {
+            if (motion_of(s, others[l], i) != motion) continue;
+            least =
+                fmin(least, (settings_item_real(s, others[l], i, "density") +
+                             C_v * rho) *
+                                case_outlines_contact_volume(s, others[l], i));
+        }
+    return least;
+}
+
+/* Of the free ones, or if there are none of those on springs; 0: all are held.
+ */
+static double lightest(const struct settings *s)
+{
+    double least = lightest_of(s, BODY_FREE);
+
+    if (least == HUGE_VAL) least = lightest_of(s, BODY_SPRING);
     return least < HUGE_VAL ? least : 0.0;
 }
 
@@ -125,8 +134,6 @@ static struct dem_options contacts(const struct settings *s)
     return o;
 }
 
-static const char boxes[] = "bodies.boxes", cylinders[] = "bodies.cylinders";
-
 static void add_one(const struct settings *s, const char *of, int i,
                     const struct body_shape *shape, struct solid_bodies *b)
 {
@@ -155,6 +162,18 @@ static void add_one(const struct settings *s, const char *of, int i,
     b->ps->vz[at] = k[2] > 0.0 ? v[2] : 0.0;
 }
 
+/* Of a list of boxes or cylinders. */
+static void add_blocks(const struct settings *s, const char *of,
+                       struct solid_bodies *b)
+{
+    for (int i = 0; i < settings_length(s, of); i++) {
+        struct body_outline *const o = case_blocks_outline(s, of, i);
+        const struct body_shape shape =
+            o != NULL ? body_shape_outline(o) : case_blocks_shape(s, of, i);
+        add_one(s, of, i, &shape, b);
+    }
+}
+
 /* Of a list of clumps or surfaces. Non-zero after a message. */
 static int add_outlines(const struct settings *s, const char *of,
                         struct solid_bodies *b)
@@ -170,25 +189,13 @@ static int add_outlines(const struct settings *s, const char *of,
 
 static int add_all(const struct settings *s, struct solid_bodies *b)
 {
-    double v[3];
-
     for (int i = 0; i < settings_length(s, list); i++) {
         const struct body_shape shape =
             body_shape_sphere(settings_item_real(s, list, i, "diameter"));
         add_one(s, list, i, &shape, b);
     }
-    for (int i = 0; i < settings_length(s, boxes); i++) {
-        settings_item_vector(s, boxes, i, "size", v);
-        const struct body_shape shape = body_shape_box(v);
-        add_one(s, boxes, i, &shape, b);
-    }
-    for (int i = 0; i < settings_length(s, cylinders); i++) {
-        settings_item_vector(s, cylinders, i, "axis", v);
-        const struct body_shape shape = body_shape_cylinder(
-            settings_item_real(s, cylinders, i, "diameter"),
-            settings_item_real(s, cylinders, i, "length"), v);
-        add_one(s, cylinders, i, &shape, b);
-    }
+    add_blocks(s, case_blocks_boxes, b);
+    add_blocks(s, case_blocks_cylinders, b);
     return add_outlines(s, case_outlines_clumps, b) != 0 ||
            add_outlines(s, case_outlines_surfaces, b) != 0;
 }
@@ -231,14 +238,15 @@ static struct solid_bodies *create(const struct settings *s)
 {
     const struct dem_options dem = contacts(s);
     struct solid_bodies_options o = {
-        .method = (enum body_method)models_value(
-            body_methods, settings_text(s, "bodies.method")),
+        .method = body_method_named(settings_text(s, "bodies.method")),
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = case_bodies_dem_steps(s),
         .dem = &dem,
-        .lubrication = gaps(s)};
-    const int n = settings_length(s, list) + settings_length(s, boxes) +
-                  settings_length(s, cylinders) +
+        .lubrication = gaps(s),
+        .others = &block_contacts};
+    const int n = settings_length(s, list) +
+                  settings_length(s, case_blocks_boxes) +
+                  settings_length(s, case_blocks_cylinders) +
                   settings_length(s, case_outlines_clumps) +
                   settings_length(s, case_outlines_surfaces);
     int cells[3];

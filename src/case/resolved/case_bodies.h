@@ -6,7 +6,6 @@
 #include "case/case_part.h"
 #include "case/models.h"
 
-extern const struct model *const body_methods[]; /* ended by NULL */
 extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];

@@ -7,8 +7,8 @@
 
 #include "base/vector.h"
 #include "case/case_mesh.h"
+#include "case/resolved/case_blocks.h"
 #include "case/resolved/case_outlines.h"
-#include "resolved/body_shape.h"
 
 static const char list[] = "bodies.spheres";
 
@@ -144,79 +144,6 @@ static int none(const struct settings *s)
     return all == 0;
 }
 
-/* Of a box or cylinder that is so wide [m] in each direction, and reaches that
- * far from its centre. What reaches through the box has no ends there. One
- * that is narrower than a cell may hold none. */
-static int check_block(const struct settings *s, const char *of, int i,
-                       const double width[3], const double extent[3])
-{
-    const int fixed =
-        strcmp(settings_item_text(s, of, i, "motion"), "fixed") == 0;
-    double lo[3], hi[3], h[3], x[3];
-
-    case_mesh_ends(s, lo, hi);
-    case_bodies_cell_widths(s, h);
-    settings_item_vector(s, of, i, "position", x);
-    for (int k = 0; k < 3; k++) {
-        const double reach = fixed ? extent[k] : 0.0;
-        if (x[k] + reach < lo[k] || x[k] - reach > hi[k])
-            return settings_wrong(s, of,
-                                  "number %d at [%g, %g, %g] m is not inside "
-                                  "the box",
-                                  i, x[0], x[1], x[2]);
-        if (2.0 * extent[k] < hi[k] - lo[k] && width[k] < h[k])
-            return settings_wrong(s, of,
-                                  "number %d is %.3g cells wide; expected at "
-                                  "least 1, better 12",
-                                  i, width[k] / h[k]);
-    }
-    return 0;
-}
-
-static int check_box(const struct settings *s, const char *of, int i)
-{
-    double size[3], extent[3];
-
-    settings_item_vector(s, of, i, "size", size);
-    const struct body_shape box = body_shape_box(size);
-    body_shape_extent(&box, extent);
-    return check_block(s, of, i, size, extent);
-}
-
-/* One along an axis of the box has its length there. */
-static int check_cylinder(const struct settings *s, const char *of, int i)
-{
-    const double d = settings_item_real(s, of, i, "diameter"),
-                 length = settings_item_real(s, of, i, "length");
-    double axis[3], extent[3], width[3];
-
-    settings_item_vector(s, of, i, "axis", axis);
-    const double size = vector_length(axis);
-    if (size == 0.0)
-        return settings_wrong(s, of, "the axis of cylinder %d has no direction",
-                              i);
-    const struct body_shape cylinder = body_shape_cylinder(d, length, axis);
-    body_shape_extent(&cylinder, extent);
-    for (int k = 0; k < 3; k++)
-        width[k] = fabs(axis[k]) == size ? length
-                   : axis[k] == 0.0      ? d
-                                         : fmin(d, length);
-    return check_block(s, of, i, width, extent);
-}
-
-static int check_blocks(const struct settings *s)
-{
-    static const char boxes[] = "bodies.boxes",
-                      cylinders[] = "bodies.cylinders";
-    int code = 0;
-
-    for (int i = 0; i < settings_length(s, boxes) && code == 0; i++)
-        code = check_box(s, boxes, i);
-    for (int i = 0; i < settings_length(s, cylinders) && code == 0; i++)
-        code = check_cylinder(s, cylinders, i);
-    return code;
-}
-
 static int any_moves(const struct settings *s)
 {
     for (int l = 0; l < LISTS; l++)
@@ -276,5 +203,5 @@ int case_bodies_check(const struct settings *s)
         code = check_sphere(s, i);
     if (code == 0) code = check_motions(s);
     if (code == 0) code = case_outlines_check(s);
-    return code != 0 ? code : check_blocks(s);
+    return code != 0 ? code : case_blocks_check(s);
 }

@@ -7,6 +7,7 @@
 #include "base/vector.h"
 #include "case/check_line.h"
 #include "case/particle_options.h"
+#include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
 #include "case/resolved/case_outlines.h"
 #include "resolved/body_numbers.h"
@@ -42,27 +43,42 @@ static void report_numbers(const struct settings *s)
                "an impact rebounds from about 10 on");
 }
 
-/* Of spheres and clumps: the smallest diameter, the largest speed at the start,
- * and how many are free, with the smallest density ratio of these. */
+/* The smallest diameter of spheres and clumps, and width of others that are
+ * free; the largest speed at the start; and how many are free, with the
+ * smallest density ratio of these. */
 struct extremes {
     double d, speed, ratio; /* [m], [m/s], [-] */
     int free;
 };
 
+/* [m]; HUGE_VAL if its file cannot be read. */
+static double width_of(const struct settings *s, const char *of, int i)
+{
+    double R[2], width = HUGE_VAL;
+
+    if (of == list) return settings_item_real(s, of, i, "diameter");
+    if (of == case_outlines_clumps) {
+        case_outlines_radii(s, i, R);
+        return 2.0 * R[0];
+    }
+    struct body_outline *const o = case_outlines_read(s, of, i);
+    if (o != NULL) width = o->width;
+    body_outline_free(o);
+    return width;
+}
+
 static void look_at(const struct settings *s, const char *of,
                     struct extremes *e)
 {
     for (int i = 0; i < settings_length(s, of); i++) {
-        double v[3], R[2];
+        const int free =
+            strcmp(settings_item_text(s, of, i, "motion"), "free") == 0;
+        double v[3];
         settings_item_vector(s, of, i, "velocity", v);
         e->speed = fmax(e->speed, vector_length(v));
-        if (of == list)
-            R[0] = 0.5 * settings_item_real(s, of, i, "diameter");
-        else
-            case_outlines_radii(s, i, R);
-        e->d = fmin(e->d, 2.0 * R[0]);
-        if (strcmp(settings_item_text(s, of, i, "motion"), "free") != 0)
-            continue;
+        if (free || of == list || of == case_outlines_clumps)
+            e->d = fmin(e->d, width_of(s, of, i));
+        if (!free) continue;
         e->free++;
         e->ratio = fmin(e->ratio, settings_item_real(s, of, i, "density") /
                                       settings_real(s, "fluid.density"));
@@ -76,8 +92,8 @@ static void report_counts(const struct settings *s)
 
     check_line("spheres", settings_length(s, list), "-", "");
     check_line("boxes and cylinders",
-               settings_length(s, "bodies.boxes") +
-                   settings_length(s, "bodies.cylinders"),
+               settings_length(s, case_blocks_boxes) +
+                   settings_length(s, case_blocks_cylinders),
                "-", "");
     if (outlines > 0)
         check_line("clumps and closed surfaces", outlines, "-", "");
@@ -125,6 +141,9 @@ void case_bodies_report(const struct settings *s,
                  narrowest = fmin(h[0], fmin(h[1], h[2]));
     look_at(s, list, &e);
     look_at(s, case_outlines_clumps, &e);
+    look_at(s, case_blocks_boxes, &e);
+    look_at(s, case_blocks_cylinders, &e);
+    look_at(s, case_outlines_surfaces, &e);
     const double cells = e.d / fmax(h[0], fmax(h[1], h[2]));
     puts("Bodies");
     report_counts(s);

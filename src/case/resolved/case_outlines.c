@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/resolved/case_outlines.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,11 +10,13 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "case/case_mesh.h"
+#include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
 #include "dem/population/insertion.h"
 #include "dem/surfaces/stl.h"
 #include "resolved/shapes/clump.h"
 #include "resolved/shapes/closed_surface.h"
+#include "resolved/shapes/contact_points.h"
 
 const char case_outlines_clumps[] = "bodies.clumps",
            case_outlines_surfaces[] = "bodies.surfaces";
@@ -94,7 +97,30 @@ static struct body_outline *read_surface(const struct settings *s, int i)
 struct body_outline *case_outlines_read(const struct settings *s,
                                         const char *list, int i)
 {
-    return list == case_outlines_clumps ? read_clump(s, i) : read_surface(s, i);
+    if (list == case_outlines_clumps) return read_clump(s, i);
+    if (list != case_outlines_surfaces) return case_blocks_outline(s, list, i);
+    struct body_outline *const o = read_surface(s, i);
+    if (o != NULL && case_blocks_touch(s)) contact_points_add(o);
+    return o;
+}
+
+double case_outlines_contact_volume(const struct settings *s, const char *list,
+                                    int i)
+{
+    double R[2], V = HUGE_VAL;
+
+    if (list == case_outlines_clumps) {
+        case_outlines_radii(s, i, R);
+        return 4.0 / 3.0 * M_PI * R[1] * R[1] * R[1];
+    }
+    if (list != case_outlines_surfaces && !case_blocks_touch(s)) {
+        const struct body_shape shape = case_blocks_shape(s, list, i);
+        return body_shape_volume(&shape);
+    }
+    struct body_outline *const o = case_outlines_read(s, list, i);
+    if (o != NULL) V = o->volume / fmax(o->flat, 1);
+    body_outline_free(o);
+    return V;
 }
 
 /* --- checks --------------------------------------------------------------- */
@@ -124,12 +150,14 @@ static void ends_of(const struct body_outline *o, double lo[3], double hi[3])
     }
 }
 
-/* The narrowest part that is known of a shape: a ball, or its box [m]. */
+/* The narrowest part that is known of a shape: a ball, its box, or what it
+ * knows of itself [m]. */
 static double thinnest(const struct body_outline *o, const double lo[3],
                        const double hi[3])
 {
     double least = fmin(hi[0] - lo[0], fmin(hi[1] - lo[1], hi[2] - lo[2]));
 
+    if (o->width > 0.0) return fmin(least, o->width);
     for (int i = 0; i < o->n_balls; i++)
         least = fmin(least, 2.0 * o->ball[i].R);
     return least;
@@ -183,7 +211,7 @@ static int check_place(const struct settings *s, const char *list, int i,
     return 0;
 }
 
-static int check_one(const struct settings *s, const char *list, int i)
+int case_outlines_check_one(const struct settings *s, const char *list, int i)
 {
     if ((is(s, list, i, "free") || is(s, list, i, "spring")) &&
         !settings_item_has(s, list, i, "density"))
@@ -203,6 +231,6 @@ int case_outlines_check(const struct settings *s)
 
     for (int l = 0; l < 2; l++)
         for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
-            code = check_one(s, lists[l], i);
+            code = case_outlines_check_one(s, lists[l], i);
     return code;
 }

@@ -1,5 +1,6 @@
 /* case_outlines.h -- the clumps and closed surfaces among the bodies of a case,
- * from their files. Chapter "Resolving the grains". */
+ * from their files, and boxes and cylinders that turn. Chapter "Resolving the
+ * grains". */
 #ifndef CASE_RESOLVED_CASE_OUTLINES_H
 #define CASE_RESOLVED_CASE_OUTLINES_H
 
@@ -8,7 +9,8 @@
 
 extern const char case_outlines_clumps[], case_outlines_surfaces[];
 
-/* Number i of one of these two lists, at its scale. NULL after a message. */
+/* Number i of a list: of these two at its scale, NULL after a message; or of
+ * case_blocks.h. */
 struct body_outline *case_outlines_read(const struct settings *s,
                                         const char *list, int i);
 
@@ -16,7 +18,14 @@ struct body_outline *case_outlines_read(const struct settings *s,
  * its file cannot be read. */
 void case_outlines_radii(const struct settings *s, int i, double R[2]);
 
-/* 0, or 2 after a message. */
+/* What a ball or a point of it has to stop in an impact [m^3]: of a clump the
+ * largest sphere, else its volume over the points that meet a plane together;
+ * HUGE_VAL if its file cannot be read. */
+double case_outlines_contact_volume(const struct settings *s, const char *list,
+                                    int i);
+
+/* 0, or 2 after a message; number i of any list alone. */
+int case_outlines_check_one(const struct settings *s, const char *list, int i);
 int case_outlines_check(const struct settings *s);
 
 #endif

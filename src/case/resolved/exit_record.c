@@ -15,12 +15,10 @@ static const struct history_column columns[] = {{"bodies_left [-]", left, 0},
                                                 {NULL, NULL, 0}};
 
 /* NULL where none can leave: then there is no column. */
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    const struct solid_bodies *const b = bodies_record_of(sim);
-
-    (void)s, (void)folder, (void)failed;
+    const struct solid_bodies *const b = bodies_record_of(v->sim);
+    (void)failed;
     return b != NULL ? b->exit : NULL;
 }
 

@@ -53,11 +53,10 @@ static const struct history_column columns[] = {
     {NULL, NULL, 0}};
 
 /* NULL without such bodies: then there are no columns. */
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    (void)s, (void)folder, (void)failed;
-    return among(sim);
+    (void)failed;
+    return among(v->sim);
 }
 
 /* It has nothing of its own. */

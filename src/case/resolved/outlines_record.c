@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* outlines_record.c -- clumps and closed surfaces for display: each ball of a
- * clump as a point in body_clumps.pvd, triangles in body_surfaces.pvd. */
+/* outlines_record.c -- clumps, closed surfaces and blocks for display: each
+ * ball of a clump as a point in body_clumps.pvd, triangles in
+ * body_surfaces.pvd. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,12 +43,18 @@ static void release(void *record)
     free(r);
 }
 
+/* Balls are shown of what consists of them, not the points of a surface. */
+static int balls_of(const struct body_outline *o)
+{
+    return o->n_triangles == 0 ? o->n_balls : 0;
+}
+
 static void count(struct outlines *r)
 {
     for (int i = 0; i < r->bodies->ps->n; i++) {
         const struct body_outline *const o = r->bodies->shape[i].outline;
         if (o == NULL) continue;
-        r->n_balls += o->n_balls;
+        r->n_balls += balls_of(o);
         r->n_triangles += o->n_triangles;
     }
 }
@@ -68,23 +75,20 @@ static void make_room(struct outlines *r)
         r->end[t] = 3 * (t + 1);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    const struct solid_bodies *const b = bodies_record_of(sim);
-
-    (void)s;
+    const struct solid_bodies *const b = bodies_record_of(v->sim);
     if (b == NULL || b->turn == NULL) return NULL;
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
-    r->folder = folder;
+    r->folder = v->folder;
     r->writer = vtk_writer_create();
     count(r);
     make_room(r);
     if (r->n_balls > 0)
-        r->clumps = field_output_series(folder, "body_clumps", "vtp");
+        r->clumps = field_output_series(v->folder, "body_clumps", "vtp");
     if (r->n_triangles > 0)
-        r->surfaces = field_output_series(folder, "body_surfaces", "vtp");
+        r->surfaces = field_output_series(v->folder, "body_surfaces", "vtp");
     if ((r->n_balls == 0 || r->clumps != NULL) &&
         (r->n_triangles == 0 || r->surfaces != NULL))
         return r;
@@ -103,7 +107,7 @@ static void place(struct outlines *r)
         const struct body_shape *const shape = &r->bodies->shape[i];
         const double at[3] = {ps->x[i], ps->y[i], ps->z[i]};
         if (shape->outline == NULL) continue;
-        for (int k = 0; k < shape->outline->n_balls; k++, ball++) {
+        for (int k = 0; k < balls_of(shape->outline); k++, ball++) {
             const struct body_ball b = body_shape_ball(shape, k);
             for (int e = 0; e < 3; e++)
                 r->x[e][ball] = at[e] + b.at[e];

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "mesh/poly/poly.h"
 
 void mesh_files_each(const char *dir, void (*each)(void *of, const char *path),

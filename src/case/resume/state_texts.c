@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/version.h"
 
 static const char program[] = "winnow " VERSION_TEXT;

@@ -9,14 +9,14 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "case/case_file.h"
 #include "case/command.h"
 #include "case/resume/case_text.h"
 #include "case/resume/read_summary.h"
 #include "case/resume/resume.h"
 #include "output/checkpoint/state_file.h"
-#include "output/folder.h"
+#include "output/manifest/ownership.h"
 
 /* Why the run ended, on one line, as a new string; NULL if it did not. */
 static char *reason_of(const char *dir)
@@ -114,7 +114,7 @@ static double end_of(struct state_file *f)
 /* 1 if the run goes on. */
 static int print_holder(const char *dir)
 {
-    const long process = folder_process(dir);
+    const long process = ownership_process(dir);
 
     if (process > 0)
         printf("%-11s process %ld is running\n", "running", process);
@@ -133,7 +133,7 @@ static void print_end(const char *dir, const char *reason)
         line("ended", reason);
 }
 
-/* What goes on with it; t of the state that is there, or none. */
+/* The command that continues the run; t of the saved state, if there is one. */
 static void print_what_next(const char *dir, const struct found *f, int done)
 {
     if (f->file != NULL && !done)
@@ -165,7 +165,7 @@ static void print_quoted(const char *text)
     putchar('\'');
 }
 
-/* The command that goes on with a run that has not begun. */
+/* The command that continues a run that has not begun. */
 static void print_beginning(const char *dir, struct state_file *f)
 {
     char *const case_file = state_file_text(f, "case_file");

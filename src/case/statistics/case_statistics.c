@@ -47,44 +47,47 @@ static int begins_after_end(const struct settings *s)
                settings_real(s, "output.end");
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
     (void)failed; /* nothing is written before the end */
-    if (!settings_has(s, group)) return NULL;
+    if (!settings_has(v->settings, group)) return NULL;
     struct case_statistics *const self = alloc_zeroed(1, sizeof *self);
-    const long rows = case_steps_until_end(s) / case_steps_between_rows(s) + 2;
+    const long rows = case_steps_until_end(v->settings) /
+                          case_steps_between_rows(v->settings) +
+                      2;
 
-    self->sim = sim;
-    self->folder = folder;
+    self->sim = v->sim;
+    self->folder = v->folder;
     self->names = names;
     self->columns = columns;
-    self->n_scalars = STATISTICS_SCALARS - (sim->fluid == NULL);
-    self->from = settings_real(s, "output.statistics.from");
-    if (begins_after_end(s) && !settings_quiet(s))
+    self->n_scalars = STATISTICS_SCALARS - (v->sim->fluid == NULL);
+    self->from = settings_real(v->settings, "output.statistics.from");
+    if (begins_after_end(v->settings) && !settings_quiet(v->settings))
         fprintf(stderr,
                 "the statistics begin at %g s, after the end at %g s: they "
                 "have no samples, unless the run goes on later\n",
-                self->from, settings_real(s, "output.end"));
-    self->quiet = settings_quiet(s);
-    self->plateau = settings_real(s, "output.statistics.plateau");
-    self->blocks = settings_int(s, "output.statistics.blocks");
-    self->dt = (double)case_steps_between_rows(s) * sim->dt;
-    self->axis = axis_of(sim->gravity);
+                self->from, settings_real(v->settings, "output.end"));
+    self->quiet = settings_quiet(v->settings);
+    self->plateau = settings_real(v->settings, "output.statistics.plateau");
+    self->blocks = settings_int(v->settings, "output.statistics.blocks");
+    self->dt = (double)case_steps_between_rows(v->settings) * v->sim->dt;
+    self->axis = axis_of(v->sim->gravity);
     self->rows = (int)rows;
     self->first = -1;
     self->series = alloc_doubles((1 + STATISTICS_SCALARS) * self->rows);
-    self->room = alloc_doubles(2 * sim->particles->capacity);
-    if (sim->fluid != NULL)
-        self->layers = layers_create(sim->mesh, self->axis, self->rows);
-    if (sim->coupling != NULL && settings_has(s, "output.statistics.lags")) {
+    self->room = alloc_doubles(2 * v->sim->particles->capacity);
+    if (v->sim->fluid != NULL)
+        self->layers = layers_create(v->sim->mesh, self->axis, self->rows);
+    if (v->sim->coupling != NULL &&
+        settings_has(v->settings, "output.statistics.lags")) {
         self->lags =
-            (int)fmin(settings_real(s, "output.statistics.lags") / self->dt,
+            (int)fmin(settings_real(v->settings, "output.statistics.lags") /
+                          self->dt,
                       self->rows / 2.0) +
             1;
         /* Of a run that is resumed there are none yet. */
         self->grains =
-            grain_series_create(sim->particles->capacity, self->rows);
+            grain_series_create(v->sim->particles->capacity, self->rows);
     }
     return self;
 }

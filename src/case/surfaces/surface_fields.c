@@ -9,7 +9,7 @@
 #include "base/file.h"
 #include "case/field_output.h"
 #include "dem/surfaces/surface.h"
-#include "output/picture.h"
+#include "output/pictures/picture.h"
 #include "output/series.h"
 #include "output/surfaces/outline.h"
 #include "output/surfaces/section.h"
@@ -33,17 +33,15 @@ static void release(void *part)
     free(p);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    (void)s;
-    if (sim->n_surfaces == 0) return NULL;
+    if (v->sim->n_surfaces == 0) return NULL;
     struct surface_fields *const p = alloc_zeroed(1, sizeof *p);
 
-    p->sim = sim;
-    p->folder = folder;
+    p->sim = v->sim;
+    p->folder = v->folder;
     p->writer = vtk_writer_create();
-    p->series = field_output_series(folder, "surfaces", "vtp");
+    p->series = field_output_series(v->folder, "surfaces", "vtp");
     if (p->series != NULL) return p;
     *failed = 1;
     release(p);

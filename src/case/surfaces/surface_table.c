@@ -57,25 +57,23 @@ static void release(void *part)
     free(t);
 }
 
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
-    (void)s;
-    if (sim->n_surfaces == 0) return NULL;
+    if (v->sim->n_surfaces == 0) return NULL;
     struct surface_table *const t = alloc_zeroed(1, sizeof *t);
 
-    t->sim = sim;
+    t->sim = v->sim;
     t->t = -1.0;
-    t->before = alloc_zeroed((size_t)sim->n_surfaces, sizeof *t->before);
-    t->row = alloc_doubles(1 + EACH * sim->n_surfaces);
-    t->table = create_table(sim, folder);
+    t->before = alloc_zeroed((size_t)v->sim->n_surfaces, sizeof *t->before);
+    t->row = alloc_doubles(1 + EACH * v->sim->n_surfaces);
+    t->table = create_table(v->sim, v->folder);
     if (t->table != NULL) return t;
     *failed = 1;
     release(t);
     return NULL;
 }
 
-/* The rows so far, and what the next one needs. */
+/* The rows so far, and the sums at the last of them. */
 static void visit(void *part, struct state *s)
 {
     struct surface_table *const t = part;
@@ -111,5 +109,8 @@ static int add_row(void *part)
     return table_add(t->table, t->row);
 }
 
-const struct recorder_part surface_table_part = {
-    .create = create, .free = release, .row = add_row, .state = visit};
+const struct recorder_part surface_table_part = {.create = create,
+                                                 .free = release,
+                                                 .row = add_row,
+                                                 .last_row = add_row,
+                                                 .state = visit};

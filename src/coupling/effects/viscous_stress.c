@@ -68,11 +68,8 @@ static double link(const struct mesh *m, int f)
 static void add_oblique(struct viscous_stress *self, const struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
-    const struct velocity_gradient_scheme *const s =
-        fl->options.velocity_gradient;
 
-    (s != NULL ? s : velocity_gradient_schemes[0])
-        ->fill(m, fl->u, self->u_b, self->slope);
+    fluid_velocity_gradient(fl, fl->u, self->u_b, self->slope);
     for (int f = 0; f < m->n_internal; f++) {
         const int o = m->owner[f], n = m->neighbour[f];
         double rest[3];

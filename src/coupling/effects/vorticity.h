@@ -2,8 +2,9 @@
  * Chapter "Further forces".
  *
  * The lift forces and the torque of the fluid need it. The gradient in the
- * cells is that of Gauss, and the interpolation to the particles the adjoint of
- * the averaging, as for the other derivatives of the flow.
+ * cells is that of the case (fluid.gradient), and the interpolation to the
+ * particles the adjoint of the averaging, as for the other derivatives of the
+ * flow.
  */
 #ifndef COUPLING_EFFECTS_VORTICITY_H
 #define COUPLING_EFFECTS_VORTICITY_H

@@ -16,10 +16,9 @@ static double added_mass_energy(const struct bodies *b)
     return sum;
 }
 
-static void add(struct energy *e, const struct chunk_energy *part,
-                double elastic)
+static void add(struct energy *e, const struct chunk_energy *part)
 {
-    e->normal += elastic * part->normal;
+    e->normal += part->normal;
     e->tangential += part->tangential;
     e->damped_n += part->damped_n;
     e->damped_t += part->damped_t;
@@ -28,19 +27,18 @@ static void add(struct energy *e, const struct chunk_energy *part,
     e->rolled += part->rolled;
     e->work += part->work;
     e->attracted += part->attracted;
-    e->walls += part->driven;
+    e->walls += part->prescribed;
 }
 
-struct energy budget_collect(const struct neighbours *nb, double elastic)
+struct energy budget_collect(const struct neighbours *nb)
 {
     struct energy e = {.kinetic = added_mass_energy(nb->bodies)};
 
     for (int s = 0; s < nb->n_chunks; s++) {
         const struct chunk *const own = &nb->chunks[s];
         e.kinetic += own->measures.translation + own->measures.rotation;
-        add(&e, &own->energy, elastic);
-        if (nb->surfaces != NULL)
-            add(&e, surfaces_energy(nb->surfaces, s), elastic);
+        add(&e, &own->energy);
+        if (nb->surfaces != NULL) add(&e, surfaces_energy(nb->surfaces, s));
     }
     if (nb->surfaces != NULL) e.walls += surfaces_work(nb->surfaces);
     return e;

@@ -6,8 +6,7 @@
 #include "dem/energy.h"
 #include "dem/fast/neighbours.h"
 
-/* Sums all terms but `added` over the chunks; elastic: the stored energy of a
- * contact over force times overlap. */
-struct energy budget_collect(const struct neighbours *nb, double elastic);
+/* Sums all terms but `added` over the chunks. */
+struct energy budget_collect(const struct neighbours *nb);
 
 #endif

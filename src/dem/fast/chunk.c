@@ -52,16 +52,6 @@ void chunk_release(struct chunk *s)
     free(s->history);
 }
 
-/* A larger array with the `used` first items of the old one, which is freed. */
-static void *grown(void *old, int used, int capacity, size_t size)
-{
-    void *const larger = alloc_zeroed((size_t)capacity, size);
-
-    if (used > 0) memcpy(larger, old, (size_t)used * size);
-    free(old);
-    return larger;
-}
-
 /* Half as much again as needed, so that no array grows any more after a few
  * rebuilds. */
 static int roomy(int needed)
@@ -104,11 +94,12 @@ static void list_add(struct neighbour_list *v, int n, const int *partner,
     if (n == 0) return;
     if (v->n + n > v->capacity) {
         v->capacity = roomy(v->n + n);
-        v->partner = grown(v->partner, v->n, v->capacity, sizeof *v->partner);
-        v->xi = grown(v->xi, v->n, v->capacity, sizeof *v->xi);
+        v->partner =
+            alloc_grown(v->partner, v->n, v->capacity, sizeof *v->partner);
+        v->xi = alloc_grown(v->xi, v->n, v->capacity, sizeof *v->xi);
         if (rolls)
-            v->roll_angle =
-                grown(v->roll_angle, v->n, v->capacity, sizeof *v->roll_angle);
+            v->roll_angle = alloc_grown(v->roll_angle, v->n, v->capacity,
+                                        sizeof *v->roll_angle);
     }
     memset(v->xi[v->n], 0, (size_t)n * sizeof *v->xi);
     if (rolls)
@@ -158,14 +149,15 @@ void chunk_finish_lists(struct chunk *s, int n)
     c->n_pairs = c->n_walls = 0;
     if (most <= c->capacity) return;
     c->capacity = roomy(most);
-    c->owner = grown(c->owner, 0, c->capacity, sizeof *c->owner);
-    c->partner = grown(c->partner, 0, c->capacity, sizeof *c->partner);
-    c->list_index = grown(c->list_index, 0, c->capacity, sizeof *c->list_index);
+    c->owner = alloc_grown(c->owner, 0, c->capacity, sizeof *c->owner);
+    c->partner = alloc_grown(c->partner, 0, c->capacity, sizeof *c->partner);
+    c->list_index =
+        alloc_grown(c->list_index, 0, c->capacity, sizeof *c->list_index);
     for (int k = 0; k < 3; k++) {
-        c->xi[k] = grown(c->xi[k], 0, c->capacity, sizeof(double));
+        c->xi[k] = alloc_grown(c->xi[k], 0, c->capacity, sizeof(double));
         if (s->has_rolling)
             c->roll_angle[k] =
-                grown(c->roll_angle[k], 0, c->capacity, sizeof(double));
+                alloc_grown(c->roll_angle[k], 0, c->capacity, sizeof(double));
     }
 }
 
@@ -223,8 +215,9 @@ static inline void choose_contacts_of(struct chunk *s, const struct bodies *b,
     *n = slot;
 }
 
-/* Of the contacts first ... last - 1, where those of the owners before `end`
- * end, and so many more that no lane of the contact loop is empty. */
+/* The contacts first ... last - 1 are in the order of their owners. Returns the
+ * end of those whose owners are before `end`, rounded up to a whole number of
+ * lanes of the contact loop; the search begins at `from`. */
 static int full_lanes(const struct chunk_contacts *c, int first, int from,
                       int last, int end)
 {
@@ -282,8 +275,8 @@ void chunk_reserve_history(struct chunk *s, int n)
 {
     if (n > s->history_capacity) {
         s->history_capacity = roomy(n);
-        s->history = grown(s->history, s->n_history, s->history_capacity,
-                           sizeof *s->history);
+        s->history = alloc_grown(s->history, s->n_history, s->history_capacity,
+                                 sizeof *s->history);
     }
     s->n_history = n;
 }

@@ -49,7 +49,7 @@ SWEEP_INLINE void sweep_frames(struct sweep_buffers *restrict c,
 
 SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                             const struct contact_constants *k,
-                            contact_respond respond, int many)
+                            contact_respond respond, int many, int budget)
 {
 #pragma omp simd
     for (int p = 0; p < SWEEP_LANES; p++) {
@@ -58,6 +58,7 @@ SWEEP_INLINE void sweep_law(struct sweep_buffers *restrict c,
                     1.0 / c->column[3][p], 1.0 / c->column[7][p]);
 
         c->elastic[p] = a.elastic;
+        if (budget) c->stored[p] = a.stored;
         c->eta_n[p] = a.eta_n;
         c->k_t[p] = a.k_t;
         c->eta_t[p] = a.eta_t;
@@ -193,7 +194,7 @@ SWEEP_INLINE void sweep_contacts(struct chunk *s, const struct bodies *b,
         sweep_into_columns(&c);
         sweep_frames(&c, &b->box, loop & CONTACT_PERIODIC);
         if (many) sweep_material_pairs(&c, s, b, first, count);
-        sweep_law(&c, k, respond, many);
+        sweep_law(&c, k, respond, many, loop & CONTACT_BUDGET);
         sweep_springs(&c, xi[0], xi[1], xi[2], dt);
         if (loop & CONTACT_BUDGET)
             sweep_budget(&s->energy, &c, (const double *const *)xi, k, count,

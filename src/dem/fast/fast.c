@@ -14,7 +14,7 @@
  * d / MARGIN_PARTS. The optima are flat. */
 enum { SKIN_PARTS = 3, THINNEST_SKIN = 6, MARGIN_PARTS = 600 };
 
-static const char *unknown(const struct dem_options *o)
+static const char *unsupported(const struct dem_options *o)
 {
     (void)o;
     return NULL;
@@ -139,8 +139,7 @@ static void close_budget(struct dem *dem)
 {
     const double added = dem->energy->added;
 
-    *dem->energy =
-        budget_collect(fast_of(dem)->neighbours, dem->options.law->stored);
+    *dem->energy = budget_collect(fast_of(dem)->neighbours);
     dem->energy->added = added;
 }
 
@@ -201,7 +200,7 @@ const struct dem_method fast_verlet = {
     .equations = "LS 5.15, 5.16",
     .function = "neighbours_refresh",
     .keys = {skin_keys},
-    .unknown = unknown,
+    .unsupported = unsupported,
     .skin = skin_of,
     .create = create,
     .free = release,

@@ -5,7 +5,7 @@
  * keeps an energy budget; the loops of all others are compiled without it. In
  * a step dt a contact with the slip v_t and the approach -v_n
  *
- *   stores       elastic(delta) delta, times the law's share, and k_t xi^2 / 2
+ *   stores       what the law says (contact_response) and k_t xi^2 / 2
  *   damps        eta_n v_n^2 dt and, unless it slides, eta_t v_t^2 dt
  *   slides off   -F_t . v_t dt and what its spring loses, where Coulomb's cap
  *                cuts both
@@ -31,7 +31,7 @@ struct sweep_slip {
     double left2; /* [m^2] of the spring that sweep_loads leaves */
 };
 
-/* v_t as sweep_springs has it. */
+/* v_t as in sweep_springs. */
 static inline void sweep_slip_velocity(const struct sweep_buffers *c, int p,
                                        double v_n, double v_t[3])
 {
@@ -43,7 +43,7 @@ static inline void sweep_slip_velocity(const struct sweep_buffers *c, int p,
     }
 }
 
-/* Cuts force and spring as sweep_loads is going to; most = mu |F_n|. */
+/* Limits force and spring as sweep_loads does afterwards; most = mu |F_n|. */
 static inline struct sweep_slip sweep_slip(const struct sweep_buffers *c, int p,
                                            const double xi[3],
                                            const double v_t[3], double most,
@@ -85,7 +85,7 @@ SWEEP_STAGE void sweep_budget(struct chunk_energy *e,
         sweep_slip_velocity(c, p, v_n, v_t);
         const struct sweep_slip s = sweep_slip(c, p, own, v_t, most, dt);
         const double k_t = c->k_t[p];
-        e->normal += c->elastic[p] * c->delta[p];
+        e->normal += c->stored[p];
         e->tangential += 0.5 * k_t * s.left2;
         e->found += 0.5 * k_t * s.old2;
         e->damped_n += c->eta_n[p] * v_n * v_n * dt;

@@ -10,7 +10,7 @@
 
 #include "base/alloc.h"
 #include "base/file.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
 #include "dem/population/sizes.h"
 

@@ -19,10 +19,7 @@ void *near_faces_room(void *list, int n, int *room, size_t size)
 {
     if (n < *room) return list;
     *room = 2 * n + 64;
-    void *const longer = alloc_zeroed((size_t)*room, size);
-    if (n > 0) memcpy(longer, list, (size_t)n * size);
-    free(list);
-    return longer;
+    return alloc_grown(list, n, *room, size);
 }
 
 static void begin_owner(struct near_faces *l, int i)

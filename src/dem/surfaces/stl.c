@@ -11,7 +11,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 #include "base/number.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
@@ -64,11 +64,7 @@ static void add(struct stl *s, int *room, double corner[3][3])
     }
     if (s->n == *room) {
         *room = 2 * *room + 64;
-        double(*const longer)[3][3] =
-            alloc_zeroed((size_t)*room, sizeof *longer);
-        if (s->n > 0) memcpy(longer, s->corner, (size_t)s->n * sizeof *longer);
-        free(s->corner);
-        s->corner = longer;
+        s->corner = alloc_grown(s->corner, s->n, *room, sizeof *s->corner);
     }
     memcpy(s->corner[s->n++], corner, sizeof *s->corner);
 }
@@ -103,7 +99,7 @@ static int is_binary(const struct source *in)
     return (double)in->length == HEAD + 4 + RECORD * announced(in);
 }
 
-/* Twelve numbers, the normal first, and two bytes that nobody uses. */
+/* Twelve numbers, the normal first, and two unused bytes. */
 static int read_binary(struct source *in, struct stl *s)
 {
     const int n = number_clamped(announced(in), 0, MOST);

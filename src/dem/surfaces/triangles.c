@@ -111,20 +111,17 @@ void triangles_free(struct triangles *t)
 static void add(struct triangle_list *list, int i)
 {
     if (list->n == list->capacity) {
-        const int capacity = 2 * list->capacity + 64;
-        int *const longer = alloc_ints(capacity);
-        if (list->n > 0)
-            memcpy(longer, list->number, (size_t)list->n * sizeof *longer);
-        free(list->number);
-        list->number = longer;
-        list->capacity = capacity;
+        list->capacity = 2 * list->capacity + 64;
+        list->number = alloc_grown(list->number, list->n, list->capacity,
+                                   sizeof *list->number);
     }
     list->number[list->n++] = i;
 }
 
-/* Is this cell the first one in which the search meets the triangle? */
-static int first_meeting(const struct triangles *t, int i, const int from[3],
-                         const int cell[3])
+/* 1 if this cell is the first one that both the search and the triangle have.
+ */
+static int is_first_common_cell(const struct triangles *t, int i,
+                                const int from[3], const int cell[3])
 {
     int first[3], last[3];
 
@@ -134,8 +131,8 @@ static int first_meeting(const struct triangles *t, int i, const int from[3],
     return 1;
 }
 
-static int meets(const struct triangles *t, int i, const double y[3],
-                 double reach)
+static int is_within(const struct triangles *t, int i, const double y[3],
+                     double reach)
 {
     for (int k = 0; k < 3; k++) {
         double lo, hi;
@@ -153,7 +150,7 @@ static void search(const struct triangles *t, const double y[3], double reach,
 
     for (int q = t->start[c]; q < t->start[c + 1]; q++) {
         const int i = t->member[q];
-        if (first_meeting(t, i, from, cell) && meets(t, i, y, reach))
+        if (is_first_common_cell(t, i, from, cell) && is_within(t, i, y, reach))
             add(found, i);
     }
 }

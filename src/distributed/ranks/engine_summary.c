@@ -6,21 +6,18 @@
 #include <stdlib.h>
 
 /* Lists the files of the three slots. */
-static void *create(const struct settings *s, const struct simulation *sim,
-                    struct folder *folder, int *failed)
+static void *create(const struct recorder_view *v, int *failed)
 {
     char name[64];
-
-    (void)s;
-    ((struct engine *)sim->processes)->folder = folder;
+    ((struct engine *)v->sim->processes)->folder = v->folder;
     for (int i = 0; i < 6; i++) {
         snprintf(name, sizeof name, "checkpoint.%s.%d",
                  i % 2 ? "cells" : "grains", i / 2);
-        char *const path = folder_file(folder, name);
+        char *const path = folder_file(v->folder, name);
         *failed |= path == NULL;
         free(path);
     }
-    return *failed ? NULL : sim->processes;
+    return *failed ? NULL : v->sim->processes;
 }
 
 static void release(void *part)

@@ -15,7 +15,6 @@
 #include "case/build_particles.h"
 #include "case/particle_options.h"
 #include "case/case_materials.h"
-#include "case/case_overlap.h"
 #include "case/case_steps.h"
 #include "coupling/coupling.h"
 #include "dem/dem_internal.h"
@@ -241,7 +240,7 @@ static int add_particles(struct part *part, const struct settings *s, long all)
     if (sim->materials != NULL) particles_add_material(sim->particles);
     sim->dem = dem_create(sim->particles, &o);
     if (sim->dem == NULL) return 2;
-    case_overlap_limit(s, sim);
+    build_particles_limit(s, sim);
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);
     return 0;

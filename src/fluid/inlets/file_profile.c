@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/csv.h"
+#include "base/tables/csv.h"
 #include "fluid/inlets/face_mean.h"
 
 /* The rows of one level of a file. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* level_matrix_bands.c -- the matrices of multigrid stored by diagonals. */
-#include "linear/level_matrix.h"
+#include "linear/multigrid/level_matrix.h"
 
 #include "linear/fast/symmetric.h"
 

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "mesh/poly/locate.h"
 #include "mesh/poly/poly_order.h"
 #include "mesh/poly/poly_raw.h"
 
@@ -277,7 +278,7 @@ static void build(struct mesh *m, struct poly_raw *r)
     m->shape = poly_shape_create(r);
     set_patches(m, r);
     mesh_collect_faces(m);
-    mesh_bins_create(m, 2.0 * warp);
+    locate_create(m, 2.0 * warp);
 }
 
 /* Cyclic patches must have a partner, and every face one patch. */

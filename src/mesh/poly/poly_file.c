@@ -12,7 +12,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "base/input.h"
+#include "base/tables/input.h"
 
 void poly_file_wrong(struct poly_file *p, const char *format, ...)
 {

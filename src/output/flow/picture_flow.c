@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* picture_flow.c -- the picture of a flow without particles: speed with
  * streamlines, and pressure, in a plane through the middle of the mesh. */
-#include "output/picture.h"
+#include "output/pictures/picture.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
-#include "output/probe.h"
+#include "output/means/probe.h"
 
 /* The direction with one cell, else the shortest; z before the others. */
 static int least_to_see(const struct mesh *m)

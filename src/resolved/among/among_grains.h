@@ -16,7 +16,7 @@
 #include "coupling/simulation.h"
 #include "dem/surfaces/dem_surface.h"
 #include "dem/surfaces/surface.h"
-#include "resolved/mirrors.h"
+#include "resolved/among/mirrors.h"
 #include "resolved/solid_bodies.h"
 
 struct among_grains {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "resolved/among/surroundings.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,7 +92,8 @@ static int collect(struct surroundings_filter *f, const double x[3])
 struct surroundings surroundings_of(struct surroundings_filter *f, int i)
 {
     const struct particles *const ps = f->b->ps;
-    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]}, d = ps->d[i];
+    const double x[3] = {ps->x[i], ps->y[i], ps->z[i]};
+    const double d = cbrt(6.0 * f->b->volume[i] / M_PI);
     struct surroundings s = {.eps = 1.0};
 
     filter_boxes(collect(f, x), f->V, f->share, f->box, 3, f->u, 1, s.u,

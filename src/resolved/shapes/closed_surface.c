@@ -270,6 +270,8 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
     set_frame(s, n);
     s->outline.n_triangles = n;
     s->outline.corner = s->corner;
+    s->outline.width = 2.0 * fmin(s->outline.half[0],
+                                  fmin(s->outline.half[1], s->outline.half[2]));
     *trouble = join(s, n);
     if (*trouble == NULL && !(s->outline.volume > 0.0))
         *trouble = "it has no volume";

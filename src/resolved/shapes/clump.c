@@ -31,7 +31,6 @@ static double distance(const struct body_outline *o, const double y[3])
 
 static void release(struct body_outline *o)
 {
-    free(o->ball);
     free(o);
 }
 

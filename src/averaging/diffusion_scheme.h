@@ -1,0 +1,44 @@
+/* diffusion_scheme.h -- the descriptor of a time scheme of the diffusion.
+ * Chapter "Averaging".
+ */
+#ifndef AVERAGING_DIFFUSION_SCHEME_H
+#define AVERAGING_DIFFUSION_SCHEME_H
+
+#include "base/key.h"
+#include "mesh/mesh.h"
+
+struct averaging_options;
+struct averaging_report;
+struct diffusion_scheme;
+
+/* How a scheme takes its steps in pseudo-time (schemes/diffusion_steps.h). fill
+ * sets the matrices for D on the internal faces [-], NULL for 1; apply diffuses
+ * m fields side by side and reports the work of the solver. */
+struct diffusion_stepping {
+    void *(*create)(const struct diffusion_scheme *scheme,
+                    const struct mesh *mesh, const struct averaging_options *o);
+    void (*free)(void *state);
+    void (*fill)(void *state, const double *D);
+    void (*apply)(void *state, int m, double *u, struct averaging_report *r);
+    /* The number of steps [-] from which on no field undershoots for the
+     * bandwidth b [m]; NULL: any number. */
+    int (*safe_steps)(const struct mesh *mesh, double b);
+};
+
+/* A time scheme of the diffusion. */
+struct diffusion_scheme {
+    const char *name;                   /* as a case spells it */
+    const char *what;                   /* one line */
+    const char *equations;              /* keys in chapters/references.md */
+    const char *function;               /* the one that computes it */
+    const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
+    const struct diffusion_stepping *stepping; /* NULL: the exponential */
+    int directly;    /* [-] 1: by a diffusion_operator where there is one */
+    int stages;      /* [-] linear systems in a step */
+    double implicit; /* [-] share of dtau K in the matrix of a stage */
+};
+
+/* All of them, ended by NULL; the first is the default. */
+extern const struct diffusion_scheme *const diffusion_schemes[];
+
+#endif

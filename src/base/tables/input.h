@@ -1,0 +1,21 @@
+/* input.h -- files that are read.
+ *
+ * Only ordinary files are accepted. A device has no end, a pipe without a
+ * writer blocks for ever, and a folder has no bytes, although fopen opens all
+ * of them.
+ */
+#ifndef BASE_TABLES_INPUT_H
+#define BASE_TABLES_INPUT_H
+
+#include <stddef.h>
+
+/* The reason why the file cannot be read, in words, with errno set; NULL if it
+ * can be read. */
+const char *input_wrong(const char *path);
+
+/* The whole file with a zero byte after the end, released with free(); *length
+ * does not count that byte. NULL if it cannot be read, with the reason in
+ * *why. */
+char *input_text(const char *path, size_t *length, const char **why);
+
+#endif

@@ -1,0 +1,43 @@
+/* case_check.h -- the hooks by which folders check a case.
+ *
+ * A case is read key by key in the room itself (schema_check.h). Whether what
+ * it says is possible is checked by the folders checks/ and text/: without them
+ * a case is taken at its word. A descriptor is named in the models.txt of its
+ * folder, and each function may be NULL. It returns 0, or the exit code after
+ * one message.
+ */
+#ifndef CASE_CASE_CHECK_H
+#define CASE_CASE_CHECK_H
+
+#include "case/settings.h"
+
+struct case_check {
+    /* The case file, before it is read; what it includes lies in `folder`, or,
+     * if that is NULL, where the program runs. */
+    int (*file)(const char *file, const char *folder);
+    /* The value of an override: what is wrong with it, or NULL. */
+    const char *(*text)(const char *value);
+    /* The value of a key, which has its type. */
+    int (*value)(const struct key *key, const char *path,
+                 const struct config_setting_t *value);
+    /* What the case says of its mesh, before that is made. */
+    int (*mesh)(const struct settings *s);
+    /* The case as a whole. */
+    int (*whole)(const struct settings *s);
+    /* Whether a run can begin. */
+    int (*run)(const struct settings *s);
+};
+
+/* All of them, ended by NULL. */
+extern const struct case_check *const case_checks[];
+
+/* The same of all together, up to the first that finds something wrong. */
+int case_check_file(const char *file, const char *folder);
+const char *case_check_text(const char *value);
+int case_check_value(const struct key *key, const char *path,
+                     const struct config_setting_t *value);
+int case_check_mesh(const struct settings *s);
+int case_check_whole(const struct settings *s);
+int case_check_run(const struct settings *s);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/boundary_check.h"
+
+#include <stdlib.h>
+
+#include "case/build_boundaries.h"
+#include "case/case_mesh.h"
+
+/* 1 if a folder adds to a boundary what is only found right by building it. */
+static int needs_arrays(const struct settings *s, const struct patch *p)
+{
+    char path[BUILD_BOUNDARIES_PATH];
+    int needs = 0;
+
+    for (int i = 0; boundary_builders[i] != NULL; i++) {
+        const struct boundary_builder *const b = boundary_builders[i];
+        needs |= build_boundaries_has(s, p, b->key, path) &&
+                 (b->is_checked == NULL || b->is_checked(s, p));
+    }
+    return needs;
+}
+
+int boundary_check(const struct settings *s)
+{
+    struct mesh *m = case_mesh_outline(s);
+    double *series;
+    int failed = 0, needs = 0;
+
+    for (int i = 0; i < m->n_patches; i++)
+        needs |= needs_arrays(s, &m->patches[i]);
+    mesh_free(m);
+    if (!needs) return 0;
+    m = case_mesh_create(s);
+    struct boundary *const all = build_boundaries(s, m, &series);
+    failed = all == NULL;
+    if (!failed) build_boundaries_free(all, m->n_patches, series);
+    mesh_free(m);
+    return failed ? 2 : 0;
+}

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_averaging.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "averaging/averaging.h"
+#include "case/build.h"
+#include "case/case_mesh.h"
+#include "case/checks/model_choice.h"
+
+/* An average over more than that many lengths of the mesh is the same
+ * everywhere, and images of images would be added up for ever [-]. */
+static const double most_lengths = 10.0, most_widths = 100.0;
+
+/* The cells of a second grid, at most [-]. */
+static const double most_cells = 1e8;
+
+/* The longest and the shortest side of the box around the mesh [m]. */
+static void sides(const struct settings *s, double *longest, double *shortest)
+{
+    double lo[3], hi[3];
+
+    case_mesh_ends(s, lo, hi);
+    *longest = 0.0;
+    *shortest = HUGE_VAL;
+    for (int k = 0; k < 3; k++) {
+        *longest = fmax(*longest, hi[k] - lo[k]);
+        *shortest = fmin(*shortest, hi[k] - lo[k]);
+    }
+}
+
+static int check_width(const struct settings *s, const char *key, double b)
+{
+    double longest, shortest;
+
+    sides(s, &longest, &shortest);
+    if (b > most_lengths * longest)
+        return settings_wrong(s, key,
+                              "%g m is more than %g times the mesh, which is "
+                              "%g m long: the average would be the same "
+                              "everywhere",
+                              b, most_lengths, longest);
+    if (b > most_widths * shortest)
+        return settings_wrong(s, key,
+                              "%g m is more than %g times the shortest side "
+                              "of the mesh, %g m",
+                              b, most_widths, shortest);
+    return 0;
+}
+
+static int check_widths(const struct settings *s)
+{
+    static const char *const one[] = {"averaging.bandwidth",
+                                      "averaging.delta_05"};
+    static const char list[] = "averaging.regions";
+    int code = 0;
+
+    for (int i = 0; i < 2 && code == 0; i++)
+        if (settings_has(s, one[i]))
+            code = check_width(s, one[i], settings_real(s, one[i]));
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++)
+        code =
+            check_width(s, list, settings_item_real(s, list, i, "bandwidth"));
+    return code;
+}
+
+/* A second grid is as fine as its bandwidth. */
+static int check_second_grid(const struct settings *s)
+{
+    static const char key[] = "averaging.bandwidth";
+    double lo[3], hi[3], cells = 1.0;
+
+    if (!averaging_method_named(settings_text(s, "averaging.method"))
+             ->lays_grid)
+        return 0;
+    const double b = settings_real(s, key);
+    case_mesh_ends(s, lo, hi);
+    for (int k = 0; k < 3; k++)
+        cells *= fmax(1.0, floor((hi[k] - lo[k]) / b));
+    if (cells <= most_cells) return 0;
+    return settings_wrong(s, key,
+                          "a second grid of cells of %g m would have %.3g of "
+                          "them; at most %g",
+                          b, cells, most_cells);
+}
+
+static int check_given(const struct settings *s)
+{
+    const char *const method = settings_text(s, "averaging.method");
+    const int b = settings_has(s, "averaging.bandwidth");
+    const int delta = settings_has(s, "averaging.delta_05");
+
+    if (delta && model_choice_unread(s, "averaging", "averaging.delta_05") != 0)
+        return 2;
+    if (settings_length(s, "averaging.regions") > BUILD_MOST_REGIONS)
+        return settings_wrong(s, "averaging.regions", "%d at most",
+                              BUILD_MOST_REGIONS);
+    if (b && delta)
+        return settings_wrong(s, "averaging.delta_05",
+                              "give either bandwidth or delta_05, not both");
+    if (averaging_method_named(method)->needs_bandwidth && !b && !delta)
+        return settings_wrong(s, "averaging.method",
+                              "%s needs averaging.bandwidth", method);
+    return 0;
+}
+
+int case_averaging_check(const struct settings *s)
+{
+    int code = check_given(s);
+
+    if (code == 0) code = check_widths(s);
+    return code != 0 ? code : check_second_grid(s);
+}

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_limits.h"
+
+#include <math.h>
+
+#include "base/vector.h"
+#include "dem/dem_method.h"
+#include "dem/limits.h"
+#include "case/case_part.h"
+#include "case/case_materials.h"
+#include "case/particle_options.h"
+
+int case_limits_no_contacts(const struct settings *s)
+{
+    return dem_method_named(settings_text(s, "particles.list"))->no_contacts;
+}
+
+int case_limits_count(const struct settings *s)
+{
+    return settings_length(s, "particles.materials") + 1;
+}
+
+const char *case_limits_name(const struct settings *s, int m)
+{
+    return m == 0 ? "grains"
+                  : settings_item_text(s, "particles.materials", m - 1, "name");
+}
+
+struct case_diameters case_limits_later(const struct settings *s, int material)
+{
+    struct case_diameters all = {0.0, 0.0};
+
+    for (int i = 0; case_parts[i] != NULL; i++) {
+        if (case_parts[i]->later_diameters == NULL) continue;
+        const struct case_diameters d =
+            case_parts[i]->later_diameters(s, material);
+        if (d.max <= 0.0) continue;
+        all.min = all.max > 0.0 ? fmin(all.min, d.min) : d.min;
+        all.max = fmax(all.max, d.max);
+    }
+    return all;
+}
+
+/* The smaller of two diameters, of which 0 is none. */
+static double smaller(double a, double b)
+{
+    return a > 0.0 && b > 0.0 ? fmin(a, b) : fmax(a, b);
+}
+
+static double smallest_placed(const struct settings *s, int m)
+{
+    static const char *const list = "particles.place";
+    double least = 0.0;
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        const int own = settings_item_has(s, list, i, "material")
+                            ? case_materials_number(
+                                  s, settings_item_text(s, list, i, "material"))
+                            : 0;
+        if (own == m)
+            least = smaller(least, settings_item_real(s, list, i, "diameter"));
+    }
+    return least;
+}
+
+/* A bed is of material 0. */
+static double smallest_of_bed(const struct settings *s, int m)
+{
+
+    if (m != 0 || !settings_has(s, "particles.bed")) return 0.0;
+    struct bed_options b = particle_options_bed(s);
+    const struct bed_range range = bed_range(&b);
+    particle_options_release(&b);
+    return b.count > 0 ? range.min : 0.0;
+}
+
+struct case_limits case_limits_of(const struct settings *s, int m, double v)
+{
+    const struct contact_law *const law =
+        contact_law_named(settings_text(s, "particles.contact"));
+    const struct material of = case_materials_one(s, m);
+    struct case_limits k = {.material = m};
+
+    k.density = case_materials_density(s, m);
+    k.d = smaller(smallest_of_bed(s, m), smallest_placed(s, m));
+    k.d = smaller(k.d, case_limits_later(s, m).min);
+    if (k.d <= 0.0) return k;
+    k.rayleigh = law->wave_time(&of, 0.5 * k.d, k.density);
+    k.contact = limits_contact_time(law, &of, k.d, k.density, v);
+    k.suggested = limits_step(law, &of, k.d, k.density, v);
+    k.longest = limits_longest_step(law, &of, k.d, k.density, v);
+    return k;
+}
+
+/* The fastest of a list, by the key `velocity` of its groups. */
+static double fastest_of(const struct settings *s, const char *list)
+{
+    double fastest = 0.0, v[3];
+
+    for (int i = 0; i < settings_length(s, list); i++) {
+        settings_item_vector(s, list, i, "velocity", v);
+        fastest = fmax(fastest, vector_length(v));
+    }
+    return fastest;
+}
+
+double case_limits_initial_speed(const struct settings *s)
+{
+    return fmax(fastest_of(s, "particles.place"),
+                fastest_of(s, "particles.insert"));
+}
+
+struct case_limits case_limits_tightest(const struct settings *s, double v)
+{
+    struct case_limits tightest = case_limits_of(s, 0, v);
+
+    for (int m = 1; m < case_limits_count(s); m++) {
+        const struct case_limits k = case_limits_of(s, m, v);
+        if (k.d > 0.0 && (tightest.d <= 0.0 || k.longest < tightest.longest))
+            tightest = k;
+    }
+    return tightest;
+}

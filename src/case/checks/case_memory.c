@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_memory.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "case/case_mesh.h"
+#include "coupling/processes.h"
+
+static const char insert[] = "particles.insert";
+
+/* [byte] The largest memory that was measured in runs. A particle took 1010 on
+ * a lattice, touching no other, and 1190 to 1280 in a heap. A cell of a box
+ * took 290 without a fluid, 1500 to 2060 with one; of a mesh that has corners
+ * of its own 1220, while it is made, and 2050 to 2120. */
+static const double per_particle = 1250.0;
+static const double per_cell[2][2] = {{300.0, 1800.0}, {1250.0, 2300.0}};
+
+/* So that sixteen numbers a particle are still numbered by an int. */
+static const double most_particles = 134217727.0;
+
+static double bed(const struct settings *s)
+{
+    return settings_has(s, "particles.bed")
+               ? settings_int(s, "particles.bed.count")
+               : 0.0;
+}
+
+/* The particles of sources; those of files are counted when the files are
+ * read. */
+static double inserted(const struct settings *s)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < settings_length(s, insert); i++)
+        if (settings_item_has(s, insert, i, "count"))
+            sum += settings_item_int(s, insert, i, "count");
+    return sum;
+}
+
+static double of_particles(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0.0;
+    return per_particle *
+           (bed(s) + inserted(s) + settings_length(s, "particles.place"));
+}
+
+static double of_cells(const struct settings *s)
+{
+    const int corners =
+        settings_has(s, "mesh.polymesh") || settings_has(s, "mesh.shear");
+
+    return case_mesh_cells(s) * per_cell[corners][settings_has(s, "fluid")];
+}
+
+double case_memory_bytes(const struct settings *s)
+{
+    return of_cells(s) + of_particles(s);
+}
+
+/* The key that needs the most memory. */
+static const char *largest_key(const struct settings *s, double more)
+{
+    if (more > of_cells(s) && more > of_particles(s))
+        return "averaging.bandwidth";
+    if (of_cells(s) > of_particles(s))
+        return settings_has(s, "mesh.cells") ? "mesh.cells" : "mesh.polymesh";
+    return bed(s) > inserted(s) ? "particles.bed.count" : insert;
+}
+
+/* A case that several machines hold (chapter "Past one machine"). */
+static int is_divided(const struct settings *s)
+{
+    static const char key[] = "engine";
+
+    return processes_engines[0] != NULL ||
+           (settings_has(s, key) &&
+            strcmp(settings_text(s, key), "distributed") == 0);
+}
+
+int case_memory_check(const struct settings *s, double more)
+{
+    const double need = case_memory_bytes(s) + more, have = alloc_most();
+    const double n = of_particles(s) / per_particle;
+
+    if (is_divided(s)) return 0;
+    if (n > most_particles)
+        return settings_wrong(
+            s, bed(s) > inserted(s) ? "particles.bed.count" : insert,
+            "%.4g particles; no more than %.0f can be "
+            "numbered",
+            n, most_particles);
+    if (need <= have) return 0;
+    return settings_wrong(s, largest_key(s, more),
+                          "%.4g cells and %.4g particles need about %.3g GB, "
+                          "and this machine has %.3g GB for them",
+                          case_mesh_cells(s), n, 1e-9 * need, 1e-9 * have);
+}

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/case_scales.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "averaging/averaging.h"
+#include "base/vector.h"
+#include "case/build.h"
+#include "case/boundaries/inlet_builder.h"
+#include "case/checks/case_limits.h"
+#include "case/checks/case_memory.h"
+#include "case/case_mesh.h"
+#include "case/case_part.h"
+#include "case/case_steps.h"
+#include "case/particle_options.h"
+
+/* Particles that are inserted later count as if they were there. */
+static void add_inserted(const struct settings *s, struct case_scales *k)
+{
+    k->particles += case_part_count_later(s);
+    k->d_most = fmax(k->d_most, case_limits_later(s, -1).max);
+    for (int m = 0; m < case_limits_count(s); m++) {
+        const double d = case_limits_later(s, m).min;
+        if (d > 0.0) k->d = k->d > 0.0 ? fmin(k->d, d) : d;
+    }
+}
+
+static void particle_scales(const struct settings *s, struct case_scales *k)
+{
+    const char *const list = "particles.place";
+
+    k->density = settings_real(s, "particles.grains.density");
+    if (settings_has(s, "particles.bed")) {
+        struct bed_options b = particle_options_bed(s);
+        const struct bed_range range = bed_range(&b);
+        k->particles = b.count;
+        k->d = range.min;
+        k->d_most = range.max;
+        k->volume = range.volume;
+        particle_options_release(&b);
+        return;
+    }
+    k->particles = settings_length(s, list);
+    for (int i = 0; i < k->particles; i++) {
+        const double d = settings_item_real(s, list, i, "diameter");
+
+        k->d = i == 0 ? d : fmin(k->d, d);
+        k->d_most = fmax(k->d_most, d);
+    }
+}
+
+/* [m/s] the largest in time, in the mean over its side: where a jet comes
+ * through a slot, the grains beside it are not struck at the speed of the jet.
+ */
+static double largest_inlet(const struct settings *s, const struct mesh *m)
+{
+    double largest = 0.0, mean, peak;
+
+    for (int i = 0; i < m->n_patches; i++) {
+        const char *const side = settings_side(s, m->patches[i].name);
+        char path[128];
+
+        if (side == NULL) continue;
+        snprintf(path, sizeof path, "%s.inlet", side);
+        if (!settings_has(s, path)) continue;
+        inlet_builder_shares(s, m->patches[i].name, &mean, &peak);
+        for (int j = 0; j < settings_points(s, path); j++) {
+            double t, u;
+            settings_point(s, path, j, &t, &u);
+            largest = fmax(largest, u * mean);
+        }
+    }
+    return largest;
+}
+
+struct case_scales case_scales_of(const struct settings *s)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    struct case_scales k = {.cells = m->n_cells};
+    double g[3];
+
+    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
+    k.end = settings_real(s, "output.end");
+    k.dt = case_steps_length(s);
+    k.dem_steps = case_steps_within(s);
+    if (settings_has(s, "fluid")) k.inlet = largest_inlet(s, m);
+    if (settings_has(s, "particles")) {
+        particle_scales(s, &k);
+        add_inserted(s, &k);
+        k.dem_dt = k.dt / k.dem_steps;
+    }
+    particle_options_gravity(s, g);
+    k.impact = fmax(k.inlet, sqrt(2.0 * vector_length(g) * k.d_most));
+    k.impact = fmax(k.impact, case_limits_initial_speed(s));
+    if (k.impact == 0.0) k.impact = 1.0; /* nothing flows, falls or flies */
+    mesh_free(m);
+    return k;
+}
+
+/* The weights that an averaging method stores for each cell can take more than
+ * all else. */
+int case_scales_check_memory(const struct settings *s,
+                             const struct case_scales *k)
+{
+    if (!settings_has(s, "averaging")) return 0;
+    struct mesh *const m = case_mesh_outline(s);
+    const struct averaging_options o = build_averaging_options(s);
+    const double bytes = averaging_bytes(
+        averaging_method_named(settings_text(s, "averaging.method")), m,
+        k->d_most, &o);
+
+    mesh_free(m);
+    return case_memory_check(s, bytes);
+}
+
+/* Without contacts a bed does not come to rest. */
+static int check_no_contacts(const struct settings *s)
+{
+    if (!settings_has(s, "particles.bed") ||
+        settings_int(s, "particles.bed.count") == 0 ||
+        settings_real(s, "particles.bed.settle") == 0.0)
+        return 0;
+    return settings_wrong(s, "particles.list",
+                          "\"none\": no bed comes to rest without contacts; "
+                          "give particles.bed.settle = 0.0, or place the "
+                          "spheres");
+}
+
+int case_scales_check(const struct settings *s)
+{
+    if (!settings_has(s, "particles")) return 0;
+    const struct case_scales k = case_scales_of(s);
+    if (case_scales_check_memory(s, &k) != 0) return 2;
+    if (case_limits_no_contacts(s)) return check_no_contacts(s);
+    if (settings_bool(s, "particles.unsafe_step")) return 0;
+    const struct case_limits m = case_limits_tightest(s, k.impact);
+    if (m.d <= 0.0 || k.dem_dt <= m.longest) return 0;
+    return settings_wrong(
+        s, "particles.step",
+        "%.3g s does not resolve the impacts of %s of %.3g m, which last %.3g "
+        "s: at most %.3g s, better %.3g s; to run all the same set "
+        "particles.unsafe_step = true",
+        k.dem_dt, case_limits_name(s, m.material), m.d, m.contact, m.longest,
+        m.suggested);
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/materials_check.h"
+
+#include "case/case_materials.h"
+
+static const char list[] = "particles.materials", pairs[] = "particles.pairs",
+                  wall[] = "particles.walls.material";
+
+/* Names are used once. */
+static int check_one(const struct settings *s, int k)
+{
+    const char *const name = settings_item_text(s, list, k, "name");
+
+    if (case_materials_number(s, name) != k + 1)
+        return settings_wrong(s, list, "the name %s is given twice", name);
+    return 0;
+}
+
+static int check_pair(const struct settings *s, int k)
+{
+    static const char *const ends[] = {"between", "and"};
+
+    for (int i = 0; i < 2; i++) {
+        const char *const name = settings_item_text(s, pairs, k, ends[i]);
+        if (case_materials_check_name(s, pairs, name) != 0) return 2;
+    }
+    for (int i = 0; i < k; i++) {
+        const struct materials_measured a = case_materials_pair(s, i),
+                                        b = case_materials_pair(s, k);
+        if ((a.a == b.a && a.b == b.b) || (a.a == b.b && a.b == b.a))
+            return settings_wrong(s, pairs, "%s and %s are given twice",
+                                  settings_item_text(s, pairs, k, "between"),
+                                  settings_item_text(s, pairs, k, "and"));
+    }
+    return 0;
+}
+
+/* A sphere has the density of its material. */
+static int check_place(const struct settings *s, int i)
+{
+    static const char place[] = "particles.place";
+    const char *name;
+
+    if (!settings_item_has(s, place, i, "material")) return 0;
+    name = settings_item_text(s, place, i, "material");
+    if (case_materials_check_name(s, place, name) != 0) return 2;
+    if (case_materials_density(s, case_materials_number(s, name)) > 0.0)
+        return 0;
+    return settings_wrong(s, place,
+                          "sphere %d is of %s, whose density [kg/m^3] is not "
+                          "given",
+                          i, name);
+}
+
+int materials_check(const struct settings *s)
+{
+    int code = 0;
+
+    for (int k = 0; k < settings_length(s, list) && code == 0; k++)
+        code = check_one(s, k);
+    for (int k = 0; k < settings_length(s, pairs) && code == 0; k++)
+        code = check_pair(s, k);
+    for (int i = 0; i < settings_length(s, "particles.place") && code == 0; i++)
+        code = check_place(s, i);
+    if (code == 0 && settings_has(s, wall))
+        code = case_materials_check_name(s, wall, settings_text(s, wall));
+    return code;
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/mesh_check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "case/case_mesh.h"
+
+/* --- its keys ------------------------------------------------------------- */
+
+/* A mesh from files has no key of a box. */
+static int check_files(const struct settings *s, const char *files)
+{
+    const struct mesh_form *const other = case_mesh_form(s, 0);
+    const char *const of_box[] = {"mesh.size", "mesh.cells", "mesh.grading",
+                                  "mesh.periodic",
+                                  other != NULL ? other->keys[0].path : NULL};
+
+    for (int i = 0; i < 5 && of_box[i] != NULL; i++)
+        if (settings_has(s, of_box[i]))
+            return settings_wrong(
+                s, of_box[i],
+                "the mesh comes from files; leave this key or %s out", files);
+    return 0;
+}
+
+static int check_box(const struct settings *s)
+{
+    static const char *const asked[] = {"mesh.size", "mesh.cells"};
+    const char *files = NULL;
+
+    for (int i = 0; mesh_forms[i] != NULL && files == NULL; i++)
+        if (mesh_forms[i]->read != NULL) files = mesh_forms[i]->keys[0].path;
+    for (int i = 0; i < 2; i++)
+        if (!settings_has(s, asked[i]))
+            return settings_wrong(s, "mesh",
+                                  "%s is missing: a box needs mesh.size, three "
+                                  "numbers [m], and mesh.cells%s%s",
+                                  asked[i], files != NULL ? "; or give " : "",
+                                  files != NULL ? files : "");
+    return 0;
+}
+
+/* A box of more faces than can be numbered. */
+static int check_numbers(const struct settings *s)
+{
+    const struct box_spec spec = case_mesh_box(s);
+    const double faces = mesh_box_faces(&spec);
+
+    if (faces <= MESH_MOST_FACES) return 0;
+    return settings_wrong(s, "mesh.cells",
+                          "%.4g cells with %.3g faces; no more than %d faces "
+                          "can be numbered",
+                          case_mesh_cells(s), faces, MESH_MOST_FACES);
+}
+
+int mesh_check_keys(const struct settings *s)
+{
+    const struct mesh_form *const files = case_mesh_form(s, 1);
+    if (files != NULL) return check_files(s, files->keys[0].path);
+
+    const int code = check_box(s);
+    return code != 0 ? code : check_numbers(s);
+}
+
+/* --- its cells ------------------------------------------------------------ */
+
+/* The widest slab of a direction over the narrowest; without bound where the
+ * narrowest has no width left. */
+static double unevenness(const struct box *b, int k)
+{
+    const double *const e = b->edge[k];
+    double narrow = HUGE_VAL, wide = 0.0;
+
+    for (int i = 0; i < b->n[k]; i++) {
+        narrow = fmin(narrow, e[i + 1] - e[i]);
+        wide = fmax(wide, e[i + 1] - e[i]);
+    }
+    return narrow > 0.0 ? wide / narrow : HUGE_VAL;
+}
+
+/* Beyond these no solver comes to an end, and squares of areas leave the range
+ * of a double. */
+static int check_shape(const struct settings *s, const struct mesh *m)
+{
+    const double most_uneven = 1e6, tiny = 1e-60, huge = 1e60; /* [-], [m^3] */
+    const char *const key =
+        settings_has(s, "mesh.polymesh") ? "mesh.polymesh" : "mesh.size";
+    double least, most, mean;
+
+    for (int k = 0; k < 3 && m->face_centre == NULL; k++)
+        if (!(unevenness(&m->box, k) <= most_uneven))
+            return settings_wrong(s, "mesh.grading",
+                                  "the widest cell is %.3g times the "
+                                  "narrowest in %c; at most %g",
+                                  unevenness(&m->box, k), 'x' + k, most_uneven);
+    mesh_volumes(m, &least, &most, &mean);
+    if (least >= tiny && most <= huge) return 0;
+    return settings_wrong(s, key,
+                          "the cells have %g to %g m^3; expected between %g "
+                          "and %g m^3",
+                          least, most, tiny, huge);
+}
+
+int mesh_check_cells(const struct settings *s)
+{
+    struct mesh *const m = case_mesh_outline(s);
+    const int code = check_shape(s, m);
+
+    mesh_free(m);
+    return code;
+}
+
+/* --- its patches ---------------------------------------------------------- */
+
+/* The area of a patch [m^2]. */
+static double area_of(const struct mesh *m, const struct patch *p)
+{
+    double area = 0.0;
+
+    for (int f = p->first; f < p->first + p->n; f++)
+        area += vector_length(&m->S[3 * f]);
+    return area;
+}
+
+/* A moving wall moves along itself: every face of it. */
+static int check_wall(const struct settings *s, const struct mesh *m,
+                      const struct patch *p, const char *path)
+{
+    double u[3];
+
+    settings_vector(s, path, u);
+    for (int f = p->first; f < p->first + p->n; f++) {
+        const double *const S = &m->S[3 * f], *const x = &m->face_centre[3 * f];
+        const double out = vector_dot(u, S) / vector_length(S);
+        if (fabs(out) <= 1e-6 * vector_length(u)) continue;
+        return settings_wrong(s, path,
+                              "the wall would move through itself, at %g m/s "
+                              "at [%g, %g, %g] m; expected 0",
+                              out, x[0], x[1], x[2]);
+    }
+    return 0;
+}
+
+static int check_patch(const struct settings *s, const struct mesh *m,
+                       const struct patch *p)
+{
+    const char *const side = settings_side(s, p->name);
+    char path[128];
+
+    if (side == NULL && (p->is_symmetry || settings_mesh(s) == NULL)) return 0;
+    if (side == NULL)
+        return settings_wrong(s, "fluid",
+                              "the patch %s, %d faces with %.3g m^2, has no "
+                              "boundary condition: give fluid.%s",
+                              p->name, p->n, area_of(m, p), p->name);
+    snprintf(path, sizeof path, "%s.profile", side);
+    if (settings_has(s, path) &&
+        strcmp(settings_text(s, path), "parabola") == 0)
+        return settings_wrong(s, path,
+                              "only the inlet of a plain box can have a "
+                              "parabola; expected uniform, formula, table or "
+                              "file");
+    snprintf(path, sizeof path, "%s.wall", side);
+    return settings_has(s, path) ? check_wall(s, m, p, path) : 0;
+}
+
+int mesh_check_fluid(const struct settings *s)
+{
+    const struct mesh *const m = settings_mesh(s);
+    int code = 0;
+
+    for (int i = 0; m != NULL && i < m->n_patches && code == 0; i++)
+        code = check_patch(s, m, &m->patches[i]);
+    return code;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/model_choice.h"
+
+#include "averaging/averaging.h"
+#include "case/schema.h"
+#include "coupling/drag.h"
+#include "dem/contact.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The group that a key is in, and its own name. */
+static const char *split(const char *path, char group[SCHEMA_TEXT])
+{
+    const char *const dot = strrchr(path, '.');
+
+    snprintf(group, SCHEMA_TEXT, "%.*s", dot == NULL ? 0 : (int)(dot - path),
+             path);
+    return dot == NULL ? path : dot + 1;
+}
+
+/* 1 if a side of the box is the patch, or a group with its first key. */
+static int is_some_side(const struct settings *s, const struct model *m)
+{
+    const char *side;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char group[SCHEMA_TEXT], path[SCHEMA_TEXT + 64];
+
+        if (!settings_has(s, side)) continue;
+        const char *const word = settings_text(s, side);
+        if (word != NULL && strcmp(word, m->name) == 0) return 1;
+        if (word != NULL || m->keys[0] == NULL) continue;
+        snprintf(path, sizeof path, "%s.%s", side,
+                 split(m->keys[0]->path, group));
+        if (settings_has(s, path)) return 1;
+    }
+    return 0;
+}
+
+/* 1 if a key of some side chooses the model: of "fluid.<patch>.profile", that
+ * of fluid.left. */
+static int is_chosen_on_side(const struct settings *s, const char *key,
+                             const struct model *m)
+{
+    const char *side;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char path[SCHEMA_TEXT + 64];
+
+        snprintf(path, sizeof path, "%s.%s", side, key);
+        if (settings_has(s, path) &&
+            strcmp(settings_text(s, path), m->name) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* 1 if one of the groups of a list chose that model. */
+static int is_in_list(const struct settings *s, const char *list,
+                      const char *key, const char *model)
+{
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (strcmp(settings_item_text(s, list, i, key), model) == 0) return 1;
+    return 0;
+}
+
+/* 1 if the group is there in which the key of a kind is; and, where the key
+ * belongs to other models, one of these is chosen. */
+static int is_at_work(const struct settings *s, const struct kind *kind)
+{
+    char group[SCHEMA_TEXT];
+    struct model m;
+    int owned = 0;
+
+    split(kind->key, group);
+    if (!settings_has(s, kind->group != NULL ? kind->group
+                         : group[0] != '\0'  ? group
+                                             : kind->key))
+        return 0;
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
+            if (models_reads(&m, kind->key)) {
+                if (model_choice_is_on(s, *k, &m)) return 1;
+                owned = 1;
+            }
+    return !owned;
+}
+
+int model_choice_is_on(const struct settings *s, const struct kind *kind,
+                       const struct model *m)
+{
+    char group[SCHEMA_TEXT], path[SCHEMA_TEXT];
+    const char *const key = split(kind->key, group);
+
+    if (!is_at_work(s, kind)) return 0;
+    if (strstr(key, "<patch>") != NULL) return is_some_side(s, m);
+    if (strstr(group, "<patch>") != NULL) return is_chosen_on_side(s, key, m);
+    if (settings_is_list(s, group)) return is_in_list(s, group, key, m->name);
+    if (group[0] != '\0')
+        return strcmp(settings_text(s, kind->key), m->name) == 0;
+    snprintf(path, sizeof path, "%s.%s", kind->key, m->name);
+    return settings_has(s, path);
+}
+
+int model_choice_unread(const struct settings *s, const char *kind,
+                        const char *path)
+{
+    const struct kind *const k = models_kind(kind);
+    char names[SCHEMA_TEXT] = "";
+    struct model m;
+    size_t used = 0;
+
+    for (int i = 0; k->model(i, &m); i++) {
+        if (!models_reads(&m, path)) continue;
+        if (model_choice_is_on(s, k, &m)) return 0;
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
+                                 used > 0 ? ", " : "", m.name);
+    }
+    return settings_wrong(s, path, "it is not used with %s; it is a key of %s",
+                          settings_text(s, k->key), names);
+}
+
+/* 0 if the i-th group of the list chooses a model of the kind, and another one.
+ */
+static int chooses(const struct settings *s, const struct kind *kind,
+                   const char *list, int i, const struct model *m)
+{
+    char of[SCHEMA_TEXT];
+    const char *const key = split(kind->key, of);
+
+    return strcmp(of, list) != 0 ||
+           strcmp(settings_item_text(s, list, i, key), m->name) == 0;
+}
+
+/* The key that a model asks for, in a group or in each group of a list. */
+static int missing(const struct settings *s, const struct kind *kind,
+                   const struct model *m, const char *path)
+{
+    char list[SCHEMA_TEXT];
+    const char *const key = split(path, list);
+
+    if (!settings_is_list(s, list))
+        return settings_has(s, path)
+                   ? 0
+                   : settings_wrong(s, kind->key, "%s needs %s", m->name, path);
+    for (int i = 0; i < settings_length(s, list); i++)
+        if (chooses(s, kind, list, i, m) && !settings_item_has(s, list, i, key))
+            return settings_wrong(s, list, "%s needs the %s of %s", m->name,
+                                  key, settings_item_text(s, list, i, "name"));
+    return 0;
+}
+
+/* A key that a model alone reads, given where another one is chosen. */
+static int check_own(const struct settings *s, const char *kind,
+                     const struct key *own)
+{
+    int code = 0;
+
+    for (const struct key *k = own; k != NULL && k->path != NULL; k++)
+        if (code == 0 && settings_has(s, k->path))
+            code = model_choice_unread(s, kind, k->path);
+    return code;
+}
+
+int model_choice_check(const struct settings *s)
+{
+    struct model m;
+    int code = 0;
+
+    for (int i = 0; drag_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "drag", drag_laws[i]->own_keys);
+    for (int i = 0; contact_laws[i] != NULL && code == 0; i++)
+        code = check_own(s, "contact", contact_laws[i]->own_keys);
+    for (int i = 0; averaging_methods[i] != NULL && code == 0; i++)
+        code = check_own(s, "averaging", averaging_methods[i]->own_keys);
+    if (code != 0) return code;
+
+    for (const struct kind *const *k = kinds; *k != NULL; k++)
+        for (int i = 0; (*k)->model(i, &m); i++)
+            for (int t = 0; t < KEY_TABLES && m.keys[t] != NULL; t++)
+                for (const struct key *row = m.keys[t]; row->path != NULL;
+                     row++)
+                    if (row->fallback != NULL && schema_is_required(row) &&
+                        model_choice_is_on(s, *k, &m) &&
+                        missing(s, *k, &m, row->path) != 0)
+                        return 2;
+    return 0;
+}

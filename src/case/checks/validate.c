@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/checks/validate.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "coupling/effects.h"
+#include "dem/dem_method.h"
+#include "dem/integrators.h"
+#include "case/checks/boundary_check.h"
+#include "case/checks/materials_check.h"
+#include "case/checks/mesh_check.h"
+#include "case/build_fluid.h"
+#include "case/checks/case_averaging.h"
+#include "case/case_part.h"
+#include "case/case_steps.h"
+#include "case/case_mesh.h"
+#include "case/checks/model_choice.h"
+#include "case/recorder_part.h"
+#include "case/particle_options.h"
+#include "case/schema.h"
+
+/* Of direction k the name of its two sides, and that of both at once. */
+static const char *side_of(int k, int i)
+{
+    return schema_patches[i < 2 ? 2 * k + i : 6 + k];
+}
+
+static const char *const axes[3] = {"x", "y", "z"};
+
+static int has_side(const struct settings *s, const char *patch)
+{
+    char path[64];
+
+    snprintf(path, sizeof path, "fluid.%s", patch);
+    return settings_has(s, path);
+}
+
+/* A periodic direction has no sides; any other has each of its two once. */
+static int check_direction(const struct settings *s, int k)
+{
+    const int both = has_side(s, side_of(k, 2));
+    int periodic[3];
+
+    settings_flags(s, "mesh.periodic", periodic);
+    for (int i = 0; i < 2; i++) {
+        const int given = has_side(s, side_of(k, i)) + both;
+
+        if (periodic[k] && given > 0)
+            return settings_wrong(s, "mesh.periodic",
+                                  "%s is periodic, so the fluid has no %s "
+                                  "there; leave one of them out",
+                                  axes[k],
+                                  both ? side_of(k, 2) : side_of(k, i));
+        if (!periodic[k] && given == 0)
+            return settings_wrong(s, "fluid",
+                                  "the side %s has no boundary condition: give "
+                                  "fluid.%s or fluid.%s, or make %s periodic",
+                                  side_of(k, i), side_of(k, i), side_of(k, 2),
+                                  axes[k]);
+        if (given == 2)
+            return settings_wrong(s, "fluid", "%s is given twice, by %s and %s",
+                                  side_of(k, i), side_of(k, i), side_of(k, 2));
+    }
+    return 0;
+}
+
+/* How many of the sides or patches are a group with that key. */
+static int count_sides(const struct settings *s, const char *key)
+{
+    const char *side;
+    int n = 0;
+
+    for (int i = 0; (side = settings_any_side(s, i)) != NULL; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "%s.%s", side, key);
+        n += settings_has(s, path);
+    }
+    return n;
+}
+
+/* A wall may move along itself only: it holds the fluid back, or there would
+ * be a flow through it. */
+static int check_walls(const struct settings *s)
+{
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            char path[64];
+            double u[3];
+            snprintf(path, sizeof path, "fluid.%s.wall", side_of(k, i));
+            if (!settings_has(s, path)) continue;
+            settings_vector(s, path, u);
+            if (u[k] != 0.0)
+                return settings_wrong(s, path,
+                                      "the wall would move through itself: "
+                                      "its %s is %g m/s, expected 0",
+                                      axes[k], u[k]);
+        }
+    return 0;
+}
+
+/* What drives a flow from the end of a direction to its beginning. */
+static int check_drive(const struct settings *s)
+{
+    static const char *const paths[] = {"fluid.mean_gradient",
+                                        "fluid.mean_flow"};
+    int periodic[3];
+
+    case_mesh_periodic(s, periodic);
+    for (int i = 0; i < 2; i++) {
+        double v[3];
+        if (!settings_has(s, paths[i])) continue;
+        settings_vector(s, paths[i], v);
+        for (int k = 0; k < 3; k++)
+            if (v[k] != 0.0 && !periodic[k])
+                return settings_wrong(s, paths[i],
+                                      "%s is not periodic, so no mean flow can "
+                                      "be driven along it; expected 0 there",
+                                      axes[k]);
+    }
+    if (settings_has(s, paths[0]) && settings_has(s, paths[1]))
+        return settings_wrong(s, paths[1],
+                              "the mean gradient follows from it; leave "
+                              "fluid.mean_gradient out");
+    return 0;
+}
+
+/* The drag on the fluid acts with the velocity at the end of a whole step, so a
+ * step with coupling is not divided. */
+static int check_parts(const struct settings *s)
+{
+    if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
+        return settings_wrong(s, "fluid.cfl",
+                              "with exchange all of fluid.step is one step; "
+                              "give a shorter fluid.step instead");
+    return 0;
+}
+
+static int check_fluid(const struct settings *s)
+{
+    const int files = settings_has(s, "mesh.polymesh");
+    int code = mesh_check_fluid(s);
+
+    for (int k = 0; k < 3 && code == 0 && !files; k++)
+        code = check_direction(s, k);
+    if (code == 0 && count_sides(s, "inlet") > 0 &&
+        count_sides(s, "outlet") + count_sides(s, "pressure") == 0)
+        return settings_wrong(s, "fluid",
+                              "there is an inlet and no outlet: what flows in "
+                              "cannot leave");
+    if (code == 0 && settings_mesh(s) == NULL) code = check_walls(s);
+    if (code == 0) code = boundary_check(s);
+    if (code == 0) code = check_drive(s);
+    return code != 0 ? code : check_parts(s);
+}
+
+/* One diameter for all, or the name of a distribution. */
+static int check_bed_sizes(const struct settings *s)
+{
+    const int one = settings_has(s, "particles.bed.diameter");
+
+    if (one == settings_has(s, "particles.bed.sizes"))
+        return settings_wrong(s, "particles.bed",
+                              "give either diameter or "
+                              "sizes%s",
+                              one ? ", not both" : "");
+    return 0;
+}
+
+/* Spheres poured into a box fill at most about 0.64 of its volume; beyond 0.6
+ * they cannot settle. */
+static int check_bed_fits(const struct settings *s)
+{
+    struct bed_options b = particle_options_bed(s);
+    const struct bed_range range = bed_range(&b);
+    const char *const key =
+        b.sizes == NULL ? "particles.bed.diameter" : "particles.bed.sizes";
+    double lo[3], size[3];
+
+    particle_options_release(&b);
+    case_mesh_ends(s, lo, size);
+    for (int k = 0; k < 3; k++)
+        size[k] -= lo[k];
+    for (int k = 0; k < 3; k++)
+        if (range.max > size[k] && b.count > 0)
+            return settings_wrong(s, key, "%g m is larger than the box, %g m",
+                                  range.max, size[k]);
+    const double share = range.volume / case_mesh_volume(s);
+    if (share > 0.6)
+        return settings_wrong(s, "particles.bed.count",
+                              "%d spheres of %g m would fill %.0f %% of the "
+                              "box; at most 60 %% can settle",
+                              b.count, b.diameter, 100.0 * share);
+    return 0;
+}
+
+static int check_bed(const struct settings *s)
+{
+    const int code = check_bed_sizes(s);
+    return code != 0 ? code : check_bed_fits(s);
+}
+
+static int check_place(const struct settings *s)
+{
+    double lo[3], hi[3], x[3];
+    int periodic[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_mesh_periodic(s, periodic);
+    for (int i = 0; i < settings_length(s, "particles.place"); i++) {
+        const double d =
+            settings_item_real(s, "particles.place", i, "diameter");
+        settings_item_vector(s, "particles.place", i, "position", x);
+        for (int k = 0; k < 3; k++) {
+            const double margin =
+                periodic[k] ? 0.0
+                            : (0.5 - particle_options_wall_overlap(s)) * d;
+            if (x[k] < lo[k] + margin || x[k] > hi[k] - margin)
+                return settings_wrong(
+                    s, "particles.place",
+                    "sphere %d at [%g, %g, %g] m with diameter %g m is not "
+                    "inside the box; particles.overlaps = \"allow\" takes it "
+                    "as it is if its centre is",
+                    i, x[0], x[1], x[2], d);
+        }
+        if (!case_mesh_holds(s, x))
+            return settings_wrong(s, "particles.place",
+                                  "sphere %d at [%g, %g, %g] m is not inside "
+                                  "the mesh",
+                                  i, x[0], x[1], x[2]);
+    }
+    return 0;
+}
+
+/* The drag is solved exactly within kick and drift; Heun has neither. */
+static int check_integrator(const struct settings *s)
+{
+    const char *const name = settings_text(s, "particles.integrator");
+
+    if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
+        return 0;
+    return settings_wrong(s, "particles.integrator",
+                          "%s is for cases without exchange; with it there are "
+                          "velocity-verlet and symplectic-euler",
+                          name);
+}
+
+/* A method that finds the pairs may not know all that a case asks for. */
+static int check_list(const struct settings *s)
+{
+    const struct dem_options o = particle_options_dem(s, 1.0);
+    const char *const unknown = o.method->unsupported(&o);
+    if (unknown == NULL) return 0;
+    return settings_wrong(s, "particles.list",
+                          "%s does not support %s; %s does", o.method->name,
+                          unknown, dem_methods[0]->name);
+}
+
+/* Without walls of its boundary, particles would leave a mesh that is not a
+ * box. */
+static int check_mesh_walls(const struct settings *s)
+{
+    int made = settings_mesh(s) == NULL;
+
+    for (int i = 0; case_parts[i] != NULL; i++)
+        made |= case_parts[i]->mesh_walls;
+    if (made) return 0;
+    return settings_wrong(s, "particles",
+                          "this build has no walls for particles in a mesh "
+                          "that is not a box");
+}
+
+static int check_particles(const struct settings *s)
+{
+    const int bed = settings_has(s, "particles.bed");
+    const int place = settings_has(s, "particles.place");
+    int code = check_integrator(s);
+
+    if (code == 0) code = materials_check(s);
+    if (code == 0) code = check_mesh_walls(s);
+    if (code == 0) code = case_part_check(s);
+    if (code == 0) code = check_list(s);
+    if (code != 0) return code;
+    if (bed == place && (bed || !settings_has(s, "particles.insert")))
+        return settings_wrong(s, "particles", "give either bed or place%s",
+                              bed ? ", not both" : ", or insert");
+    return bed ? check_bed(s) : check_place(s);
+}
+
+static int check_time_average(const struct settings *s)
+{
+    if (effects_named("time_average") == NULL ||
+        !settings_has(s, "effects.time_average") || build_two_way(s))
+        return 0;
+    return settings_wrong(s, "effects.time_average",
+                          "one-way there are no averaged fields; it needs "
+                          "exchange.coupling = \"two-way\"");
+}
+
+static int check_output(const struct settings *s)
+{
+    for (int i = 0; recorder_parts[i] != NULL; i++)
+        if (recorder_parts[i]->check != NULL &&
+            recorder_parts[i]->check(s) != 0)
+            return 2;
+    return check_time_average(s);
+}
+
+int validate_case(const struct settings *s)
+{
+    int code = 0;
+
+    if (!settings_has(s, "fluid") && !settings_has(s, "particles"))
+        return settings_wrong(s, "mesh",
+                              "there is neither fluid nor particles: nothing "
+                              "to compute");
+    code = case_steps_check(s);
+    if (code == 0 && settings_has(s, "fluid")) code = check_fluid(s);
+    if (code == 0) code = model_choice_check(s);
+    if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
+    if (code == 0 && settings_has(s, "averaging"))
+        code = case_averaging_check(s);
+    if (code == 0) code = case_part_check_any(s);
+    return code != 0 ? code : check_output(s);
+}

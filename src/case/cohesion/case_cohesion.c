@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/cohesion/case_cohesion.h"
+
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "coupling/effects.h"
+#include "case/case_materials.h"
+#include "case/case_part.h"
+#include "case/table_numbers.h"
+
+enum { MOST_NUMBERS = 16 }; /* of an effect */
+
+static int count_materials(const struct settings *s)
+{
+    return 1 + settings_length(s, "particles.materials");
+}
+
+/* charge: room for one of each material. */
+static struct attraction_scene scene_of(const struct settings *s,
+                                        double *charge)
+{
+    struct attraction_scene scene = {.charge = charge};
+
+    for (int k = 0; k < count_materials(s); k++) {
+        charge[k] = case_materials_one(s, k).charge;
+        scene.charged |= charge[k] != 0.0;
+    }
+    if (settings_has(s, "fluid"))
+        scene.viscosity = settings_real(s, "fluid.viscosity");
+    return scene;
+}
+
+static int is_attraction(const struct settings *s, const struct effect *e)
+{
+    return e->attraction != NULL && settings_has(s, e->keys[0].path);
+}
+
+/* One block: the attractions, then the charges of the materials. */
+struct attraction *case_cohesion_create(const struct settings *s, int *n)
+{
+    double numbers[MOST_NUMBERS];
+
+    *n = 0;
+    for (int k = 0; effects[k] != NULL; k++)
+        *n += is_attraction(s, effects[k]);
+    if (*n == 0) return NULL;
+    struct attraction *const all =
+        alloc_zeroed(1, (size_t)*n * sizeof *all +
+                            (size_t)count_materials(s) * sizeof(double));
+    const struct attraction_scene scene = scene_of(s, (double *)(all + *n));
+    for (int k = 0, i = 0; effects[k] != NULL; k++) {
+        if (!is_attraction(s, effects[k])) continue;
+        table_numbers(s, effects[k]->keys, numbers, MOST_NUMBERS);
+        all[i++] = effects[k]->attraction(numbers, &scene);
+    }
+    return all;
+}
+
+static int check(const struct settings *s)
+{
+    double *const charge = alloc_doubles(count_materials(s));
+    const struct attraction_scene scene = scene_of(s, charge);
+    double numbers[MOST_NUMBERS];
+    int code = 0;
+
+    for (int k = 0; effects[k] != NULL && code == 0; k++) {
+        const struct effect *const e = effects[k];
+        if (e->wrong == NULL || !settings_has(s, e->keys[0].path)) continue;
+        table_numbers(s, e->keys, numbers, MOST_NUMBERS);
+        const char *const why = e->wrong(numbers, &scene);
+        if (why != NULL) code = settings_wrong(s, e->keys[0].path, "%s", why);
+    }
+    free(charge);
+    return code;
+}
+
+static int complete(const struct settings *s, struct simulation *sim,
+                    struct dem_options *o)
+{
+    o->attractions = sim->attractions =
+        case_cohesion_create(s, &o->n_attractions);
+    return 0;
+}
+
+static void release(struct simulation *sim)
+{
+    free(sim->attractions);
+}
+
+const struct case_part case_cohesion_part = {
+    .check = check, .complete = complete, .free = release};

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* breakdown.c -- the message when a computation breaks down. */
+#include "case/run_part.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "coupling/coupling.h"
+#include "coupling/effect_mover.h"
+#include "case/diagnosis/overlap.h"
+
+static int fluid_broke(const struct simulation *sim)
+{
+    const struct fluid_report *const r = &sim->fluid->report;
+    return !r->momentum.converged || !r->pressure.converged ||
+           !isfinite(r->mass_residual) || !isfinite(r->cfl);
+}
+
+static void describe_fluid(const struct simulation *sim, const char *when,
+                           char text[RUN_PART_TEXT])
+{
+    const struct fluid_report *const r = &sim->fluid->report;
+
+    snprintf(text, RUN_PART_TEXT,
+             "the flow solver broke down %s: momentum %s after %d iterations "
+             "(residual %.2g), pressure %s after %d (residual %.2g), CFL "
+             "number %.3g.\nTry a smaller fluid.step (CFL below 1) or "
+             "fluid.convection = \"upwind\"",
+             when, r->momentum.converged ? "solved" : "not solved",
+             r->momentum.iterations, r->momentum.after,
+             r->pressure.converged ? "solved" : "not solved",
+             r->pressure.iterations, r->pressure.after, r->cfl);
+}
+
+/* Through a surface, by its name. */
+static void describe_through(const struct simulation *sim, const char *when,
+                             char text[RUN_PART_TEXT])
+{
+    const struct dem_report *const r = &sim->dem_report;
+
+    snprintf(text, RUN_PART_TEXT,
+             "%d particle%s went through a wall %s, the first with id %d, "
+             "through \"%s\", at [%g, %g, %g] m; the largest overlap was %.3g "
+             "d, the highest speed %.3g m/s.\nTry a smaller particles.step "
+             "(winnow check suggests one) or a stiffer material",
+             r->lost, r->lost == 1 ? "" : "s", when, r->lost_id,
+             sim->surface_names[r->lost_through], r->lost_at[0], r->lost_at[1],
+             r->lost_at[2], r->max_overlap, r->max_speed);
+}
+
+static void describe_lost(const struct simulation *sim, const char *when,
+                          char text[RUN_PART_TEXT])
+{
+    const struct dem_report *const r = &sim->dem_report;
+
+    snprintf(text, RUN_PART_TEXT,
+             "%d particle%s left the box or %s no longer anywhere %s, the "
+             "first with id %d, at [%g, %g, %g] m; the largest overlap was "
+             "%.3g d, the highest speed %.3g m/s.\nTry a smaller "
+             "particles.step (winnow check suggests one); a stiffer material "
+             "helps only if its contacts are resolved",
+             r->lost, r->lost == 1 ? "" : "s", r->lost == 1 ? "is" : "are",
+             when, r->lost_id, r->lost_at[0], r->lost_at[1], r->lost_at[2],
+             r->max_overlap, r->max_speed);
+}
+
+static void describe_overlap(const struct simulation *sim, const char *when,
+                             char text[RUN_PART_TEXT])
+{
+    char who[OVERLAP_TEXT];
+
+    overlap_describe(sim, who);
+    snprintf(text, RUN_PART_TEXT,
+             "%s %s, more than particles.max_overlap, %g.\nTry a stiffer "
+             "material with a smaller particles.step (winnow check suggests "
+             "one), or a higher particles.max_overlap if this is meant",
+             who, when, dem_deepest(sim->dem).most);
+}
+
+static void describe_solids(const struct simulation *sim, const char *when,
+                            char text[RUN_PART_TEXT])
+{
+    snprintf(text, RUN_PART_TEXT,
+             "a cell holds more solids than it has room for %s: the lowest "
+             "fluid fraction is %.3g.\nTry averaging.method = \"diffusion\", "
+             "or \"kernel\" with a bandwidth from 1.5 of the largest cells "
+             "on, larger cells, or averaging.cap with \"pcm\"",
+             when, sim->coupling->report.eps_lowest);
+}
+
+/* The void fraction of each cell is positive, but interpolated to a particle it
+ * is not. */
+static void describe_seen(const struct simulation *sim, const char *when,
+                          char text[RUN_PART_TEXT])
+{
+    snprintf(
+        text, RUN_PART_TEXT,
+        "the fluid fraction interpolated to a particle is %.3g %s, though that "
+        "of no cell is below %.3g.\nTry averaging.method = \"diffusion\", or "
+        "\"kernel\" with a bandwidth from 1.5 of the largest cells on, larger "
+        "cells, or averaging.interpolation = \"nearest\"",
+        sim->coupling->report.seen_lowest, when,
+        sim->coupling->report.eps_lowest);
+}
+
+/* The message of an effect that failed; NULL if none did. */
+static const char *trouble_of(const struct simulation *sim)
+{
+    for (int i = 0; i < sim->n_effects; i++) {
+        const struct effect_state *const e = &sim->effects[i];
+        const char *const text = e->effect->mover != NULL
+                                     ? e->effect->mover->trouble(e->memory)
+                                     : NULL;
+        if (text != NULL) return text;
+    }
+    return NULL;
+}
+
+static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
+{
+    char when[64];
+
+    snprintf(when, sizeof when, "at t = %g s (step %ld)", sim->t,
+             sim->steps + 1);
+    if (sim->fluid != NULL && sim->fluid->t > 0.0 && fluid_broke(sim))
+        describe_fluid(sim, when, text);
+    else if (trouble_of(sim) != NULL)
+        snprintf(text, RUN_PART_TEXT, "%s %s", trouble_of(sim), when);
+    else if (sim->surface_names != NULL && sim->dem_report.lost > 0 &&
+             sim->dem_report.lost_through >= 0)
+        describe_through(sim, when, text);
+    else if (sim->particles != NULL && sim->dem_report.lost > 0)
+        describe_lost(sim, when, text);
+    else if (sim->dem != NULL &&
+             sim->dem_report.max_overlap > dem_deepest(sim->dem).most)
+        describe_overlap(sim, when, text);
+    else if (sim->coupling != NULL && sim->coupling->report.eps_lowest <= 0.0)
+        describe_solids(sim, when, text);
+    else if (sim->coupling != NULL && sim->coupling->report.seen_lowest <= 0.0)
+        describe_seen(sim, when, text);
+    else
+        snprintf(text, RUN_PART_TEXT,
+                 "a value is no longer finite %s.\nTry "
+                 "smaller steps",
+                 when);
+    return 1;
+}
+
+const struct run_part breakdown_part = {.after_step = overlap_warn,
+                                        .broke_down = describe};

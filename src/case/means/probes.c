@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* probes.c -- the sensors that a case puts into the box: a column of probes.csv
+ * for each, a row with each of history.csv. */
+#include "case/recorder_part.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "output/means/probe.h"
+#include "output/table.h"
+#include "case/case_mesh.h"
+#include "case/means/field_names.h"
+
+enum { NAME = 96 };
+static const char list[] = "output.probes";
+
+struct sensor {
+    struct profile_field field;
+    struct probe at;
+    char name[NAME];
+};
+
+struct probes {
+    const struct snapshot *snapshot;
+    int n;
+    struct sensor *sensor;
+    struct table *table;
+    double *row;
+};
+
+static int check(const struct settings *s)
+{
+    int code = field_names_check(s, list);
+
+    for (int i = 0; i < settings_length(s, list) && code == 0; i++) {
+        double x[3];
+        settings_item_vector(s, list, i, "position", x);
+        if (!case_mesh_holds(s, x))
+            code = settings_wrong(
+                s, list, "the point [%g, %g, %g] m is outside the %s", x[0],
+                x[1], x[2], settings_mesh(s) == NULL ? "box" : "mesh");
+    }
+    return code;
+}
+
+static int create_sensor(const struct recorder_view *v, int i,
+                         struct sensor *sensor)
+{
+    const struct settings *const s = v->settings;
+    double x[3];
+
+    settings_item_vector(s, list, i, "position", x);
+    sensor->field =
+        field_names_find(v->whole, settings_item_text(s, list, i, "field"));
+    if (sensor->field.values == NULL)
+        return settings_wrong(s, list, "the case has no field %s",
+                              sensor->field.name);
+    sensor->at = probe_at(v->seen->mesh, x);
+    snprintf(sensor->name, NAME, "%s(%g %g %g) [%s]", sensor->field.name, x[0],
+             x[1], x[2], sensor->field.unit);
+    return 0;
+}
+
+static struct table *create_table(const struct probes *p, struct folder *folder)
+{
+    const char **const names = alloc_zeroed((size_t)p->n + 1, sizeof *names);
+
+    names[0] = "time [s]";
+    for (int i = 0; i < p->n; i++)
+        names[1 + i] = p->sensor[i].name;
+    struct table *const t = folder_table(folder, "probes.csv", p->n + 1, names);
+    free(names);
+    return t;
+}
+
+static void release(void *part)
+{
+    struct probes *const p = part;
+
+    table_free(p->table);
+    free(p->sensor);
+    free(p->row);
+    free(p);
+}
+
+static void *create(const struct recorder_view *v, int *failed)
+{
+    const int n = settings_length(v->settings, list);
+
+    if (n == 0) return NULL;
+    struct probes *const p = alloc_zeroed(1, sizeof *p);
+    p->snapshot = v->whole;
+    p->n = n;
+    p->sensor = alloc_zeroed((size_t)n, sizeof *p->sensor);
+    p->row = alloc_doubles(n + 1);
+    for (int i = 0; i < n && !*failed; i++)
+        *failed = create_sensor(v, i, &p->sensor[i]) != 0;
+    if (!*failed) *failed = (p->table = create_table(p, v->folder)) == NULL;
+    if (!*failed) return p;
+    release(p);
+    return NULL;
+}
+
+static void visit(void *part, struct state *s)
+{
+    struct probes *const p = part;
+
+    state_begin(s, "probes");
+    table_state(p->table, s);
+    state_end(s);
+}
+
+static int add_row(void *part)
+{
+    struct probes *const p = part;
+
+    p->row[0] = p->snapshot->t;
+    for (int i = 0; i < p->n; i++) {
+        const struct profile_field *const f = &p->sensor[i].field;
+        p->row[1 + i] = probe_value(&p->sensor[i].at, f->values, f->components,
+                                    f->component, f->weight);
+    }
+    return table_add(p->table, p->row);
+}
+
+static const struct key keys[] = {
+    {"output.probes", KEY_LIST, "", "", "",
+     "fields at points, each { field, position }, a row of probes.csv with "
+     "each of history.csv",
+     "XS11 Fig. 3", ""},
+    {"output.probes.field", KEY_NAME, "", FIELD_NAMES, NULL, "as for profiles",
+     "", ""},
+    {"output.probes.position", KEY_VECTOR, "m", "", NULL,
+     "the point, inside the box", "", ""},
+    KEY_END};
+
+const struct recorder_part probes_part = {.keys = keys,
+                                          .check = check,
+                                          .create = create,
+                                          .free = release,
+                                          .row = add_row,
+                                          .last_row = add_row,
+                                          .state = visit};

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* profiles.c -- time averages on lines, the files of DIR/profiles/. */
+#include "case/means/profiles.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "output/means/profile.h"
+#include "case/case_mesh.h"
+#include "case/case_steps.h"
+#include "case/means/field_names.h"
+#include "case/recorder_part.h"
+
+static const char list[] = "output.profiles";
+
+struct line {
+    struct profile *profile;
+    char name[PROFILES_NAME]; /* of its file */
+};
+
+struct profiles {
+    const struct snapshot *snapshot;
+    struct folder *folder;
+    double dt; /* [s] between two samples */
+    int n;
+    struct line *line;
+};
+
+/* What the file of a profile is called but for its ending: by field and height,
+ * in millimetres. */
+static void short_name(const struct settings *s, int i,
+                       char name[PROFILES_NAME])
+{
+    snprintf(name, PROFILES_NAME, "%s_y%gmm",
+             settings_item_text(s, list, i, "field"),
+             1e3 * settings_item_real(s, list, i, "height"));
+}
+
+void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
+{
+    char other[PROFILES_NAME];
+    int again = 0;
+
+    short_name(s, i, name);
+    for (int j = 0; j < i && !again; j++) {
+        short_name(s, j, other);
+        again = strcmp(name, other) == 0;
+    }
+    if (again)
+        snprintf(name + strlen(name), PROFILES_NAME - strlen(name), "_from%gs",
+                 settings_item_real(s, list, i, "from"));
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+/* A line lies within the box. */
+static int check_height(const struct settings *s, int i)
+{
+    const double y = settings_item_real(s, list, i, "height");
+    double lo[3], hi[3];
+
+    case_mesh_ends(s, lo, hi);
+    if (y >= lo[1] && y <= hi[1]) return 0;
+    return settings_wrong(s, list, "height %g m is %s the box, %g m", y,
+                          y > hi[1] ? "above" : "below",
+                          y > hi[1] ? hi[1] : lo[1]);
+}
+
+/* Of two profiles in one file only the last would be left. */
+static int check_name(const struct settings *s, int i)
+{
+    char own[PROFILES_NAME], other[PROFILES_NAME];
+
+    profiles_name(s, i, own);
+    for (int j = 0; j < i; j++) {
+        profiles_name(s, j, other);
+        if (strcmp(own, other) == 0)
+            return settings_wrong(s, list,
+                                  "profiles %d and %d are of the same field at "
+                                  "the same height from the same time: both "
+                                  "would be %s.csv; leave one of them out",
+                                  j, i, own);
+    }
+    return 0;
+}
+
+static int check(const struct settings *s)
+{
+    const int n = settings_length(s, list);
+    int code = field_names_check(s, list);
+
+    for (int i = 0; i < n && code == 0; i++)
+        code = check_height(s, i);
+    for (int i = 0; i < n && code == 0; i++)
+        code = check_name(s, i);
+    return code;
+}
+
+/* --- a run ---------------------------------------------------------------- */
+
+static int create_line(const struct recorder_view *v, int i, struct line *line)
+{
+    const struct settings *const s = v->settings;
+    const struct profile_line where = {
+        .along = 0,
+        .up = 1,
+        .height = settings_item_real(s, list, i, "height"),
+        .from = settings_item_real(s, list, i, "from")};
+    const struct profile_field field =
+        field_names_find(v->whole, settings_item_text(s, list, i, "field"));
+
+    if (field.values == NULL)
+        return settings_wrong(s, list, "the case has no field %s", field.name);
+    line->profile = profile_create(v->seen->mesh, &where, 1, &field);
+    profiles_name(s, i, line->name);
+    return line->profile == NULL;
+}
+
+static void release(void *part)
+{
+    struct profiles *const l = part;
+
+    for (int i = 0; i < l->n; i++)
+        profile_free(l->line[i].profile);
+    free(l->line);
+    free(l);
+}
+
+static void *create(const struct recorder_view *v, int *failed)
+{
+    const int n = settings_length(v->settings, list);
+
+    if (n == 0) return NULL;
+    struct profiles *const l = alloc_zeroed(1, sizeof *l);
+    l->snapshot = v->whole;
+    l->folder = v->folder;
+    l->dt = (double)case_steps_between_rows(v->settings) * v->sim->dt;
+    l->n = n;
+    l->line = alloc_zeroed((size_t)n, sizeof *l->line);
+    for (int i = 0; i < n && !*failed; i++)
+        *failed = create_line(v, i, &l->line[i]) != 0;
+    if (!*failed) return l;
+    release(l);
+    return NULL;
+}
+
+/* Takes a sample of the snapshot. */
+static int add(void *part)
+{
+    struct profiles *const l = part;
+
+    for (int i = 0; i < l->n; i++)
+        profile_add(l->line[i].profile, l->snapshot->t, l->dt);
+    return 0;
+}
+
+/* How far each can be trusted: its mirror error and its error by blocks
+ * (output/means/profile.h). */
+static void summarize(const void *part, struct summary *to)
+{
+    const struct profiles *const l = part;
+
+    summary_begin(to, "profiles");
+    for (int i = 0; i < l->n; i++) {
+        const struct profile *const p = l->line[i].profile;
+        summary_begin(to, l->line[i].name);
+        summary_number(to, "mirror_error", profile_mirror_error(p, 0));
+        summary_number(to, "block_error", profile_block_error(p, 0));
+        summary_end(to);
+    }
+    summary_end(to);
+}
+
+static void visit(void *part, struct state *s)
+{
+    struct profiles *const l = part;
+
+    state_begin(s, "profiles");
+    for (int i = 0; i < l->n; i++) {
+        state_begin(s, l->line[i].name);
+        profile_state(l->line[i].profile, s);
+        state_end(s);
+    }
+    state_end(s);
+}
+
+static int write_line(const struct line *l, struct folder *folder)
+{
+    char name[sizeof l->name + sizeof "profiles/.csv"];
+
+    snprintf(name, sizeof name, "profiles/%s.csv", l->name);
+    char *const path = folder_file(folder, name);
+    const int failed = path == NULL || profile_write(l->profile, path) != 0;
+    free(path);
+    return failed;
+}
+
+static int finish(void *part)
+{
+    const struct profiles *const l = part;
+    int failed = folder_make(l->folder, "profiles");
+
+    for (int i = 0; i < l->n && !failed; i++)
+        failed = write_line(&l->line[i], l->folder);
+    return failed;
+}
+
+static const struct key keys[] = {
+    {"output.profiles", KEY_LIST, "", "", "",
+     "time averages on lines along x, each { field, height, from }",
+     "SX15 Fig. 4-7", ""},
+    {"output.profiles.field", KEY_NAME, "", FIELD_NAMES, NULL,
+     "fluid or solid fraction, pressure, velocity of the fluid (u) or of the "
+     "particles (us)",
+     "", ""},
+    {"output.profiles.height", KEY_REAL, "m", ">= 0", NULL, "y of the line", "",
+     ""},
+    {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
+     "time at which the average begins; later than the end: none", "", ""},
+    KEY_END};
+
+const struct recorder_part profiles_part = {.keys = keys,
+                                            .check = check,
+                                            .create = create,
+                                            .free = release,
+                                            .row = add,
+                                            .finish = finish,
+                                            .summarize = summarize,
+                                            .state = visit};

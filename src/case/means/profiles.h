@@ -1,0 +1,14 @@
+/* profiles.h -- the names of the files of the profiles that a case asks for. */
+#ifndef CASE_MEANS_PROFILES_H
+#define CASE_MEANS_PROFILES_H
+
+#include "case/settings.h"
+
+enum { PROFILES_NAME = 64 };
+
+/* What the file of the i-th profile is called, without its ending: "eps_f" at
+ * 0.0164 m is "eps_f_y16.4mm"; a later one of the same field and height has the
+ * beginning of its average besides, "_from1s". */
+void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME]);
+
+#endif

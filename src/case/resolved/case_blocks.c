@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "case/resolved/case_blocks.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "case/case_mesh.h"
+#include "case/resolved/case_bodies.h"
+#include "case/resolved/case_outlines.h"
+#include "resolved/shapes/block_outline.h"
+#include "resolved/shapes/contact_points.h"
+
+const char case_blocks_boxes[] = "bodies.boxes",
+           case_blocks_cylinders[] = "bodies.cylinders";
+
+static int is(const struct settings *s, const char *list, int i,
+              const char *motion)
+{
+    return strcmp(settings_item_text(s, list, i, "motion"), motion) == 0;
+}
+
+int case_blocks_touch(const struct settings *s)
+{
+    const char *const lists[] = {case_blocks_boxes, case_blocks_cylinders,
+                                 case_outlines_surfaces};
+
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < settings_length(s, lists[l]); i++)
+            if (is(s, lists[l], i, "free")) return 1;
+    return 0;
+}
+
+struct body_shape case_blocks_shape(const struct settings *s, const char *list,
+                                    int i)
+{
+    double v[3];
+
+    if (list == case_blocks_boxes) {
+        settings_item_vector(s, list, i, "size", v);
+        return body_shape_box(v);
+    }
+    settings_item_vector(s, list, i, "axis", v);
+    return body_shape_cylinder(settings_item_real(s, list, i, "diameter"),
+                               settings_item_real(s, list, i, "length"), v);
+}
+
+/* A cylinder is turned by its axis alone. */
+static void rotation_of(const struct settings *s, const char *list, int i,
+                        double rotation[3])
+{
+    rotation[0] = rotation[1] = rotation[2] = 0.0;
+    if (list == case_blocks_boxes)
+        settings_item_vector(s, list, i, "rotation", rotation);
+}
+
+static int turns(const struct settings *s, const char *list, int i)
+{
+    double rotation[3], spin[3];
+
+    rotation_of(s, list, i, rotation);
+    settings_item_vector(s, list, i, "spin", spin);
+    return case_blocks_touch(s) || vector_length(rotation) > 0.0 ||
+           vector_length(spin) > 0.0;
+}
+
+struct body_outline *case_blocks_outline(const struct settings *s,
+                                         const char *list, int i)
+{
+    const struct body_shape shape = case_blocks_shape(s, list, i);
+    double rotation[3];
+
+    if (!turns(s, list, i)) return NULL;
+    rotation_of(s, list, i, rotation);
+    struct body_outline *const o = block_outline_create(&shape, rotation);
+    if (case_blocks_touch(s)) contact_points_add(o);
+    return o;
+}
+
+/* --- checks --------------------------------------------------------------- */
+
+/* Of one that is so wide [m] in each direction, and reaches that far from its
+ * centre. What reaches through the box has no ends there. One that is narrower
+ * than a cell may hold none. */
+static int check_place(const struct settings *s, const char *list, int i,
+                       const double width[3], const double extent[3])
+{
+    const int fixed = is(s, list, i, "fixed");
+    double lo[3], hi[3], h[3], x[3];
+
+    case_mesh_ends(s, lo, hi);
+    case_bodies_cell_widths(s, h);
+    settings_item_vector(s, list, i, "position", x);
+    for (int k = 0; k < 3; k++) {
+        const double reach = fixed ? extent[k] : 0.0;
+        if (x[k] + reach < lo[k] || x[k] - reach > hi[k])
+            return settings_wrong(s, list,
+                                  "number %d at [%g, %g, %g] m is not inside "
+                                  "the box",
+                                  i, x[0], x[1], x[2]);
+        if (2.0 * extent[k] < hi[k] - lo[k] && width[k] < h[k])
+            return settings_wrong(s, list,
+                                  "number %d is %.3g cells wide; expected at "
+                                  "least 1, better 12",
+                                  i, width[k] / h[k]);
+    }
+    return 0;
+}
+
+/* One along an axis of the box has its length there. */
+static void width_of(const struct body_shape *shape, double width[3])
+{
+    const double d = 2.0 * shape->half[0], length = 2.0 * shape->half[1];
+
+    for (int k = 0; k < 3; k++)
+        width[k] = shape->kind == BODY_BOX       ? 2.0 * shape->half[k]
+                   : fabs(shape->axis[k]) == 1.0 ? length
+                   : shape->axis[k] == 0.0       ? d
+                                                 : fmin(d, length);
+}
+
+/* What has no mass, or is held, has no place for a spin. */
+static int check_spin(const struct settings *s, const char *list, int i)
+{
+    double spin[3];
+
+    settings_item_vector(s, list, i, "spin", spin);
+    if (vector_length(spin) == 0.0 || is(s, list, i, "free") ||
+        is(s, list, i, "prescribed"))
+        return 0;
+    return settings_wrong(s, list,
+                          "number %d does not turn and has a spin; motion = "
+                          "\"prescribed\" keeps it",
+                          i);
+}
+
+static int check_one(const struct settings *s, const char *list, int i)
+{
+    double extent[3], width[3], axis[3];
+
+    if (list == case_blocks_cylinders) {
+        settings_item_vector(s, list, i, "axis", axis);
+        if (vector_length(axis) == 0.0)
+            return settings_wrong(
+                s, list, "the axis of cylinder %d has no direction", i);
+    }
+    if (check_spin(s, list, i) != 0) return 2;
+    if (is(s, list, i, "free")) return case_outlines_check_one(s, list, i);
+    const struct body_shape shape = case_blocks_shape(s, list, i);
+    body_shape_extent(&shape, extent);
+    width_of(&shape, width);
+    return check_place(s, list, i, width, extent);
+}
+
+int case_blocks_check(const struct settings *s)
+{
+    const char *const lists[2] = {case_blocks_boxes, case_blocks_cylinders};
+    int code = 0;
+
+    for (int l = 0; l < 2; l++)
+        for (int i = 0; i < settings_length(s, lists[l]) && code == 0; i++)
+            code = check_one(s, lists[l], i);
+    return code;
+}

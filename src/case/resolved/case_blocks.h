@@ -1,0 +1,25 @@
+/* case_blocks.h -- the boxes and cylinders among the bodies of a case.
+ * Chapter "Resolving the grains". */
+#ifndef CASE_RESOLVED_CASE_BLOCKS_H
+#define CASE_RESOLVED_CASE_BLOCKS_H
+
+#include "case/settings.h"
+#include "resolved/body_shape.h"
+
+extern const char case_blocks_boxes[], case_blocks_cylinders[];
+
+/* 1 if one that is no sphere and no clump is free. Then all of these touch
+ * others with points of their surfaces. */
+int case_blocks_touch(const struct settings *s);
+
+/* Number i of one of these two lists: along the axes of the mesh; and as an
+ * outline, which turns, NULL if it never does and touches nothing. */
+struct body_shape case_blocks_shape(const struct settings *s, const char *list,
+                                    int i);
+struct body_outline *case_blocks_outline(const struct settings *s,
+                                         const char *list, int i);
+
+/* 0, or 2 after a message. */
+int case_blocks_check(const struct settings *s);
+
+#endif

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/multigrid/graph.h"
+
+#include "base/alloc.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A gap below this fraction of a cell's area is not treated as a wall [-]. */
+static const double small_gap = 0.02;
+
+static struct graph *allocate(int n, int n_links)
+{
+    struct graph *const g = alloc_zeroed(1, sizeof *g);
+
+    g->n = n;
+    g->n_links = n_links;
+    g->owner = alloc_ints(n_links);
+    g->neighbour = alloc_ints(n_links);
+    g->strength = alloc_doubles(n_links);
+    g->distance = alloc_doubles(3 * n_links);
+    g->V = alloc_doubles(n);
+    g->wall = alloc_doubles(3 * n);
+    g->strong = alloc_ints(n_links);
+    return g;
+}
+
+/* The areas of a closed cell add up to zero, so the sum over its links is minus
+ * the area of its walls. S is assumed to be parallel to d; a sum below
+ * small_gap is taken for the error of that. */
+static void find_walls(struct graph *g)
+{
+    double *const area = alloc_doubles(g->n);
+
+    for (int l = 0; l < g->n_links; l++)
+        for (int k = 0; k < 3; k++) {
+            const double S = g->strength[l] * g->distance[3L * l + k];
+            const int i = g->owner[l], j = g->neighbour[l];
+
+            g->wall[3L * i + k] -= S;
+            g->wall[3L * j + k] += S;
+            area[i] += fabs(S);
+            area[j] += fabs(S);
+        }
+    for (int i = 0; i < g->n; i++)
+        for (int k = 0; k < 3; k++) {
+            double *const wall = &g->wall[3L * i + k];
+
+            *wall = fabs(*wall) > small_gap * area[i] ? fabs(*wall) : 0.0;
+        }
+    free(area);
+}
+
+struct graph *graph_create(int n, int n_links, const int *owner,
+                           const int *neighbour, const double *strength,
+                           const double *link, const double *V)
+{
+    struct graph *const g = allocate(n, n_links);
+    const size_t links = (size_t)n_links;
+
+    memcpy(g->owner, owner, links * sizeof *owner);
+    memcpy(g->neighbour, neighbour, links * sizeof *neighbour);
+    memcpy(g->strength, strength, links * sizeof *strength);
+    memcpy(g->distance, link, 3 * links * sizeof *link);
+    memcpy(g->V, V, (size_t)n * sizeof *V);
+    find_walls(g);
+    return g;
+}
+
+void graph_free(struct graph *g)
+{
+    if (g == NULL) return;
+    free(g->owner);
+    free(g->neighbour);
+    free(g->strength);
+    free(g->distance);
+    free(g->V);
+    free(g->wall);
+    free(g->strong);
+    free(g);
+}
+
+double graph_length(const struct graph *g, int l)
+{
+    const double *const d = g->distance + 3L * l;
+
+    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+double graph_depth(const struct graph *g, int i)
+{
+    const double *const w = g->wall + 3L * i;
+    const double area = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+
+    return area > 0.0 ? g->V[i] / area : 0.0;
+}
+
+/* Numbers the aggregates in the order of their first cells; returns how many.
+ */
+static int number(int n, const int *root, int *parent)
+{
+    int count = 0;
+
+    for (int i = 0; i < n; i++)
+        parent[i] = -1;
+    for (int i = 0; i < n; i++) {
+        if (parent[root[i]] < 0) parent[root[i]] = count++;
+        parent[i] = parent[root[i]];
+    }
+    return count;
+}
+
+/* Sets the volumes and walls of the aggregates, and changes the offsets from
+ * those from their first cells to those from their centroids. */
+static void centre(const struct graph *g, const int *parent, struct graph *big,
+                   double *offset)
+{
+    double *const sum = alloc_doubles(3 * big->n);
+
+    for (int i = 0; i < g->n; i++) {
+        big->V[parent[i]] += g->V[i];
+        for (int k = 0; k < 3; k++) {
+            big->wall[3L * parent[i] + k] += g->wall[3L * i + k];
+            sum[3L * parent[i] + k] += g->V[i] * offset[3L * i + k];
+        }
+    }
+    for (int i = 0; i < g->n; i++)
+        for (int k = 0; k < 3; k++)
+            offset[3L * i + k] -= sum[3L * parent[i] + k] / big->V[parent[i]];
+    free(sum);
+}
+
+/* The number of the first of the two aggregates that link l joins. */
+static int lower(const struct graph *g, const int *parent, int l)
+{
+    const int I = parent[g->owner[l]], J = parent[g->neighbour[l]];
+
+    return I < J ? I : J;
+}
+
+/* D = the vector between the centroids of the aggregates that link l joins,
+ * from the one with the lower number [m]. */
+static void between_centroids(const struct graph *g, const int *parent,
+                              const double *offset, int l, double *D)
+{
+    const int i = g->owner[l], j = g->neighbour[l];
+    const double sign = parent[i] < parent[j] ? 1.0 : -1.0;
+
+    for (int k = 0; k < 3; k++)
+        D[k] = sign * (g->distance[3L * l + k] + offset[3L * i + k] -
+                       offset[3L * j + k]);
+}
+
+/* The coarse link from I to J along D, among those from first on; one is
+ * created if there is none. */
+static int find_bundle(struct graph *big, int first, int I, int J,
+                       const double *D)
+{
+    int b = first;
+
+    for (; b < big->n_links; b++) {
+        const double *const E = big->distance + 3L * b;
+
+        if (big->neighbour[b] == J &&
+            D[0] * E[0] + D[1] * E[1] + D[2] * E[2] >= 0.0)
+            return b;
+    }
+    big->n_links++;
+    big->owner[b] = I;
+    big->neighbour[b] = J;
+    memcpy(big->distance + 3L * b, D, 3 * sizeof *D);
+    return b;
+}
+
+/* The links, sorted by the lower number of the two aggregates that they join;
+ * the caller frees the list. */
+static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
+{
+    int *const order = alloc_ints(g->n_links);
+    int *const next = alloc_ints(count + 1);
+
+    for (int l = 0; l < g->n_links; l++)
+        next[lower(g, parent, l) + 1]++;
+    for (int I = 0; I < count; I++)
+        next[I + 1] += next[I];
+    for (int l = 0; l < g->n_links; l++)
+        order[next[lower(g, parent, l)]++] = l;
+    free(next);
+    return order;
+}
+
+/* Adds the links between each two aggregates to a coarse link. Its strength is
+ * the sum of theirs, each times the ratio of its length to that of the coarse
+ * link. */
+static void bundle_links(const struct graph *g, const int *parent,
+                         const double *offset, struct graph *big, int *bundle)
+{
+    int *const order = sorted_by_lower(g, parent, big->n);
+    int first = 0, current = -1;
+
+    big->n_links = 0;
+    for (int s = 0; s < g->n_links; s++) {
+        const int l = order[s];
+        const int p = parent[g->owner[l]], q = parent[g->neighbour[l]];
+        const int I = p < q ? p : q, J = p < q ? q : p;
+        double D[3];
+
+        bundle[l] = -1;
+        if (I == J) continue;
+        if (I != current) first = big->n_links;
+        current = I;
+        between_centroids(g, parent, offset, l, D);
+
+        const int b = find_bundle(big, first, I, J, D);
+
+        bundle[l] = b;
+        big->strength[b] +=
+            g->strength[l] * graph_length(g, l) / graph_length(big, b);
+        big->strong[b] |= g->strong[l];
+    }
+    free(order);
+}
+
+struct graph *graph_aggregated(const struct graph *g, const int *root,
+                               double *offset, int *parent, int *bundle)
+{
+    const int count = number(g->n, root, parent);
+    struct graph *const big = allocate(count, g->n_links);
+
+    centre(g, parent, big, offset);
+    bundle_links(g, parent, offset, big, bundle);
+    return big;
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/multigrid/level_matrix.h"
+
+#include "base/alloc.h"
+#include "base/parallel_ranges.h"
+#include "linear/csr.h"
+#include "linear/reduce.h"
+
+#include <stdlib.h>
+
+/* The matrix by rows, in double. */
+struct rows {
+    struct csr *A;
+    double unit;    /* [1/coefficient] */
+    float *inverse; /* one over the diagonal times unit; 0 for a row of zeros */
+};
+
+static void *create(int n, int n_links, const int *owner, const int *neighbour,
+                    int exact)
+{
+    struct rows *const m = alloc_zeroed(1, sizeof *m);
+
+    (void)exact;
+    m->A = csr_create(n, n_links, owner, neighbour);
+    m->inverse = alloc_zeroed((size_t)n, sizeof *m->inverse);
+    return m;
+}
+
+static void release(void *data)
+{
+    struct rows *const m = data;
+
+    if (m == NULL) return;
+    csr_free(m->A);
+    free(m->inverse);
+    free(m);
+}
+
+static float *vector(const void *data)
+{
+    const struct rows *const m = data;
+
+    return alloc_zeroed((size_t)m->A->n, sizeof(float));
+}
+
+static void vector_free(const void *data, float *x)
+{
+    (void)data;
+    free(x);
+}
+
+static void fill(void *data, const double *g, const double *sums, double unit)
+{
+    struct rows *const m = data;
+    struct csr *const A = m->A;
+
+    m->unit = unit;
+    csr_set_diffusion(A, g, sums);
+    for (int i = 0; i < A->n; i++)
+        m->inverse[i] =
+            A->diag[i] > 0.0 ? (float)(1.0 / (unit * A->diag[i])) : 0.0F;
+}
+
+static const float *inverse(const void *data)
+{
+    const struct rows *const m = data;
+
+    return m->inverse;
+}
+
+/* Row i of b - unit A x, computed in double. */
+static double residual_of_row(const struct rows *m, int i, const float *b,
+                              const float *x)
+{
+    const struct csr *const A = m->A;
+    double sum = A->diag[i] * (double)x[i];
+
+    for (int e = A->start[i]; e < A->start[i + 1]; e++)
+        sum += A->a[e] * (double)x[A->col[e]];
+    return (double)b[i] - m->unit * sum;
+}
+
+static void residual_rows(int first, int last, const struct rows *m,
+                          const float *b, const float *x, float *r)
+{
+    for (int i = first; i < last; i++)
+        r[i] = (float)residual_of_row(m, i, b, x);
+}
+
+static void residual(const void *data, const float *b, const float *x, float *r)
+{
+    const struct rows *const m = data;
+
+    PARALLEL_RANGES(m->A->n, 4, residual_rows, m, b, x, r);
+}
+
+static void relax_rows(int first, int last, const struct rows *m,
+                       const float *b, const float *x, float alpha,
+                       const float *w, float beta, float gamma, float *y)
+{
+    for (int i = first; i < last; i++)
+        y[i] = alpha * x[i] + beta * w[i] +
+               gamma * m->inverse[i] * (float)residual_of_row(m, i, b, x);
+}
+
+static void relax(const void *data, const float *b, const float *x, float alpha,
+                  const float *w, float beta, float gamma, float *y)
+{
+    const struct rows *const m = data;
+
+    PARALLEL_RANGES(m->A->n, 4, relax_rows, m, b, x, alpha, w, beta, gamma, y);
+}
+
+static double multiply(const void *data, const double *x, double *y)
+{
+    const struct rows *const m = data;
+
+    csr_multiply(m->A, x, y);
+    return reduce_dot(m->A->n, x, y);
+}
+
+const struct level_matrix_kind level_matrix_rows = {
+    "rows", create,  release,  vector, vector_free,
+    fill,   inverse, residual, relax,  multiply};
+
+const struct level_matrix_kind *level_matrix_best(void)
+{
+    return level_matrix_kinds[0] != NULL ? level_matrix_kinds[0]
+                                         : &level_matrix_rows;
+}

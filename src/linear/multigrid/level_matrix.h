@@ -1,0 +1,42 @@
+/* level_matrix.h -- the matrix of one level of multigrid.
+ * Chapter "Linear solvers".
+ *
+ * It is symmetric, with the entry -g[l] for link l and a diagonal such that the
+ * row sums are those given. The cycle works in single precision, with the
+ * matrix times `unit`, and the outer iteration in double precision. Folders add
+ * kinds that store the matrix for speed; without one it is stored by rows.
+ */
+#ifndef LINEAR_MULTIGRID_LEVEL_MATRIX_H
+#define LINEAR_MULTIGRID_LEVEL_MATRIX_H
+
+/* How a matrix is stored. `data` is what create returns. */
+struct level_matrix_kind {
+    const char *name;
+    /* exact: the matrix will be multiplied in double. */
+    void *(*create)(int n, int n_links, const int *owner, const int *neighbour,
+                    int exact);
+    void (*free)(void *data);
+    /* A vector of n zeros that the matrix can be applied to. */
+    float *(*vector)(const void *data);
+    void (*vector_free)(const void *data, float *x);
+    void (*fill)(void *data, const double *g, const double *sums, double unit);
+    /* One over the diagonal times unit. */
+    const float *(*inverse)(const void *data);
+    /* With A times unit: r = b - A x, and y = alpha x + beta w + gamma D^-1
+     * (b - A x). x is such a vector; y may be w. */
+    void (*residual)(const void *data, const float *b, const float *x,
+                     float *r);
+    void (*relax)(const void *data, const float *b, const float *x, float alpha,
+                  const float *w, float beta, float gamma, float *y);
+    /* y = A x in double; returns x.y. */
+    double (*multiply)(const void *data, const double *x, double *y);
+};
+
+/* What folders add, ended by NULL; and the plain kind. */
+extern const struct level_matrix_kind *const level_matrix_kinds[];
+extern const struct level_matrix_kind level_matrix_rows;
+
+/* The first of those added, or the plain kind. */
+const struct level_matrix_kind *level_matrix_best(void);
+
+#endif

@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/multigrid/multigrid.h"
+
+#include "base/alloc.h"
+#include "linear/multigrid/dense.h"
+#include "linear/multigrid/level.h"
+#include "linear/multigrid/pairwise_aggregation.h"
+#include "linear/reduce.h"
+#include "base/parallel_ranges.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    LEVELS = 40,        /* at most */
+    DENSE = 64,         /* unknowns that are solved directly */
+    COARSEST_SWEEPS = 8 /* sweeps on the coarsest level if it is larger and
+                           cannot be coarsened */
+};
+
+/* Chebyshev smoothing of degree two damps the eigenvalues of D^-1 A between
+ * low and high. high = 2 is Gershgorin's bound for a matrix that is weakly
+ * diagonally dominant, so no eigenvalue needs to be estimated. */
+static const double low = 0.56, high = 2.0;
+
+struct multigrid {
+    int n_levels;
+    struct level level[LEVELS]; /* the finest first */
+    struct dense *coarsest;     /* NULL if too many unknowns are left */
+    struct graph *links;        /* of the coarsest level, for its matrix */
+    double *unknown;            /* of the coarsest level */
+    double unit;                /* one over the typical entry of the matrix */
+};
+
+/* Adds the level above g and returns its graph; or NULL if the aggregates are
+ * more than 0.8 of the unknowns of g. */
+static struct graph *add_level(struct multigrid *mg, struct graph *g)
+{
+    struct level *const v = &mg->level[mg->n_levels];
+    int *const parent = alloc_ints(g->n);
+    int *const bundle = alloc_ints(g->n_links);
+    struct graph *coarse = pairwise_aggregation_coarsen(g, parent, bundle);
+
+    if (coarse->n > 0.8 * g->n) {
+        free(parent);
+        graph_free(coarse);
+        coarse = NULL;
+    } else {
+        v[-1].parent = parent;
+        level_init(v, coarse, 0);
+        level_connect(v, g, coarse, parent, bundle);
+        mg->n_levels++;
+    }
+    free(bundle);
+    return coarse;
+}
+
+struct multigrid *multigrid_create(int n, int n_links, const int *owner,
+                                   const int *neighbour, const double *strength,
+                                   const double *link, const double *V)
+{
+    struct multigrid *const mg = alloc_zeroed(1, sizeof *mg);
+    struct graph *g =
+        graph_create(n, n_links, owner, neighbour, strength, link, V);
+
+    level_init(&mg->level[mg->n_levels++], g, 1);
+    while (g != NULL && g->n > DENSE && mg->n_levels < LEVELS) {
+        struct graph *const fine = g;
+
+        g = add_level(mg, fine);
+        graph_free(fine);
+    }
+    mg->links = g;
+
+    const int left = mg->level[mg->n_levels - 1].n;
+
+    if (left <= DENSE) mg->coarsest = dense_create(left);
+    mg->unknown = alloc_doubles(left);
+    return mg;
+}
+
+void multigrid_free(struct multigrid *mg)
+{
+    if (mg == NULL) return;
+    for (int k = 0; k < mg->n_levels; k++)
+        level_release(&mg->level[k]);
+    dense_free(mg->coarsest);
+    graph_free(mg->links);
+    free(mg->unknown);
+    free(mg);
+}
+
+/* Factors the coarsest matrix, in double, from the coefficients of its links.
+ */
+static void factor_coarsest(struct multigrid *mg)
+{
+    const struct level *const v = &mg->level[mg->n_levels - 1];
+    double *const a = dense_matrix(mg->coarsest);
+    const int n = v->n;
+
+    for (int i = 0; i < n * n; i++)
+        a[i] = 0.0;
+    for (int i = 0; i < n; i++)
+        a[i * n + i] = mg->unit * v->sums[i];
+    for (int l = 0; l < v->n_links; l++) {
+        const int i = mg->links->owner[l], j = mg->links->neighbour[l];
+        const double g = mg->unit * v->g[l];
+
+        a[i * n + i] += g;
+        a[j * n + j] += g;
+        a[i * n + j] -= g;
+        a[j * n + i] -= g;
+    }
+    dense_factor(mg->coarsest);
+}
+
+/* The root of the mean of x_i^2. */
+static double rms(int n, const double *x)
+{
+    return sqrt(reduce_dot(n, x, x) / n);
+}
+
+void multigrid_set_coefficients(struct multigrid *mg, const double *g,
+                                const double *sums)
+{
+    struct level *const v = mg->level;
+
+    mg->unit = 1.0 / (v->n_links > 0 ? rms(v->n_links, g) : rms(v->n, sums));
+    level_set_fine(v, g, sums, mg->unit);
+    for (int k = 1; k < mg->n_levels; k++)
+        level_galerkin_coarsen(&v[k], &v[k - 1], mg->unit);
+    if (mg->coarsest != NULL) factor_coarsest(mg);
+}
+
+/* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */
+struct weights {
+    float first, previous, second;
+};
+
+static struct weights smoothing(void)
+{
+    const double theta = 0.5 * (high + low), delta = 0.5 * (high - low);
+    const double rho0 = delta / theta;
+    const double rho1 = 1.0 / (2.0 * theta / delta - rho0);
+    const struct weights w = {(float)(1.0 / theta), (float)(rho1 * rho0),
+                              (float)(2.0 * rho1 / delta)};
+
+    return w;
+}
+
+/* x = weight D^-1 b over a range. */
+static void jacobi_rows(int first, int last, struct level *v, float weight)
+{
+    const float *const inverse = v->kind->inverse(v->A);
+
+    for (int i = first; i < last; i++)
+        v->x[i] = weight * inverse[i] * v->b[i];
+}
+
+/* Two stages of smoothing of A y = b, from y = 0. */
+static void smooth_from_zero(struct level *v)
+{
+    const struct weights w = smoothing();
+
+    PARALLEL_RANGES(v->n, 1, jacobi_rows, v, w.first);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->x, 0.0F, w.second,
+                   v->y);
+}
+
+/* The same from the present y. */
+static void smooth(struct level *v)
+{
+    const struct weights w = smoothing();
+
+    v->kind->relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->y, -w.previous,
+                   w.second, v->y);
+}
+
+static void solve_coarsest(struct multigrid *mg)
+{
+    struct level *const v = &mg->level[mg->n_levels - 1];
+
+    if (mg->coarsest == NULL) {
+        smooth_from_zero(v);
+        for (int s = 1; s < COARSEST_SWEEPS; s++)
+            smooth(v);
+        return;
+    }
+    for (int i = 0; i < v->n; i++)
+        mg->unknown[i] = (double)v->b[i];
+    dense_solve(mg->coarsest, mg->unknown, mg->unknown);
+    for (int i = 0; i < v->n; i++)
+        v->y[i] = (float)mg->unknown[i];
+}
+
+/* One V-cycle: each level is smoothed, its residual is restricted to the
+ * coarser level, the correction is prolonged, and the level is smoothed again.
+ */
+static void cycle(struct multigrid *mg)
+{
+    struct level *const v = mg->level;
+
+    for (int k = 0; k + 1 < mg->n_levels; k++) {
+        smooth_from_zero(&v[k]);
+        v[k].kind->residual(v[k].A, v[k].b, v[k].y, v[k].r);
+        level_restrict(&v[k + 1], &v[k]);
+    }
+    solve_coarsest(mg);
+    for (int k = mg->n_levels - 2; k >= 0; k--) {
+        level_prolong(&v[k + 1], &v[k]);
+        smooth(&v[k]);
+    }
+}
+
+/* b = r / scale over a range */
+static void copy_in(int first, int last, const double *r, double scale,
+                    float *b)
+{
+    for (int i = first; i < last; i++)
+        b[i] = (float)(r[i] / scale);
+}
+
+/* z = scale y over a range; returns its part of r.z */
+static double copy_out(int first, int last, const float *y, double scale,
+                       const double *r, double *z)
+{
+    for (int i = first; i < last; i++)
+        z[i] = scale * (double)y[i];
+    return reduce_range(first, last, r, z);
+}
+
+double multigrid_apply(struct multigrid *mg, const double *r, double *z)
+{
+    struct level *const v = mg->level;
+    const double scale = rms(v->n, r);
+    double rz;
+
+    if (scale > 0.0) {
+        PARALLEL_RANGES(v->n, 1, copy_in, r, scale, v->b);
+        cycle(mg);
+    }
+    PARALLEL_SUM(rz, v->n, 1, copy_out, v->y, scale * mg->unit, r, z);
+    return rz;
+}
+
+double multigrid_multiply(const struct multigrid *mg, const double *x,
+                          double *y)
+{
+    return mg->level[0].kind->multiply(mg->level[0].A, x, y);
+}
+
+int multigrid_levels(const struct multigrid *mg)
+{
+    return mg->n_levels;
+}
+
+int multigrid_unknowns(const struct multigrid *mg, int level)
+{
+    return mg->level[level].n;
+}
+
+static void *create(int n, int n_links, const int *owner, const int *neighbour,
+                    const double *strength, const double *link, const double *V)
+{
+    return multigrid_create(n, n_links, owner, neighbour, strength, link, V);
+}
+
+static void release(void *matrix)
+{
+    multigrid_free(matrix);
+}
+
+static void set(void *matrix, const double *g, const double *sums)
+{
+    multigrid_set_coefficients(matrix, g, sums);
+}
+
+static double multiply(const void *matrix, const double *x, double *y)
+{
+    return multigrid_multiply(matrix, x, y);
+}
+
+static double apply(void *matrix, const double *r, double *z)
+{
+    return multigrid_apply(matrix, r, z);
+}
+
+const struct preconditioned_kind multigrid_preconditioned = {
+    .name = "multigrid",
+    .create = create,
+    .free = release,
+    .set = set,
+    .multiply = multiply,
+    .apply = apply,
+};

@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/means/profile.h"
+
+#include "base/alloc.h"
+#include "base/number.h"
+#include "output/means/block_means.h"
+#include "output/means/mean.h"
+#include "output/means/probe.h"
+#include "output/table.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MOST_POINTS = 20000, /* of a line, along it and across */
+    PER_FIELD = 3        /* columns: mean, spread, error */
+};
+
+/* Numbers are stored field by field, and within a field along the line. */
+struct profile {
+    struct profile_line line;
+    int n_fields, n; /* n points on the line */
+    struct profile_field *fields;
+    double *x;       /* [m] of each point, ascending */
+    double ends;     /* [m] sum of the two ends of the line */
+    int row[2];      /* [-] rows of cells below and above the line */
+    double share[2]; /* [-] weight of each */
+    int n_deep;      /* [-] cells in the depth */
+    double *dz;      /* [-] width of each over the whole depth */
+    int step[3];     /* [-] from a cell to the next along, up and in depth */
+    struct probe *probe;              /* n times n_deep, of a polyhedral mesh */
+    double *sample, *weight, *amount; /* amount: weight times dt */
+    struct mean *mean;
+    struct block_means *blocks;
+};
+
+static double middle(const struct box *b, int k, int i)
+{
+    return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
+}
+
+/* The two rows of centres around the height, and their linear weights. */
+static void find_rows(struct profile *p, const struct box *b)
+{
+    const int k = p->line.up;
+    int j = 0;
+
+    while (j < b->n[k] - 1 && middle(b, k, j + 1) <= p->line.height)
+        j++;
+    const double low = middle(b, k, j);
+    p->row[0] = p->row[1] = j;
+    p->share[0] = 1.0;
+    if (j == b->n[k] - 1 || p->line.height < low)
+        return; /* beyond the last centre */
+    p->row[1] = j + 1;
+    p->share[1] = (p->line.height - low) / (middle(b, k, j + 1) - low);
+    p->share[0] = 1.0 - p->share[1];
+}
+
+static void lay_out(struct profile *p, const struct box *b)
+{
+    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const int stride[3] = {1, b->n[0], b->n[0] * b->n[1]};
+    const double *const z = b->edge[deep];
+
+    p->step[0] = stride[a];
+    p->step[1] = stride[p->line.up];
+    p->step[2] = stride[deep];
+    p->n = b->n[a];
+    p->x = alloc_doubles(p->n);
+    for (int i = 0; i < p->n; i++)
+        p->x[i] = middle(b, a, i);
+    p->n_deep = b->n[deep];
+    p->dz = alloc_doubles(p->n_deep);
+    for (int i = 0; i < p->n_deep; i++)
+        p->dz[i] = (z[i + 1] - z[i]) / (z[p->n_deep] - z[0]);
+    find_rows(p, b);
+}
+
+/* Points half a mean cell apart, from one end of the mesh to the other. */
+static double points_along(const struct mesh *m, int k, int *n)
+{
+    const double L = m->hi[k] - m->lo[k];
+    double volume = 0.0;
+
+    for (int c = 0; c < m->n_cells; c++)
+        volume += m->V[c];
+    *n = number_clamped(ceil(2.0 * L / cbrt(volume / m->n_cells)), 1,
+                        MOST_POINTS);
+    return L / *n;
+}
+
+static void create_probes(struct profile *p, const struct mesh *m)
+{
+    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const double dx = points_along(m, a, &p->n);
+    const double dz = points_along(m, deep, &p->n_deep);
+
+    p->x = alloc_doubles(p->n);
+    p->probe = alloc_zeroed((size_t)p->n * (size_t)p->n_deep, sizeof *p->probe);
+    for (int i = 0; i < p->n; i++) {
+        double x[3];
+        x[a] = p->x[i] = m->lo[a] + (i + 0.5) * dx;
+        x[p->line.up] = p->line.height;
+        for (int j = 0; j < p->n_deep; j++) {
+            x[deep] = m->lo[deep] + (j + 0.5) * dz;
+            p->probe[i * p->n_deep + j] = probe_at(m, x);
+        }
+    }
+}
+
+struct profile *profile_create(const struct mesh *m,
+                               const struct profile_line *line, int n_fields,
+                               const struct profile_field *fields)
+{
+    const double bottom = m->lo[line->up], top = m->hi[line->up];
+
+    assert(line->along != line->up);
+    if (!(line->height >= bottom && line->height <= top)) {
+        fprintf(stderr,
+                "winnow: a profile at height %g m is outside the box, which "
+                "goes from %g to %g m\n",
+                line->height, bottom, top);
+        return NULL;
+    }
+    struct profile *const p = alloc_zeroed(1, sizeof *p);
+    p->line = *line;
+    if (m->face_centre == NULL)
+        lay_out(p, &m->box);
+    else
+        create_probes(p, m);
+    p->n_fields = n_fields;
+    p->fields = alloc_zeroed((size_t)n_fields, sizeof p->fields[0]);
+    memcpy(p->fields, fields, (size_t)n_fields * sizeof p->fields[0]);
+    p->sample = alloc_doubles(n_fields * p->n);
+    p->weight = alloc_doubles(n_fields * p->n);
+    p->amount = alloc_doubles(n_fields * p->n);
+    p->mean = mean_create(n_fields * p->n);
+    p->blocks = block_means_create(n_fields * p->n);
+    p->ends = m->lo[line->along] + m->hi[line->along];
+    return p;
+}
+
+void profile_free(struct profile *p)
+{
+    if (p == NULL) return;
+    free(p->fields);
+    free(p->x);
+    free(p->dz);
+    free(p->probe);
+    free(p->sample);
+    free(p->weight);
+    free(p->amount);
+    mean_free(p->mean);
+    block_means_free(p->blocks);
+    free(p);
+}
+
+/* The same with probes; the weight is 0 where all of them are outside. */
+static double seen(const struct profile *p, const struct profile_field *f,
+                   int i, double *weight)
+{
+    double amount = 0.0;
+
+    for (int j = 0; j < p->n_deep; j++)
+        amount += probe_amount(&p->probe[i * p->n_deep + j], f->values,
+                               f->components, f->component, f->weight, weight);
+    amount = *weight > 0.0 ? amount / *weight : 0.0;
+    *weight /= p->n_deep;
+    return amount;
+}
+
+/* The sample of one field at point i of the line, and its weight. */
+static double sampled(const struct profile *p, const struct profile_field *f,
+                      int i, double *weight)
+{
+    double amount = 0.0;
+
+    *weight = 0.0;
+    if (p->probe != NULL) return seen(p, f, i, weight);
+    for (int r = 0; r < 2; r++)
+        for (int k = 0; k < p->n_deep; k++) {
+            const int c =
+                i * p->step[0] + p->row[r] * p->step[1] + k * p->step[2];
+            const double w =
+                p->share[r] * p->dz[k] * (f->weight ? f->weight[c] : 1.0);
+
+            amount += w * f->values[f->components * c + f->component];
+            *weight += w;
+        }
+    return *weight > 0.0 ? amount / *weight : 0.0;
+}
+
+void profile_add(struct profile *p, double time, double dt)
+{
+    if (time + 1e-9 * fabs(time) < p->line.from) /* a rounded sum of steps */
+        return;
+    for (int f = 0; f < p->n_fields; f++)
+        for (int i = 0; i < p->n; i++) {
+            const int at = f * p->n + i;
+            p->sample[at] = sampled(p, &p->fields[f], i, &p->weight[at]);
+            p->amount[at] = dt * p->weight[at];
+        }
+    mean_add(p->mean, dt, p->sample, p->weight);
+    block_means_add(p->blocks, p->sample, p->amount);
+}
+
+/* The mean of field f at a place, linear between the points of the line. */
+static double mean_at(const struct profile *p, int f, double x)
+{
+    const double *const y = &p->mean->value[f * p->n];
+    int i = 0;
+
+    while (i < p->n - 1 && p->x[i + 1] < x)
+        i++;
+    if (i == p->n - 1 || x <= p->x[i]) return y[i];
+    return y[i] + (x - p->x[i]) / (p->x[i + 1] - p->x[i]) * (y[i + 1] - y[i]);
+}
+
+double profile_mirror_error(const struct profile *p, int f)
+{
+    const struct profile_field *const is = &p->fields[f];
+    const int turns = is->components == 3 && is->component == p->line.along;
+    double sum = 0.0;
+
+    for (int i = 0; i < p->n; i++) {
+        const double image = mean_at(p, f, p->ends - p->x[i]);
+        const double half =
+            0.5 * (p->mean->value[f * p->n + i] - (turns ? -image : image));
+        sum += half * half;
+    }
+    return sqrt(sum / p->n);
+}
+
+double profile_block_error(const struct profile *p, int f)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < p->n; i++) {
+        const double error = block_means_error(p->blocks, f * p->n + i);
+        sum += error * error;
+    }
+    return sqrt(sum / p->n);
+}
+
+void profile_state(struct profile *p, struct state *s)
+{
+    mean_state(p->mean, s);
+    block_means_state(p->blocks, s);
+}
+
+/* "x [m]", then "NAME_mean [UNIT]" and so on of each field. */
+static char **column_names(const struct profile *p)
+{
+    static const char *const kind[PER_FIELD] = {"mean", "std", "error"};
+    char **const names =
+        alloc_zeroed(1 + PER_FIELD * (size_t)p->n_fields, sizeof names[0]);
+
+    names[0] = alloc_zeroed(8, 1);
+    snprintf(names[0], 8, "%c [m]", "xyz"[p->line.along]);
+    for (int i = 0; i < PER_FIELD * p->n_fields; i++) {
+        const struct profile_field *const f = &p->fields[i / PER_FIELD];
+        const size_t room = strlen(f->name) + strlen(f->unit) + 16;
+
+        names[1 + i] = alloc_zeroed(room, 1);
+        snprintf(names[1 + i], room, "%s_%s [%s]", f->name, kind[i % PER_FIELD],
+                 f->unit);
+    }
+    return names;
+}
+
+int profile_write(const struct profile *p, const char *path)
+{
+    const int n_columns = 1 + PER_FIELD * p->n_fields;
+    char **const names = column_names(p);
+    double *const table = alloc_doubles(n_columns * p->n);
+
+    for (int i = 0; i < p->n; i++) {
+        double *const row = table + n_columns * i;
+        row[0] = p->x[i];
+        for (int f = 0; f < p->n_fields; f++) {
+            const int at = f * p->n + i;
+            row[1 + PER_FIELD * f] = p->mean->value[at];
+            row[2 + PER_FIELD * f] = mean_spread(p->mean, at);
+            row[3 + PER_FIELD * f] = block_means_error(p->blocks, at);
+        }
+    }
+    const int failed =
+        table_write(path, n_columns, (const char *const *)names, p->n, table);
+    for (int i = 0; i < n_columns; i++)
+        free(names[i]);
+    free(names);
+    free(table);
+    return failed;
+}

@@ -1,0 +1,74 @@
+/* picture.h -- a picture of the bed, drawn by gnuplot.
+ *
+ * DIR/bed.png shows, at one scale, the particles coloured by speed and the void
+ * fraction averaged over the depth, both as seen along z, and beside them the
+ * pressure drop in time with the weight of the bed. gnuplot does not read VTK,
+ * so its data are written to DIR/picture: particles.txt, void_fraction.txt, and
+ * bed.gp, which may be changed and run again:
+ *
+ *     cd DIR/picture && gnuplot bed.gp
+ *
+ * The pressure is read from DIR/history.csv, columns `time [s]`, `pressure_drop
+ * [Pa]` and `bed_weight [Pa]`.
+ */
+#ifndef OUTPUT_PICTURES_PICTURE_H
+#define OUTPUT_PICTURES_PICTURE_H
+
+#include "mesh/mesh.h"
+#include "output/folder.h"
+
+#include <stdio.h>
+
+struct file;
+
+/* The data of a picture; all borrowed. */
+struct picture {
+    const char *title;
+    double time; /* [s] */
+    const struct mesh *mesh;
+    const double *eps;   /* [-] void fraction a cell; NULL: no such panel */
+    int n;               /* [-] particles; 0 allowed */
+    const double *x[3];  /* [m] */
+    const double *v[3];  /* [m/s] */
+    const double *d;     /* [m] */
+    int pressure;        /* [-] 1: history.csv has the columns above */
+    const double *u, *p; /* [m/s], [Pa] of the cells; NULL: no fluid */
+    int walls;           /* [-] 1: picture/walls.txt has segments x y [m] */
+};
+
+/* Another picture, where it fits better: its files and script, with the names
+ * of this one's script and picture. The first that fits is taken. */
+struct picture_form {
+    int (*fits)(const struct picture *p);
+    int (*write)(struct folder *folder, const struct picture *p);
+};
+extern const struct picture_form *const picture_forms[]; /* ended by NULL */
+
+/* Parts of a picture that an animation has as well (animation.h).
+ *
+ * A file of the folder; NULL after a message. */
+struct file *picture_open(struct folder *folder, const char *name);
+
+/* Writes x, y, radius [m] and speed [m/s] of the particles, the farthest first;
+ * non-zero after a message. */
+int picture_write_particles(struct folder *folder, const char *name,
+                            const struct picture *p);
+
+/* The speed that 99 of 100 particles keep below [m/s]; 0 without any. */
+double picture_speed_scale(const struct picture *p);
+
+/* Title, time, box and `fast` [m/s], the end of the colour scale, as gnuplot's
+ * variables. */
+void picture_put_box(FILE *out, const struct picture *p, double fast);
+void picture_put_number(FILE *out, const char *name, double value,
+                        const char *unit);
+
+/* Writes the three files; non-zero after a message. */
+int picture_write(struct folder *folder, const struct picture *p);
+
+/* Draws DIR/bed.png from them with gnuplot; the file appears when it is
+ * complete. Non-zero after a message that says what to do if gnuplot is missing
+ * or fails; the run itself is complete all the same. */
+int picture_draw(struct folder *folder);
+
+#endif

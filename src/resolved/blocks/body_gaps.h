@@ -1,0 +1,49 @@
+/* body_gaps.h -- where balls come near to bodies that are no spheres, and balls
+ * of free bodies to walls. Chapter "Resolving the grains".
+ *
+ * A ball is a sphere, one of those that a clump consists of, or a point of a
+ * surface, of radius 0. All that is asked of the other body is its distance
+ * from the ball's centre and the normal there. What two spheres do to one
+ * another, and spheres at walls, is dem's.
+ */
+#ifndef RESOLVED_BLOCKS_BODY_GAPS_H
+#define RESOLVED_BLOCKS_BODY_GAPS_H
+
+#include "resolved/solid_bodies.h"
+
+struct body_gap {
+    int i, j;    /* [-] the body with the ball; the other, -1: a wall */
+    double z;    /* [m] negative: an overlap */
+    double R;    /* [m] radius of the ball */
+    double R_j;  /* [m] of what it comes near to, HUGE_VAL where that is flat */
+    double n[3]; /* [-] from j to the ball */
+    double arm_i[3], arm_j[3]; /* [m] from the centres to the place of contact,
+                                  on the surface of j */
+    double v[3];               /* [m/s] of i there, less that of j */
+    double m;                  /* [kg] that resists an impulse along n there */
+};
+
+/* What a gap does in a time dt [s]; a number of which the largest counts. */
+typedef double body_gap_act(struct solid_bodies *b, const struct body_gap *g,
+                            double dt);
+
+/* All gaps narrower than `reach` [m] between bodies of which one can move. */
+double body_gaps_each(struct solid_bodies *b, double reach, double dt,
+                      body_gap_act *act);
+
+/* The impulse J [N s] on i, its negative on j. */
+void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
+                    const double J[3]);
+
+/* What an overlap is compared with [m]: the diameter of the ball, or where the
+ * body of a point is narrowest. */
+double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g);
+
+/* 1 if contacts keep bodies i and j apart, of which one moves. */
+int body_gaps_touch(const struct solid_bodies *b, int i, int j);
+
+/* How deep a ball is in another body by more than a tenth of its radius, where
+ * one of the two can move [m], and these two; 0: nowhere. */
+double body_gaps_deepest(const struct solid_bodies *b, int pair[2]);
+
+#endif

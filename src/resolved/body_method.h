@@ -1,0 +1,23 @@
+/* body_method.h -- a way in which bodies hold the fluid.
+ * Chapter "Resolving the grains". */
+#ifndef RESOLVED_BODY_METHOD_H
+#define RESOLVED_BODY_METHOD_H
+
+#include "base/model.h"
+
+struct solid_bodies;
+
+struct body_method {
+    const char *name;                    /* as a case spells it */
+    const char *what;                    /* one line */
+    const char *equations;               /* keys in chapters/references.md */
+    const char *function;                /* the one that computes it */
+    const struct key *keys[KEY_TABLES];  /* tables of the keys it reads */
+    void (*set)(struct solid_bodies *b); /* its place in a step of the fluid */
+};
+
+/* All of them, ended by NULL; the first is the default. */
+extern const struct body_method *const body_methods[];
+const struct body_method *body_method_named(const char *name);
+
+#endif

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "resolved/shapes/contact_points.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/vector.h"
+
+/* Points along the longest side of a body [-], at most: for thin plates. */
+static const double most_along = 48.0;
+
+/* A point nearer to another one than this share of the spacing is left out. */
+static const double least_apart = 0.5;
+
+/* Points are in one plane if they are this share of the width apart. */
+static const double flat = 1e-2;
+
+struct cloud {
+    double (*x)[3];
+    int n, capacity;
+};
+
+static void put(struct cloud *all, const double x[3])
+{
+    if (all->n == all->capacity) {
+        const int room = 2 * all->n + 64;
+        double(*const more)[3] = alloc_zeroed((size_t)room, sizeof *more);
+        if (all->n > 0) memcpy(more, all->x, (size_t)all->n * sizeof *more);
+        free(all->x);
+        all->x = more;
+        all->capacity = room;
+    }
+    memcpy(all->x[all->n++], x, sizeof *all->x);
+}
+
+static double longest_side(double t[3][3])
+{
+    double most = 0.0;
+
+    for (int k = 0; k < 3; k++) {
+        double side[3];
+        vector_between(t[(k + 1) % 3], t[k], side);
+        most = fmax(most, vector_length(side));
+    }
+    return most;
+}
+
+/* The corners of a grid in the triangle, whose sides are not longer than the
+ * spacing [m]. Those of the triangle itself come with i or j or both 0. */
+static void put_triangle(struct cloud *all, double t[3][3], double spacing)
+{
+    const int n = (int)ceil(longest_side(t) / spacing * (1.0 - 1e-9));
+
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= n - i; j++) {
+            double x[3];
+            for (int k = 0; k < 3; k++)
+                x[k] = t[0][k] + (double)i / n * (t[1][k] - t[0][k]) +
+                       (double)j / n * (t[2][k] - t[0][k]);
+            put(all, x);
+        }
+}
+
+static int outer_first(const void *a, const void *b)
+{
+    const double *const p = a, *const q = b;
+    const double P = vector_dot(p, p), Q = vector_dot(q, q);
+
+    for (int k = 0; k < 3 && P == Q; k++)
+        if (p[k] != q[k]) return p[k] > q[k] ? 1 : -1;
+    return (P < Q) - (P > Q);
+}
+
+/* The outer ones stay, the tips of a body among them. */
+static void thin_out(struct cloud *all, double apart)
+{
+    int kept = 0;
+
+    qsort(all->x, (size_t)all->n, sizeof *all->x, outer_first);
+    for (int i = 0; i < all->n; i++) {
+        int j = 0;
+        for (double r[3]; j < kept; j++) {
+            vector_between(all->x[i], all->x[j], r);
+            if (vector_dot(r, r) < apart * apart) break;
+        }
+        if (j == kept) memmove(all->x[kept++], all->x[i], sizeof *all->x);
+    }
+    all->n = kept;
+}
+
+/* How many are in the outermost plane across a direction [-]. */
+static int in_plane(const struct cloud *all, const double n[3], double depth)
+{
+    double highest = -HUGE_VAL;
+    int count = 0;
+
+    for (int i = 0; i < all->n; i++)
+        highest = fmax(highest, vector_dot(all->x[i], n));
+    for (int i = 0; i < all->n; i++)
+        count += vector_dot(all->x[i], n) > highest - depth;
+    return count;
+}
+
+static int most_in_plane(const struct body_outline *o, const struct cloud *all)
+{
+    int most = 1;
+
+    for (int t = 0; t < o->n_triangles; t++) {
+        double a[3], b[3], n[3];
+        vector_between(o->corner[t][1], o->corner[t][0], a);
+        vector_between(o->corner[t][2], o->corner[t][0], b);
+        vector_cross(a, b, n);
+        const double size = vector_length(n);
+        for (int k = 0; k < 3; k++)
+            n[k] /= size;
+        const int count = in_plane(all, n, flat * o->width);
+        most = count > most ? count : most;
+    }
+    return most;
+}
+
+void contact_points_add(struct body_outline *o)
+{
+    const double longest = 2.0 * fmax(o->half[0], fmax(o->half[1], o->half[2]));
+    const double spacing = fmax(0.5 * o->width, longest / most_along);
+    struct cloud all = {0};
+
+    for (int t = 0; t < o->n_triangles; t++)
+        put_triangle(&all, o->corner[t], spacing);
+    thin_out(&all, least_apart * spacing);
+    o->flat = most_in_plane(o, &all);
+    o->n_balls = all.n;
+    free(o->ball);
+    o->ball = alloc_zeroed((size_t)all.n, sizeof *o->ball);
+    for (int i = 0; i < all.n; i++)
+        memcpy(o->ball[i].at, all.x[i], sizeof all.x[i]);
+    free(all.x);
+}
