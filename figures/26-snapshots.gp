@@ -1,6 +1,5 @@
 # SX15 Figs. 8 and 9: moments of Mueller's bed by diffusion (above) and by the sums of
-# each cell (below), from figures/26-snapshots.sh.
-dir = "out/26-snapshots/"
+# each cell (below), from the files in dir, which figures/26-snapshots.sh makes.
 method(r) = word("diffusion pcm", r + 1)
 points(r) = dir . method(r) . "-points.txt"
 field(r) = dir . method(r) . "-field.txt"
@@ -23,7 +22,7 @@ do for [what = 0:1] {
         unset contour
         set surface
     }
-    set terminal pngcairo size 1000,470 font "Sans,10" background "#ffffff"
+    set terminal png size 1000,470 background "#ffffff"
     set output word("figures/26-snapshots-grains.png figures/26-snapshots-fields.png", what + 1)
     set multiplot
     set palette defined (0 "#ffffff", 0.3 "#9fc3d9", 0.62 "#0b3c5d")
@@ -34,7 +33,7 @@ do for [what = 0:1] {
         set rmargin at screen 0.035 + 0.1205 * k + 0.116
         set bmargin at screen 0.52 - 0.5 * r
         set tmargin at screen 0.52 - 0.5 * r + 0.37
-        set title sprintf("%.2f s", 0.04 + 0.04 * k) offset 0,-0.7
+        set title sprintf("%.2f s", 0.2 + 0.04 * k) offset 0,-0.7
         set label 1 k == 0 ? method(r) : "" at graph -0.14,0.5 center rotate by 90 font "Sans,12"
         set object 1 rectangle from 0,0 to 44,66 fillstyle empty border linecolor "#999999"
         if (what == 0) {

@@ -6,6 +6,7 @@
     30-classes.py scene DIR SHIFT       a case that begins with the first picture of
                                         DIR, its grains SHIFT [m] beside
     30-classes.py compare A B C         the classes in three runs from one bed
+    30-classes.py circles DIR           x, y, radius [mm], class 0 to 2, of each picture
 
 Small, medium and large as in XS11 Fig. 11: d below 0.83, 1.67, 2.5 mm.
 """
@@ -94,6 +95,15 @@ def compare(runs):
     print(" ".join("%.1f %.1f" % drop(run, 0.5 * last, last) for run in runs))
 
 
+def circles(run):
+    for path in pictures(run):
+        _, x, d = picture(path)
+        for number, name in enumerate(CLASSES):
+            for (a, b, _), size in zip(1e3 * x[members(d, name)], d[members(d, name)]):
+                print(f"{a:.3f} {b:.3f} {500 * size:.3f} {number}")
+        print("\n")
+
+
 command, *rest = sys.argv[1:]
 {"heights": lambda: heights(*rest), "scene": lambda: scene(*rest),
- "compare": lambda: compare(rest)}[command]()
+ "compare": lambda: compare(rest), "circles": lambda: circles(*rest)}[command]()

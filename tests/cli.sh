@@ -311,6 +311,26 @@ same() {
         diff -r one/particles two/particles && echo same
 }
 fact one_and_two_threads_give_the_same_bits 0 same same
+# A row at each second step, an end after an odd number of them, and a later end.
+rows() { # folder, end, option...
+    dir=$1 end=$2
+    shift 2
+    "$winnow" run tiny.cfg -o "$dir" --quiet -s output.history=4e-4 \
+        -s 'output.probes=({field="p";position=[0.003,0.005,0.003];})' \
+        -s output.end="$end" "$@" >said 2>&1
+}
+last_time() { tail -1 "$1" | cut -d, -f1; }
+rows_to_the_end() {
+    rows ended 0.0102 &&
+        echo "$(last_time ended/history.csv) $(last_time ended/probes.csv)"
+}
+fact the_state_at_the_end_is_a_row 0 "0.0102 0.0102" rows_to_the_end
+rows_beyond_the_end() {
+    rows at_once 0.012 && rows ended 0.012 --resume &&
+        cmp ended/history.csv at_once/history.csv &&
+        cmp ended/probes.csv at_once/probes.csv && echo same
+}
+fact a_run_that_goes_on_has_no_row_of_the_old_end 0 same rows_beyond_the_end
 quiet() {
     for run in new replaced; do
         "$winnow" run tiny.cfg -o quiet --quiet 2>&1 >/dev/null

@@ -60,6 +60,7 @@ needs() { # tests/test_x.c
 run() { # program, folder for the results, setting...
     winnow=$1 dir=$2
     shift 2
+    rm -rf "$dir" # without a list of its files a run leaves them in the way
     "$winnow" run cases/small-bed.cfg -o "$dir" --quiet "$@" >"$work/said" 2>&1
 }
 

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "dem/dem_method.h"
+#include "resolved/blocks/block_contacts.h"
 #include "resolved/body_motion.h"
 #include "resolved/solid_bodies.h"
 
@@ -59,6 +60,7 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
                                      .virtual_mass = o->virtual_mass,
                                      .dem_steps =
                                          o->dem_steps > 0 ? o->dem_steps : 1,
+                                     .others = &block_contacts,
                                      .dem = &dem};
 
     for (int k = 0; k < 3; k++) {

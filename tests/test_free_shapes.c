@@ -7,7 +7,7 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/block_contacts.h"
+#include "resolved/blocks/block_contacts.h"
 #include "resolved/body_turn.h"
 #include "resolved/shapes/block_outline.h"
 #include "resolved/shapes/closed_surface.h"

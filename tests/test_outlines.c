@@ -7,7 +7,7 @@
 
 #include "base/vector.h"
 #include "facts.h"
-#include "resolved/block_contacts.h"
+#include "resolved/blocks/block_contacts.h"
 #include "resolved/body_turn.h"
 #include "resolved/shapes/clump.h"
 #include "resolved/shapes/closed_surface.h"

@@ -4,6 +4,7 @@
 #include "case/models.h"
 #include "case/settings.h"
 
+/* needs src/case/text */
 #include "facts.h"
 #include "capture.h"
 

@@ -59,7 +59,7 @@ static struct averaging_options completed(const struct averaging_options *o)
 
 /* The variant of the method for this mesh. */
 static const struct averaging_method *
-row_for(const struct averaging_method *method, const struct mesh *mesh)
+variant_for(const struct averaging_method *method, const struct mesh *mesh)
 {
     return mesh->shape != NULL && method->polyhedral != NULL
                ? method->polyhedral
@@ -82,7 +82,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
     }
     struct averaging *const a = alloc_zeroed(1, sizeof *a);
 
-    a->method = row_for(method, mesh);
+    a->method = variant_for(method, mesh);
     a->fields = full.fields;
     a->cells = cell_of_particle_create(mesh, ps);
     a->state = a->method->create(a->cells, &full);
@@ -200,10 +200,10 @@ double averaging_bytes(const struct averaging_method *method,
                        const struct mesh *mesh, double d,
                        const struct averaging_options *o)
 {
-    const struct averaging_method *const row = row_for(method, mesh);
-    const double reach = row->reach_b * o->bandwidth + row->reach_d * d;
+    const struct averaging_method *const variant = variant_for(method, mesh);
+    const double reach = variant->reach_b * o->bandwidth + variant->reach_d * d;
     const enum stencil_to to =
-        row->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
+        variant->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
     return reach > 0.0 ? stencil_bytes(mesh, reach, to) : 0.0;
 }
 

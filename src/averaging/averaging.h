@@ -7,7 +7,7 @@
  * the spread force on the field.
  *
  *     sum_c V_c spread(q)_c = sum_i q_i
- *     sum_i q_i gather(f)_i = sum_c V_c f_c spread(q)_c
+ *     sum_i q_i gather(phi)_i = sum_c V_c phi_c spread(q)_c
  *
  * The m numbers of a cell or particle are interleaved, field[m * c + k] and q[m
  * * i + k], and are spread together, which is much cheaper than one by one. The
@@ -43,8 +43,8 @@ struct averaging_options {
     void *parts; /* of a mesh that is a part of another one, borrowed [none] */
 };
 
-/* lost to lost_volume: of the last bind. alone to negative: of the last spread.
- * products and worst: of the last spread or gather. */
+/* lost to lost_volume are of the last bind, unsupported to negative of the last
+ * spread, products and worst of the last spread or gather. */
 struct averaging_report {
     int lost, lost_id;      /* [-] particles outside the mesh, first one's id */
     int capped;             /* [-] pcm: cells with more solids than the cap */
@@ -77,15 +77,17 @@ void averaging_free(struct averaging *a);
  * outside the mesh; then the next call must be another averaging_bind. */
 int averaging_bind(struct averaging *a);
 
-/* Nothing is lost: with the volumes, momenta over density and forces of the
- * particles for q, the sums of V field are theirs [SX15 A.1a-c]. */
+/* The two operations. With the volumes, momenta over density and forces of the
+ * particles for q, the sums of V field are those of the particles
+ * [SX15 A.1a-c]. */
 void averaging_spread(struct averaging *, int m, const double *q,
                       double *field);
 void averaging_gather(struct averaging *, int m, const double *field,
                       double *q);
 
-/* Solids inside the mesh (averaging_wall.h), from now on; borrowed. And a field
- * as it is to be interpolated: itself without such solids. */
+/* From now on there are solids inside the mesh (averaging_wall.h); borrowed.
+ * The second returns a field as it is to be interpolated: without such solids
+ * the field itself. */
 void averaging_set_wall(struct averaging *a, struct averaging_wall *wall);
 const double *averaging_extended(struct averaging *a, int m,
                                  const double *field);
@@ -109,7 +111,8 @@ const struct averaging_report *averaging_report(const struct averaging *a);
 double averaging_bytes(const struct averaging_method *, const struct mesh *,
                        double d, const struct averaging_options *);
 
-/* 0, or the number of diffusion steps needed to avoid undershoots. */
+/* The number of diffusion steps needed to avoid undershoots, if the options
+ * have fewer; else 0. */
 int averaging_check(const struct averaging_method *, const struct mesh *,
                     const struct averaging_options *);
 

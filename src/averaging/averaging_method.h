@@ -27,9 +27,10 @@ struct averaging_method {
     double even_widths;      /* [-] bandwidth over the width of the largest
                                 cell from which on an even bed is even to about
                                 2 %; 0: any */
-    double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) that is as
-                                wide, over the bandwidth; 0: none */
-    int lays_grid;           /* 1: lays a grid with cells of a bandwidth */
+    double gaussian;         /* [-] b of the Gaussian exp(-r^2 / b^2) with the
+                                same variance, over the bandwidth; 0: none */
+    int lays_grid;           /* 1: has a grid of its own, with cells of a
+                                bandwidth */
     const struct key *own_keys; /* of its tables, the one whose numbers are in
                                    options.own (base/model.h); NULL: none */
     void *(*create)(const struct cell_of_particle *h,

@@ -3,8 +3,8 @@
  *
  * A method of averaging takes account of the walls of the mesh, not of other
  * solids: what it puts into the cells of these is moved out again, and a field
- * is continued into them before it is interpolated. The two are
- * adjoint, so that the sums of averaging.h are kept.
+ * is continued into them before it is interpolated. The two are adjoint, so
+ * that the sums of averaging.h are conserved.
  */
 #ifndef AVERAGING_AVERAGING_WALL_H
 #define AVERAGING_AVERAGING_WALL_H

@@ -21,7 +21,7 @@ struct cell_of_particle {
     double *offset; /* [m] from the cell's centre to the particle, round the
                        period; 3 a particle */
     int *start;     /* [-] n_cells + 1; the particles in cell c are */
-    int *particle;  /* [-] member[start[c]] ..., ascending */
+    int *particle;  /* [-] particle[start[c]] ..., ascending */
 };
 
 struct cell_of_particle *cell_of_particle_create(const struct mesh *mesh,

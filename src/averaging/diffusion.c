@@ -10,7 +10,7 @@
 #include "averaging/averaging.h"
 #include "averaging/cell_of_particle.h"
 #include "averaging/diffusion_matrix.h"
-#include "averaging/diffusion_parts.h"
+#include "averaging/diffusion_variants.h"
 #include "base/alloc.h"
 #include "linear/chebyshev.h"
 #include "linear/csr.h"
@@ -186,6 +186,7 @@ static void *diffusion_create(const struct cell_of_particle *h,
     d->scheme = scheme_named(o->scheme);
     d->fields = o->fields;
     d->tolerance = o->tolerance;
+    /* rounded as the sum of the steps of the other schemes */
     d->T = diffusion_time(o->bandwidth) / o->steps * o->steps;
     d->variation = variation_of(o);
     d->vary = is_uniform(o) ? NULL : d->variation->create(h, o);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* diffusion_schemes.c -- what is told about the schemes of diffusion.c. */
+/* diffusion_schemes.c -- the keys and the descriptors of diffusion.c.
+ * Chapter "Averaging". */
 #include "averaging/diffusion.h"
 
 #include <stddef.h>

@@ -54,9 +54,9 @@ static void fitted_gradient(const struct mesh *mesh, int c, int k, int m,
     vector_solve(A, b, g);
 }
 
-/* Gauss: (1 / V_c) sum over the faces of S (f_f - f_c). The S of a closed cell
- * sum to zero; f_c is subtracted so that the gradient of a constant is exactly
- * zero. */
+/* Gauss: (1 / V_c) sum over the faces of S (phi_f - phi_c). The S of a closed
+ * cell sum to zero; phi_c is subtracted so that the gradient of a constant is
+ * exactly zero. */
 static void gradient(const struct mesh *mesh, int c, int k, int m,
                      const double *field, const double *boundary, double g[3])
 {

@@ -4,15 +4,13 @@
  * nearest  the value of its own cell. Exact for constants; jumps from cell to
  *          cell.
  * linear   the value and the Gauss gradient of that cell,
- *              q_i = f_c + (1 / V_c) sum_f S_f (f_f - f_c) . (x_i - x_c).
- *          Exact for linear fields also on graded
- *          meshes and across a period too; second order for smooth ones; jumps
- *          at faces by what the gradients of the two cells differ. At a
- *          boundary f_f is the given value; then it is exact there as well. If
- *          none is given, the gradient of a cell at the boundary is fitted to
- *          its neighbours, again exact for linear fields; there is none in a
- *          direction of one cell.
- *          It may exceed the range of the neighbouring values: there is no
+ *              phi_i = phi_c + (1 / V_c) sum_f S_f (phi_f - phi_c) . (x_i -
+ * x_c). Exact for linear fields, also on graded meshes and across a period;
+ *          second order for smooth ones; discontinuous at faces. At a
+ *          boundary phi_f is the given value; then it is exact there as well.
+ * If none is given, the gradient of a cell at the boundary is fitted to its
+ * neighbours, again exact for linear fields; there is none in a direction of
+ * one cell. It may exceed the range of the neighbouring values: there is no
  *          limiter.
  * same     the adjoint of the averaging: the weights are those with which the
  *          forces are averaged [XS11 3.9].

@@ -28,8 +28,8 @@ extern const struct averaging_method kernel_gaussian_method;
 /* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
 double kernel_bell(double zeta);
 
-/* A Gaussian that has half its height at delta_05 / 2: its sigma [unit of
- * delta_05] [EW18 20], and its b, both in [m]. */
+/* sigma [m] and b [m] of the Gaussian that has half its height at the distance
+ * delta_05 / 2 [m] [EW18 20]. */
 double kernel_sigma(double delta_05);
 double kernel_bandwidth(double delta_05);
 

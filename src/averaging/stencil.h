@@ -27,7 +27,8 @@ struct stencil {
     int largest;          /* [-] entries of the largest shape */
 };
 
-/* What must be nearer than b: the centre of the other cell or any of it. */
+/* Which part of the other cell must be nearer than b: its centre, or any point.
+ */
 enum stencil_to { STENCIL_TO_CENTRE, STENCIL_TO_CELL };
 
 /* The first entry of each is the cell itself. The extent of a cell that is not
@@ -41,7 +42,8 @@ void stencil_free(struct stencil *s);
  * of equal cells, in which nearly all cells have a common stencil. */
 double stencil_bytes(const struct mesh *m, double b, enum stencil_to to);
 
-/* How far every cell reaches from its centre [m], 3 a cell. */
+/* Half extents of every cell from its centre [m], 3 a cell; released with
+ * free(). */
 double *stencil_extents(const struct mesh *m);
 
 #endif

@@ -25,7 +25,8 @@ double random_uniform(unsigned long seed, long i, long j, int which)
     return (double)mix(seed, i, j, which) / two_to_53;
 }
 
-/* The middles of the 2^53 parts of 0 .. 1, so that neither end is met. */
+/* The middles of the 2^53 parts of 0 .. 1, so that neither 0 nor 1 is returned.
+ */
 double random_normal(unsigned long seed, long i, long j, int which)
 {
     return gsl_cdf_ugaussian_Pinv(((double)mix(seed, i, j, which) + 0.5) /

@@ -15,7 +15,7 @@ struct thread_tuner {
     int threads;          /* [-] in use between trials */
     int trial_threads;    /* [-] in the present trial; 0: no trial */
     int trial_was_larger; /* [-] 1: the last trial was with more */
-    int target;           /* [-] threads of the next trial with more */
+    int target;           /* [-] threads of the next trial with more of them */
     int measuring;        /* [-] 1: measures the reference time for a trial */
     int steps_left;       /* [-] steps of this trial or measurement */
     double step_start;    /* [s] start of the present step */

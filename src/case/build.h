@@ -11,20 +11,20 @@ struct bed_saver;
 /* The simulation that the case describes, its bed settled. NULL after a
  * message; *code is then 2, 3 (the bed did not settle) or 4. */
 struct simulation *build_simulation(const struct settings *s, int *code);
-/* The same with functions that save the bed while it settles, and may end that
- * with another code (dem/bed_settling.h); borrowed, or NULL. */
+/* The same; the saver, borrowed or NULL, saves the bed while it settles and may
+ * end the settling with a code of its own (dem/bed_settling.h). */
 struct simulation *build_with_saver(const struct settings *s,
                                     const struct bed_saver *saver, int *code);
-/* The same without its bed, whose state will be loaded. */
+/* The same with room for a bed, whose state will be loaded. */
 struct simulation *build_to_resume(const struct settings *s, int *code);
 
 enum { BUILD_MOST_REGIONS = 32 }; /* of averaging.regions */
 
-/* What the case says about parts, for `check` too. */
+/* The averaging and the drag law that the case chooses. */
 struct averaging_options build_averaging_options(const struct settings *s);
 struct drag_law build_drag_law(const struct settings *s);
 
-/* What is built on the mesh, the particles and their averaging. */
+/* The drag and the effects; mesh, particles and averaging must be there. */
 void build_coupling(const struct settings *s, struct simulation *sim);
 void build_effects(const struct settings *s, struct simulation *sim);
 

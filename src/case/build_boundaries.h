@@ -4,7 +4,6 @@
 #define CASE_BUILD_BOUNDARIES_H
 
 #include "fluid/boundary.h"
-#include "fluid/inlet_profile.h"
 #include "mesh/mesh.h"
 #include "case/settings.h"
 
@@ -19,10 +18,17 @@ enum { BUILD_BOUNDARIES_PATH = 128 };
 int build_boundaries_has(const struct settings *s, const struct patch *p,
                          const char *key, char path[BUILD_BOUNDARIES_PATH]);
 
-/* The profile of an inlet, and the times of a run, besides 0, at which one that
- * varies is looked at. */
-enum { BUILD_BOUNDARIES_TIMES = 64 };
-const struct inlet_profile *build_boundaries_profile(const struct settings *s,
-                                                     const struct patch *p);
+/* What a folder adds to the boundary of a patch, where the case gives this key
+ * of it; `build` gets the boundary as it is without, and returns 0, or 2 after
+ * a message. */
+struct boundary_builder {
+    const char *key; /* "profile" */
+    int (*build)(const struct settings *s, const struct mesh *m,
+                 const struct patch *p, struct boundary *b);
+    /* 1 if only building shows whether the case is right; NULL: it always is
+     * so. */
+    int (*is_checked)(const struct settings *s, const struct patch *p);
+};
+extern const struct boundary_builder *const boundary_builders[]; /* NULL ends */
 
 #endif

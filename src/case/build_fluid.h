@@ -5,15 +5,15 @@
 #include "coupling/simulation.h"
 #include "case/settings.h"
 
-/* 1 if the fluid feels the particles. */
+/* 1 if the particles act on the fluid: the coupling is two-way. */
 int build_two_way(const struct settings *s);
 
-/* What the case says of the fluid; needs dt and the boundaries. */
+/* The options of the fluid; sim->dt and sim->boundaries must be set. */
 struct fluid_options build_fluid_options(const struct settings *s,
                                          const struct simulation *sim);
 
-/* Fills sim->fluid, boundaries and inlet_series; needs mesh and dt. Non-zero
- * after a message. */
+/* Sets sim->fluid, boundaries and inlet_series; sim->mesh and dt must be set.
+ * Non-zero after a message. */
 int build_fluid(const struct settings *s, struct simulation *sim);
 
 #endif

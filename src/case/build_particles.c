@@ -73,8 +73,8 @@ static int make_bed(const struct settings *s, struct simulation *sim,
     return found;
 }
 
-/* A bed that was kept for another run, and whose file is damaged, is settled
- * anew. */
+/* The file of a bed that another run has kept is damaged: it is removed, and
+ * the bed is settled again. */
 static int remake_bed(const struct settings *s, struct simulation *sim,
                       const struct dem_options *o,
                       const struct bed_saver *saver, const char *path,
@@ -117,7 +117,7 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     return 0;
 }
 
-/* Of the i-th group of a list: number 0 where it names none. */
+/* The material of the i-th group of a list: number 0 where it names none. */
 static int material_of(const struct settings *s, const char *list, int i)
 {
     return settings_item_has(s, list, i, "material")
@@ -126,7 +126,7 @@ static int material_of(const struct settings *s, const char *list, int i)
                : 0;
 }
 
-/* The spheres, where the case puts them; without a dem. */
+/* The spheres at the positions of the case; there is no dem yet. */
 static int put_spheres(const struct settings *s, struct simulation *sim,
                        const struct dem_options *o)
 {
@@ -178,7 +178,7 @@ static int place_bed(const struct settings *s, struct simulation *sim,
     return sim->dem == NULL ? 2 : 0;
 }
 
-/* What the particles are made of, what they touch and what moves them. */
+/* The options of dem, with the materials and with what folders add. */
 static int complete(const struct settings *s, struct simulation *sim,
                     struct dem_options *o)
 {

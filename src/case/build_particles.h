@@ -6,17 +6,17 @@
 #include "dem/bed.h"
 #include "case/settings.h"
 
-/* Fills sim->particles, dem and held; needs mesh, dt and dem_steps. Without its
- * bed there is room for it only; the saver of the bed may be NULL. Returns the
- * exit code, after a message if not 0. */
+/* Sets sim->particles, dem and held_force; sim->mesh, dt and dem_steps must be
+ * set. If with_bed is 0, there is only room for the particles of the bed. The
+ * saver may be NULL. Returns the exit code, after a message if it is not 0. */
 int build_particles(const struct settings *s, struct simulation *sim,
                     int with_bed, const struct bed_saver *saver);
 
-/* 0 if they can be where the case puts them, a bed on its lattice; nothing
- * moves, and nothing is kept. */
+/* Whether the particles can be created where the case places them, those of a
+ * bed on its lattice: 0, or the exit code after a message. Nothing moves. */
 int build_particles_check(const struct settings *s);
 
-/* The overlaps that the case expects and allows. */
+/* Sets the overlap that the case expects and the largest that it allows. */
 void build_particles_limit(const struct settings *s, struct simulation *sim);
 
 #endif

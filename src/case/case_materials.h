@@ -1,8 +1,8 @@
 /* case_materials.h -- the materials of a case, by name and by number.
  *
  * Number 0 is called "grains"; the others come in the order of the list
- * particles.materials. Whatever is made of something (a sphere, a wall) names
- * it, and finds its number here.
+ * particles.materials. A sphere or a wall names its material, and
+ * case_materials_number returns the number of that name.
  */
 #ifndef CASE_CASE_MATERIALS_H
 #define CASE_CASE_MATERIALS_H

@@ -1,8 +1,8 @@
 /* case_mesh.h -- the space that a case describes.
  *
  * A box, a sheared box, or a mesh from files. The last two are made once, when
- * the case is read, and kept with it: what the case says of patches is held
- * against them.
+ * the case is read, and kept in the settings, because the boundary conditions
+ * of the case are checked against their patches.
  */
 #ifndef CASE_CASE_MESH_H
 #define CASE_CASE_MESH_H

@@ -27,8 +27,7 @@ struct case_part {
     int (*check)(const struct settings *s);
     /* The same of any case, with particles or without. */
     int (*check_any)(const struct settings *s);
-    /* What it adds to the options: numbers and ends, before anything is made.
-     */
+    /* Changes the options of dem, before anything is created. */
     void (*dem_options)(const struct settings *s, struct dem_options *o);
     /* The sizes of the bed, where they are not all equal. */
     void (*bed_sizes)(const struct settings *s, struct bed_options *b);
@@ -39,8 +38,8 @@ struct case_part {
                                              int material);
     /* Prints its lines for `winnow check`. */
     void (*print)(const struct settings *s, const struct case_scales *k);
-    /* What particles touch and what moves them, before there are any; released
-     * by free. */
+    /* Creates surfaces, attractions and sources before there are particles;
+     * `free` releases them. */
     int (*complete)(const struct settings *s, struct simulation *sim,
                     struct dem_options *o);
     void (*free)(struct simulation *sim);

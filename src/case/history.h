@@ -1,14 +1,15 @@
 /* history.h -- the numbers of one moment, a row of history.csv.
  *
- * Physics first, then how well it was solved: nothing that the numerics did to
- * the solution is missing. A column that the case has no use for is not there.
+ * Physical quantities come first, then residuals, iterations and every
+ * correction that the numerical method has made to the solution. A column that
+ * does not apply to a case is left out.
  */
 #ifndef CASE_HISTORY_H
 #define CASE_HISTORY_H
 
 #include "coupling/simulation.h"
 
-/* How one column is got from the simulation. */
+/* One column. */
 struct history_column {
     const char *name; /* with its unit: "pressure_drop [Pa]" */
     double (*value)(const struct simulation *sim);
@@ -22,7 +23,7 @@ enum {
     HISTORY_MEAN_GRADIENT = 8, /* a flow prescribed through periodic ends */
     HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
     HISTORY_BUDGET = 32,       /* of the energy of the particles */
-    HISTORY_POPULATION = 64    /* particles that come and go */
+    HISTORY_POPULATION = 64    /* particles inserted or removed */
 };
 
 /* All columns, ended by one without a name. */

@@ -9,7 +9,7 @@ static int least(int a, int b)
     return a < b ? a : b;
 }
 
-/* Capitals are no mistake. */
+/* Upper and lower case count as equal. */
 static int alike(char a, char b)
 {
     return tolower((unsigned char)a) == tolower((unsigned char)b);

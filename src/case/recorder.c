@@ -31,7 +31,7 @@ void recorder_free(struct recorder *r)
     free(r);
 }
 
-/* --- what is kept for the summary --------------------------------------- */
+/* --- extremes for the summary ------------------------------------------- */
 
 static void update_extremes(struct recorder *r)
 {
@@ -53,7 +53,7 @@ static void update_extremes(struct recorder *r)
     }
 }
 
-/* --- the moments --------------------------------------------------------- */
+/* --- rows and fields ----------------------------------------------------- */
 
 static int add_row(struct recorder *r)
 {
@@ -67,7 +67,7 @@ static int add_row(struct recorder *r)
         if (effects[i].effect->columns != NULL)
             n += effects[i].effect->columns->row(effects[i].memory, r->sim,
                                                  &row[n]);
-    return table_add(r->history, row) != 0 || recorder_part_row(&r->parts) != 0;
+    return table_add(r->history, row) != 0;
 }
 
 static int add_fields(struct recorder *r)
@@ -92,13 +92,21 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         recorder_take_snapshots(r);
         processes_join(r->sim, PROCESSES_ROW);
-        const int failed = add_row(r);
+        const int failed = add_row(r) != 0 || recorder_part_row(&r->parts) != 0;
         processes_join(r->sim, PROCESSES_ROW_DONE);
         if (failed) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     recorder_take_snapshots(r);
     return add_fields(r);
+}
+
+int recorder_last_row(struct recorder *r)
+{
+    if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
+        return 0;
+    recorder_take_snapshots(r);
+    return add_row(r) != 0 || recorder_part_last_row(&r->parts) != 0;
 }
 
 int recorder_last_state(struct recorder *r)
@@ -184,7 +192,7 @@ static void write_counts(struct summary *f, const struct recorder *r)
     }
 }
 
-/* What is yet to come has no exit code: it is null. */
+/* The exit code of a run that has not ended: null in the summary. */
 enum { STILL_RUNNING = -1 };
 
 static int write_summary(const struct recorder *r, const char *reason, int code)
@@ -240,7 +248,7 @@ static struct table *create_history(struct recorder *r)
     return folder_table(r->folder, "history.csv", r->n_columns, names);
 }
 
-/* What is there of a run that is killed. */
+/* A run that is killed leaves this summary. */
 int recorder_begin(const struct recorder *r)
 {
     return write_summary(r, "running", STILL_RUNNING);

@@ -63,6 +63,11 @@ int recorder_part_row(const struct recorder_part_list *l)
     EACH_PART(row, l->state[i]);
 }
 
+int recorder_part_last_row(const struct recorder_part_list *l)
+{
+    EACH_PART(last_row, l->state[i]);
+}
+
 int recorder_part_fields(const struct recorder_part_list *l, double t)
 {
     EACH_PART(fields, l->state[i], t);

@@ -15,7 +15,7 @@
 #include "output/folder.h"
 #include "output/summary.h"
 
-/* What a part may look at; all is borrowed. Where several processes compute the
+/* What a part can read; all is borrowed. Where several processes compute the
  * simulation, `sim` is the share of this one, and `seen` and `whole` have what
  * is drawn of all of it; on one machine they are the same. */
 struct recorder_view {
@@ -36,6 +36,7 @@ struct recorder_part {
     void *(*create)(const struct recorder_view *v, int *failed);
     void (*free)(void *part);
     int (*row)(void *part);               /* with each row of history.csv */
+    int (*last_row)(void *part);          /* with one that the end adds */
     int (*fields)(void *part, double t);  /* with the fields of time t [s] */
     int (*finish)(void *part);            /* at the end of the run */
     const struct history_column *columns; /* of history.csv; the last has no
@@ -64,6 +65,7 @@ void recorder_part_free(struct recorder_part_list *l);
 int recorder_part_columns(const struct recorder_part_list *l,
                           const struct history_column **column, int room);
 int recorder_part_row(const struct recorder_part_list *l);
+int recorder_part_last_row(const struct recorder_part_list *l);
 int recorder_part_fields(const struct recorder_part_list *l, double t);
 int recorder_part_finish(const struct recorder_part_list *l);
 void recorder_part_summarize(const struct recorder_part_list *l,

@@ -30,7 +30,7 @@ enum {
     INTERRUPTED = INTERRUPT_CODE
 };
 
-/* Looks and keeps the time that writing takes. */
+/* Samples the simulation and adds the wall time that this takes. */
 static int sample(struct recorder *r, struct simulation *sim)
 {
     double clock = clock_now();
@@ -40,7 +40,7 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-/* One step, by as many threads as pay. */
+/* One step with the number of threads that was measured to be fastest. */
 static int step(struct simulation *sim, struct thread_tuner *tuner)
 {
     const double began = clock_processor();
@@ -92,8 +92,8 @@ static int start(struct run *run)
                : 0;
 }
 
-/* A signal ends the search of new particles for room, and so the step is not
- * the one that it would have been. */
+/* 1 if a signal has ended the insertion of particles early: this step differs
+ * from that of a run without the signal. */
 static int is_cut_short(const struct simulation *sim)
 {
     return interrupt_arrived() && sim->population != NULL &&
@@ -174,6 +174,7 @@ static int finish(struct run *run, int code)
     if (code != NOT_WRITTEN && run->saver != NULL &&
         run->saver->end(run->memory, code == BROKE_DOWN) != 0)
         code = NOT_WRITTEN;
+    if (code == 0 && recorder_last_row(r) != 0) code = NOT_WRITTEN;
     if (code != 0 && code != NOT_WRITTEN && recorder_last_state(r) != 0)
         code = NOT_WRITTEN;
     if (recorder_finish(r, reason_of(code, run->why), code) != 0)
@@ -202,7 +203,7 @@ static int run_simulation(struct run *run)
     return code;
 }
 
-/* What is to be cleared away if the run does not begin. */
+/* The files that are removed if the run does not begin. */
 struct beginning {
     const struct run *run;
     struct folder *folder;
@@ -218,7 +219,7 @@ static void leave(void *of)
     if (b->bed != NULL) file_remove_part(b->bed);
 }
 
-/* While a bed settles a signal waits until that is saved. */
+/* A signal that arrives while a bed settles waits until the bed is saved. */
 static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
 {
     struct beginning *const b = of;
@@ -229,7 +230,7 @@ static int settle(void *of, struct bed_settling *bed, enum bed_moment when)
     return code;
 }
 
-/* The simulation; otherwise a signal meanwhile ends the program. */
+/* Builds the simulation; a signal during this time ends the program. */
 static struct simulation *build(const struct run *run, int *code)
 {
     const struct settings *const s = run->settings;
@@ -321,7 +322,7 @@ static int act(const struct command_line *l)
     int code;
     struct interrupt_watch watch;
 
-    /* Then there are only files, and on stderr what is wrong. */
+    /* With --quiet there are only files, and errors on stderr. */
     if (l->quiet && freopen("/dev/null", "w", stdout) == NULL)
         return NOT_WRITTEN;
     char *const dir = default_dir(l->words[0]);

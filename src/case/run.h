@@ -13,10 +13,10 @@ struct run_options {
     const char *const *overrides;
 };
 
-/* Builds and runs the simulation that the case describes, in as many threads as
- * pay, of those that OpenMP is set to. Returns the exit code of the program: 0
- * done, 2 the input is wrong after all, 3 the computation broke down, 4 reading
- * or writing failed, 130 interrupted; after a message if not 0. */
+/* Builds and runs the simulation that the case describes, with the fastest
+ * number of threads up to that of OpenMP. Returns the exit code of the program:
+ * 0 done, 2 the input is wrong after all, 3 the computation broke down, 4
+ * reading or writing failed, 130 interrupted; after a message if not 0. */
 int run_case(const struct settings *s, const struct run_options *o);
 
 #endif

@@ -1,5 +1,5 @@
-/* run_part.h -- what a folder says of a run while it computes. Its descriptor
- * is named in the models.txt of the folder, and each function may be NULL. */
+/* run_part.h -- messages that a folder adds to a run. Its descriptor is named
+ * in the models.txt of the folder, and each function may be NULL. */
 #ifndef CASE_RUN_PART_H
 #define CASE_RUN_PART_H
 
@@ -8,7 +8,7 @@
 enum { RUN_PART_TEXT = 512 };
 
 struct run_part {
-    /* After a step; *told is 0 until it has been said once. */
+    /* After a step; *told is 0 until the message has been printed. */
     void (*after_step)(const struct simulation *sim, int *told);
     /* Why the computation broke down: where, when, what, and a remedy, in one
      * paragraph; 0: it does not know. */

@@ -46,7 +46,7 @@ static int is_word(const struct key *key, const config_setting_t *s)
            schema_allow_word(key, config_setting_get_string(s));
 }
 
-/* Of one line, as messages are. */
+/* A name of one line, because messages have one line. */
 static int is_file_name(const config_setting_t *s)
 {
     return config_setting_type(s) == CONFIG_TYPE_STRING &&
@@ -90,8 +90,8 @@ static int is_series(const struct key *key, const config_setting_t *s)
     return 1;
 }
 
-/* A word, or a group with the first key of one model of a patch, and others
- * that belong with it. */
+/* A word, or a group with the first key of one model of a patch and with other
+ * keys of that model. */
 static int is_patch(const struct key *key, const config_setting_t *s)
 {
     const char *name[MOST_PATCH_KEYS];

@@ -101,8 +101,8 @@ static int type_fits(const struct key *key, enum key_type type)
                                                      key->type == KEY_FILE);
 }
 
-/* The setting of a path whose row must have the type. The tables say that it
- * is there; if it is not, the caller did not ask settings_has first. */
+/* The setting of a path whose row must have the type. A setting that is not
+ * there is an error of the caller, which has to call settings_has first. */
 static const config_setting_t *find(const struct settings *s, const char *path,
                                     enum key_type type)
 {

@@ -194,7 +194,7 @@ void snapshot_state(struct snapshot *s, const struct mesh *mesh,
 
 void snapshot_take(struct snapshot *s, const struct simulation *sim)
 {
-    processes_join(sim, PROCESSES_LOOK);
+    processes_join(sim, PROCESSES_SNAPSHOT);
     s->t = sim->t;
     if (s->u_s != NULL) transfer_solids_velocity(sim);
     if (sim->fluid != NULL) take_fluid(s, sim->fluid);

@@ -41,7 +41,7 @@ static void quote(const char *file, int number)
         fprintf(stderr, "    %s\n", line + strspn(line, " \t"));
 }
 
-/* What to do about a complaint of libconfig that is dark by itself. */
+/* A hint for a message of libconfig that does not say what to change. */
 static const char *advice(const char *complaint)
 {
     if (strstr(complaint, "mismatched element") != NULL)
@@ -60,7 +60,10 @@ static int wrong_syntax(const config_t *tree, const char *file)
     fprintf(stderr, "winnow: %s:%d: %s%s\n", in, config_error_line(tree),
             complaint, advice(complaint));
     quote(in, config_error_line(tree));
-    return strstr(complaint, "cannot open include") != NULL ? 4 : 2;
+    return config_error_type(tree) == CONFIG_ERR_FILE_IO ||
+                   strstr(complaint, "cannot open include") != NULL
+               ? 4
+               : 2;
 }
 
 /* libconfig looks for included files in one folder: that of the case. */

@@ -1,5 +1,5 @@
-/* table_numbers.h -- the numbers that a case gives for a table of keys, as the
- * effects get them.
+/* table_numbers.h -- the numbers that a case gives for a table of keys, in the
+ * order in which effects and models expect them.
  */
 #ifndef CASE_TABLE_NUMBERS_H
 #define CASE_TABLE_NUMBERS_H

@@ -129,7 +129,8 @@ static int part_of(int steps, int k, int n)
     return (int)((long)steps * k / n);
 }
 
-/* Of a step in parts the report counts all rebuilds and the deepest overlap. */
+/* The report of a step in several parts has the sum of their rebuilds and the
+ * deepest of their overlaps. */
 static void add_before(struct dem_report *r, const struct dem_report *before)
 {
     r->steps += before->steps;
@@ -137,7 +138,7 @@ static void add_before(struct dem_report *r, const struct dem_report *before)
     r->max_overlap = fmax(r->max_overlap, before->max_overlap);
 }
 
-/* The particles, and bodies that they push. */
+/* Moves the particles, or the effect that moves them together with bodies. */
 static int run_particles(struct simulation *sim, int steps)
 {
     for (int i = 0; i < sim->n_effects; i++) {
@@ -184,7 +185,7 @@ static int move_freely(struct simulation *sim, double *clock)
     return failed;
 }
 
-/* What else moves, bodies that the fluid flows around. */
+/* Moves what is neither fluid nor particle, such as bodies in the flow. */
 static int move_others(struct simulation *sim)
 {
     int failed = 0;
@@ -260,7 +261,7 @@ int coupling_step(struct simulation *sim)
     return processes_largest(sim, failed);
 }
 
-/* The field of the last step is what the next one is checked against. */
+/* The field of the last step is needed for the check in the next one. */
 static void exchange_state(struct simulation *sim, struct state *s)
 {
     struct coupling_report *const r = &sim->coupling->report;
@@ -276,8 +277,9 @@ static void exchange_state(struct simulation *sim, struct state *s)
     state_end(s);
 }
 
-/* The arrays are attached to the particles and visited with them; what removed
- * particles leave acts within the step that removes them. */
+/* The arrays of the particles are attached to them and visited there; the
+ * unpaid impulse of removed particles acts within the step that removes them.
+ */
 void coupling_state(struct simulation *sim, struct state *s)
 {
     if (sim->population != NULL)
@@ -338,21 +340,21 @@ void coupling_add_force(struct simulation *sim, int i, const double f[3])
     effects_report(sim, f, T / sim->dt);
 }
 
-void coupling_unpaid_impulse(const struct simulation *sim, double owed[3])
+void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3])
 {
-    owed[0] = owed[1] = owed[2] = 0.0;
+    unpaid[0] = unpaid[1] = unpaid[2] = 0.0;
     if (sim->coupling == NULL) return;
     for (int i = 0; i < 3 * sim->particles->n; i++)
-        owed[i % 3] += sim->coupling->unpaid_impulse[i];
+        unpaid[i % 3] += sim->coupling->unpaid_impulse[i];
     for (int k = 0; k < 3 && sim->coupling->replacement != NULL; k++)
-        owed[k] += sim->coupling->replacement->unpaid_sum[k];
-    processes_sum(sim, 3, owed);
+        unpaid[k] += sim->coupling->replacement->unpaid_sum[k];
+    processes_sum(sim, 3, unpaid);
 }
 
 void coupling_total_momentum(const struct simulation *sim, double total[3])
 {
     const struct particles *const ps = sim->particles;
-    double owed[3];
+    double unpaid[3];
 
     total[0] = total[1] = total[2] = 0.0;
     if (sim->fluid != NULL) fluid_momentum(sim->fluid, total);
@@ -362,9 +364,9 @@ void coupling_total_momentum(const struct simulation *sim, double total[3])
         total[2] += ps->m[i] * ps->vz[i];
     }
     processes_sum(sim, 3, total);
-    coupling_unpaid_impulse(sim, owed);
+    coupling_unpaid_impulse(sim, unpaid);
     for (int k = 0; k < 3; k++)
-        total[k] -= owed[k];
+        total[k] -= unpaid[k];
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
         if (e->effect->mover != NULL)

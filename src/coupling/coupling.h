@@ -33,10 +33,10 @@ enum treatment { TREATMENT_EXPLICIT, TREATMENT_SEMI_IMPLICIT };
  *               (implicit_drag.h): no sub-step is too long. */
 enum slip_integration { SLIP_INTEGRATION_FROZEN, SLIP_INTEGRATION_EXPONENTIAL };
 
-/* What a case can choose of these, of the form of the fluid's equation, whose
- * value is 1 if it keeps its share of the pressure gradient only (A), and of
- * the direction of the coupling, whose value is two_way. Each is ended by
- * NULL. */
+/* The choices of a case: of these two; of the form of the fluid's equation,
+ * with the value 1 if it contains only the fluid's share of the pressure
+ * gradient (A); and of the direction of the coupling, with the value of
+ * two_way. Each list is ended by NULL. */
 extern const struct model *const coupling_treatments[];
 extern const struct model *const coupling_slip_integrations[];
 extern const struct model *const coupling_forms[];
@@ -56,9 +56,8 @@ struct coupling_report {
     int substeps;             /* [-] of the last step */
     double shortest_time;     /* [s] smallest m_i / k_i */
     double exchange_residual; /* [-] |impulse on the fluid + impulse charged to
-                                 the particles| over their sum;
-                                 rounding, or what the tolerance of an implicit
-                                 diffusion leaves */
+                                 the particles| over their sum: rounding, or as
+                                 the tolerance of an implicit diffusion */
     double eps_lowest;        /* [-] smallest fluid fraction of a cell */
     double seen_lowest; /* [-] and smallest value interpolated to a particle,
                            which linear interpolation may make smaller */
@@ -95,7 +94,7 @@ struct coupling *coupling_create(struct simulation *sim,
 void coupling_free(struct coupling *cp);
 
 /* Averages the initial particles for the first step. Non-zero if one is outside
- * the mesh. */
+ * the mesh, or if a cell is full. */
 int coupling_start(struct simulation *sim);
 
 /* One step of [XS11 Algorithm 3.1], for any case: a case without fluid has no
@@ -119,17 +118,17 @@ void coupling_slip(const struct simulation *sim, int i, double w[3]);
  * and its impulse. For effects, before a sub-step. */
 void coupling_add_force(struct simulation *sim, int i, const double f[3]);
 
-/* For an effect whose force on a particle contains m du/dt: the arrays
- * `inertia` and `u_then`, 0 at first, by which the next step of the fluid is
- * charged with m (u^new - u_then)/dt in advance. Charged a step later instead,
- * it would throw the fluid back and forth where m exceeds the mass of the
- * fluid. The second adds m [kg] of particle i, after the particles have moved,
- * for the step of the fluid that follows. */
+/* For an effect whose force on a particle contains m du/dt. The first allocates
+ * the arrays `inertia` and `u_then`, by which the next step of the fluid is
+ * charged with m (u^new - u_then)/dt in advance. Charged one step later, this
+ * term would make the fluid oscillate with a growing amplitude where m exceeds
+ * the mass of the fluid. The second adds m [kg] of particle i, after the
+ * particles have moved, for the step of the fluid that follows. */
 void coupling_add_inertia(struct simulation *sim);
 void coupling_charge_inertia(struct simulation *sim, int i, double m);
 
 /* Sum of unpaid_impulse over the particles [N s]. */
-void coupling_unpaid_impulse(const struct simulation *sim, double owed[3]);
+void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3]);
 
 /* Momentum of fluid and particles minus the unpaid impulse [N s]: constant in a
  * closed periodic box without gravity, up to fluid->relabelled. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* coupling_options.c -- what is told about the choices of coupling.h. */
+/* coupling_options.c -- the descriptors of the choices of coupling.h.
+ * Chapter "The coupled loop". */
 #include "coupling/coupling.h"
 
 #include <stddef.h>

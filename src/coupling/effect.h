@@ -3,9 +3,10 @@
  *
  * An effect is one file with one descriptor. An effect that a case does not
  * name allocates nothing, and the time loop, which goes through the list of
- * created effects, does not call it. Parameters arrive as plain numbers in the
+ * created effects, does not call it. Its parameters are given as numbers in the
  * order of the descriptor's keys (a vector gives three, a group none), already
- * checked. Its hooks report the force on each particle; the loop times them.
+ * checked. Its hooks report the force on each particle; their time is measured
+ * in effects_call.
  */
 #ifndef COUPLING_EFFECT_H
 #define COUPLING_EFFECT_H
@@ -57,16 +58,16 @@ struct effect {
     void (*state)(void *memory, struct state *s);
     const struct effect_columns *columns; /* of history.csv */
     void (*free)(void *memory);
-    /* Changes the drag coefficients k[stride * i] [kg/s] before their use. */
-    void (*drag)(void *memory, struct simulation *sim, double *k, int stride);
+    /* Changes the drag coefficients k[i] [kg/s] before their use. */
+    void (*drag)(void *memory, struct simulation *sim, double *k);
     int (*counts)(const void *memory, struct effect_count *c); /* how many */
     /* A force between particles and walls that are close (attraction.h). */
     struct attraction (*attraction)(const double *parameters,
                                     const struct attraction_scene *scene);
-    /* What of its parameters is impossible, in words; NULL: nothing is. */
+    /* What is wrong with its parameters, in words; NULL: nothing is. */
     const char *(*wrong)(const double *parameters,
                          const struct attraction_scene *scene);
-    /* How large the force would be in a case (effect_scales.h). */
+    /* Estimates its force in a case before the run (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);
     struct effect_cost cost;
 };

@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "base/vector.h"
 #include "coupling/transfer.h"
 
 const struct effect *effects_named(const char *name)
@@ -57,14 +58,13 @@ static void add(struct effect_tally *t, double size, double share)
 void effects_report(struct simulation *sim, const double f[3], double share)
 {
     if (sim->at_work != NULL)
-        add(&sim->at_work->tally, sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]),
-            share);
+        add(&sim->at_work->tally, vector_length(f), share);
 }
 
 void effects_measure_scale(struct simulation *sim)
 {
     const double *const g = sim->gravity;
-    const double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double size = vector_length(g);
 
     for (int i = 0; i < sim->particles->n && sim->n_effects > 0; i++) {
         const double drag = sim->coupling != NULL ? transfer_drag(sim, i) : 0.0;

@@ -1,4 +1,4 @@
-/* effects.h -- the list of all effects, and what those of a case do.
+/* effects.h -- the list of all effects, and the calls of those of a case.
  * Chapter "The coupled loop".
  *
  * The forces of the effects are measured in every step, and with them what they
@@ -35,9 +35,8 @@ enum effects_moment {
  * order, and takes the time. */
 void effects_call(struct simulation *sim, enum effects_moment when);
 
-/* Reports the force f [N] of the effect at work on one particle, which acts
- * during this share of the step [-]. A hook that no step calls reports nothing.
- */
+/* Reports the force f [N] on one particle of the effect whose hook runs, for
+ * this share of the step [-]. Outside of a hook it has no effect. */
 void effects_report(struct simulation *sim, const double f[3], double share);
 
 /* Measures the scale at the end of a step. */

@@ -2,8 +2,9 @@
 /* gravity.c -- the weight of the particles, m g [XS11 2.1].
  *
  * The weight of the fluid balances the hydrostatic part of the pressure, which
- * fluid.h leaves out; where that part does not act on the particles (no
- * pressure_gradient), transfer.c adds the difference to the fluid.
+ * fluid.h leaves out. That part acts on the whole volume; where the phases do
+ * not share the pressure (pressure_shared in fluid.h is 0), reaction.c adds the
+ * difference, eps_s rho_f g, to the fluid.
  */
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"

@@ -66,7 +66,7 @@ static void pressure_gradient_before_particles(void *memory,
     averaging_gather(sim->averaging, 3, sim->fluid->grad_p, self->gradient);
     averaging_apply_cap(sim->averaging, 3, self->gradient);
     for (int i = 0; i < ps->n; i++) {
-        const double V = M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
+        const double V = particles_volume(ps, i);
         double f[3], impulse[3];
         for (int k = 0; k < 3; k++) {
             f[k] = -V * (self->gradient[3 * i + k] + rho * sim->gravity[k]);
@@ -78,9 +78,9 @@ static void pressure_gradient_before_particles(void *memory,
     }
 }
 
-/* A bed that is carried takes eps_s + eps_f rho_f/rho_s of its weight by the
- * pressure; a lone particle has the buoyancy. Under a bed that is not carried
- * the gradient is that of the drag, eps_s beta w. */
+/* In a fluidized bed this force is eps_s + eps_f rho_f/rho_s of the weight, on
+ * a lone particle the buoyancy. In a bed that is not fluidized the gradient is
+ * that of the drag, eps_s beta w. */
 static struct effect_estimate estimate(const struct effect_scales *k)
 {
     const double V = M_PI / 6.0 * k->d * k->d * k->d;

@@ -2,9 +2,10 @@
  * Chapter "Past one machine".
  *
  * Each process has a part of the cells and the particles there as a simulation
- * of its own, and no process has the whole one. The first runs the program;
- * where it begins something that all do with their parts, it says so. A
- * simulation that is whole has NULL for these.
+ * of its own, and no process has the whole one. The first process runs the
+ * program; before an operation that all processes do with their parts, it sends
+ * an order to the others (join). A simulation in one process has NULL for
+ * these.
  */
 #ifndef COUPLING_PROCESSES_H
 #define COUPLING_PROCESSES_H
@@ -14,13 +15,13 @@
 struct settings;
 struct snapshot;
 
-/* What all do together: coupling_start, coupling_step, snapshot_take, and the
- * numbers of a row, for which only the own cells of a part count until they are
- * done. */
+/* The operations of all processes: coupling_start, coupling_step,
+ * snapshot_take, and the numbers of a row of history.csv, for which only the
+ * own cells of a part count until the row is done. */
 enum processes_order {
     PROCESSES_START,
     PROCESSES_STEP,
-    PROCESSES_LOOK,
+    PROCESSES_SNAPSHOT,
     PROCESSES_ROW,
     PROCESSES_ROW_DONE
 };
@@ -29,10 +30,10 @@ struct processes {
     double cells, particles; /* [-] of all parts */
     const double *V; /* [m^3] of this part's cells; 0 of those that are copies
                         of another's */
-    /* What is drawn of the whole: its box, and with particles if they are.
-     * NULL: nothing is. */
+    /* What is drawn of the whole: its box, and its particles if these are
+     * drawn. NULL: nothing is drawn. */
     const struct simulation *whole;
-    /* The others begin the same. */
+    /* Orders the other processes to begin the same operation. */
     void (*join)(struct processes *self, enum processes_order order);
     /* Over all parts: sums of n numbers, and the largest of a number. */
     void (*sum)(struct processes *self, int n, double *x);
@@ -49,13 +50,13 @@ struct processes {
     void (*free)(struct processes *self);
 };
 
-/* A way to compute in parts, which a program has or has not. */
+/* An implementation of several processes, which a build has or has not. */
 struct processes_engine {
     const char *name;
     /* Whether it can compute the case; else 2, after a message. */
     int (*check)(const struct settings *s);
-    /* The part of the first process, before the first step, or to be loaded
-     * from the folder. NULL after a message, with the exit code. */
+    /* Builds the part of the first process, before the first step, or to be
+     * loaded from the folder. NULL after a message, with the exit code. */
     struct simulation *(*build)(const struct settings *s, const char *dir,
                                 int resumes, int *code);
 };
@@ -63,8 +64,9 @@ struct processes_engine {
 /* All of them, ended by NULL: there is one, or none. */
 extern const struct processes_engine *const processes_engines[];
 
-/* The same where sim->processes is NULL on one machine: then nothing happens, a
- * sum is the number itself, and all cells and particles are those at hand. */
+/* The same for any simulation: where sim->processes is NULL, join has no
+ * effect, a sum is the number itself, and the cells and particles are those of
+ * sim. */
 void processes_join(const struct simulation *sim, enum processes_order order);
 void processes_sum(const struct simulation *sim, int n, double *x);
 double processes_total(const struct simulation *sim, double x);

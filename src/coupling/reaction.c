@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/reaction.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -9,10 +8,7 @@
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 #include "coupling/replacement.h"
-
-enum {
-    MANY = 1000
-}; /* number of particles above which a second thread is faster */
+#include "coupling/transfer.h"
 
 /* From m fields a cell, of which the first is eps_s and the next, if there are
  * any, are eps_s u_s. */
@@ -43,7 +39,7 @@ int reaction_average(struct simulation *sim)
     const struct particles *const ps = sim->particles;
     struct coupling *const cp = sim->coupling;
     const int m = needs_velocity(sim) ? 4 : 1;
-#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+#pragma omp parallel for schedule(static) if (ps->n >= TRANSFER_MANY)
     for (int i = 0; i < ps->n; i++) {
         const double V = particles_volume(ps, i);
         cp->amount[m * i] = V;
@@ -75,7 +71,7 @@ static void estimate_drag_impulse(struct simulation *sim)
     struct coupling *const cp = sim->coupling;
     const int implicit = cp->options.treatment == TREATMENT_SEMI_IMPLICIT;
 
-#pragma omp parallel for schedule(static) if (n >= MANY)
+#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++) {
         cp->k[i] = implicit ? cp->rate[i] : 0.0;
         cp->amount[4 * i] = cp->k[i];

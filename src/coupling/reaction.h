@@ -1,8 +1,8 @@
-/* reaction.h -- what the particles give the fluid.
+/* reaction.h -- the action of the particles on the fluid.
  * Chapter "The coupled loop".
  *
- * transfer.c calls these in two-way coupling, and only then: one-way, the fluid
- * knows nothing of the particles. All of them work on sim->coupling.
+ * transfer.c calls these in two-way coupling only: in one-way coupling the
+ * particles do not act on the fluid. All of them work on sim->coupling.
  */
 #ifndef COUPLING_REACTION_H
 #define COUPLING_REACTION_H
@@ -13,8 +13,7 @@
  * 9]; then eps_f at each particle. Non-zero if a cell is full. */
 int reaction_average(struct simulation *sim);
 
-/* From the k of each particle what the next fluid step needs: K and F [XS11
- * 3.15]. */
+/* K and F of the next fluid step, from the k of each particle [XS11 3.15]. */
 void reaction_drag_terms(struct simulation *sim);
 
 /* Gathers the new velocity with the weights of the averaging, and subtracts the

@@ -1,12 +1,13 @@
-/* replacement.h -- insertion and removal of particles in a coupled run. Chapter
- * 10.
+/* replacement.h -- insertion and removal of particles in a coupled run.
+ * Chapter "The coupled loop".
  *
  * An inserted particle replaces the same volume of fluid, and fluid replaces a
  * removed particle, immediately and in the same cells: this causes no flow and
- * no change of pressure. (If the fluid were displaced within one step instead,
- * a grain would cause a jet, and in a closed box there would be no solution.)
- * The unpaid impulse of a removed particle acts on the fluid in the next step,
- * in the cells where the particle was. Therefore
+ * no change of pressure. (If the fluid had
+ * to flow out of the way within one step instead, a grain would cause a jet,
+ * and in a closed box there would be no solution.) The unpaid impulse of a
+ * removed particle acts on the fluid in the next step, in the cells where the
+ * particle was. Therefore
  *
  *   momentum of fluid and particles - unpaid - (inserted - removed)
  *

@@ -1,4 +1,4 @@
-/* simulation.h -- all parts of one simulation.
+/* simulation.h -- all parts of a simulation.
  * Chapter "The coupled loop".
  *
  * A pointer is NULL if the case does not have that part: no fluid, no
@@ -62,8 +62,8 @@ struct simulation {
     struct effect_state *at_work;    /* the one whose hook runs */
     struct effect_tally force_scale; /* what their forces are compared with */
     struct seconds seconds;
-    struct processes *processes; /* that have the other parts of it; NULL: it
-                                    is whole */
+    struct processes *processes; /* with the other parts of it; NULL: there is
+                                    one process */
 };
 
 /* Visits all parts that decide the next step (state.h); a simulation that is

@@ -44,7 +44,7 @@ static void visit_fields(struct simulation *sim, struct state *s)
     coupling_state(sim, s);
 }
 
-/* What the averaging keeps follows from the particles. */
+/* The state of the averaging follows from that of the particles. */
 int simulation_state(struct simulation *sim, struct state *s)
 {
     state_real(s, "t", "s", &sim->t);

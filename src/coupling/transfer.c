@@ -1,30 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/transfer.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "coupling/coupling.h"
 #include "coupling/reaction.h"
 
-enum {
-    MANY = 1000
-}; /* number of particles above which a second thread is faster */
-
-static double volume(const struct particles *ps, int i)
-{
-    return M_PI / 6.0 * ps->d[i] * ps->d[i] * ps->d[i];
-}
-
 static double slip_speed(const struct simulation *sim, int i)
 {
-    const struct particles *const ps = sim->particles;
-    const double *const u = &sim->coupling->u_f[3 * i];
-    const double x = u[0] - ps->vx[i], y = u[1] - ps->vy[i],
-                 z = u[2] - ps->vz[i];
-    return sqrt(x * x + y * y + z * z);
+    double w[3];
+
+    coupling_slip(sim, i, w);
+    return vector_length(w);
 }
 
 /* k_i = eps_f B_i = V_p beta / eps_s [XS11 2.9-2.11], [kg/s]. */
@@ -32,23 +22,23 @@ static double drag_rate(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
     const struct particles *const ps = sim->particles;
-    return volume(ps, i) * drag_resistance(sim->coupling->options.law,
-                                           sim->coupling->eps[i], o->rho, o->mu,
-                                           ps->d[i], slip_speed(sim, i));
+    return particles_volume(ps, i) *
+           drag_resistance(sim->coupling->options.law, sim->coupling->eps[i],
+                           o->rho, o->mu, ps->d[i], slip_speed(sim, i));
 }
 
-/* k of all particles for the slip they have now, with what effects make of it.
+/* k of all particles for their present slip, changed by the effects that do so.
  */
-static void find_drag_rates(struct simulation *sim, double *k, int stride)
+static void find_drag_rates(struct simulation *sim, double *k)
 {
     const int n = sim->particles->n;
 
-#pragma omp parallel for schedule(static) if (n >= MANY)
+#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++)
-        k[stride * i] = drag_rate(sim, i);
+        k[i] = drag_rate(sim, i);
     for (int i = 0; i < sim->n_effects; i++) {
         const struct effect_state *const e = &sim->effects[i];
-        if (e->effect->drag != NULL) e->effect->drag(e->memory, sim, k, stride);
+        if (e->effect->drag != NULL) e->effect->drag(e->memory, sim, k);
     }
 }
 
@@ -66,7 +56,7 @@ void transfer_solids_velocity(const struct simulation *sim)
         sim->fluid->options.continuity == CONTINUITY_MIXTURE)
         return; /* which has averaged them */
     for (int i = 0; i < ps->n; i++) {
-        const double V = volume(ps, i);
+        const double V = particles_volume(ps, i);
         cp->smooth[3 * i] = V * ps->vx[i]; /* not in use between two steps */
         cp->smooth[3 * i + 1] = V * ps->vy[i];
         cp->smooth[3 * i + 2] = V * ps->vz[i];
@@ -96,10 +86,10 @@ void transfer_drag_terms(struct simulation *sim)
     struct coupling *const cp = sim->coupling;
     double shortest = INFINITY;
 
-    find_drag_rates(sim, cp->rate, 1);
+    find_drag_rates(sim, cp->rate);
 #pragma omp parallel for schedule(static)                                      \
     reduction(min                                                              \
-              : shortest) if (ps->n >= MANY)
+              : shortest) if (ps->n >= TRANSFER_MANY)
     for (int i = 0; i < ps->n; i++)
         shortest = fmin(shortest, ps->m[i] / cp->rate[i]); /* [XS11 3.16] */
     cp->report.shortest_time =
@@ -193,8 +183,8 @@ void transfer_begin_substep(struct simulation *sim, int steps)
         sim->coupling->options.slip_integration == SLIP_INTEGRATION_FROZEN;
     const double share = (double)steps / sim->dem_steps;
 
-    find_drag_rates(sim, sim->coupling->amount, 1);
-#pragma omp parallel for schedule(static) if (n >= MANY)
+    find_drag_rates(sim, sim->coupling->amount);
+#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++)
         if (frozen)
             apply_frozen(sim, i, share);
@@ -210,7 +200,7 @@ void transfer_end_substep(struct simulation *sim, int steps)
 
     if (sim->coupling->options.slip_integration == SLIP_INTEGRATION_FROZEN)
         return;
-#pragma omp parallel for schedule(static) if (ps->n >= MANY)
+#pragma omp parallel for schedule(static) if (ps->n >= TRANSFER_MANY)
     for (int i = 0; i < ps->n; i++) {
         const double k = ps->drag_coefficient[i];
         const double *const u = &sim->coupling->u_f[3 * i];

@@ -8,8 +8,12 @@
 
 #include "coupling/simulation.h"
 
+/* [-] number of particles above which a second thread is faster */
+enum { TRANSFER_MANY = 1000 };
+
 /* eps_s and eps_s u_s from the particles where they are now [XS11 3.12, SX15
- * 9]; then eps_f at each particle. Non-zero if a particle is outside. */
+ * 9]; then eps_f at each particle. Non-zero if a particle is outside the mesh,
+ * or if a cell is full. */
 int transfer_average(struct simulation *sim);
 
 /* Computes eps_s u_s after a step for output: in the void-rate form the loop

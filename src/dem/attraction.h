@@ -25,7 +25,7 @@ struct attraction {
     const double *charge; /* [C] of a sphere, by material; borrowed */
 };
 
-/* What of a case a law may need besides its own parameters. */
+/* Quantities of a case that a law may need besides its own parameters. */
 struct attraction_scene {
     const double *charge; /* [C] by material */
     double viscosity;     /* [Pa s] of the fluid; 0 without one */
@@ -49,13 +49,14 @@ struct attraction_law {
     const char *name;            /* as a case spells it in `effects` */
     attraction_pair *pair;       /* NULL: no force at rest */
     attraction_wall *wall;       /* NULL: walls do not attract */
-    attraction_damping *damping; /* NULL: none, the law does not see motion */
+    attraction_damping *damping; /* NULL: the force does not depend on motion */
 };
 
 /* The damping force [N] during a step of dt [s] if the gap closes at `closing`
- * [m/s] and the two have 1/m_i + 1/m_j = per_mass [1/kg]: that of the mean rate
- * of a pair in which each takes up to half of the reduced mass, so that a step
- * of any length is stable also where twelve neighbours damp one sphere. */
+ * [m/s] and the two have 1/m_i + 1/m_j = per_mass [1/kg]: the mean over the
+ * step for a pair of half the reduced mass that nothing else slows. With half
+ * the mass, a step of any length is stable also where twelve neighbours damp
+ * one sphere. */
 double attraction_damp(const struct attraction *a, double R_star, double gap,
                        double closing, double per_mass, double dt);
 

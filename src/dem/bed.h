@@ -1,12 +1,12 @@
 /* bed.h -- the particles before time 0: a settled bed.
  * Chapter "Particles and contact".
  *
- * Spheres on a cubic lattice, from the bottom up, each shifted at random within
- * its site; then they settle under gravity, first with a very dissipative
- * material and a drag, so that the bed comes to rest soon, then with the real
- * material. The same options give the same bed, bit for bit. With several sizes
- * the lattice is that of the largest, and sizes are assigned to sites at
- * random.
+ * Spheres are placed on a cubic lattice, from the bottom up, each shifted at
+ * random within its site; then they settle under gravity, first with a very
+ * dissipative material and a drag, so that the bed comes to rest soon, then
+ * with the real material. The same options give the same bed, bit for bit. With
+ * several sizes the lattice is that of the largest, and sizes are assigned to
+ * sites at random.
  */
 #ifndef DEM_BED_H
 #define DEM_BED_H

@@ -8,10 +8,11 @@
  *   F_t = -k_t xi - eta_t v_t,   |F_t| <= mu |F_n|             [LS 4.8]
  *
  * and on particle j their negatives. v is the relative velocity of the two
- * surfaces at the contact, xi the spring that v_t has drawn since they first
- * touched. A law defines elastic, eta_n, k_t and eta_t; everything else is the
- * same for all laws (reference.c). A wall is a sphere of infinite mass and
- * radius, of the same material.
+ * surfaces at the contact, xi the displacement of the tangential spring, v_t
+ * added up since they first touched. A law defines elastic, eta_n, k_t and
+ * eta_t; everything else is the same for all laws (reference.c). A wall is a
+ * sphere of infinite mass and radius, of the material of the walls
+ * (materials.h).
  */
 #ifndef DEM_CONTACT_H
 #define DEM_CONTACT_H
@@ -49,10 +50,10 @@ struct contact_constants {
     double damping_t;          /* [-] eta_t / eta_n */
     double friction;           /* [-] mu */
     double rolling;            /* [-] mu_r */
-    double own[MODEL_NUMBERS]; /* of the law's own keys, as it sees fit */
+    double own[MODEL_NUMBERS]; /* what the law makes of its own keys */
 };
 
-/* What a law says of one contact. */
+/* The response of a law to one contact. */
 struct contact_response {
     double elastic;      /* [N] */
     double stored;       /* [J] by the elastic force: its integral over delta */

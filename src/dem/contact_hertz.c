@@ -68,7 +68,7 @@ static double wave_time(const struct material *m, double r, double rho)
     return limits_rayleigh(r, rho, G, m->poisson);
 }
 
-/* What Hertz's law asks of each material. */
+/* The constants of each material. */
 const struct key contact_hertz_keys[] = {
     {"particles.grains.young", KEY_REAL, "Pa", "> 0", KEY_ASKED,
      "Young's modulus E", "LS 4.9", ""},

@@ -5,10 +5,8 @@
  *   k_t = 8 G* sqrt(R*) sqrt(delta)                            [LS 4.10]
  *   eta = 2 sqrt(5/6) zeta sqrt(S m*)       [LS 4.12, with e instead of 0]
  *
- * with S_n = 2 E* sqrt(R* delta) for the normal dashpot and S_t = k_t for the
- * tangential one; zeta belongs to e (contact_damping_ratio). The factor
- * sqrt(5/6) is what makes the rebound keep e of its speed for a force that
- * grows as delta^(3/2); as with the linear law the contact ends at delta = 0.
+ * with S_n = 2 E* sqrt(R* delta) along n and S_t = k_t across it; zeta is that of
+ * e (contact.h), and sqrt(5/6) makes e exact. The contact ends at delta = 0.
  */
 #ifndef DEM_CONTACT_HERTZ_H
 #define DEM_CONTACT_HERTZ_H

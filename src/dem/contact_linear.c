@@ -36,7 +36,7 @@ static struct contact_constants constants(const struct material_pair *p)
 static double duration(const struct material *m, double R_star, double m_star,
                        double v)
 {
-    (void)R_star, (void)v; /* a linear spring takes its time at any speed */
+    (void)R_star, (void)v; /* the same at any speed */
     return contact_linear_time(m->stiffness, m->restitution, m_star);
 }
 

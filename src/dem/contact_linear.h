@@ -4,15 +4,15 @@
  *   m* delta'' + eta delta' + k delta = 0                           [LS 4.4]
  *   eta = -2 ln e sqrt(m* k) / sqrt(pi^2 + ln^2 e)
  *
- * Two spheres part when delta is back at 0, after half a period, with e of
- * their speed. Shortly before, the dashpot holds them back by more than the
- * spring pushes: the force is attractive then, and we leave it, because only
- * so is e what was asked for.
+ * Two spheres separate when delta is back at 0, after half a period, with the
+ * fraction e of their speed. Shortly before, the force of the dashpot exceeds
+ * that of the spring, and the whole force is attractive. It is not cut off,
+ * because the formula for eta holds for the whole half period.
  *
- * Tangentially the mass that a sticking contact moves is (2/7) m*, since a
- * sphere answers by rolling too. We take k_t = (2/7) k, which gives the spring
- * xi the same period as the overlap, and eta_t for the same share of critical
- * damping: a sticking contact then gives back e of its surface speed.
+ * Tangentially the mass that a sticking contact moves is (2/7) m*, since the
+ * force also turns the spheres. We take k_t = (2/7) k, which gives the spring
+ * xi the same period as the overlap, and eta_t for the same damping ratio: a
+ * sticking contact then reverses its slip with the fraction e of its size.
  */
 #ifndef DEM_CONTACT_LINEAR_H
 #define DEM_CONTACT_LINEAR_H
@@ -36,7 +36,7 @@ static inline double contact_linear_force(double k, double delta)
     return k * delta;
 }
 
-/* [kg/s] dashpot of a spring k on a mass m at the share zeta of critical. */
+/* [kg/s] dashpot of a spring k and a mass m for the damping ratio zeta. */
 static inline double contact_linear_dashpot(double zeta, double k, double m)
 {
     return 2.0 * zeta * sqrt(k * m);

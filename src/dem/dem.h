@@ -6,9 +6,10 @@
  *
  * with the contact forces F_c and torques T_c of contact.h, to which the
  * attractions of attraction.h are added, and an outside force F (gravity, the
- * fluid) that is constant during a run. The integrator is velocity Verlet; the
- * force is evaluated with the velocity half a step earlier, which needs one
- * evaluation a step and is of second order for forces without damping.
+ * fluid) that is constant during a run. The integrator is velocity Verlet
+ * unless the options name another (integrators.h); the force is evaluated with
+ * the velocity half a step earlier, which needs one evaluation a step and is of
+ * second order for forces without damping.
  *
  * How the pairs are found, and by which loop the forces are computed, is the
  * method of the options (dem_method.h). The result has the same bits for any
@@ -40,15 +41,15 @@ struct dem_report {
 struct dem;
 struct energy;
 
-/* Whether a periodic direction is too short for spheres of up to `widest` [m]
- * that have this mean diameter; then after a message. */
+/* 1, after a message, if a periodic direction is too short for spheres of up to
+ * `widest` [m] that have this mean diameter; else 0. */
 int dem_period_wrong(const struct dem_options *o, double widest, double mean);
 
 /* ps is borrowed. NULL after a message if the options do not fit. */
 struct dem *dem_create(struct particles *ps, const struct dem_options *o);
 void dem_free(struct dem *dem);
 
-/* The options that it was created with, the integrator chosen. */
+/* The options that it was created with, with the integrator filled in. */
 const struct dem_options *dem_created_with(const struct dem *dem);
 
 /* Moves the particles by this number of steps. Non-zero if one is lost (the run
@@ -63,8 +64,8 @@ struct dem_overlap {
                       other: -1 - w for wall w = 2 k or 2 k + 1 of direction k,
                       -7 - f for surface f */
     double at[3];  /* [m] centre of the first */
-    double expected; /* [-] as it was given */
-    double most;     /* [-] likewise */
+    double expected; /* [-] limit of dem_limit_overlap */
+    double most;     /* [-] the other limit */
 };
 
 /* Records overlaps deeper than `expected`; those deeper than `most` make a run
@@ -81,8 +82,8 @@ const struct energy *dem_energy(const struct dem *dem);
  * displacements stay with their pairs as long as the indices are unchanged. */
 void dem_changed(struct dem *dem);
 
-/* Starts the prescribed motions at this number of steps; before that, surfaces
- * and prescribed particles rest at their positions of time 0. */
+/* Starts the prescribed motions at this number of steps; without this call
+ * surfaces and prescribed particles rest at their positions of time 0. */
 void dem_clock(struct dem *dem, long steps);
 
 /* Removes the particles i with gone[i] between two runs. The others keep their
@@ -97,7 +98,8 @@ struct dem_spring {
     int id, other;
     double xi[3];         /* [m] of id against other */
     double roll_angle[3]; /* [rad] theta likewise; 0 without rolling friction */
-    double n[3]; /* [-] of the contact with a surface, to know it again */
+    double
+        n[3]; /* [-] normal of a contact with a surface, which identifies it */
 };
 
 /* A new list of them, released with free(). */
@@ -107,8 +109,8 @@ struct dem_spring *dem_springs(struct dem *dem, int *n);
  * entries of particles that do not exist are ignored. */
 void dem_restore_springs(struct dem *dem, const struct dem_spring *list, int n);
 
-/* All that the next run depends on besides the particles, which are visited
- * first (state.h). */
+/* Visits all that the next run depends on besides the particles, which are
+ * visited first (state.h). */
 void dem_state(struct dem *dem, struct state *s);
 
 /* Changes restitution or friction of material 0; the tangential displacements

@@ -31,7 +31,7 @@ struct dem_options {
     unsigned long surfaces_checksum; /* [-] of their shapes and materials: a
                                         settled bed in a file is for these */
     const struct attraction *attractions; /* borrowed likewise */
-    int n_attractions;                    /* [-] 0: only touching counts */
+    int n_attractions; /* [-] 0: forces act at contact only */
     const struct prescribed_particle
         *prescribed; /* particles that move as prescribed; borrowed */
     int n_prescribed;

@@ -33,7 +33,7 @@ struct energy {
                      velocities between two runs */
 };
 
-/* All terms (state.h). */
+/* Visits all terms (state.h). */
 void energy_state(struct energy *e, struct state *s);
 
 /* The left side less the right one [J]. */

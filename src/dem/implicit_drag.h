@@ -6,7 +6,7 @@
  *
  *   (m + m_a) dv/dt = sum F_c + F - k v                      [XS11 2.1]
  *
- * Over one step, in which the forces stand still, this is solved exactly:
+ * Over one step, in which the forces are constant, this is solved exactly:
  *
  *   v += g ((F_c + F)/(m + m_a) - r v) dt,   r = k/(m + m_a)
  *   g  = (1 - exp(-r dt))/(r dt)

@@ -8,9 +8,10 @@
  *   Heun              x*, v* = x + v dt, v + a dt
  *                     x += (v + v*) dt/2,  v += (a + a*) dt/2
  *
- * The second is the first with another first and another last kick: in between
- * both go kick, drift, kick, drift. Heun (LS section 4.2: HADES) needs the
- * forces twice, and a third time for the rates of tangential springs.
+ * Symplectic Euler differs from velocity Verlet by its first and its last kick
+ * only: in between both are kick, drift, kick, drift. Heun (LS section 4.2:
+ * HADES) needs the forces twice, and a third time for the rates of tangential
+ * springs.
  */
 #ifndef DEM_INTEGRATORS_H
 #define DEM_INTEGRATORS_H
@@ -27,7 +28,8 @@ struct integrator {
     int predicts;       /* [-] 1: Heun */
 };
 
-/* All of them, ended by NULL, the default first; NULL for an unknown name. */
+/* All of them, ended by NULL, the default first; integrators_named: NULL for an
+ * unknown name. */
 extern const struct integrator *const integrators[];
 const struct integrator *integrators_named(const char *name);
 

@@ -20,8 +20,8 @@ double limits_contact_time(const struct contact_law *law,
     return law->duration(m, 0.25 * d, 0.5 * mass, v);
 }
 
-/* A contact of strong damping takes long, at e = 0 for ever, but its dashpot
- * acts as fast as its spring. */
+/* The contact time grows with the damping, at e = 0 without limit, although the
+ * force changes as fast as before; so it is bounded by that without damping. */
 static double resolved_time(const struct contact_law *law,
                             const struct material *m, double d, double rho,
                             double v)

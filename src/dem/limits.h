@@ -20,17 +20,18 @@ double limits_contact_time(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v);
 
-/* What we suggest: 1/25 of the contact time, and at most 1/10 of the Rayleigh
- * time where the law has one, which holds for any speed. With 25 steps a
- * contact a rebound has e to 0.013 with Hertz's law, and with the linear one to
- * 0.021 where e >= 0.7 and to 0.037 below, in the worst phase of the step
+/* The suggested step [s]: 1/25 of the contact time, and at most 1/10 of the
+ * Rayleigh time where the law has one, which holds for any speed. With 25 steps
+ * a contact a rebound has e to 0.013 with Hertz's law, and with the linear one
+ * to 0.021 where e >= 0.7 and to 0.037 below, in the worst phase of the step
  * (test_limits); and a sphere amid twelve others, whose springs act on it
  * together, still has about 25 steps in a period of its fastest oscillation. */
 double limits_step(const struct contact_law *law, const struct material *m,
                    double d, double rho, double v);
 
-/* The longest that still resolves a contact: 1/15 of its time. Both count no
- * more than 5/3 of the time without damping, which is where e < 0.015. */
+/* The longest step [s] that still resolves a contact: 1/15 of its time. In both
+ * the contact time is at most 5/3 of that without damping, a limit that is
+ * reached at e = 0.015. */
 double limits_longest_step(const struct contact_law *law,
                            const struct material *m, double d, double rho,
                            double v);

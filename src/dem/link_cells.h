@@ -2,7 +2,7 @@
  * "Neighbours".
  *
  * The box is divided into cells that are at least as wide as the distance
- * looked for. Whoever is nearer to a particle than that is in its own cell or
+ * looked for. A particle nearer than that to another one is in the same cell or
  * in one of those around it [LS section 5.2.2]. Each cell is a linked list.
  */
 #ifndef DEM_LINK_CELLS_H

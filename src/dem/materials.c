@@ -38,7 +38,7 @@ struct material_pair materials_mixed(const struct material *a,
         .rolling = fmin(a->rolling, b->rolling)};
 }
 
-/* What was measured takes the place of what was mixed. */
+/* A measured value replaces the mixed one. */
 static void take(double measured, double *value)
 {
     if (measured >= 0.0) *value = measured;

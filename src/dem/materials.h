@@ -1,5 +1,5 @@
-/* materials.h -- several materials, and the properties of their pairs. Chapter
- * 17.
+/* materials.h -- several materials, and the properties of their pairs.
+ * Chapter "Materials, rolling and cohesion".
  *
  * Every particle is of a material, known by its number: 0 is that of
  * dem_options, the others are listed here. In a contact of two materials, the
@@ -17,7 +17,7 @@
 
 #include "dem/contact.h"
 
-/* What was measured for materials a and b together. Negative: not given. */
+/* Measured properties of the pair of materials a and b. Negative: not given. */
 struct materials_measured {
     int a, b;
     double stiffness, tangential;          /* [N/m], [-] */
@@ -32,15 +32,15 @@ struct materials {
     int wall; /* [-] number of the material of the box */
 };
 
-/* A material with itself: its own values, to the bit. */
+/* The pair of a material with itself has its own values, to the bit. */
 struct material_pair materials_same(const struct material *m);
 
-/* Two different ones by the rules above. */
+/* The pair of two different materials by the rules above. */
 struct material_pair materials_mixed(const struct material *a,
                                      const struct material *b);
 
-/* Numbers a and b of the list, of which `zero` is number 0. NULL for `all`:
- * there is no other. */
+/* The pair of materials number a and b, where `zero` is number 0 and `all` has
+ * the others (NULL: there is no other), with what was measured for it. */
 struct material_pair materials_pair(const struct material *zero,
                                     const struct materials *all, int a, int b);
 

@@ -18,8 +18,8 @@ struct attachments {
     double *array[MOST_ATTACHED];
     int width[MOST_ATTACHED];
     const char *name[MOST_ATTACHED], *unit[MOST_ATTACHED];
-    double *room; /* a copy of one array, while it is permuted */
-    int *id_room; /* the same for whole numbers */
+    double *copy;  /* of one array, while it is permuted */
+    int *int_copy; /* the same for whole numbers */
 };
 
 struct particles *particles_create(int capacity)
@@ -39,8 +39,8 @@ struct particles *particles_create(int capacity)
     ps->capacity = capacity;
     ps->id = alloc_ints(capacity);
     ps->attached = alloc_zeroed(1, sizeof *ps->attached);
-    ps->attached->room = alloc_doubles(MOST_WIDTH * capacity);
-    ps->attached->id_room = alloc_ints(capacity);
+    ps->attached->copy = alloc_doubles(MOST_WIDTH * capacity);
+    ps->attached->int_copy = alloc_ints(capacity);
     for (int a = 0; a < OWN; a++) {
         *own[a] = alloc_doubles(capacity);
         particles_attach(ps, named[a][0], named[a][1], *own[a], 1);
@@ -58,8 +58,8 @@ void particles_free(struct particles *ps)
     free(ps->drag_impulse);
     free(ps->id);
     free(ps->material);
-    free(ps->attached->room);
-    free(ps->attached->id_room);
+    free(ps->attached->copy);
+    free(ps->attached->int_copy);
     free(ps->attached);
     free(ps);
 }
@@ -82,7 +82,7 @@ int particles_add(struct particles *ps, const double x[3], double d,
     const int i = ps->n++;
 
     assert(ps->n <= ps->capacity);
-    for (int k = 0; k < a->n; k++) /* somebody may have been here before */
+    for (int k = 0; k < a->n; k++) /* a removed particle leaves its values */
         memset(a->array[k] + a->width[k] * i, 0,
                (size_t)a->width[k] * sizeof(double));
     ps->x[i] = x[0];
@@ -128,19 +128,19 @@ void particles_detach(struct particles *ps, const double *array)
 }
 
 static void permute_array(double *array, int width, const int *order, int n,
-                          double *room)
+                          double *copy)
 {
-    memcpy(room, array, (size_t)n * (size_t)width * sizeof *room);
+    memcpy(copy, array, (size_t)n * (size_t)width * sizeof *copy);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < width; k++)
-            array[width * i + k] = room[width * order[i] + k];
+            array[width * i + k] = copy[width * order[i] + k];
 }
 
-static void permute_ints(int *array, const int *order, int n, int *room)
+static void permute_ints(int *array, const int *order, int n, int *copy)
 {
-    memcpy(room, array, (size_t)n * sizeof *room);
+    memcpy(copy, array, (size_t)n * sizeof *copy);
     for (int i = 0; i < n; i++)
-        array[i] = room[order[i]];
+        array[i] = copy[order[i]];
 }
 
 void particles_permute(struct particles *ps, const int *order)
@@ -148,10 +148,10 @@ void particles_permute(struct particles *ps, const int *order)
     struct attachments *const a = ps->attached;
 
     for (int k = 0; k < a->n; k++)
-        permute_array(a->array[k], a->width[k], order, ps->n, a->room);
-    permute_ints(ps->id, order, ps->n, a->id_room);
+        permute_array(a->array[k], a->width[k], order, ps->n, a->copy);
+    permute_ints(ps->id, order, ps->n, a->int_copy);
     if (ps->material != NULL)
-        permute_ints(ps->material, order, ps->n, a->id_room);
+        permute_ints(ps->material, order, ps->n, a->int_copy);
 }
 
 void particles_remove(struct particles *ps, const int *gone)

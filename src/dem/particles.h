@@ -13,7 +13,7 @@
 
 struct particles {
     int n, capacity;
-    int next_id;             /* [-] of the next one: none is given twice */
+    int next_id;             /* [-] of the next one: an id is used once */
     double *x, *y, *z;       /* [m] centre */
     double *vx, *vy, *vz;    /* [m/s] velocity */
     double *wx, *wy, *wz;    /* [rad/s] angular velocity */
@@ -26,10 +26,10 @@ struct particles {
     int *material;           /* [-] number of it; NULL: all are of material 0 */
     /* Implicit drag and added mass (implicit_drag.h): NULL unless
      * particles_add_implicit_drag was called. */
-    double *
-        drag_coefficient; /* [kg/s] k of a drag -k v beside the outside force */
-    double *added_mass;   /* [kg] of fluid that moves along */
-    double *drag_impulse; /* [N s] impulse of -k v, added up; 3 a particle */
+    double *drag_coefficient; /* [kg/s] k of a drag -k v besides the outside
+                                 force */
+    double *added_mass;       /* [kg] of fluid that accelerates with it */
+    double *drag_impulse;     /* [N s] impulse of -k v, summed; 3 a particle */
     struct attachments *attached;
 };
 
@@ -41,8 +41,8 @@ void particles_free(struct particles *ps);
 int particles_add(struct particles *ps, const double x[3], double d,
                   double density);
 
-/* Allocates resistance, added_mass and resisted, all 0. Nothing happens the
- * second time. */
+/* Allocates drag_coefficient, added_mass and drag_impulse, all 0. A second call
+ * has no effect. */
 void particles_add_implicit_drag(struct particles *ps);
 
 /* Adds a material number to each particle, initially 0. */
@@ -61,7 +61,7 @@ void particles_remove(struct particles *ps, const int *gone);
 /* Puts the particle that was at order[i] to place i, for all arrays. */
 void particles_permute(struct particles *ps, const int *order);
 
-/* All arrays, those that are attached too (state.h). */
+/* Visits all arrays, those that are attached too (state.h). */
 void particles_state(struct particles *ps, struct state *s);
 
 /* Volume of particle i [m^3]. */

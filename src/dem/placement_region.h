@@ -1,4 +1,6 @@
-/* placement_region.h -- the region where spheres may be placed. */
+/* placement_region.h -- the region where spheres may be placed.
+ * Chapter "Walls".
+ */
 #ifndef DEM_PLACEMENT_REGION_H
 #define DEM_PLACEMENT_REGION_H
 

@@ -1,7 +1,7 @@
 /* population.h -- insertion and removal of particles in the coupled step.
- *  Chapter "Insertion, removal and energy".
+ * Chapter "Insertion, removal and energy".
  *
- * Between two steps of the loop sources insert particles and sinks remove them
+ * Between two steps of the loop, sources insert particles and sinks remove them
  * (population/population.h).
  */
 #ifndef DEM_POPULATION_H
@@ -18,7 +18,7 @@ struct population_totals {
     double mass_out;        /* [kg] */
     double momentum_in[3];  /* [N s] of the inserted particles */
     double momentum_out[3]; /* [N s] of the removed particles */
-    long waiting;           /* [-] due, but without a free position */
+    long waiting;           /* [-] particles due, without a free position */
 };
 
 struct population;

@@ -351,32 +351,22 @@ static void restore_springs(struct dem *dem, const struct dem_spring *list,
     run->stale = 1;
 }
 
+/* The two methods differ by their candidates alone (create). */
+#define REFERENCE_FUNCTIONS                                                    \
+    .unsupported = unsupported, .create = create, .free = release,             \
+    .run = run_steps, .changed = changed, .limit_overlap = limit_overlap,      \
+    .visit = visit, .springs = springs, .restore_springs = restore_springs
+
 const struct dem_method reference_all_pairs = {
     .name = "all-pairs",
     .what = "every pair in every step, by the loop that is easiest to read",
     .equations = "LS 4.1-4.3",
     .function = "reference_forces",
-    .unsupported = unsupported,
-    .create = create,
-    .free = release,
-    .run = run_steps,
-    .changed = changed,
-    .limit_overlap = limit_overlap,
-    .visit = visit,
-    .springs = springs,
-    .restore_springs = restore_springs};
+    REFERENCE_FUNCTIONS};
 
 const struct dem_method reference_link_cells = {
     .name = "link-cells",
     .what = "pairs of neighbouring cells in every step, by the same loop",
     .equations = "LS section 5.2.2",
     .function = "link_cells_around",
-    .unsupported = unsupported,
-    .create = create,
-    .free = release,
-    .run = run_steps,
-    .changed = changed,
-    .limit_overlap = limit_overlap,
-    .visit = visit,
-    .springs = springs,
-    .restore_springs = restore_springs};
+    REFERENCE_FUNCTIONS};

@@ -1,16 +1,16 @@
 /* rolling.h -- rolling friction of a contact. Chapter "Materials, rolling and
  * cohesion".
  *
- * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring theta
- * that is wound up by the relative rotation of the two, and slips like the
- * tangential one where its moment is more than mu_r R* |F_n|:
+ * The elastic-plastic model with a dashpot, type C of [Ai11]: a spring whose
+ * angle theta grows by the relative rotation of the two, and which slips like
+ * the tangential one where its moment is more than mu_r R* |F_n|:
  *
  *   M = -k_r theta - C_r w_t,   |M| <= mu_r R* |F_n|
  *   k_r = k_t R*^2,   C_r = 2 zeta_r sqrt(I_r k_r),
  *   1/I_r = 1/(I_i + m_i R_i^2) + 1/(I_j + m_j R_j^2)
  *
- * w_t is omega_i - omega_j without its part along n. Both spheres turn with the
- * frame, so w_t and M are the same in a turning one. Where it slips, the spring
+ * w_t is omega_i - omega_j without its part along n; it and M are the same in a
+ * rotating frame of reference. Where it slips, the spring
  * is reduced until its moment is no more than the limit, as with sliding
  * friction; in [Ai11] the dashpot is dropped there. A constant moment against
  * w_t would need no theta, but a sphere would never come to rest: the moment

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* advance.c -- divides a step where the Courant number limits it. */
+/* advance.c -- divides a step where its Courant number would be too large. */
 
 #include "fluid/piso.h"
 
@@ -33,7 +33,7 @@ static double fastest_inlet(const struct fluid *fl, double t)
         if (b->kind != BOUNDARY_INLET) continue;
         const int c = m->owner[f];
         const double U =
-            boundary_inlet_velocity(b, t) * boundary_inlet_share(b, j, t);
+            boundary_inlet_velocity(b, t) * boundary_inlet_profile(b, j, t);
         fastest = fmax(fastest, fabs(U) * sqrt(fl->geometry->SS[f]) /
                                     (fl->eps[c] * m->V[c]));
     }

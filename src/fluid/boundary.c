@@ -15,7 +15,7 @@ double boundary_inlet_velocity(const struct boundary *b, double t)
     return U[i] + (U[i + 1] - U[i]) * (t - x[i]) / (x[i + 1] - x[i]);
 }
 
-double boundary_inlet_share(const struct boundary *b, int j, double t)
+double boundary_inlet_profile(const struct boundary *b, int j, double t)
 {
     if (b->varying != NULL) return b->varying(b, j, t);
     return b->profile != NULL ? b->profile[j] : 1.0;
@@ -45,14 +45,6 @@ static const struct key inlet_keys[] = {
 static const struct key wall_keys[] = {
     {"fluid.<patch>.wall", KEY_VECTOR, "m/s", "", KEY_OPTIONAL,
      "velocity of a no-slip wall that moves along itself", "", ""},
-    KEY_END};
-
-static const struct key rotation_keys[] = {
-    {"fluid.<patch>.rotation", KEY_VECTOR, "rad/s", "", KEY_OPTIONAL,
-     "angular velocity of a no-slip wall that rotates within its own surface",
-     "", ""},
-    {"fluid.<patch>.centre", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
-     "a point on the axis of the rotation", "", ""},
     KEY_END};
 
 static const struct key pressure_keys[] = {
@@ -108,15 +100,6 @@ const struct model boundary_outlet = {
     .function = "pressure_correct",
     .keys = {outlet_keys},
     .value = BOUNDARY_OUTLET,
-};
-
-const struct model boundary_rotating = {
-    .name = "rotating",
-    .what = "a wall that rotates about an axis and takes the fluid with it",
-    .equations = "",
-    .function = "boundary_wall_velocity",
-    .keys = {rotation_keys},
-    .value = BOUNDARY_NO_SLIP,
 };
 
 const struct model boundary_pressure = {

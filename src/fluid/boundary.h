@@ -19,8 +19,9 @@ enum boundary_kind {
     BOUNDARY_OUTLET
 };
 
-/* What a case can write for a side or a patch: a word, or, where there are
- * keys, a group with the first of them. Ended by NULL. */
+/* The boundary conditions that a case can choose for a side or a patch: by the
+ * name, or, where there are keys, by a group with the first of them. Ended by
+ * NULL. */
 extern const struct model *const boundary_kinds[];
 
 struct boundary {
@@ -42,8 +43,8 @@ struct boundary {
     /* [-] the profile of face j of an inlet at time t [s], where it varies in
      * time; NULL: `profile`. */
     double (*varying)(const struct boundary *b, int j, double t);
-    /* What the creator allocated for the above, and how it is freed if not as
-     * one piece; NULL: nothing. */
+    /* What was allocated for the members above, or NULL; and the function that
+     * frees it, or NULL if free() does. */
     void *memory;
     void (*release)(struct boundary *b);
 };
@@ -51,8 +52,8 @@ struct boundary {
 /* The mean superficial velocity of an inlet at time t [m/s]. */
 double boundary_inlet_velocity(const struct boundary *b, double t);
 
-/* Velocity over its mean of face j of an inlet at time t [-]. */
-double boundary_inlet_share(const struct boundary *b, int j, double t);
+/* The velocity of face j of an inlet at time t over its mean [-]. */
+double boundary_inlet_profile(const struct boundary *b, int j, double t);
 
 /* The velocity of face j of a no-slip wall [m/s], 3. */
 const double *boundary_wall_velocity(const struct boundary *b, int j);

@@ -14,16 +14,16 @@
 void boundary_face_velocity(const struct fluid *fl, const struct boundary *b,
                             int j, int f, double u[3])
 {
-    static const double rest[3] = {0.0, 0.0, 0.0};
+    static const double zero[3] = {0.0, 0.0, 0.0};
     const double *const S = &fl->mesh->S[3 * f], SS = fl->geometry->SS[f];
     const int c = fl->mesh->owner[f];
     const double *const inside = &fl->u[3 * c];
     const double phi = fl->levels->convecting_flux[f];
 
     if (b->kind == BOUNDARY_INLET || (b->enters && phi < 0.0))
-        vector_along(rest, phi / (fl->eps[c] * SS), S, u);
+        vector_along(zero, phi / (fl->eps[c] * SS), S, u);
     else if (b->kind == BOUNDARY_OUTLET)
-        vector_along(phi >= 0.0 ? inside : rest, 0.0, S, u);
+        vector_along(phi >= 0.0 ? inside : zero, 0.0, S, u);
     else if (b->kind == BOUNDARY_SLIP)
         vector_along(inside, -vector_dot(inside, S) / SS, S, u);
     else
@@ -41,7 +41,7 @@ void boundary_face_inlet_fluxes(const struct fluid *fl, double *phi)
         const double U = boundary_inlet_velocity(b, fl->t);
         for (int j = 0; j < p->n; j++) {
             const double *const S = &m->S[3 * (p->first + j)];
-            const double share = boundary_inlet_share(b, j, fl->t);
+            const double share = boundary_inlet_profile(b, j, fl->t);
             phi[p->first + j] = -U * share * vector_length(S);
         }
     }

@@ -6,7 +6,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 
-/* The velocity of the cell without its component normal to the wall. */
+/* to = the velocity of the cell without its component normal to the wall. */
 static void tangential_part(const double u[3], const double S[3], double SS,
                             double to[3])
 {
@@ -72,8 +72,8 @@ void fluid_velocity_gradient(const struct fluid *fl, const double *u,
     s->fill(fl->mesh, fl->geometry->reach, u, u_b, slope);
 }
 
-/* The mean over an inlet, whose profile counts as 1 where it is that up to
- * rounding. */
+/* The mean velocity over an inlet [m/s]. A mean of the profile that is 1 within
+ * rounding counts as 1. */
 static double inlet_velocity(const struct fluid *fl, const struct boundary *b,
                              const struct patch *p)
 {
@@ -81,7 +81,7 @@ static double inlet_velocity(const struct fluid *fl, const struct boundary *b,
 
     for (int j = 0; j < p->n; j++) {
         const double area = vector_length(&fl->mesh->S[3 * (p->first + j)]);
-        sum += area * boundary_inlet_share(b, j, fl->t);
+        sum += area * boundary_inlet_profile(b, j, fl->t);
         surface += area;
     }
     const int is_one = fabs(sum - surface) <= 1e-12 * surface;

@@ -7,8 +7,8 @@
 #include "linear/face_loops.h"
 #include "fluid/time_levels.h"
 
-/* Flux of solid volume through a face by linear interpolation; zero at the
- * boundary, which particles do not cross [m^3/s]. */
+/* Sets the flux of solid volume through an inner face, by linear interpolation
+ * [m^3/s]. */
 FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
                        double *flux)
 {
@@ -20,7 +20,7 @@ FACE_KERNEL solid_flux(int f, int o, int n, const struct fluid *fl,
               (w * a[2] + (1.0 - w) * b[2]) * S[2];
 }
 
-/* dt d eps/dt by the time scheme [-]. */
+/* dt times d eps/dt of cell c by the time scheme [-]. */
 static double void_change(const struct fluid *fl, int c)
 {
     const struct time_weights *const w = &fl->levels->weights;
@@ -59,7 +59,7 @@ void continuity_source(struct fluid *fl)
     }
     FOR_EACH_FACE(fl->faces, 8, solid_flux, fl, flux); /* [XS11 2.7] */
     for (int f = m->n_internal; f < m->n_faces; f++)
-        flux[f] = 0.0;
+        flux[f] = 0.0; /* particles do not cross the boundary */
     PARALLEL_RANGES(m->n_cells, 8, mixture_rows, fl, flux);
 }
 

@@ -5,10 +5,10 @@
 #include "fluid/velocity_gradient.h"
 
 void convection_upwind_weights(const struct convection_faces *faces,
-                               double *share)
+                               double *weight)
 {
     for (int f = 0; f < faces->n; f++)
-        share[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
+        weight[f] = faces->phi[f] >= 0.0 ? 1.0 : 0.0;
 }
 
 const struct convection_scheme convection_upwind = {
@@ -20,10 +20,10 @@ const struct convection_scheme convection_upwind = {
     .damps = 1,
 };
 
-static void weights_linear(const struct convection_faces *faces, double *share)
+static void weights_linear(const struct convection_faces *faces, double *weight)
 {
     for (int f = 0; f < faces->n; f++)
-        share[f] = faces->w[f];
+        weight[f] = faces->w[f];
 }
 
 const struct convection_scheme convection_linear = {
@@ -34,12 +34,13 @@ const struct convection_scheme convection_linear = {
     .owner_weights = weights_linear,
 };
 
-static void weights_blended(const struct convection_faces *faces, double *share)
+static void weights_blended(const struct convection_faces *faces,
+                            double *weight)
 {
     const double b = faces->blend;
 
     for (int f = 0; f < faces->n; f++)
-        share[f] =
+        weight[f] =
             b * faces->w[f] + (1.0 - b) * (faces->phi[f] >= 0.0 ? 1.0 : 0.0);
 }
 

@@ -1,7 +1,7 @@
 /* convection.h -- the face velocity of convected momentum.
  * Chapter "Averaged flow".
  *
- * u_f = share u_owner + (1 - share) u_neighbour + beyond
+ * u_f = weight u_owner + (1 - weight) u_neighbour + beyond
  *
  * A scheme computes the weight of the owner from the flux and the linear weight
  * of the face; this weight is used in the matrix. A scheme that uses more than
@@ -30,10 +30,11 @@ struct convection_scheme {
     const char *function;               /* the one that computes it */
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     void (*owner_weights)(const struct convection_faces *faces,
-                          double *share /* [-] */);
-    /* What a face has beyond the velocity of the cell C upstream. step: u_D -
-     * u_C, D being downstream; rise: grad u_C along the link from C to D;
-     * reach: the part of the link that is within C [-]. NULL: nothing. */
+                          double *weight /* [-] */);
+    /* The velocity of a face minus that of the cell C upstream [m/s]. step: u_D
+     * - u_C, with D the cell downstream; rise: grad u_C . d, with d the link
+     * from C to D [m/s]; reach: the part of the link that is within C [-].
+     * NULL: the scheme has no such part. */
     double (*deferred)(double step, double rise, double reach);
     int damps; /* 1: dissipative, its truncation error damps oscillations from
                   cell to cell */
@@ -45,6 +46,6 @@ const struct convection_scheme *convection_scheme_named(const char *name);
 
 /* The weights of upwind, which schemes with a deferred part use as well. */
 void convection_upwind_weights(const struct convection_faces *faces,
-                               double *share);
+                               double *weight);
 
 #endif

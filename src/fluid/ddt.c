@@ -36,8 +36,8 @@ static void choose_masses(struct fluid *fl)
     levels->eps_older = levels->ddt_older != NULL ? fl->eps_nm1 : NULL;
 }
 
-/* The old-time terms of the time derivative, with their sign on the right-hand
- * side. */
+/* Sets the old-time terms of the time derivative, with the signs that they have
+ * on the right-hand side. */
 static void set_old_time_source(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -63,7 +63,7 @@ static void set_old_time_source(int first, int last, struct fluid *fl)
     }
 }
 
-/* x + ahead (x - older) */
+/* to = x + ahead (x - older). */
 static void extrapolate(int n, double ahead, const double *x,
                         const double *older, double *to)
 {

@@ -102,7 +102,7 @@ static void split_jumps(struct fluid *fl)
         FOR_EACH_FACE(fl->faces, 8, split_by_flux, fl);
 }
 
-/* The forces of the jumps on the cells, part times S. */
+/* Sums the forces of the jumps on the cells: the part of the cell times S. */
 static void inertia_rows(int first, int last, const struct fluid *fl)
 {
     const struct face_jump *const jump = fl->jump;
@@ -112,8 +112,8 @@ static void inertia_rows(int first, int last, const struct fluid *fl)
                       jump->inertia);
 }
 
-/* Restores the jump force to the cells that the unbiased scheme would give it
- * to. */
+/* Moves the part of the jump forces that the bias gives to the other cell back
+ * to the cell in which the unbiased scheme has it. */
 static void restore_jump_force(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -174,7 +174,7 @@ static inline double normal_force(const struct fluid *fl, int c, int f)
     return vector_dot(&fl->jump->smooth_force[3 * c], &fl->mesh->S[3 * f]);
 }
 
-/* The contribution to p_N - p_O drives a flux. */
+/* Adds the flux that the contribution to p_N - p_O drives. */
 FACE_KERNEL gamma_flux(int f, int o, int n, struct fluid *fl)
 {
     fl->phi[f] += fl->pressure->conductance[f] *

@@ -41,8 +41,9 @@ void fluid_reset_eps_history(struct fluid *fl)
     memcpy(fl->eps_nm1, fl->eps, size);
 }
 
-/* Momentum is rho eps u at the time level of u; for two-step schemes also that
- * of the older level, and the difference of the two. */
+/* The displaced momentum is rho eps u of the latest time level. A two-step
+ * scheme also has the gain of momentum since the level before, which changes as
+ * well. */
 double fluid_replace(struct fluid *fl, const double *eps_before)
 {
     double lowest = 1.0;

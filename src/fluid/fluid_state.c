@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fluid_state.c -- the visit of the fluid.  Chapter "Nothing is lost".
+/* fluid_state.c -- what a checkpoint has of the fluid.  Chapter "Nothing is
+ * lost".
  *
- * All fields at the last time and before; the matrices and the terms of the
- * step are made anew from them (systems.c lists all arrays). */
+ * These are all fields of the last time levels; the matrices and the terms of a
+ * step follow from them (systems.c lists all arrays). */
 #include "fluid/fluid.h"
 
 #include "fluid/face_jump.h"

@@ -92,7 +92,7 @@ static void boundary_pressures(struct fluid *fl)
     }
 }
 
-/* The gradient of cells first .. last - 1. */
+/* Sets the gradient of cells first .. last - 1. */
 static void gradient_rows(int first, int last, struct fluid *fl)
 {
     const double *const V = fl->mesh->V, *const G = fl->mean_gradient;

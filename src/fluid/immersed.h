@@ -1,10 +1,10 @@
-/* immersed.h -- a force in the momentum equation that holds the fluid.
+/* immersed.h -- the hooks of bodies in the flow.
  * Chapter "Resolving the grains".
  *
- * Bodies in the flow add a friction to some cells, hold (U - u) per volume, and
- * a share of their velocity to the fluxes between these. What they are stands
- * in a higher room; the solver calls these functions, each of which may be
- * NULL, and nothing where fluid->immersed is NULL.
+ * Bodies in the flow add a friction per volume, hold (U - u) [N/m^3], to some
+ * cells, and a part of their velocity U to the fluxes between these. They are
+ * defined in a higher room (resolved/). The solver calls the functions below
+ * where fluid->immersed is not NULL.
  */
 #ifndef FLUID_IMMERSED_H
 #define FLUID_IMMERSED_H

@@ -1,9 +1,9 @@
 /* inlet_profile.h -- how the velocity varies over the faces of an inlet.
  * Chapter "Averaged flow".
  *
- * The velocity of a face is that of the inlet at the time, times the mean of
- * the profile over the face. A profile is one descriptor; those that need more
- * than a box and its walls are in inlets/.
+ * The velocity of a face is that of the inlet at this time, times the mean of
+ * the profile over the face. A profile is one descriptor; all but the uniform
+ * one are in inlets/.
  */
 #ifndef FLUID_INLET_PROFILE_H
 #define FLUID_INLET_PROFILE_H

@@ -23,7 +23,7 @@
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
 
-/* The two coefficients of each face. */
+/* Sets the two coefficients of each face, from the weights of the scheme. */
 static void face_coefficients(int first, int last, struct fluid *fl)
 {
     const struct fluid_options *const o = &fl->options;
@@ -45,7 +45,8 @@ static void face_coefficients(int first, int last, struct fluid *fl)
     }
 }
 
-/* Change in the step of the fluid fraction of the convected mass. */
+/* The change during the step of the fluid fraction of the convected mass, by
+ * the time scheme [-]. */
 static double mass_change(const struct time_levels *l, int c)
 {
     const struct time_weights *const w = &l->weights;
@@ -54,7 +55,8 @@ static double mass_change(const struct time_levels *l, int c)
     return l->eps_older != NULL ? change + w->older * l->eps_older[c] : change;
 }
 
-/* Diagonal and right-hand side of the cells without boundary faces. */
+/* Sets the diagonal, the defect and the right-hand side of the cells, without
+ * the boundary faces. */
 static void cell_coefficients(int first, int last, struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -88,7 +90,8 @@ static void add_drag(int first, int last, struct fluid *fl)
              momentum->b + 3L * first);
 }
 
-/* The inlet velocity is phi over the area times eps. */
+/* Adds the momentum that enters through an inlet, and its viscous force; the
+ * velocity is phi over the area times eps. */
 static void add_inlet_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
@@ -103,7 +106,7 @@ static void add_inlet_face(struct fluid *fl, int f)
         fl->momentum->b[3 * c + k] += a * phi * S[k] / (fl->eps[c] * SS);
 }
 
-/* A wall, which may move along itself. */
+/* Adds the viscous force of a wall, whose velocity is tangential. */
 static void add_wall_face(struct fluid *fl, const double wall[3], int f)
 {
     const int c = fl->mesh->owner[f];
@@ -114,7 +117,8 @@ static void add_wall_face(struct fluid *fl, const double wall[3], int f)
         fl->momentum->b[3 * c + k] += D * wall[k];
 }
 
-/* Enters with the velocity of its flux, without a viscous force. */
+/* Adds the momentum that enters with the velocity of its flux; there is no
+ * viscous force. */
 static void add_entering_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
@@ -146,9 +150,9 @@ static void add_boundary_face(struct fluid *fl, const struct boundary *b, int j,
     }
 }
 
-/* At a slip wall only the normal component has a viscous force, -D n (n . u):
- * n_k n_k on the diagonal of the components, which is the whole force where the
- * normal is parallel to an axis. */
+/* At a slip wall only the normal component has a viscous force, -D n (n . u).
+ * The part D n_k n_k is added to the diagonal of component k; it is the whole
+ * force where the normal is parallel to an axis. */
 static void add_slip_face(struct fluid *fl, int f)
 {
     const struct mesh *const m = fl->mesh;
@@ -161,7 +165,9 @@ static void add_slip_face(struct fluid *fl, int f)
         fl->momentum->diag3[3 * c + k] += D * S[k] * S[k] / SS;
 }
 
-/* Three diagonals a cell, equal until slip walls add theirs. */
+/* Sets the diagonals of the three components, which are equal without slip
+ * walls.
+ */
 static void spread_diagonal(int first, int last, struct momentum_system *eqn)
 {
     vec3_spread(last - first, eqn->diag + first, eqn->diag3 + 3L * first);

@@ -16,7 +16,7 @@
 
 struct sum {
     double impulse[3]; /* [N s] */
-    double gross;      /* [N s] of the sizes */
+    double gross;      /* [N s] the sum of their magnitudes */
 };
 
 static void add(struct sum *s, int k, double impulse)
@@ -96,7 +96,7 @@ static void add_immersed(const struct immersed *bodies, struct sum *s)
     s->gross += bodies->gross;
 }
 
-/* The sizes of the momenta of all cells [N s]. */
+/* The sum of the magnitudes of the momenta of all cells [N s]. */
 static double cells_gross(const struct fluid *fl)
 {
     double gross = 0.0;
@@ -106,8 +106,9 @@ static double cells_gross(const struct fluid *fl)
     return fl->options.rho * gross;
 }
 
-/* Where the momenta of the cells cancel and nothing acts on the fluid, the sum
- * is what their rounding leaves; it is measured by their sizes. */
+/* The scale of the residual. Where the momenta of the cells cancel and no force
+ * acts on the fluid, the residual is the rounding error of their sum, and the
+ * scale is the sum of their magnitudes. */
 static double scale_of(const struct fluid *fl, double worst, double gross)
 {
     if (worst <= 1e-10 * gross) return gross;

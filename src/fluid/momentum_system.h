@@ -17,9 +17,9 @@ struct momentum_system {
     struct ldu *matrix; /* [kg/s] the a_N */
     double *diag;       /* [kg/s] a_P */
     double *diag3;      /* [kg/s] a_P and, on slip walls, their stress */
-    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it so
-                                     stiff that it must act on the new velocity;
-                                     3 a cell, NULL without slip walls */
+    double *slip, *slip_implicit; /* [kg/s] that stress, and the part of it that
+                                     is implicit in the corrector because it is
+                                     stiff; 3 a cell, NULL without slip walls */
     int oblique_slip;             /* 1: a slip wall is not normal to an axis */
     double *b;            /* [N] right side but for pressure and storage */
     double *rhs;          /* [N] */

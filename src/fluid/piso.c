@@ -23,7 +23,7 @@ static void count_relabelled(struct fluid *fl)
 
 static int all_finite(const struct fluid *fl)
 {
-    double sum = 0.0; /* of zeros, or it is not finite */
+    double sum = 0.0; /* of zeros; or it is not a number */
 
     for (int c = 0; c < fl->mesh->n_cells; c++)
         sum += 0.0 *
@@ -72,13 +72,13 @@ static void predict_and_correct(struct fluid *fl)
     }
 }
 
-/* Each corrector uses the previous velocities of the neighbours. Where cells
- * are strongly coupled by viscosity or a long step, the residual after two
- * correctors is large, and carried into the next step it would grow; then more
- * correctors follow. A central scheme adds nothing to the diagonal, and above a
- * Courant number of 1 its residual would grow from corrector to corrector; it
- * is removed by another prediction with the present pressure, in which the
- * velocities of the neighbours are unknowns. */
+/* Each corrector uses the velocities of the neighbours before it. Where
+ * viscosity or a long step couples cells strongly, the residual after two
+ * correctors is large, and would grow if it were added to the next step; then
+ * more correctors follow. A central scheme adds nothing to the diagonal, and
+ * above a Courant number of 1 its residual would grow from corrector to
+ * corrector; it is removed by another prediction with the present pressure, in
+ * which the velocities of the neighbours are unknowns. */
 static void correct_further(struct fluid *fl)
 {
     const double most = fl->options.piso_tolerance;

@@ -30,9 +30,9 @@
 #include "fluid/piso.h"
 #include "fluid/time_levels.h"
 
-/* Coefficients of a cell for its faces, once a step: rho eps_nm1 / (gamma dt
- * eps_phi), the time derivative per superficial flux; 1 / (gamma V), for its
- * forces; and 1 / m_P. */
+/* Sets the coefficients of the cells that their faces use, once a step: the
+ * time derivative per superficial flux, which is rho eps_old / (gamma dt
+ * eps_phi) with implicit Euler; 1 / (gamma V), for the forces; and 1 / m_P. */
 static void cell_resistances(int first, int last, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -57,7 +57,8 @@ double pressure_older_per_flux(const struct fluid *fl, int c)
            fl->eps_nm1[c];
 }
 
-/* Two-step scheme: the contribution of the flux one step before the last. */
+/* Adds the contribution of the flux one step before the last, in a two-step
+ * scheme. */
 static void store_old_time_fluxes(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;
@@ -73,8 +74,8 @@ static void store_old_time_fluxes(struct fluid *fl)
                                       pressure_older_per_flux(fl, m->owner[f]);
 }
 
-/* m_f, and the terms that are the same for all correctors: the conductance and
- * the part of the flux by the time derivative. */
+/* Sets m_f, and the terms that are the same for all correctors: the conductance
+ * and the part of the flux by the time derivative. */
 FACE_KERNEL inner_mobility(int f, int o, int n, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -187,7 +188,7 @@ FACE_KERNEL inner_flux(int f, int o, int n, struct fluid *fl)
                                         from_n * vector_dot(&H[3 * n], S));
 }
 
-/* phi without the part of the pressure. The fluxes of walls and inlets are
+/* Sets phi without the part of the pressure. The fluxes of walls and inlets are
  * given. */
 static void predicted_fluxes(struct fluid *fl)
 {
@@ -211,7 +212,7 @@ FACE_SUM_KERNEL inflow(int f, double out, const double *phi)
     return -out * phi[f];
 }
 
-/* The residual of continuity of these fluxes, to be corrected by p. */
+/* Sets the residual of continuity of these fluxes, the right-hand side. */
 static void rhs_rows(int first, int last, const struct fluid *fl)
 {
     const struct pressure_system *const pressure = fl->pressure;
@@ -243,10 +244,10 @@ static double scale_rows(int first, int last, const struct fluid *fl)
                         pressure->divergence);
 }
 
-/* The right-hand side of the pressure equation. In the first corrector of a
- * step also the 2-norm of the sums of |phi| of the cells, the scale of its
- * residual; where nothing flows in that one yet, because a force is added after
- * it, in the first in which something flows. */
+/* Sets the right-hand side of the pressure equation; and in the first corrector
+ * of a step the scale of its residual, which is the 2-norm of the sums of |phi|
+ * of the cells. If this is zero, because a force is added only later, it is set
+ * in the first corrector in which there are fluxes. */
 static void pressure_rhs(struct fluid *fl)
 {
     const struct mesh *const m = fl->mesh;

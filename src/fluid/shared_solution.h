@@ -1,10 +1,11 @@
 /* shared_solution.h -- the hooks of a fluid whose mesh is one part of a larger
  * one. Chapter "Past one machine".
  *
- * The cells of the larger mesh are divided; each part is a mesh of its own with
- * some layers of its neighbours' cells around, and steps by itself but for
- * these functions, in which all parts act together. They stand in
- * fluid_options; NULL there: the mesh is the whole one.
+ * The cells of the larger mesh are divided into parts. Each part is a mesh of
+ * its own with some layers of the cells of other parts around it, and is
+ * stepped by itself, except in these functions, which all parts call together.
+ * They are in fluid_options; where they are NULL there, the mesh is the whole
+ * one.
  */
 #ifndef FLUID_SHARED_SOLUTION_H
 #define FLUID_SHARED_SOLUTION_H
@@ -20,12 +21,12 @@ struct shared_solution {
                                     double tolerance /* [-] */);
     struct solve_report (*pressure)(void *parts, struct fluid *fl,
                                     double relative, double absolute);
-    /* The velocity was corrected: takes it over to the other parts' layers. */
+    /* Copies the corrected velocity to the layers around the other parts. */
     void (*corrected)(void *parts, struct fluid *fl);
     /* The largest residual of velocity_residual, of the cells of all parts. */
     double (*residual)(void *parts, const struct fluid *fl);
-    /* The step is done: takes all fields over; returns whether the step has
-     * failed in any part. */
+    /* Copies all fields at the end of a step; returns 1 if the step has failed
+     * in any part. */
     int (*finished)(void *parts, struct fluid *fl, int failed);
     /* The largest x of all parts. */
     double (*largest)(void *parts, double x);

@@ -41,7 +41,7 @@ static int two_steps(const struct fluid_options *o)
     return o->time != NULL && o->time->time_levels > 1;
 }
 
-/* What an array has its numbers for, and when it is needed. */
+/* What an array has a number for, and the condition under which it exists. */
 enum place { CELL, FACE, INNER_FACE, PLACES };
 enum need {
     ALWAYS,

@@ -29,13 +29,13 @@ static void add_slip_residual(const struct fluid *fl, double *right)
     }
 }
 
-/* Blocks of cells whose data fit into the first-level cache. */
+/* The end of a block of cells whose data fit into the first-level cache. */
 static int block_end(int first, int last)
 {
     return first + VEC3_BLOCK < last ? first + VEC3_BLOCK : last;
 }
 
-/* gamma V of a block's cells, three times each. */
+/* gamma V of the cells of a block, three times each [m^3]. */
 static void spread_gamma_volumes(int first, int last, const struct fluid *fl,
                                  double *weight3)
 {

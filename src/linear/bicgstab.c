@@ -10,24 +10,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The vectors of the method [Saad03, 9.5]: residual r (also s, its half-way
- * value), shadow residual, direction p, v = A ph and t = A sh with ph and sh
- * the preconditioned p and s. Each loop also computes the scalar products of
- * the vectors that it has just written. */
+/* The vectors of the method [Saad03, algorithm 7.7]: residual r (also s, its
+ * half-way value), shadow residual, direction p, v = A ph and t = A sh with ph
+ * and sh the preconditioned p and s. Each loop also computes the scalar
+ * products of the vectors that it has just written. */
 struct bicgstab_work {
     int n;
     double *r, *shadow, *p, *ph, *v, *sh, *t;
     double *inverse; /* one over diag3 */
 };
 
-/* One number a component. */
+/* A number for each component. */
 struct component_sums {
     double at[3];
 };
 
 /* If the cosine of the angle between residual and shadow residual is smaller,
  * the method restarts [-]. */
-static const double square = 1e-14;
+static const double least_cosine = 1e-14;
 
 enum {
     LANES = 24, /* eight rows: the compiler vectorises loops of this length */
@@ -37,7 +37,7 @@ struct lanes {
     double at[LANES];
 };
 
-/* Scalar products of ranges. */
+/* The scalar products of each range. */
 struct products {
     struct component_sums a[PARALLEL_RANGES_COUNT], b[PARALLEL_RANGES_COUNT];
 };
@@ -91,7 +91,7 @@ static struct component_sums total(const struct component_sums *partial)
     return sum;
 }
 
-/* range += x.y of rows first .. last - 1 of n */
+/* Adds x.y of rows first .. last - 1 of n to the sums of their range. */
 static void add_products(int first, int last, int n, const double *x,
                          const double *y, struct component_sums *partial)
 {
@@ -107,7 +107,8 @@ static int block_end(int first, int last)
     return first + BLOCK < last ? first + BLOCK : last;
 }
 
-/* p = r + beta (p - omega v), ph = p / diag; p is the shadow at first. */
+/* p = r + beta (p - omega v), ph = p / diag; `old` is the previous p, and the
+ * shadow residual in the first iteration. */
 static void update_direction_rows(int width, long i,
                                   const struct bicgstab_work *w,
                                   const double *old, const double *beta,
@@ -151,7 +152,7 @@ static inline void half_rows(int width, long i, const struct bicgstab_work *w,
     }
 }
 
-/* With it s.s. */
+/* Computes all rows of a range, and s.s. */
 static void half(int first, int last, const struct bicgstab_work *w,
                  const struct component_sums *alpha, struct products *found)
 {
@@ -183,7 +184,7 @@ static inline void move_rows(int width, long i, const struct bicgstab_work *w,
     }
 }
 
-/* With it r.r and shadow.r. */
+/* Computes all rows of a range, and r.r and shadow.r. */
 static void move(int first, int last, const struct bicgstab_work *w,
                  const struct component_sums *alpha,
                  const struct component_sums *omega, double *x,
@@ -203,7 +204,7 @@ static void move(int first, int last, const struct bicgstab_work *w,
     }
 }
 
-/* r = b - A x, and with it the first shadow, direction and r.r. */
+/* r = b - A x; sets the first shadow residual and direction, and r.r. */
 static void begin_rows(int first, int last, const struct ldu *A,
                        const double *diag, const double *b, const double *x,
                        const struct bicgstab_work *w, struct products *found)
@@ -222,7 +223,7 @@ static void begin_rows(int first, int last, const struct ldu *A,
     }
 }
 
-/* v = A ph, and with it shadow.v. */
+/* v = A ph; computes shadow.v as well. */
 static void first_product(int first, int last, const struct ldu *A,
                           const double *diag, const struct bicgstab_work *w,
                           struct products *found)
@@ -234,7 +235,7 @@ static void first_product(int first, int last, const struct ldu *A,
     }
 }
 
-/* t = A sh, and with it t.s and t.t. */
+/* t = A sh; computes t.s and t.t as well. */
 static void second_product(int first, int last, const struct ldu *A,
                            const double *diag, const struct bicgstab_work *w,
                            struct products *found)
@@ -276,8 +277,9 @@ static void begin(const struct ldu *A, const double *diag3, const double *b3,
     s->old = w->shadow;
 }
 
-/* top / bottom for the components that have not converged; 0 for those whose
- * residual is below target, and where the method breaks down. */
+/* top / bottom for the components that have not converged; the result is 0 for
+ * those whose residual is not above target, and where the method breaks down.
+ */
 static struct component_sums ratio(const struct component_sums *top,
                                    const struct component_sums *bottom,
                                    const struct component_sums *rr,
@@ -293,7 +295,7 @@ static struct component_sums ratio(const struct component_sums *top,
     return c;
 }
 
-/* From one residual to the next, without a new direction. */
+/* Computes the next x and residual; the direction stays. */
 static void step(const struct ldu *A, const double *diag3, double *x3,
                  double target, struct bicgstab_work *w, struct state *s)
 {
@@ -334,7 +336,8 @@ static int choose_direction(double target, struct bicgstab_work *w,
             rho.at[k] / s->rho.at[k] * s->alpha.at[k] / s->omega.at[k];
 
         if (r <= target) continue;
-        if (!isfinite(b) || fabs(rho.at[k]) < square * r * s->start) return 0;
+        if (!isfinite(b) || fabs(rho.at[k]) < least_cosine * r * s->start)
+            return 0;
         beta.at[k] = b;
     }
     s->rho = rho;

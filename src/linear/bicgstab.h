@@ -30,7 +30,8 @@ struct solve_report bicgstab_solve(const struct ldu *A, const double *diag3,
                                    double absolute /* unit of b */,
                                    int max_iterations, struct bicgstab_work *w);
 
-/* b - A x of the last solution, as the iteration has carried it along: 3 n. */
+/* The residual b - A x of the last solution, 3 n numbers, by the recurrence of
+ * the iteration. */
 const double *bicgstab_residual(const struct bicgstab_work *w);
 
 #endif

@@ -77,7 +77,7 @@ static double advance(int first, int last, double alpha, struct cg_work *w,
     return reduce_range(first, last, r, r);
 }
 
-/* The iteration, until |r| <= target. Returns the last |r|. */
+/* Iterates until |r| <= target; returns the last |r|. */
 static double iterate(struct preconditioned A, double *x, double rr,
                       double target, int max_iterations, struct cg_work *w,
                       int *iterations)

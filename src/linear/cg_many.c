@@ -18,7 +18,7 @@ struct cg_many_work {
     double *inverse;   /* one over the weight of each row */
 };
 
-/* One number a field. */
+/* A number for each field. */
 struct fields {
     double at[CG_MANY_FIELDS];
 };
@@ -59,7 +59,7 @@ static void invert(int first, int last, const double *weight, double *inverse)
         inverse[i] = 1.0 / weight[i];
 }
 
-/* p = z + beta p with z = r / weight, for width fields from the k-th on. */
+/* p = z + beta p with z = r / weight, for `width` fields from the k-th on. */
 FIELD_GROUPS_KERNEL update_direction_rows(int width, int k, int first, int last,
                                           const struct cg_many_work *w,
                                           const struct fields *beta)
@@ -85,7 +85,7 @@ static void update_direction(int first, int last, const struct cg_many_work *w,
     FOR_FIELD_GROUPS(w->m, update_direction_rows, first, last, w, beta);
 }
 
-/* Sums of each field. */
+/* The scalar products of each field. */
 struct sums {
     struct fields rz, rr; /* r.z, r.r */
 };
@@ -148,7 +148,8 @@ static struct sums advance_all(const struct cg_many_work *w,
     return sum;
 }
 
-/* r = b - A x with its sums: a step of length zero adds them up. */
+/* r = b - A x; returns its scalar products, which a step of length zero
+ * computes. */
 static struct sums begin(const struct csr *A, const double *weight,
                          const double *b, double *x, struct cg_many_work *w)
 {
@@ -163,7 +164,8 @@ static struct sums begin(const struct csr *A, const double *weight,
     return advance_all(w, &none, x);
 }
 
-/* The largest residual over its scale; 0 where the scale is. */
+/* The largest residual over its scale [-]; a field whose scale is 0 counts as
+ * solved. */
 static double worst(int m, const double *rr, const double *bb)
 {
     double most = 0.0;
@@ -206,7 +208,7 @@ static int step(const struct csr *A, double *x, struct cg_many_work *w,
     return moved;
 }
 
-/* A field without right-hand side has the solution zero. */
+/* Sets the solution of a field whose right-hand side is zero to zero. */
 static void clear_empty(int n, int m, const double *bb, double *x)
 {
     for (int k = 0; k < m; k++)

@@ -19,14 +19,15 @@ struct chebyshev {
     double *y[2], *sum; /* two terms y_k, and the series so far */
 };
 
-/* c_k = (2 - [k = 0]) exp(-z/2) I_k(z/2); positive, and all together 1. */
+/* c_k = (2 - [k = 0]) exp(-z/2) I_k(z/2) [-]. All c_k are positive, and their
+ * sum is 1. */
 static double coefficient(int k, double z)
 {
     return (k == 0 ? 1.0 : 2.0) * gsl_sf_bessel_In_scaled(k, 0.5 * z);
 }
 
-/* Number of coefficients above rounding: they decrease faster than
- * geometrically once k exceeds about sqrt(z). */
+/* The number of coefficients above 1e-18, which is below rounding: they
+ * decrease faster than geometrically once k exceeds about sqrt(z). */
 static int all_terms(double z)
 {
     int k = 1;
@@ -36,7 +37,8 @@ static int all_terms(double z)
     return k;
 }
 
-/* The coefficients up to where the rest of them adds up to less than tail. */
+/* Sets the coefficients; those at the end whose sum is less than tail are left
+ * out. */
 static void find_coefficients(struct chebyshev *s, double z, double tail)
 {
     const int terms = all_terms(z);
@@ -98,7 +100,7 @@ int chebyshev_products(const struct chebyshev *s)
     return s->products;
 }
 
-/* Ly = (2 / lambda) L y in row i, for width fields from the g-th of m on. */
+/* Ly = (2 / lambda) L y in row i, for `width` fields from the g-th of m on. */
 FIELD_GROUPS_KERNEL row(int width, int g, int i, int m,
                         const struct chebyshev *s, const double *y, double *Ly)
 {
@@ -119,7 +121,7 @@ FIELD_GROUPS_KERNEL row(int width, int g, int i, int m,
         Ly[f] *= factor;
 }
 
-/* y_1 = u - Ly and the first two terms of the sum. */
+/* Computes y_1 = u - Ly and the sum of the first two terms. */
 FIELD_GROUPS_KERNEL begin_rows(int width, int g, int first, int last, int m,
                                const struct chebyshev *s, const double *u,
                                double *restrict next)
@@ -144,7 +146,8 @@ FIELD_GROUPS_KERNEL begin_rows(int width, int g, int first, int last, int m,
     }
 }
 
-/* y_(k+1) = 2 (y_k - Ly) - y_(k-1), in the place of y_(k-1), and its term. */
+/* Computes y_(k+1) = 2 (y_k - Ly) - y_(k-1), in the place of y_(k-1), and adds
+ * its term to the sum. */
 FIELD_GROUPS_KERNEL term_rows(int width, int g, int first, int last, int m,
                               const struct chebyshev *s, double c,
                               const double *y, double *restrict next)

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for the entries of each row: every link has one in both its rows. */
+/* Sets `start` from the number of entries of each row: a link has one entry in
+ * the row of each of its unknowns. */
 static void count_rows(struct csr *A, const int *owner, const int *neighbour)
 {
     for (int l = 0; l < A->n_links; l++) {
@@ -22,9 +23,10 @@ static void count_rows(struct csr *A, const int *owner, const int *neighbour)
         A->start[i + 1] += A->start[i];
 }
 
-/* Moves the entry at e down to its place among those of its row that are
- * already sorted. link[e] is the link of entry e, inverted for the lower. */
-static void sink(struct csr *A, int *link, int first, int e)
+/* Moves the entry at e, the last of its row so far, to its place among the
+ * others, which are sorted. link[e] is the link of entry e, or its complement
+ * (~) if e is the lower entry of the link. */
+static void insert(struct csr *A, int *link, int first, int e)
 {
     const int col = A->col[e], moved = link[e];
 
@@ -47,11 +49,11 @@ static void fill_rows(struct csr *A, int *link, const int *owner,
 
         A->col[e] = j;
         link[e] = l;
-        sink(A, link, A->start[i], e);
+        insert(A, link, A->start[i], e);
         e = A->start[j] + used[j]++;
         A->col[e] = i;
         link[e] = ~l;
-        sink(A, link, A->start[j], e);
+        insert(A, link, A->start[j], e);
     }
     free(used);
 }
@@ -125,8 +127,9 @@ void csr_multiply(const struct csr *A, const double *x, double *y)
     PARALLEL_RANGES(A->n, 4, rows, A, x, y);
 }
 
-/* Rows for width fields from the k-th of m on. The diagonal is one number a row
- * (step = 0) or one a field (step = 1), or none (NULL). */
+/* Computes rows for `width` fields from the k-th of m on. The diagonal has one
+ * number for each row (step = 0), one for each row and field (step = 1), or is
+ * left out (NULL). */
 FIELD_GROUPS_KERNEL rows_of(int width, int k, int first, int last,
                             const struct csr *A, int m, const double *diag,
                             int step, const double *x, double *y)

@@ -14,8 +14,8 @@
 
 /* clang-format off: it would break the pragmas apart. */
 
-/* each(f, owner, neighbour, ...) for all inner faces, where the loop handles m
- * numbers a face. */
+/* Calls each(f, owner, neighbour, ...) for all inner faces; m is how many
+ * numbers the loop reads and writes for each face. */
 #define FOR_EACH_FACE(of, m, each, ...)                                        \
     PARALLEL_RANGES((of)->n_inner, m, FACES_OF_RANGE, of, each, __VA_ARGS__)
 
@@ -49,7 +49,9 @@
         }                                                                      \
     } while (0)
 
-/* sum[c] += each(f, out, ...) of all faces f of the cells first .. last - 1. */
+/* Adds each(f, out, ...) of all faces f of cell c to sum[c], for the cells
+ * first
+ * .. last - 1. */
 #define SUM_OVER_FACES(of, first, last, sum, each, ...)                        \
     do {                                                                       \
         const struct faces *const fs_ = (of);                                  \

@@ -46,7 +46,7 @@ void ldu_update(struct ldu *A)
     if (A->rows != NULL) PARALLEL_RANGES(A->n_links, 2, fill_rows, A);
 }
 
-/* The entries of a piece's rows, as they lie. */
+/* The entries of the rows of a piece, which are contiguous. */
 static const double *entries(const struct ldu *A, const struct face_piece *p)
 {
     return (p->out > 0.0 ? A->upper : A->lower) + p->face;

@@ -31,7 +31,8 @@ double reduce_dot(int n, const double *x, const double *y)
     return sum;
 }
 
-/* Eight rows at a time make 8 m lanes: full vectors for any m. */
+/* Sums eight rows at a time in 8 m lanes, so that vectors are full for any m.
+ */
 static inline void range_many(int first, int last, int m, const double *x,
                               const double *y, double *dot)
 {
@@ -54,7 +55,8 @@ static inline void range_many(int first, int last, int m, const double *x,
         dot[k % m] += lane[k];
 }
 
-/* The frequent numbers of fields get loops of known length. */
+/* The loops for 3 and for 8 fields, the most frequent numbers, have a length
+ * that the compiler knows. */
 void reduce_range_many(int first, int last, int m, const double *x,
                        const double *y, double *dot)
 {

@@ -13,8 +13,8 @@
 #include "linear/reduce.h"
 
 enum {
-    VEC3_BLOCK = 128
-}; /* cells at once: what is written stays in the cache */
+    VEC3_BLOCK = 128 /* cells at once: their numbers stay in the cache */
+};
 
 /* a3[3 i + k] = a[i] for n cells. */
 static inline void vec3_spread(int n, const double *restrict a,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* box.c -- makes the face list of a box.
+/* box.c -- creates the list of faces of a box.
  *
  * Each cell owns the faces on its upper sides: first all faces across x, then
  * the periodic ones across x; then those across y, then z. So the faces between
- * a row of cells and the next row are numbered in a row, too, and a loop over
- * them reads memory as it lies (linear/fast/contiguous_faces.h).
+ * a row of cells and the next row have consecutive numbers, and a loop over
+ * them reads contiguous memory (linear/fast/contiguous_faces.h).
  */
 #include "mesh/mesh.h"
 
@@ -17,8 +17,9 @@
 const char *const mesh_sides[6] = {"left", "right", "bottom",
                                    "top",  "back",  "front"};
 
-/* Cell edges from 0 to size; each cell is the same factor wider than the one
- * before it, the last `grading` times the first. */
+/* The edges of n cells from 0 to size [m]. Each cell is wider than the one
+ * before it by the same factor, and the last is `grading` times as wide as the
+ * first. */
 static double *edges_create(double size, int n, double grading)
 {
     double *const edge = alloc_doubles(n + 1);
@@ -59,7 +60,7 @@ static void place_cells(struct mesh *m)
             }
 }
 
-/* Area of a face across direction k of the cell `at`. */
+/* The area of the faces of the cell `at` across direction k [m^2]. */
 static double face_area(const struct box *b, int k, const int at[3])
 {
     const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
@@ -71,7 +72,7 @@ static int cell_index(const struct box *b, const int at[3])
     return at[0] + b->n[0] * (at[1] + b->n[1] * at[2]);
 }
 
-/* The face between `at` and the next cell in direction k. */
+/* Sets face f, between `at` and the next cell in direction k. */
 static void inner_face(struct mesh *m, int f, int k, const int at[3])
 {
     const struct box *const b = &m->box;
@@ -86,8 +87,8 @@ static void inner_face(struct mesh *m, int f, int k, const int at[3])
     m->w[f] = h1 / (h0 + h1);
 }
 
-/* The inner faces across direction k, or (round) the periodic ones, numbered
- * from f on. Returns the next number. */
+/* Sets the inner faces across direction k, or (round) the periodic ones,
+ * numbered from f on; returns the next number. */
 static int faces_across(struct mesh *m, int f, int k, int round)
 {
     const struct box *const b = &m->box;
@@ -114,7 +115,8 @@ static void inner_faces(struct mesh *m)
     assert(f == m->n_internal);
 }
 
-/* The faces of the lower (side 0) or upper (1) end of direction k. */
+/* Sets the faces of the lower (side 0) or upper (1) end of direction k,
+ * numbered from `first` on; returns the next number. */
 static int end_faces(struct mesh *m, int first, int k, int side)
 {
     const struct box *const b = &m->box;
@@ -144,8 +146,8 @@ static void boundary_faces(struct mesh *m)
     assert(f == m->n_faces);
 }
 
-/* The inner faces across direction k: between neighbours, and across a period
- * of more than one cell. */
+/* How many layers of inner faces n cells in a row have: those between
+ * neighbours, and one across a period of more than one cell. */
 static int layers(const int n, int periodic)
 {
     return periodic && n > 1 ? n : n - 1;

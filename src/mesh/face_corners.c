@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A rectangle of a box. */
+/* The corners of a face of a box, which is a rectangle. */
 static int box_corners(const struct mesh *m, int f, int most, double (*x)[3])
 {
     const int *const n = m->box.n, c = m->owner[f];

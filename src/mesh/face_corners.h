@@ -4,11 +4,12 @@
 
 #include "mesh/mesh.h"
 
-/* Copies the corners [m] of boundary face f, in turn, to x, at most `most`, and
- * returns how many it has. They go round with the normal out of the mesh. */
+/* Copies the corners of boundary face f to x [m], at most `most` of them, and
+ * returns how many the face has. Their order is counterclockwise, seen from
+ * outside. */
 int face_corners(const struct mesh *m, int f, int most, double (*x)[3]);
 
-/* The middle of any boundary face [m]. */
+/* x = the centre of boundary face f [m]. */
 void face_corners_middle(const struct mesh *m, int f, double x[3]);
 
 #endif

@@ -8,7 +8,8 @@
 
 #include "base/vector.h"
 
-/* Of a box the products of the narrowest and of the widest slabs. */
+/* The smallest cell of a box is where the narrowest slabs of the three
+ * directions cross, the largest where the widest do. */
 static void box_volumes(const struct box *b, double *least, double *most,
                         double *mean)
 {
@@ -42,7 +43,9 @@ void mesh_volumes(const struct mesh *m, double *least, double *most,
     }
 }
 
-/* The contribution of direction k to the rate of a box, where it is largest. */
+/* The largest contribution of direction k to the rate of a cell of a box
+ * [1/m^2].
+ */
 static double rate_along(const struct box *b, int k)
 {
     const double *const e = b->edge[k];
@@ -62,7 +65,8 @@ static double rate_along(const struct box *b, int k)
     return fastest;
 }
 
-/* In a box the directions are independent of each other. */
+/* In a box the contributions of the directions are independent of each other,
+ * so the largest rate is the sum of the largest. */
 double mesh_diffusion_rate(const struct mesh *m)
 {
     double fastest = 0.0;

@@ -65,8 +65,9 @@ double mesh_period(const struct mesh *m, int k)
     return 0.0;
 }
 
-/* The interval of the edges that holds x: half open, the last one closed.
- * Starts from where x would lie among equal cells and walks. -1 outside. */
+/* The interval of the edges that contains x, or -1 outside. An interval
+ * contains its lower end, and the last one both. The search begins with the
+ * interval in which x would be if all were equal. */
 static int interval_at(const double *edge, int n, double x)
 {
     if (!(x >= edge[0] && x <= edge[n])) return -1;
@@ -80,7 +81,7 @@ static int interval_at(const double *edge, int n, double x)
     return i;
 }
 
-/* x moved by whole periods into [lo, hi). */
+/* x, moved by whole periods into [lo, hi). */
 static double wrapped(double x, double lo, double hi)
 {
     const double y = x - (hi - lo) * floor((x - lo) / (hi - lo));
@@ -138,7 +139,7 @@ void mesh_allocate(struct mesh *m)
     m->cell_start = alloc_ints(m->n_cells + 1);
 }
 
-/* Whether a component of a is larger than this part of b. */
+/* 1 if a component of a is larger than `part` times the length of b. */
 static int larger(const double a[3], double part, const double b[3])
 {
     const double most = part * part * vector_dot(b, b);
@@ -146,7 +147,6 @@ static int larger(const double a[3], double part, const double b[3])
     return a[0] * a[0] > most || a[1] * a[1] > most || a[2] * a[2] > most;
 }
 
-/* For each cell its faces in ascending order. */
 void mesh_collect_faces(struct mesh *m)
 {
     int *const fill = alloc_ints(m->n_cells + 1);
@@ -170,9 +170,9 @@ void mesh_collect_faces(struct mesh *m)
     }
     free(fill);
     for (int f = 0; f < m->n_internal; f++) {
-        double rest[3];
-        mesh_oblique_part(m, f, rest);
-        if (larger(rest, 1e-10, &m->S[3 * f])) m->oblique = 1;
+        double oblique[3];
+        mesh_oblique_part(m, f, oblique);
+        if (larger(oblique, 1e-10, &m->S[3 * f])) m->oblique = 1;
     }
     for (int f = 0; f < m->n_faces && m->face_centre != NULL; f++) {
         double off[3];
@@ -182,10 +182,10 @@ void mesh_collect_faces(struct mesh *m)
         if (m->cell_start[c + 1] - m->cell_start[c] == 4) m->skewed = 2;
 }
 
-void mesh_oblique_part(const struct mesh *m, int f, double rest[3])
+void mesh_oblique_part(const struct mesh *m, int f, double oblique[3])
 {
     const double *const S = &m->S[3 * f], *const d = &m->d[3 * f];
-    vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, rest);
+    vector_along(S, -vector_dot(S, S) / vector_dot(S, d), d, oblique);
 }
 
 void mesh_off_middle(const struct mesh *m, int f, double off[3])

@@ -1,12 +1,12 @@
-/* mesh.h -- space as a list of faces.
+/* mesh.h -- a mesh as a list of faces.
  * Chapter "The mesh".
  *
  * A face has an owner and, inside, a neighbour; its area vector S points from
  * the owner to the neighbour, or out of the domain. What leaves one cell
- * through a face enters the other, so a loop over faces conserves what it
- * transports. A periodic face is an ordinary face whose link vector d includes
- * the period: only d, never the difference of two centres, gives the distance
- * between two cells.
+ * through a face enters the other, so a sum over faces is conservative. A
+ * periodic face is an ordinary face whose link vector d includes the period:
+ * only d, never the difference of two centres, gives the distance between two
+ * cells.
  *
  * Faces 0 .. n_internal-1 have a neighbour; the faces of each patch follow. The
  * components of vectors on cells and faces are interleaved: the k-th component
@@ -26,7 +26,8 @@ struct patch {
     int is_symmetry; /* [-] 1: a symmetry plane by default */
 };
 
-/* The regular structure of a box, used to locate cells and to write files. */
+/* The regular structure of a box, with which cells are located and files
+ * written. */
 struct box {
     int n[3];        /* [-] cells per direction */
     int periodic[3]; /* [-] 1 where the two ends are one */
@@ -41,8 +42,8 @@ struct mesh_shape {
     int *start, *corner; /* [-] n_polygons + 1; the points of each */
     int *cell_start;     /* [-] n_cells + 1; the polygons of each cell are */
     int *polygon;        /* [-] polygon[cell_start[c]] ... */
-    int *turned;         /* [-] beside it: 1 if its corners go round with the
-                            normal out of the cell, -1 if into it */
+    int *turned;         /* [-] beside it: 1 if the normal by the order of its
+                            corners points out of the cell, -1 if into it */
     int *boundary;       /* [-] the polygon of each boundary face */
 };
 
@@ -64,7 +65,7 @@ struct mesh {
     double *S;      /* [m^2] area vector, 3 a face */
     double *d;      /* [m] owner to neighbour centre (boundary: to the face
                        centre), 3 a face */
-    double *w;      /* [-] share of the owner in a linear face value
+    double *w;      /* [-] weight of the owner in a linear face value
                        (boundary: 0, the face has a value of its own) */
     int n_patches;
     struct patch *patches;
@@ -75,7 +76,7 @@ struct mesh {
     int oblique;     /* 1: some link vector d is not normal to its face */
     int skewed;      /* 1: some link misses the middle of its face; 2: and some
                         cell is a tetrahedron */
-    double lo[3], hi[3]; /* [m] the smallest box around it */
+    double lo[3], hi[3]; /* [m] the smallest box around the mesh */
     int reference_count; /* [-] number of further owners, each of which calls
                             mesh_free */
     /* The following are set for polyhedral meshes only; else NULL and 0. */
@@ -106,7 +107,8 @@ struct mesh *mesh_create_box(const struct box_spec *spec);
  * and is all that the checks before a run need. */
 struct mesh *mesh_outline_box(const struct box_spec *spec);
 
-/* At least so many faces; more than MESH_MOST_FACES cannot be made [-]. */
+/* An upper bound of the number of faces of such a box, which must not exceed
+ * MESH_MOST_FACES [-]. */
 double mesh_box_faces(const struct box_spec *spec);
 
 void mesh_free(struct mesh *m);
@@ -124,8 +126,8 @@ int mesh_cell_at(const struct mesh *m, double x, double y, double z);
 int mesh_cell_and_offset(const struct mesh *m, const double x[3],
                          double offset[3]);
 
-/* The volumes of the smallest, the largest and the mean cell, also of an
- * outline [m^3]. */
+/* The volumes of the smallest and of the largest cell, and the mean of all
+ * [m^3]; of an outline, too. */
 void mesh_volumes(const struct mesh *m, double *least, double *most,
                   double *mean);
 
@@ -153,10 +155,12 @@ void mesh_collect_faces(struct mesh *m);
 
 /* S - d S.S / S.d: the non-orthogonal part of the area vector of inner face f
  * [m^2]. */
-void mesh_oblique_part(const struct mesh *m, int f, double rest[3]);
+void mesh_oblique_part(const struct mesh *m, int f, double oblique[3]);
 
-/* From where the link of a face inside crosses it to its middle; of a boundary
- * face the part of its link along it [m]. */
+/* off = the vector to the centre of inner face f from the point where the link
+ * crosses it; of a boundary face, the part of its link that is parallel to it
+ * [m].
+ */
 void mesh_off_middle(const struct mesh *m, int f, double off[3]);
 
 /* The same, and whether it is more than 1e-6 of the link [-]. */

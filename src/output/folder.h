@@ -5,8 +5,8 @@
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
  *
- * Where there is an owner of folders (manifest/), the folder belongs to this
- * run alone, and of an earlier run it has nothing left.
+ * With an owner of folders (manifest/) no other run can write into the folder,
+ * and folder_begin removes the files of an earlier run.
  */
 #ifndef OUTPUT_FOLDER_H
 #define OUTPUT_FOLDER_H

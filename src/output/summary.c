@@ -31,8 +31,8 @@ static int letter_length(const char *p)
     return length;
 }
 
-/* Text in quotes. Bytes that are no UTF-8, as in a title typed on an old
- * machine, become the sign for an unknown letter. */
+/* Text in quotes. Bytes that are no UTF-8, as in a title in another
+ * encoding, become the sign for an unknown letter. */
 static void put_text(FILE *out, const char *text)
 {
     fputc('"', out);

@@ -121,7 +121,7 @@ static char *head_text(int n, const char *const *names)
     return text;
 }
 
-/* Non-zero if the file cannot be read, or has another head. */
+/* Non-zero if the file cannot be read or begins with other columns. */
 static int head_wrong(const char *path, const char *head)
 {
     FILE *const in = fopen(path, "r");

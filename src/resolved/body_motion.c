@@ -6,7 +6,6 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/block_contacts.h"
 #include "resolved/body_exit.h"
 #include "resolved/body_turn.h"
 #include "resolved/squeeze_film.h"
@@ -116,7 +115,7 @@ static int drift(struct solid_bodies *b, double dt)
 }
 
 /* The velocities of those on springs after a step [s], the spring first: as
- * symplectic Euler does it. Their contacts are those of block_contacts.h. */
+ * symplectic Euler does it. Their contacts are those of options.others. */
 static void pull_springs(struct solid_bodies *b, double step)
 {
     const struct dem_options *const o = &b->contacts;
@@ -166,8 +165,8 @@ int body_motion_run(struct solid_bodies *b, int n, double step)
     b->dem_report.contacts = 0;
     for (int k = 0; k < n && !failed; k++) {
         if (b->lubrication.reach > 0.0) squeeze_film_act(b, step);
-        if (b->blocks > 0) {
-            const double depth = block_contacts_act(b, step);
+        if (b->blocks > 0 && b->options.others != NULL) {
+            const double depth = b->options.others->act(b, step);
             b->dem_report.max_overlap = fmax(b->dem_report.max_overlap, depth);
         }
         failed = move_once(b, step);

@@ -16,7 +16,8 @@ struct body_shape {
     double half[3]; /* [m] sphere: radius; box: halves of its edges; cylinder:
                        radius and half of the length; outline: of its box */
     double axis[3]; /* [-] of a cylinder, of length 1 */
-    struct body_outline *outline; /* borrowed; NULL: none of those */
+    struct body_outline *outline; /* borrowed, until it is added to bodies,
+                                     which free it; NULL: none of those */
     double turn[3][3];            /* [-] Q of an outline */
 };
 

@@ -9,7 +9,6 @@
 #include "base/vector.h"
 #include "resolved/body_cells.h"
 #include "resolved/body_exit.h"
-#include "resolved/body_gaps.h"
 
 const double mark_friction_inside = 1e3;
 
@@ -107,8 +106,13 @@ struct marking {
     const struct fluid *fl;
 };
 
-/* Bodies that have no contacts may overlap, but not where a spring moves one.
- */
+static int touch(const struct solid_bodies *b, int i, int j)
+{
+    return b->options.others != NULL && b->options.others->touch(b, i, j);
+}
+
+/* While links are made, body_of is 1 + the body around a cell, else 0. Bodies
+ * that have no contacts may overlap, but not where a spring moves one. */
 static void assign_cell(void *by, int i, int c, const double r[3], double s)
 {
     struct solid_bodies *const b = ((struct marking *)by)->b;
@@ -118,7 +122,7 @@ static void assign_cell(void *by, int i, int c, const double r[3], double s)
     const int j = b->body_of[c] - 1;
     if (b->springs > 0 && j >= 0 && j != i &&
         (b->motion[i] == BODY_SPRING || b->motion[j] == BODY_SPRING))
-        b->met |= !body_gaps_touch(b, i, j);
+        b->met |= !touch(b, i, j);
     b->body_of[c] = i + 1;
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/alloc.h"
 #include "resolved/body_exit.h"
-#include "resolved/body_gaps.h"
 #include "resolved/body_turn.h"
 
 const double solid_bodies_immovable = 1e60;
@@ -120,6 +119,11 @@ void solid_bodies_set_spring(struct solid_bodies *b, int i,
     memcpy(&b->anchor[3 * i], x, sizeof x);
 }
 
+int solid_bodies_hung(const struct solid_bodies *b, int i)
+{
+    return b->shape[i].kind == BODY_SPHERE && b->motion[i] == BODY_SPRING;
+}
+
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
 {
     int free = 0;
@@ -132,7 +136,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
         const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
         free |= b->motion[i] == BODY_FREE;
         b->springs += b->motion[i] == BODY_SPRING;
-        b->blocks += b->shape[i].kind != BODY_SPHERE || body_gaps_hung(b, i);
+        b->blocks += b->shape[i].kind != BODY_SPHERE || solid_bodies_hung(b, i);
         b->moves |= b->motion[i] != BODY_FIXED;
         memcpy(&b->u_old[3 * i], u, sizeof u);
         memcpy(&b->w_old[3 * i], w, sizeof w);
@@ -140,9 +144,9 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     b->exit = body_exit_create(b, fl);
     if (!free) return 0;
     /* To the dem of the spheres the others are points at their centres, which
-     * no sphere comes to: block_contacts.h. */
+     * no sphere comes to. */
     for (int i = 0; i < b->ps->n; i++)
-        if (b->shape[i].kind != BODY_SPHERE || body_gaps_hung(b, i))
+        if (b->shape[i].kind != BODY_SPHERE || solid_bodies_hung(b, i))
             b->ps->d[i] *= 1e-3;
     b->dem = dem_create(b->ps, &b->contacts);
     return b->dem == NULL;

@@ -26,20 +26,18 @@ struct solid_bodies {
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps;       /* centres, velocities, masses */
-    int springs, blocks, moves; /* [-] on springs; with contacts of
-                                   block_contacts.h; any moves */
-    int met;      /* [-] 1: two overlap that have no contacts (mark.c) */
-    int touching; /* [-] contacts of block_contacts.h, a ball or point each */
-    double *turn; /* [-] quaternions, 4 a body; NULL: none has an outline */
+    int springs, blocks, moves; /* [-] on springs; no spheres in dem; any */
+    int met;         /* [-] 1: two overlap that have no contacts (mark.c) */
+    int touching;    /* [-] contacts of options.others, a ball or point each */
+    double *turn;    /* [-] quaternions, 4 a body; NULL: none has an outline */
     struct dem *dem; /* their contacts and motion; NULL: none is free */
     struct dem_report dem_report;
     struct body_shape *shape;
     enum body_motion *motion;
     double *volume; /* [m^3] of the part of it within the box */
     double *mass;   /* [kg]; ps->m: infinite to contacts unless it is free */
-    double *spring; /* [N/m] along each axis, 3 a body; 0: held there */
-    double *anchor; /* [m] where the springs are at rest, 3 */
-    double *u_old, *w_old;     /* [m/s], [rad/s] a step before, 3 a body */
+    double *spring, *anchor; /* [N/m], 0: held along this axis; [m]; 3 a body */
+    double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body */
     double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */
     double *force, *torque;    /* [N], [N m] of the fluid in the last step, 3 */
     int by_fraction; /* 1: links have solid fractions (fraction_methods.h) */
@@ -49,32 +47,31 @@ struct solid_bodies {
     struct among_grains *among; /* NULL: there are no other particles */
     void (*free_among)(struct solid_bodies *b);
     void (*visit_among)(struct solid_bodies *b, struct state *s);
-    int cells;          /* [-] of the mesh */
-    double dt_marked;   /* [s] step that the links were made for; 0: none */
-    int *cell, n_cells; /* [-] the cells with a link, each once */
-    int *body_of;   /* [-] while links are made: 1 + that around it; else 0 */
-    int *near;      /* [-] work space of body_gaps.c, one a body */
-    double *hold;   /* [kg/(m^3 s)] sum of the links of a cell */
-    double *hold_u; /* [N/m^3] sum of hold times velocity, 3 a cell */
+    int cells;           /* [-] of the mesh */
+    double dt_marked;    /* [s] step that the links were made for; 0: none */
+    int *cell, n_cells;  /* [-] the cells with a link, each once */
+    int *body_of, *near; /* [-] work space of mark.c and of body_gaps.c */
+    double *hold;        /* [kg/(m^3 s)] sum of the links of a cell */
+    double *hold_u;      /* [N/m^3] sum of hold times velocity, 3 a cell */
 };
 
-/* Mass of a body that no force moves [kg]. */
-extern const double solid_bodies_immovable;
+extern const double solid_bodies_immovable; /* [kg] mass of what is held */
 
 /* n bodies at most; cells of the mesh; density of the fluid [kg/m^3]. */
 struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
                                          const struct solid_bodies_options *o);
 void solid_bodies_free(struct solid_bodies *b);
 
-/* One more body at rest at x [m], of this density [kg/m^3]. An outline is freed
- * with the bodies. Returns its number. */
+/* One more at rest at x [m], of this density [kg/m^3]. Returns its number. */
 int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
                      const double x[3], double density,
                      enum body_motion motion);
 
 /* Springs [N/m] hold body i where it is now, where they are 0 without a way. */
-void solid_bodies_set_spring(struct solid_bodies *b, int i,
-                             const double spring[3]);
+void solid_bodies_set_spring(struct solid_bodies *b, int i, const double k[3]);
+
+/* 1: a sphere on a spring, whose contacts are those of options.others. */
+int solid_bodies_hung(const struct solid_bodies *b, int i);
 
 /* All are there, and hold the borrowed fluid from now on. Non-zero if not. */
 int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl);

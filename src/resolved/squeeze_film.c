@@ -6,7 +6,6 @@
 
 #include "base/vector.h"
 #include "dem/box_domain.h"
-#include "resolved/body_gaps.h"
 
 const double squeeze_film_cells = 0.75;
 
@@ -96,29 +95,10 @@ static void act_at_walls(struct solid_bodies *b, const struct box_domain *box,
     }
 }
 
-/* A ball beside a body that is no sphere, or a ball of a clump. A point has no
- * film: what flows out beside a surface is the mesh's. */
-static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
-                         double dt)
-{
-    if (g->R == 0.0) return 0.0;
-    const double speed = vector_dot(g->v, g->n),
-                 R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
-    const double gained =
-        squeeze_film_velocity(&b->lubrication, R_star, g->m, g->z, speed, dt) -
-        speed;
-    double J[3];
-
-    for (int k = 0; k < 3; k++)
-        J[k] = g->m * gained * g->n[k];
-    body_gaps_push(b, g, J);
-    return 0.0;
-}
-
 /* One on a spring is among the balls. */
 static int is_sphere(const struct solid_bodies *b, int i)
 {
-    return b->shape[i].kind == BODY_SPHERE && !body_gaps_hung(b, i);
+    return b->shape[i].kind == BODY_SPHERE && !solid_bodies_hung(b, i);
 }
 
 void squeeze_film_act(struct solid_bodies *b, double dt)
@@ -134,5 +114,6 @@ void squeeze_film_act(struct solid_bodies *b, double dt)
         if (is_sphere(b, i) && b->motion[i] == BODY_FREE)
             act_at_walls(b, &box, i, dt);
     }
-    if (b->blocks > 0) body_gaps_each(b, b->lubrication.reach, dt, act_in_gap);
+    if (b->blocks > 0 && b->options.others != NULL)
+        b->options.others->film(b, dt);
 }

@@ -175,10 +175,10 @@ static int locate(struct measure *m, const struct settings *s)
         strcpy(m->file, "probes.csv");
         m->column = 1 + (probe >= 0 ? probe : probe_of(s, m->name));
         if (m->column > settings_length(s, "output.probes"))
-            return refuse(m, "output.probes of the case has no so many");
+            return refuse(m, "output.probes of the case has not so many");
     } else if (profile >= 0) {
         if (profile >= settings_length(s, "output.profiles"))
-            return refuse(m, "output.profiles of the case has no so many");
+            return refuse(m, "output.profiles of the case has not so many");
         profiles_name(s, profile, name);
         snprintf(m->file, MEASURE_NAME, "profiles/%s.csv", name);
         m->column = 1;

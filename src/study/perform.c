@@ -17,8 +17,6 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { REFUSED = 2, NOT_WRITTEN = 4 };
-
 /* One place for a process. */
 struct worker {
     struct run *run; /* NULL: free */
@@ -77,10 +75,10 @@ static int write_identity(const struct run *r, int code)
         file_make_dirs(r->folder) == 0 ? file_create(path) : NULL;
 
     free(path);
-    if (f == NULL) return NOT_WRITTEN;
+    if (f == NULL) return RUN_NOT_WRITTEN;
     fputs(r->identity, file_stream(f));
-    if (code == REFUSED) fprintf(file_stream(f), "exit code %d\n", code);
-    return file_commit(f) == 0 ? 0 : NOT_WRITTEN;
+    if (code == RUN_REFUSED) fprintf(file_stream(f), "exit code %d\n", code);
+    return file_commit(f) == 0 ? 0 : RUN_NOT_WRITTEN;
 }
 
 /* Removes a file of the folder of a run. */
@@ -154,7 +152,7 @@ static int start(struct crew *c, struct worker *w, struct run *r)
     w->resumed = can_go_on(r);
     /* The end of an earlier run must not pass for that of this one. */
     if (!w->resumed) forget(r, "summary.json");
-    if (write_identity(r, 0) != 0) return NOT_WRITTEN;
+    if (write_identity(r, 0) != 0) return RUN_NOT_WRITTEN;
     struct texts words = command(c->plan, r, w->resumed);
     char *const log = file_join(r->folder, "log.txt");
     w->process = workers_start((const char *const *)words.text, log);
@@ -162,7 +160,7 @@ static int start(struct crew *c, struct worker *w, struct run *r)
         fprintf(stderr, "winnow: cannot start a run: %s\n", strerror(errno));
     free(log);
     texts_free(&words);
-    return w->process != 0 ? 0 : NOT_WRITTEN;
+    return w->process != 0 ? 0 : RUN_NOT_WRITTEN;
 }
 
 /* --- all of them ---------------------------------------------------------- */
@@ -179,17 +177,17 @@ static struct run *next_run(const struct crew *c)
  * interrupted, ends the study. */
 static void take_note(struct crew *c, struct run *r, int code)
 {
-    if (code == NOT_WRITTEN || code == INTERRUPT_CODE) {
+    if (code == RUN_NOT_WRITTEN || code == INTERRUPT_CODE) {
         c->failed = code;
-        if (code == NOT_WRITTEN)
+        if (code == RUN_NOT_WRITTEN)
             fprintf(stderr, "winnow: a run could not write; see %s/log.txt\n",
                     r->folder);
         return;
     }
     r->code = code;
     c->done += r->expected;
-    if (code == REFUSED && write_identity(r, code) != 0)
-        c->failed = NOT_WRITTEN;
+    if (code == RUN_REFUSED && write_identity(r, code) != 0)
+        c->failed = RUN_NOT_WRITTEN;
     show(c, r);
 }
 
@@ -202,7 +200,8 @@ static void look_at(struct crew *c, struct worker *w)
     if (w->process > 0) {
         const int code = workers_code(w->process);
         if (code < 0) return;
-        const int anew = w->resumed && (code == REFUSED || code == NOT_WRITTEN);
+        const int anew =
+            w->resumed && (code == RUN_REFUSED || code == RUN_NOT_WRITTEN);
         *w = (struct worker){NULL, 0, 0};
         if (!anew) {
             take_note(c, r, code);

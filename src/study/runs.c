@@ -19,9 +19,6 @@
 
 enum { LONGEST_NAME = 100 };
 
-/* Exit codes of a run that are no result of it. */
-enum { NOT_WRITTEN = 4 };
-
 /* --- what a run is -------------------------------------------------------- */
 
 /* The text without the ".0" of whole numbers, for a case may write 1 or 1.0. */
@@ -192,7 +189,8 @@ static void look(struct run *r)
     const double code = read_summary_number(r->folder, "exit_code");
     if (refused != RUN_TO_DO)
         r->code = refused;
-    else if (isfinite(code) && code != NOT_WRITTEN && code != INTERRUPT_CODE)
+    else if (isfinite(code) && code != RUN_NOT_WRITTEN &&
+             code != INTERRUPT_CODE)
         r->code = (int)code;
 }
 

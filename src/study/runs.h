@@ -22,7 +22,9 @@ struct run {
     int code;        /* exit code; below 0 if it has not ended */
 };
 
-enum { RUN_TO_DO = -1, RUN_GOES_ON = -2 };
+/* Codes of a run that has not ended; exit codes of one that was refused, or
+ * that could not write, which is no result of it. */
+enum { RUN_GOES_ON = -2, RUN_TO_DO = -1, RUN_REFUSED = 2, RUN_NOT_WRITTEN = 4 };
 
 /* The runs of a plan: for each variant its seeds, for each of them its
  * repetitions. *n is their number. NULL with *code 2 or 4 after a message, or

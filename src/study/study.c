@@ -18,8 +18,6 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { NOT_WRITTEN = 4 };
-
 static void say_what_would_run(const struct plan *p, int n, struct run *runs)
 {
     const int ended = runs_look(n, runs);
@@ -73,13 +71,13 @@ static int report(const struct plan *p, int n, const struct run *runs)
         printf("see %s/study.md, study.csv and study.svg\n", p->words.dir);
     }
     outcomes_free(&o);
-    return failed ? NOT_WRITTEN : 0;
+    return failed ? RUN_NOT_WRITTEN : 0;
 }
 
 static int perform(const struct plan *p, int n, struct run *runs)
 {
     const int file = take_folder(p);
-    int code = NOT_WRITTEN;
+    int code = RUN_NOT_WRITTEN;
 
     if (file < 0) return code;
     const int before = runs_look(n, runs);

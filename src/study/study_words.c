@@ -139,8 +139,7 @@ static int take_words(struct study_words *w, int n, const char *const *words)
     return w->file != NULL ? 0 : wrong("", "which case?");
 }
 
-/* --- the study file --------------------------------------------------------
- */
+/* --- the study file ------------------------------------------------------- */
 
 const struct key study_words_keys[] = {
     {"title", KEY_TEXT, "", "", "",

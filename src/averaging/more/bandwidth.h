@@ -24,7 +24,7 @@
 #define AVERAGING_MORE_BANDWIDTH_H
 
 #include "averaging/averaging.h"
-#include "averaging/diffusion_parts.h"
+#include "averaging/diffusion_variants.h"
 #include "averaging/cell_of_particle.h"
 #include "base/model.h"
 

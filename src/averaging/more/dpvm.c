@@ -13,7 +13,8 @@
 
 struct dpvm;
 
-/* The body, for boxes and for other cells. */
+/* The body that is divided: how in cells that are boxes, and its kind for
+ * others. */
 struct body {
     void (*divide)(const struct dpvm *d, const struct neighbourhood *near,
                    const double o[3], double R, double *w);
@@ -98,7 +99,7 @@ static void divide_cube(const struct dpvm *d, const struct neighbourhood *near,
     }
 }
 
-/* In boxes. */
+/* The rule for cells that are boxes. */
 static int dpvm_weights(const void *state, int i,
                         const struct neighbourhood *near, double *w)
 {
@@ -142,7 +143,7 @@ static int dpvm_weights_anywhere(const void *state, int i,
 static const struct body sphere = {divide_sphere, FACETS_SPHERE, 1.0};
 static const struct body cube = {divide_cube, FACETS_CUBE, M_SQRT3};
 
-/* Of the largest body [m]. */
+/* Distance [m] of the farthest point of the largest body from its centre. */
 static double reach(const struct dpvm *d)
 {
     const struct particles *const ps = d->h->ps;

@@ -1,5 +1,5 @@
 /* dpvm.h -- a particle divided among the cells that it overlaps.
- * Chapter "Averaging".
+ * Chapter "Further averaging methods".
  *
  *     w_ic = |body_i and cell c| / sum_m |body_i and cell m|
  *

@@ -222,7 +222,7 @@ static void images_gather(void *state, int m, const double *field, double *q,
     }
 }
 
-/* The most slabs that any place reaches. */
+/* The largest number of slabs in the reach of any position. */
 static int most_slabs(const struct images *s)
 {
     const struct box *const b = &s->h->mesh->box;

@@ -1,6 +1,6 @@
 /* images.h -- a Gaussian around each particle, with mirror images behind the
  * walls.
- * Chapter "Averaging".
+ * Chapter "Further averaging methods".
  *
  *     W(r) = exp(-r^2 / 2 sigma^2) / (sigma sqrt(2 pi))^3            [EW18 19]
  *     sigma = delta_05 / (2 sqrt(2 ln 2)),  b = sqrt(2) sigma        [EW18 20]

@@ -17,7 +17,7 @@ struct kernel_gradient {
     int flat[3]; /* [-] 1: no two cells lie behind each other there */
 };
 
-/* Where A_jk is kept: xx, xy, xz, yy, yz, zz. */
+/* Index of A_jk among xx, xy, xz, yy, yz, zz. */
 static int place(int j, int k)
 {
     static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
@@ -26,7 +26,7 @@ static int place(int j, int k)
 
 /* The neighbouring cells of a particle and their kernel weights. */
 struct kernel_weights {
-    int host, n;
+    int cell, n;
     const int *index_offset;
     double *r; /* [m] from the particle to the centre, 3 an entry */
     double *w; /* [m^3] V_c exp(-r^2 / b^2) */
@@ -36,10 +36,10 @@ static void collect_weights(const struct kernel_gradient *s, int i,
                             struct kernel_weights *v)
 {
     const struct stencil *const near = s->near;
-    const int first = near->start[near->shape[v->host]];
+    const int first = near->start[near->shape[v->cell]];
     const double far = kernel_gradient_reach * s->b;
 
-    v->n = near->start[near->shape[v->host] + 1] - first;
+    v->n = near->start[near->shape[v->cell] + 1] - first;
     v->index_offset = &near->index_offset[first];
     for (int e = 0; e < v->n; e++) {
         const double *const o = &s->h->offset[3 * i];
@@ -48,7 +48,7 @@ static void collect_weights(const struct kernel_gradient *s, int i,
         r[1] = near->dy[first + e] - o[1];
         r[2] = near->dz[first + e] - o[2];
         const double r2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
-        v->w[e] = r2 < far * far ? s->h->mesh->V[v->host + v->index_offset[e]] *
+        v->w[e] = r2 < far * far ? s->h->mesh->V[v->cell + v->index_offset[e]] *
                                        exp(-r2 / (s->b * s->b))
                                  : 0.0;
     }
@@ -73,10 +73,10 @@ static double mean(const struct kernel_weights *v, int m, int k,
     double sum = 0.0, weight = 0.0;
 
     for (int e = 0; e < v->n; e++) {
-        sum += v->w[e] * field[m * (v->host + v->index_offset[e]) + k];
+        sum += v->w[e] * field[m * (v->cell + v->index_offset[e]) + k];
         weight += v->w[e];
     }
-    return weight > 0.0 ? sum / weight : field[m * v->host + k];
+    return weight > 0.0 ? sum / weight : field[m * v->cell + k];
 }
 
 /* The right-hand side [EW18 B.10] and the solution of [EW18 B.8]; in a row of
@@ -89,7 +89,7 @@ static void find_one(const struct kernel_weights *v, const double A[6], int m,
 
     for (int e = 0; e < v->n; e++) {
         const double above =
-            field[m * (v->host + v->index_offset[e]) + k] - here;
+            field[m * (v->cell + v->index_offset[e]) + k] - here;
         for (int j = 0; j < 3; j++)
             B[j] += v->w[e] * above * v->r[3 * e + j];
     }
@@ -146,7 +146,7 @@ void kernel_gradient_find(const struct kernel_gradient *s, int m,
 
     for (int i = 0; i < h->n; i++) {
         double A[6];
-        v.host = h->cell[i];
+        v.cell = h->cell[i];
         collect_weights(s, i, &v);
         find_matrix(&v, A);
         drop_flat_directions(s, A);

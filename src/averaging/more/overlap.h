@@ -1,5 +1,5 @@
 /* overlap.h -- the volume of a sphere in a box.
- * Chapter "Averaging".
+ * Chapter "Further averaging methods".
  *
  * Exact, in closed form. What is common to a ball and a box is a sum over the
  * corners of the box, with alternating signs, of what is common to the ball

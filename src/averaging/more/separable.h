@@ -19,7 +19,7 @@
 #ifndef AVERAGING_MORE_SEPARABLE_H
 #define AVERAGING_MORE_SEPARABLE_H
 
-#include "averaging/diffusion_parts.h"
+#include "averaging/diffusion_variants.h"
 #include "mesh/mesh.h"
 
 /* All of this, for the diffusion. */

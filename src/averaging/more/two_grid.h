@@ -1,5 +1,5 @@
 /* two_grid.h -- particles averaged on a coarser grid of their own.
- * Chapter "Averaging".
+ * Chapter "Further averaging methods".
  *
  *     eps_C = sum of the V_p with their centre in C / sum_c |c and C|
  *     eps_c = sum_C |c and C| eps_C / V_c                     [LS section 5.4]

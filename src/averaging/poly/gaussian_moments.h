@@ -24,7 +24,7 @@ struct gaussian_moment {
 
 struct gaussian_moments {
     int *start; /* [-] n_cells + 1; a cell and its images are */
-    struct gaussian_moment *moment; /* normal[start[c]] ..., the cell first */
+    struct gaussian_moment *moment; /* moment[start[c]] ..., the cell first */
     double *spread; /* [m] of each cell, 9: the columns of L, L L^T = M */
 };
 

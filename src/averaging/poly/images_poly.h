@@ -18,7 +18,7 @@
 
 #include "averaging/averaging_method.h"
 
-/* The row of images where the mesh is no box. */
+/* The variant of the method "images" for a mesh that is no box. */
 extern const struct averaging_method images_poly_method;
 
 #endif

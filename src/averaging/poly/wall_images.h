@@ -23,14 +23,14 @@
 
 struct wall_image {
     double offset[3]; /* [m] from the centre of the cell to that of its image */
-    double
-        rotation[9]; /* [-] what is r in the cell is turn r here; row by row */
-    double weight;   /* [-] 1, or less on the bisector of two walls */
+    double rotation[9]; /* [-] maps a vector of the cell to its image; row by
+                           row */
+    double weight;      /* [-] 1, or less on the bisector of two walls */
 };
 
 struct wall_images {
     int *start;                /* [-] n_cells + 1; the images of cell c are */
-    struct wall_image *images; /* image[start[c]] ... */
+    struct wall_image *images; /* images[start[c]] ... */
 };
 
 /* All images of cells that are at most reach [m] behind a wall. */

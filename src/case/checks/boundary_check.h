@@ -7,10 +7,4 @@
 /* 0 if all inlets and rotating walls can be built; else 2 after a message. */
 int boundary_check(const struct settings *s);
 
-/* The velocity of an inlet over what the case gives, as its profile makes it
- * [-]: the mean over the patch and the largest of a face, at any time of the
- * run. */
-void boundary_check_shares(const struct settings *s, const char *patch,
-                           double *mean, double *peak);
-
 #endif

@@ -5,7 +5,7 @@
 #include "case/case_part.h"
 #include "case/settings.h"
 
-/* Of the smallest particle of one material, hit by its like. */
+/* Of the smallest particle of one material in an impact on an equal one. */
 struct case_limits {
     int material;     /* [-] its number */
     double d;         /* [m] */
@@ -16,8 +16,8 @@ struct case_limits {
     double longest;   /* [s] that still resolves the impact */
 };
 
-/* 1: particles pass through each other (particles.list), so no impact has to be
- * resolved. */
+/* 1 if particles.list chooses a method without contacts: particles pass through
+ * each other, and no impact has to be resolved. */
 int case_limits_no_contacts(const struct settings *s);
 
 /* The diameters of the particles that may come after the start, of one material

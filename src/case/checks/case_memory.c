@@ -9,7 +9,7 @@
 
 static const char insert[] = "particles.insert";
 
-/* [byte] What runs were seen to take at their highest. A particle took 1010 on
+/* [byte] The largest memory that was measured in runs. A particle took 1010 on
  * a lattice, touching no other, and 1190 to 1280 in a heap. A cell of a box
  * took 290 without a fluid, 1500 to 2060 with one; of a mesh that has corners
  * of its own 1220, while it is made, and 2050 to 2120. */

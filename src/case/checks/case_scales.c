@@ -7,7 +7,7 @@
 #include "averaging/averaging.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/checks/boundary_check.h"
+#include "case/boundaries/inlet_builder.h"
 #include "case/checks/case_limits.h"
 #include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
@@ -64,7 +64,7 @@ static double largest_inlet(const struct settings *s, const struct mesh *m)
         if (side == NULL) continue;
         snprintf(path, sizeof path, "%s.inlet", side);
         if (!settings_has(s, path)) continue;
-        boundary_check_shares(s, m->patches[i].name, &mean, &peak);
+        inlet_builder_shares(s, m->patches[i].name, &mean, &peak);
         for (int j = 0; j < settings_points(s, path); j++) {
             double t, u;
             settings_point(s, path, j, &t, &u);
@@ -114,7 +114,7 @@ int case_scales_check_memory(const struct settings *s,
     return case_memory_check(s, bytes);
 }
 
-/* Particles that do not meet resolve no impacts, and do not settle. */
+/* Without contacts a bed does not come to rest. */
 static int check_no_contacts(const struct settings *s)
 {
     if (!settings_has(s, "particles.bed") ||

@@ -43,7 +43,7 @@ static double number(const config_setting_t *s)
                : (double)config_setting_get_int64(s);
 }
 
-/* What rounding leaves of a 0 in a point or a direction may be as small. */
+/* A component of a point or of a direction may be a 0 with a rounding error. */
 static int may_be_tiny(const struct key *key)
 {
     return key->type == KEY_VECTOR && strchr(key->allowed, '>') == NULL;

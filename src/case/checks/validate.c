@@ -125,7 +125,8 @@ static int check_drive(const struct settings *s)
     return 0;
 }
 
-/* The fluid pays the drag with the velocity at the end of a step. */
+/* The drag on the fluid acts with the velocity at the end of a whole step, so a
+ * step with coupling is not divided. */
 static int check_parts(const struct settings *s)
 {
     if (settings_has(s, "fluid.cfl") && settings_has(s, "exchange"))
@@ -166,8 +167,8 @@ static int check_bed_sizes(const struct settings *s)
     return 0;
 }
 
-/* Spheres in a box reach about 0.64 of its volume at the densest when poured;
- * beyond 0.6 none is free to settle. */
+/* Spheres poured into a box fill at most about 0.64 of its volume; beyond 0.6
+ * they cannot settle. */
 static int check_bed_fits(const struct settings *s)
 {
     struct bed_options b = particle_options_bed(s);

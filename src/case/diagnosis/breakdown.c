@@ -88,7 +88,8 @@ static void describe_solids(const struct simulation *sim, const char *when,
              when, sim->coupling->report.eps_lowest);
 }
 
-/* No cell is overfull, but a slope between cells leads below zero. */
+/* The void fraction of each cell is positive, but interpolated to a particle it
+ * is not. */
 static void describe_seen(const struct simulation *sim, const char *when,
                           char text[RUN_PART_TEXT])
 {
@@ -102,7 +103,7 @@ static void describe_seen(const struct simulation *sim, const char *when,
         sim->coupling->report.eps_lowest);
 }
 
-/* What an effect says of itself; NULL if none has trouble. */
+/* The message of an effect that failed; NULL if none did. */
 static const char *trouble_of(const struct simulation *sim)
 {
     for (int i = 0; i < sim->n_effects; i++) {

@@ -318,6 +318,7 @@ const struct recorder_part forces_part = {
     .check = forces_check,
     .create = create,
     .row = add_row,
+    .last_row = add_row,
     .free = release,
     .state = visit,
 };

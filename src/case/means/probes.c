@@ -140,4 +140,5 @@ const struct recorder_part probes_part = {.keys = keys,
                                           .create = create,
                                           .free = release,
                                           .row = add_row,
+                                          .last_row = add_row,
                                           .state = visit};

@@ -45,7 +45,7 @@ void second_half_free(struct second_half *h)
     free(h);
 }
 
-/* The bed as a whole. */
+/* Mean squares of the velocities, and the lean, of the whole bed. */
 static void put_bed(const struct second_half *h, double row[N])
 {
     const struct particles *const ps = h->sim->particles;

@@ -1,9 +1,10 @@
 /* second_half.h -- means over the second half of a run, for its summary, and
  * what makes such a mean meaningless.  Chapter "Output".
  *
- * A mean of a few bubbles is chance; so is one of a bed whose bubbles stay on
- * one side, or that moves up and down as a whole. The summary therefore has,
- * besides the mean pressure drop and the weight of the bed,
+ * The mean over a few bubbles has a large statistical error, and that of a bed
+ * whose bubbles stay on one side, or that moves up and down as a whole, does
+ * not describe bubbling. The summary therefore has, besides the mean pressure
+ * drop and the weight of the bed,
  *
  *   mean_pressure_drop_error   the error of the first by blocks [Pa]
  *   particle_velocity_rms      over particles and time [m/s]

@@ -11,7 +11,7 @@
 
 static const char placeholder[] = "<patch>";
 
-/* What all paths take, with an end each [byte]. */
+/* The length of all paths with their closing zeros [byte]. */
 static size_t room_for(const struct key *table, int n,
                        const struct mesh_patch_name *patch, int *rows)
 {

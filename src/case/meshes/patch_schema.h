@@ -1,8 +1,9 @@
 /* patch_schema.h -- the keys of <patch>, for a mesh with its own patches.
  *
- * A box has sides whose names are known; a mesh from files brings names of its
- * own. So each row of <patch> is written out once for each of them. Then a
- * misspelt patch is an unknown key like any other, and finds the nearest.
+ * The sides of a box have fixed names; the patches of a mesh from files are
+ * named in its files. Each row of <patch> is therefore repeated for each patch,
+ * and a misspelt patch is an unknown key like any other, reported with the
+ * nearest.
  */
 #ifndef CASE_MESHES_PATCH_SCHEMA_H
 #define CASE_MESHES_PATCH_SCHEMA_H

@@ -21,7 +21,8 @@
 static const char sources[] = "particles.insert", sinks[] = "particles.sinks",
                   bed_key[] = "particles.bed.sizes";
 
-/* More than this share of a region filled at random would take for ever. */
+/* The largest share of a region that random positions can fill in a short time.
+ */
 static const double densest = 0.3;
 
 static int has(const struct settings *s, int i, const char *key)
@@ -152,8 +153,7 @@ static struct source_sizes sizes_of_source(const struct insertion_options *o)
     return c;
 }
 
-/* Spheres of a list that come at once must not overlap: the second would wait.
- */
+/* Spheres of a list that come at once do not overlap: the second would wait. */
 static int check_no_contacts(const struct settings *s, int i,
                              const struct insertion_options *o,
                              const struct box_domain *box)
@@ -242,7 +242,7 @@ static int check_sink(const struct settings *s, int i)
                           i);
 }
 
-/* --- what there will be -------------------------------------------------- */
+/* --- particles that come later ------------------------------------------- */
 
 static int count(const struct settings *s)
 {
@@ -273,7 +273,7 @@ static struct case_diameters diameters(const struct settings *s, int material)
     return all;
 }
 
-/* As dem_create asks of those that are there from the start. */
+/* The length of a period, which dem_create checks for those there at first. */
 static int check_period(const struct settings *s)
 {
     struct dem_options o = particle_options_dem(s, 1.0);

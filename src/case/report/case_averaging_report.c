@@ -16,15 +16,17 @@ static const double report_threshold = 10e6; /* [byte] */
 
 /* Of the Gaussian, over the diameter: what chapter "Beds, compared with
  * measurements" found for Mueller's bed. With 4 d its bubbles are smeared;
- * below 1.5 d spheres in a row are seen one by one. */
+ * below 1.5 d the fluid fraction follows single spheres. */
 static const double narrow = 1.5, wide = 3.0;
 
-/* Bandwidths in the height of a packed bed: with fewer the drag at its ends is
- * that of a dilute bed, and more gas is needed to carry it. */
+/* Bandwidths in the height of a packed bed. With fewer of them the averaged
+ * solids fraction at its ends is low, and so is the drag: more gas is needed to
+ * fluidize the bed. */
 static const double few = 6.0;
 
-/* Weights at the centres of cells want a bandwidth that reaches from one large
- * cell to the next; else the small ones beside it get what is its due. */
+/* With weights at the centres of cells the bandwidth has to reach from one
+ * large cell to the next; otherwise the small cells beside it receive its
+ * share. */
 static void print_bandwidth(const struct mesh *m, double b, double S_c,
                             double widths)
 {

@@ -14,7 +14,7 @@
 #include "case/check_line.h"
 #include "case/particle_options.h"
 
-/* tau_p [s] of spheres of diameter d [m] that take eps_s of the room. */
+/* tau_p [s] of spheres of diameter d [m] at the solids fraction eps_s. */
 static double relaxation_time(const struct settings *s,
                               const struct drag_scales *k, double d,
                               double eps_s)
@@ -27,8 +27,8 @@ static double relaxation_time(const struct settings *s,
         d, k->inlet / (1.0 - eps_s));
 }
 
-/* The sphere [m] of the bed's mean volume: the backflow of a mixture is shared
- * by all its sizes. */
+/* The diameter [m] of a sphere of the mean volume of the bed: all sizes of a
+ * mixture have the same backflow. */
 static double mean_diameter(const struct settings *s)
 {
     struct bed_options b = particle_options_bed(s);
@@ -83,7 +83,7 @@ static void print_fluidization(const struct settings *s,
     check_line("u_mf", u, "m/s", remark);
 }
 
-/* What only a bed asks for: (20.6), (20.9). */
+/* The criteria for a bed: (20.6), (20.9). */
 static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
     const int helped = settings_has(s, "effects.virtual_mass");

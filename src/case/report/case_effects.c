@@ -118,17 +118,17 @@ static void print_effects(const struct settings *s, struct effect_scales *k,
     free(all);
 }
 
-/* The ways of the coupling that Elghobashi's map asks for: below a solids
- * fraction of 1e-6 the fluid does not feel the particles, below 1e-3 these do
- * not meet. One alone meets none. */
+/* The coupling that Elghobashi's map asks for: one-way below a solids fraction
+ * of 1e-6, two-way below 1e-3, where collisions are rare, and else four-way. A
+ * single particle does not collide. */
 static int ways_called_for(double eps_s, int particles)
 {
     if (eps_s <= 1e-6) return 1;
     return eps_s > 1e-3 && particles > 1 ? 4 : 2;
 }
 
-/* Particles that meet while the fluid does not feel them are neither one-way
- * nor four-way: 0. */
+/* Particles that collide but do not act on the fluid are neither one-way nor
+ * four-way coupled: 0. */
 static int ways_of(const struct settings *s)
 {
     const int one_way =

@@ -10,11 +10,11 @@
 #include <stdlib.h>
 
 #include "base/vector.h"
-#include "case/checks/boundary_check.h"
+#include "case/boundaries/inlet_builder.h"
 #include "case/case_mesh.h"
 
-/* What flows fastest: velocities [m/s], and the largest Courant number over the
- * step; and how fast viscosity crosses a cell, nu / h^2 [1/s]. */
+/* The largest velocities [m/s], the largest Courant number over the step, and
+ * the rate of viscous diffusion across a cell, nu / h^2 [1/s]. */
 struct rates {
     double inlet, wall, mean, courant, viscous;
 };
@@ -88,7 +88,7 @@ static void add_inlet(const struct settings *s, const struct mesh *m,
     const double U = largest_of(s, path);
     double e[3], mean, peak;
 
-    boundary_check_shares(s, p->name, &mean, &peak);
+    inlet_builder_shares(s, p->name, &mean, &peak);
     inward(m, p, e);
     for (int k = 0; k < 3; k++)
         e[k] *= U * peak;
@@ -106,8 +106,8 @@ static void add_wall(const struct mesh *m, const struct patch *p,
         r->courant = fmax(r->courant, across_cell(m, m->owner[f], u));
 }
 
-/* Faster than any face of it: the corner of the mesh that is farthest from the
- * axis would be, too. */
+/* An upper bound of the speed of a rotating wall: that of the corner of the
+ * mesh which is farthest from the axis. */
 static void add_rotation(const struct settings *s, const struct mesh *m,
                          const struct patch *p, const char *side,
                          struct rates *r)
@@ -186,9 +186,9 @@ static void line(const char *name, double value, const char *unit,
     printf("  %-38s %10.4g %-4s %s\n", name, value, unit, remark);
 }
 
-/* The residual of the splitting is carried into the next step, so that the
- * velocities on both sides of a wall's face take turns: their difference by
- * about fluid.piso_tolerance times nu dt / h^2 of itself. */
+/* The residual of the splitting enters the next step, so that the velocities
+ * beside a wall alternate from step to step, by about fluid.piso_tolerance
+ * times nu dt / h^2 of their difference. */
 static void print_viscous(const struct settings *s, double number)
 {
     const double part = settings_real(s, "fluid.piso_tolerance") * number;

@@ -113,9 +113,10 @@ static double expanded(const struct settings *s, const struct effect_scales *k,
     return low;
 }
 
-/* A bed in a stream: carried, or at rest. Within it the gas between bubbles
- * changes by the slip over a few cells, and what a bubble leaves falls for the
- * time of a diameter. A bed at rest meets the stream once, when it begins. */
+/* A bed in a stream: fluidized, or at rest. In it the gas velocity changes by
+ * the slip over a few cells between bubbles, and particles behind a bubble fall
+ * for the time of a diameter. In a bed at rest the slip changes only when the
+ * stream begins. */
 static void bed_scales(const struct settings *s, struct effect_scales *k,
                        const struct case_scales *in)
 {
@@ -135,7 +136,8 @@ static void bed_scales(const struct settings *s, struct effect_scales *k,
                       (k->rho_s + 0.5 * k->rho_f);
 }
 
-/* Spheres that are far from each other: they fall, or the stream takes them. */
+/* Spheres that are far from each other: they fall, or the stream carries them.
+ */
 static void dilute_scales(const struct settings *s, struct effect_scales *k,
                           const struct case_scales *in, const struct placed *p)
 {
@@ -172,7 +174,7 @@ static void settle_time(struct effect_scales *k)
     k->acceleration = fmin(k->acceleration, k->slip / k->time);
 }
 
-/* Grains that are placed, but so many that a stream finds a bed. */
+/* Placed grains that are so many that they form a bed in the stream. */
 static int is_crowd(const struct settings *s, const struct effect_scales *k,
                     const struct case_scales *in)
 {

@@ -28,8 +28,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Solid fractions that the time scales are given for: a packed bed, where the
- * fluid is quickest between the grains, and a lone particle. */
+/* Solid fractions of which the time scales are printed: a packed bed, where the
+ * interstitial velocity is largest, and a single particle. */
 static const double packed = 0.6;
 
 /* A line with the place of the cell in question. */
@@ -44,8 +44,8 @@ static void line_at(const char *name, double value, const char *unit,
     check_line(name, value, unit, remark);
 }
 
-/* What links that are not normal to their faces cost: the part along the face
- * is added from the step before, so it wants repeats. */
+/* Of links that are not normal to their faces the part along the face is taken
+ * from the step before, so that outer iterations are needed. */
 static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
 {
     const double angle = q->non_orthogonal;
@@ -67,7 +67,7 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
     line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
 }
 
-/* What a mesh is worth: a box has no oblique links and no skewness. */
+/* The quality of the mesh: a box has no oblique links and no skewness. */
 static void print_quality(const struct settings *s)
 {
     struct mesh *const m = case_mesh_outline(s);

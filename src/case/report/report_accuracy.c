@@ -136,10 +136,10 @@ static void print_convection(const struct settings *s,
     if (order_of_cells(s) > 1.0) print_scheme(s, k, from, scheme_costs, N);
 }
 
-/* Iterations go with the digits that are asked for, and what else there is to
- * do takes the time of four digits. The error of one digit more is not a tenth,
- * since iterations are whole, but that of four digits more is about 1e-4 (study
- * tolerance). */
+/* The number of iterations is proportional to the digits that are asked for,
+ * and the rest of a step takes as long as four digits. The error of one digit
+ * more is not a tenth, since iterations are whole, but that of four digits more
+ * is about 1e-4 (study tolerance). */
 static void print_tolerance(const struct settings *s,
                             const struct case_scales *k)
 {
@@ -189,8 +189,8 @@ static void print_cells(const struct settings *s, const struct case_scales *k)
          order_of_cells(s), 0);
 }
 
-/* Smearing takes a share of a wave that goes with the square of the bandwidth.
- * The diffusion costs the same for any. */
+/* Smoothing reduces a wave by a share proportional to the square of the
+ * bandwidth. The diffusion takes the same time for any bandwidth. */
 static void print_bandwidth(const struct settings *s)
 {
     if (strcmp(settings_text(s, "averaging.method"), "diffusion") != 0) return;

@@ -13,7 +13,6 @@
 #include "output/vtk.h"
 #include "resolved/among/among_effect.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/body_gaps.h"
 #include "resolved/among/surroundings.h"
 
 struct record {
@@ -223,7 +222,8 @@ static int add_picture(void *record, double t)
     const double *const x[3] = {ps->x, ps->y, ps->z};
 
     for (int i = 0; i < ps->n; i++)
-        r->d[i] = body_gaps_hung(b, i) ? 2.0 * b->shape[i].half[0] : ps->d[i];
+        r->d[i] =
+            solid_bodies_hung(b, i) ? 2.0 * b->shape[i].half[0] : ps->d[i];
     const struct vtk_array arrays[] = {
         {.name = "diameter", .components = 1, .values = r->d, .single = 1},
         {.name = "velocity",
@@ -283,6 +283,7 @@ static void visit(void *record, struct state *s)
 const struct recorder_part bodies_record = {.create = create,
                                             .free = release,
                                             .row = add_row,
+                                            .last_row = add_row,
                                             .fields = add_picture,
                                             .columns = columns,
                                             .summarize = summarize,

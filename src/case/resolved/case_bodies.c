@@ -24,7 +24,8 @@
 #include "resolved/among/among_effect.h"
 #include "resolved/among/among_grains.h"
 #include "resolved/bodies_effect.h"
-#include "resolved/body_gaps.h"
+#include "resolved/blocks/block_contacts.h"
+#include "resolved/blocks/body_gaps.h"
 #include "resolved/squeeze_film.h"
 
 static const char list[] = "bodies.spheres";
@@ -241,7 +242,8 @@ static struct solid_bodies *create(const struct settings *s)
         .virtual_mass = settings_real(s, "bodies.virtual_mass"),
         .dem_steps = case_bodies_dem_steps(s),
         .dem = &dem,
-        .lubrication = gaps(s)};
+        .lubrication = gaps(s),
+        .others = &block_contacts};
     const int n = settings_length(s, list) +
                   settings_length(s, case_blocks_boxes) +
                   settings_length(s, case_blocks_cylinders) +

@@ -2,8 +2,8 @@
 /* bed_cache.c -- large beds that were settled once.  Chapter "Nothing is lost".
  *
  * A bed is kept under a name that is a hash of all that decides it: the lines
- * of the case but those that come later (the fluid, what is written, who comes
- * and goes), the files that they name, and the program. */
+ * of the case but those that come later (the fluid, the output, insertion and
+ * removal), the files that they name, and the program. */
 #include "case/resume/bed_cache.h"
 
 #include <stdint.h>
@@ -50,7 +50,7 @@ static int decides(const char *line)
     return 1;
 }
 
-/* Another program may settle otherwise. */
+/* Another version of the program may settle the bed differently. */
 static uint64_t hash_of_program(uint64_t h)
 {
     size_t length = 0;
@@ -109,7 +109,8 @@ void bed_cache_forget(const struct settings *s)
     if (path_of(s, path, sizeof path)) unlink(path);
 }
 
-/* Where nothing can be written nothing is kept, and nothing is said. */
+/* Without a folder that can be written the bed is not kept; that is no error.
+ */
 static int bed_file(const struct settings *s, char *path, size_t room)
 {
     char folder[SETTINGS_PATH];

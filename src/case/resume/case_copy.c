@@ -82,7 +82,7 @@ static void add_mesh_file(void *of, const char *path)
     add_file(of, path);
 }
 
-/* What case.cfg calls a file. */
+/* The name of a file in case.cfg. */
 static char *named(void *of, const char *key, const char *name)
 {
     struct case_copy *const c = of;
@@ -149,7 +149,7 @@ static int write_text(struct folder *folder, const char *name, const char *text,
     return failed;
 }
 
-/* A bed that the run has made was not there before. */
+/* The file of a bed that the run itself has written is not copied. */
 int case_copy_write(struct case_copy *c, struct folder *folder)
 {
     if (c->n > 0 && folder_make(folder, "case") != 0) return 1;

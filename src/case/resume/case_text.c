@@ -154,7 +154,7 @@ static int by_text(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* In order, for a case may name its keys in any. */
+/* The lines in alphabetical order, because a case may give its keys in any. */
 static char *sorted(char *text)
 {
     size_t n = 0, at = 0;

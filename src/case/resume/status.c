@@ -133,7 +133,7 @@ static void print_end(const char *dir, const char *reason)
         line("ended", reason);
 }
 
-/* What goes on with it; t of the state that is there, or none. */
+/* The command that continues the run; t of the saved state, if there is one. */
 static void print_what_next(const char *dir, const struct found *f, int done)
 {
     if (f->file != NULL && !done)
@@ -165,7 +165,7 @@ static void print_quoted(const char *text)
     putchar('\'');
 }
 
-/* The command that goes on with a run that has not begun. */
+/* The command that continues a run that has not begun. */
 static void print_beginning(const char *dir, struct state_file *f)
 {
     char *const case_file = state_file_text(f, "case_file");

@@ -1,4 +1,4 @@
-/* case_statistics.h -- output.statistics: what a bed does in the mean.
+/* case_statistics.h -- output.statistics: means and correlations of a bed.
  * Chapter "Agitation".
  *
  * From the time `from` on each row of history.csv is a sample. Written into

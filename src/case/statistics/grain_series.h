@@ -20,8 +20,8 @@ void grain_series_free(struct grain_series *g);
 
 /* C_d [EW18 26] of the whole force, the drag over eps, with the coefficient
  * that the fluid is charged with, and Re_p [EW18 27]. The grains are those of
- * the first sample, with the numbers 0, 1, ...: once one came or went there are
- * no more samples. */
+ * the first sample, with the numbers 0, 1, ...: when one has been inserted or
+ * removed there are no more samples. */
 void grain_series_add(struct grain_series *g, const struct simulation *sim);
 void grain_series_state(struct grain_series *g, struct state *s);
 

@@ -140,7 +140,7 @@ struct surface *case_surfaces_create(const struct settings *s, int *code)
     return NULL;
 }
 
-/* The list owns its triangles, though a dem may only look at them. */
+/* The list owns its triangles, which are constant for dem. */
 void case_surfaces_free(struct surface *made, int n)
 {
     for (int i = 0; made != NULL && i < n; i++) {
@@ -214,7 +214,7 @@ static int check_shape(const struct settings *s, int i)
     return 0;
 }
 
-/* Particles that pass the end of a period would come back behind it. */
+/* A particle that crosses a periodic end would come back behind the surface. */
 static int check_plane(const struct settings *s, int i)
 {
     static const char axes[] = "xyz";
@@ -265,7 +265,7 @@ static int check_driven(const struct settings *s, int i)
     return check_motion(s, prescribed, i);
 }
 
-/* Forces that need no touching know the walls of the box only. */
+/* Attractions act between particles and the walls of the box only. */
 static int check_others(const struct settings *s)
 {
     static const char *const pulls[] = {"effects.van_der_waals",

@@ -128,7 +128,7 @@ void case_walls_ends(const struct settings *s, double lo[3], double hi[3])
     }
 }
 
-/* Particles go round along an axis only. */
+/* For particles periodic directions are those of the axes. */
 static int check_periods(const struct settings *s)
 {
     const struct mesh *const m = settings_mesh(s);

@@ -23,7 +23,7 @@ struct surface case_walls_surface(const struct settings *s);
 /* Where the walls of the box are: the ends of the mesh, some moved away. */
 void case_walls_ends(const struct settings *s, double lo[3], double hi[3]);
 
-/* What cannot be done with particles on such a mesh: 2 after a message. */
+/* Whether particles can be in such a mesh: 0, or 2 after a message. */
 int case_walls_check(const struct settings *s);
 
 /* The mesh, which is held until case_walls_free, and its surface above,

@@ -73,7 +73,7 @@ static void *create(const struct recorder_view *v, int *failed)
     return NULL;
 }
 
-/* The rows so far, and what the next one needs. */
+/* The rows so far, and the sums at the last of them. */
 static void visit(void *part, struct state *s)
 {
     struct surface_table *const t = part;
@@ -109,5 +109,8 @@ static int add_row(void *part)
     return table_add(t->table, t->row);
 }
 
-const struct recorder_part surface_table_part = {
-    .create = create, .free = release, .row = add_row, .state = visit};
+const struct recorder_part surface_table_part = {.create = create,
+                                                 .free = release,
+                                                 .row = add_row,
+                                                 .last_row = add_row,
+                                                 .state = visit};

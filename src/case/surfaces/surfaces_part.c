@@ -31,7 +31,8 @@ static void dem_options(const struct settings *s, struct dem_options *o)
 
 /* --- what `winnow check` says of it --------------------------------------- */
 
-/* In a step a wall should move a small part of a particle, as particles do. */
+/* In a step a wall should move by a small part of a diameter, as particles do.
+ */
 static void print_speed(double speed, const struct case_scales *k)
 {
     check_line("highest speed", speed, "m/s",

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names, and numbers with point, exponent or L, are no plain whole numbers. */
+/* A name, or a number with a point, an exponent or an L, is not whole. */
 static int is_too_large(const char *word)
 {
     const size_t n = strspn(word, "0123456789");

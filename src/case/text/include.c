@@ -35,7 +35,8 @@ static int unreadable(const struct place *at, const char *file, const char *why)
     return 4;
 }
 
-/* An editor's marks that libconfig takes for a syntax error. */
+/* A byte order mark or a zero byte, which libconfig reports as a syntax error.
+ */
 static int is_no_text(const char *file, const char *text, size_t length)
 {
     const char *const zero = memchr(text, '\0', length);

@@ -17,9 +17,9 @@
 #include "coupling/drag.h"
 
 /* beta / eps_s [kg/(m^3 s)] of the factor F. From Re = 1e9 on, and without
- * viscosity, the drag coefficient stays what it is there. Averaged fields may
- * be above 1 by rounding or where they undershoot; to F, with roots of 1 -
- * eps_f, such a sphere is alone. */
+ * viscosity, the drag coefficient is that of Re = 1e9. An averaged eps_f may be
+ * above 1 by rounding or by an undershoot; F, with roots of 1 - eps_f, is then
+ * that of eps_f = 1. */
 static inline double drag_by_factor(double (*F)(double eps_f, double Re),
                                     double eps_f, double rho_f, double mu,
                                     double d, double u_r)

@@ -1,4 +1,4 @@
-/* fluidization.h -- when a bed begins to float.  Chapter "Drag". */
+/* fluidization.h -- minimum fluidization.  Chapter "Drag". */
 #ifndef COUPLING_DRAG_LAWS_FLUIDIZATION_H
 #define COUPLING_DRAG_LAWS_FLUIDIZATION_H
 

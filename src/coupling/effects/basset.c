@@ -9,10 +9,10 @@
  *     + sum c_k g(s_k dt) E_k ]                    of all earlier ones
  *
  * with g(x) = (1 - exp(-x))/x. Of w' = (du - dv)/dt in this step, du is known
- * and makes a held force, and dv makes an added mass C (4/3) sqrt(dt) (LS 5.3
- * has another), which resists in every particle step. A particle that comes has
- * been at rest in the fluid until then: its first slip is a step of w, the last
- * term of [LS 5.4].
+ * and makes a held force, and dv makes an added mass C (4/3) sqrt(dt) (another
+ * one beside that of LS 5.3) in every particle step. An inserted particle
+ * counts as one that was at rest in the fluid before: its first slip is a step
+ * of w, the last term of [LS 5.4].
  */
 #include "coupling/effects/basset.h"
 
@@ -28,8 +28,8 @@
 
 enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
 
-/* One row a particle; all follow the particles when these are sorted, and all
- * but `held` and `start` are the past that the force remembers. */
+/* One row a particle; all follow the particles when these are sorted. All but
+ * `held` and `start` are the history of the slip. */
 struct basset {
     struct basset_kernel kernel;
     double decay[BASSET_TERMS];                /* [-] exp(-s_k dt) */
@@ -39,7 +39,7 @@ struct basset {
                                                   checkpoint */
     double *change; /* [m/s] of w in the step before, 3 */
     double *u;      /* [m/s] of the fluid in the step before, 3 */
-    double *age;    /* [-] steps done, 1 at most: 0 has no past */
+    double *age;    /* [-] steps done, 1 at most; 0: no history yet */
     double *held;   /* [N] the part that is known before the step, 3 */
     double *start;  /* [m/s] velocity at the start of the step, 3 */
 };
@@ -142,9 +142,10 @@ static void basset_before_particles(void *memory, struct simulation *sim)
     }
 }
 
-/* The past of one component, one step later. dw [m/s] is the change of the
- * slip in the step that ends, w_0 a first slip at its start. */
-static void remember(struct basset *self, int i, int a, double dw, double w_0)
+/* Advances the history of one component by a step. dw [m/s] is the change of
+ * the slip in the step that ends, w_0 a first slip at its start. */
+static void update_history(struct basset *self, int i, int a, double dw,
+                           double w_0)
 {
     for (int k = 0; k < self->kernel.n; k++) {
         double *const E = term(self, k, i);
@@ -172,7 +173,8 @@ static void basset_after_particles(void *memory, struct simulation *sim)
             const double du = is_new ? 0.0 : u[j] - self->u[j];
             impulse[a] = self->held[j] * sim->dt - m * dv;
             force[a] = impulse[a] / sim->dt;
-            remember(self, i, a, du - dv, is_new ? u[j] - self->start[j] : 0.0);
+            update_history(self, i, a, du - dv,
+                           is_new ? u[j] - self->start[j] : 0.0);
             self->u[j] = u[j];
         }
         self->age[i] = 1.0;

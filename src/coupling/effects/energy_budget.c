@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* energy_budget.c -- the energy budget of the particles, in history.csv.
  *
- * Without it the contact loops are compiled without any of its code; with it
- * they take half as long again. The motion of the particles has the same bits
- * with and without it.
+ * A case without it runs contact loops that are compiled without its code; with
+ * it they take half as long again. The motion of the particles has the same
+ * bits with and without it.
  */
 #include "coupling/effects.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fluid_torque.c -- the fluid slows the spin of a particle (spin.h).
+/* fluid_torque.c -- the torque of the fluid on a particle that spins (spin.h).
  *
  *   I domega/dt = T,   omega - curl u/2 = Omega ~ exp(-r t)
  *
- * r of the start of a sub-step of the drag is constant in it, so that no
- * sub-step is too long. The torque on the fluid is not returned: averaged over
- * the cell it is no force, and the angular momentum of the fluid below the size
- * of a cell is not in the equations.
+ * r is taken from the start of a sub-step of the drag, and the exponential is
+ * stable for any sub-step. The reaction does not act on the fluid: averaged
+ * over the cell a couple is no force, and the angular momentum of the fluid
+ * below the size of a cell is not in the equations.
  */
 #include <math.h>
 

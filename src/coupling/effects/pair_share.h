@@ -1,10 +1,9 @@
 /* pair_share.h -- measures a force between close particles.
  * Chapter "Further forces".
  *
- * The loops of the particles add all forces of pairs up and do not tell them
- * apart. For the report of what an effect has done, the force of one law is
- * computed again after every eighth step: of each particle the
- * strongest one, of partners and walls.
+ * The loops of the particles add up the forces of all laws. For the report of
+ * an effect, the force of its law alone is computed again after every eighth
+ * step: for each particle the strongest one of all partners and walls.
  */
 #ifndef COUPLING_EFFECTS_PAIR_SHARE_H
 #define COUPLING_EFFECTS_PAIR_SHARE_H

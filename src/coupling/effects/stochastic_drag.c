@@ -8,10 +8,11 @@
  * along the slip. It changes nothing but the coefficient k of the drag k w, by
  * k' = (pi/8) rho_f d^2 eps^2 |w| C', so that what the fluid is charged with,
  * sub-steps and implicit treatment stay as they are, and momentum with them.
- * Where k' would be below -k the drag would turn round: there |k'| is cut to k,
- * above as below lest the mean should move, and the cuts are counted.
+ * For k' below -k the drag would change its direction: |k'| is limited to k,
+ * above as below so that the mean does not change, and the limited values are
+ * counted.
  *
- * Kept for each particle is y = C' / sigma, whose variance is 1 on any path
+ * The state of a particle is y = C' / sigma, whose variance is 1 on any path
  * through regions of other sigma. It changes once a step of the fluid, before
  * the fluid is charged for the next one. The normal numbers are those of seed,
  * particle and step (base/random.h); 0 is a particle that has none yet.
@@ -129,20 +130,20 @@ static double random_coefficient(const struct stochastic_drag *self,
 }
 
 static void stochastic_drag_drag(void *memory, struct simulation *sim,
-                                 double *k, int stride)
+                                 double *k)
 {
     struct stochastic_drag *const self = memory;
     const int n = sim->particles->n;
     long cuts = 0;
 
-#pragma omp parallel for schedule(static) reduction(+ : cuts) if (n >= 1000)
+#pragma omp parallel for schedule(static) reduction(+ : cuts) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++) {
         if (self->y[i] == 0.0)
             self->y[i] = normal_of(self, sim->particles, i, sim->steps);
-        const double all = k[stride * i];
+        const double all = k[i];
         const double part = random_coefficient(self, sim, i);
         cuts += fabs(part) > all;
-        k[stride * i] = all + fmax(-all, fmin(all, part)); /* [EW18 32] */
+        k[i] = all + fmax(-all, fmin(all, part)); /* [EW18 32] */
     }
     self->cuts += cuts;
     self->uses += n;
@@ -169,7 +170,7 @@ static void stochastic_drag_after_particles(void *memory,
     const double a = stochastic_drag_memory(sim->dt, self->T);
     const int n = sim->particles->n;
 
-#pragma omp parallel for schedule(static) if (n >= 1000)
+#pragma omp parallel for schedule(static) if (n >= TRANSFER_MANY)
     for (int i = 0; i < n; i++)
         self->y[i] = stochastic_drag_step(
             a, 1.0, self->y[i],

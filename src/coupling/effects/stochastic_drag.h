@@ -1,7 +1,8 @@
 /* stochastic_drag.h -- the random part of the drag.  Chapter "Agitation".
  *
- * What the averaging has smoothed away pushes each particle at random: its drag
- * coefficient is C_d + C' [EW18 32], and C' is a signal with a memory,
+ * The fluctuations that the averaging removes act on each particle as a random
+ * force: its drag coefficient is C_d + C' [EW18 32], and C' is a correlated
+ * signal,
  *
  *   C'(t + dt) = a C'(t) + b sqrt(1 - a^2) w,   a = exp(-dt / T),   [EW18 33]
  *
@@ -11,7 +12,7 @@
 #ifndef COUPLING_EFFECTS_STOCHASTIC_DRAG_H
 #define COUPLING_EFFECTS_STOCHASTIC_DRAG_H
 
-/* What is remembered after a step, a [-], and back, T [s] [EW18 37]. */
+/* The correlation a [-] after a step, and T [s] from a [EW18 37]. */
 double stochastic_drag_memory(double dt, double T);
 double stochastic_drag_time(double a, double dt);
 

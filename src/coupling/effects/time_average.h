@@ -1,4 +1,4 @@
-/* time_average.h -- fading means of the averaged fields.
+/* time_average.h -- exponential moving averages of the averaged fields.
  * Chapter "The coupled loop".
  *
  *   d<eps>/dt = (eps - <eps>) / b_t                            [SX15 11-13]

@@ -3,16 +3,17 @@
  *
  *   f_i = C rho_f V_p (Du/Dt - dv/dt),   Du/Dt = du/dt + u . grad u  [LS 5.3]
  *
- * C = 1/2 for a sphere. The second part is an added mass, which resists in
- * every particle step (implicit_drag.h), the first a held force. The reaction
- * to the impulse of the step, C rho_f V_p (Du/Dt dt - change of v), acts on the
- * fluid in its next step, but for what is charged in advance (coupling.h): the
- * fluid resists C rho_f V_p du/dt in the step itself. A step later it would
- * throw the fluid of a packed bed about with -C eps_s/eps_f of each change.
+ * C = 1/2 for a sphere. The second part is an added mass in every
+ * particle step (implicit_drag.h), the first a force that is constant in a
+ * step. The reaction to the impulse of the step, C rho_f V_p (Du/Dt dt - change
+ * of v), acts on the fluid in its next step, but for what is charged in advance
+ * (coupling.h): the term C rho_f V_p du/dt acts in the step itself. One step
+ * later, it would follow each change of the fluid in a packed bed by -C
+ * eps_s/eps_f of it.
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
- * In the first step there is no past: Du/Dt is 0.
+ * In the first step there is no earlier field, and Du/Dt is 0.
  */
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"

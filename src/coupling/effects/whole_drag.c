@@ -30,14 +30,13 @@ static void *whole_drag_create(struct simulation *sim, const double *parameters)
     return NULL;
 }
 
-static void whole_drag_drag(void *memory, struct simulation *sim, double *k,
-                            int stride)
+static void whole_drag_drag(void *memory, struct simulation *sim, double *k)
 {
     const double *const eps = sim->coupling->eps;
 
     (void)memory;
     for (int i = 0; i < sim->particles->n; i++)
-        k[stride * i] /= eps[i]; /* [EW18 11, A.5] */
+        k[i] /= eps[i]; /* [EW18 11, A.5] */
 }
 
 static void whole_drag_before_particles(void *memory, struct simulation *sim)

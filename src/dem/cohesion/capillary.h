@@ -3,9 +3,9 @@
  *
  *   F = -2 pi R* gamma cos theta                                [LS 4.15]
  *
- * gamma is the surface tension, theta the angle of contact. The bridge of
- * little liquid pulls as hard however far apart the two are, and is gone where
- * the gap is longer than the range, in LS at once when they part.
+ * gamma is the surface tension, theta the angle of contact. The force of a
+ * bridge of little liquid does not depend on the gap, and ends where the gap
+ * exceeds the range, in LS as soon as the spheres separate.
  *
  * LS takes the mean of the radii for R*, which is right for equal spheres. For
  * unequal ones Derjaguin's geometry gives the harmonic mean 2 R_i R_j/(R_i +

@@ -3,10 +3,10 @@
  *
  *   F = A / (12 l^2) D_i D_j / (D_i + D_j)                      [LS 4.14]
  *
- * is how hard two spheres with a gap l between their surfaces attract each
- * other, for l much smaller than they are; A is Hamaker's constant. LS calls l
- * the separation at which the particles start to interact, and prints no sign:
- * it is the gap, and the force is an attraction. For l to 0 the formula has no
+ * is the attraction of two spheres with a gap l between their surfaces, for l
+ * much smaller than the spheres; A is Hamaker's constant. LS calls l the
+ * separation at which the particles start to interact, and prints no sign: it
+ * is the gap, and the force is an attraction. For l to 0 the formula has no
  * limit. Below `closest`, the distance of molecules that touch, the force stays
  * what it is there, also where the spheres overlap. A wall is a sphere without
  * end: D_i D_j / (D_i + D_j) becomes D_i.

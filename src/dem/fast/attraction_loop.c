@@ -9,7 +9,8 @@ static int material_of(const struct bodies *b, int i)
     return b->material != NULL ? b->material[i] : 0;
 }
 
-/* The damping [N] of i and j, which x is from j to i, r apart [m]. */
+/* The damping force [N] of i and j; x [m] points from j to i and has the length
+ * r [m]. */
 static double damped(const struct bodies *b, const struct attraction *a, int i,
                      int j, const double x[3], double r, double gap)
 {
@@ -54,7 +55,7 @@ static void add_pairs(struct chunk *s, const struct bodies *b,
     }
 }
 
-/* The six sides of the box. */
+/* Adds the forces of the six sides of the box. */
 static void add_walls(struct chunk *s, const struct bodies *b,
                       const struct attraction *a, int i)
 {

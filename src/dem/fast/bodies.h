@@ -56,7 +56,8 @@ void bodies_advance(struct bodies *b, int begin, int end, double (*load)[8],
 
 /* The result of a check of the particles begin .. end - 1. */
 struct bodies_survey {
-    double moved2;    /* [m^2] largest squared distance from the mark */
+    double moved2;    /* [m^2] largest squared displacement since the
+                         last rebuild */
     int lost;         /* [-] particles outside of the box or not finite */
     int first_lost;   /* [-] the first of them, or -1 */
     int lost_through; /* [-] the surface that it passed through, or -1 */

@@ -27,7 +27,7 @@ static void add(struct energy *e, const struct chunk_energy *part)
     e->rolled += part->rolled;
     e->work += part->work;
     e->attracted += part->attracted;
-    e->walls += part->driven;
+    e->walls += part->prescribed;
 }
 
 struct energy budget_collect(const struct neighbours *nb)

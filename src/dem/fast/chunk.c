@@ -215,8 +215,9 @@ static inline void choose_contacts_of(struct chunk *s, const struct bodies *b,
     *n = slot;
 }
 
-/* Of the contacts first ... last - 1, where those of the owners before `end`
- * end, and so many more that no lane of the contact loop is empty. */
+/* The contacts first ... last - 1 are in the order of their owners. Returns the
+ * end of those whose owners are before `end`, rounded up to a whole number of
+ * lanes of the contact loop; the search begins at `from`. */
 static int full_lanes(const struct chunk_contacts *c, int first, int from,
                       int last, int end)
 {

@@ -77,12 +77,13 @@ struct chunk_energy {
     double rolled;             /* [J] against rolling friction */
     double work;               /* [J] of the outside forces */
     double attracted;          /* [J] work of the attractions */
-    double driven;             /* [J] by particles that move as prescribed */
+    double prescribed;         /* [J] by particles that move as prescribed */
 };
 
 /* The deepest overlap so far, if it exceeds the expected one. */
 struct chunk_deep {
-    double overlap; /* [-] over the mean diameter; only deeper ones are noted */
+    double
+        overlap; /* [-] over the mean diameter; only deeper ones are recorded */
     int id, other; /* [-] the two ids; -1: none yet. -1 - w: wall w = 2 k or 2 k
                       + 1 of direction k; -7 - f: surface f */
     double at[3];  /* [m] centre of the first */
@@ -132,7 +133,7 @@ void chunk_finish_lists(struct chunk *s, int n);
 void chunk_choose_contacts(struct chunk *s, const struct bodies *b,
                            double margin);
 
-/* All of the chunk that the next run depends on (state.h); n particles in all.
+/* Visits all of the chunk that the next run depends on (state.h); n particles.
  * chunk_set_range has been called if the chunk was ever listed. */
 void chunk_state(struct chunk *s, int n, struct state *state);
 
@@ -159,11 +160,12 @@ void chunk_add_loads(struct chunk *chunks, int count, int s, int n, int begin,
 /* Fills in the measures. */
 void chunk_measure(struct chunk *s, const struct bodies *b);
 
-/* Notes an overlap that is deeper than all before. */
+/* Records an overlap that is deeper than all before. */
 void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
                           int other, const double x[3]);
 
-/* Looks for it among the contacts between two blocks, where they are now. */
+/* Records the deepest overlap of the contacts between two blocks, at the
+ * present positions. */
 void chunk_check_overlaps(struct chunk *s, const struct bodies *b,
                           const struct chunk_block *from,
                           const struct chunk_block *to);

@@ -15,7 +15,7 @@ void chunk_record_overlap(struct chunk_deep *d, double overlap, int id,
     memcpy(d->at, x, sizeof d->at);
 }
 
-/* As the contact loop has it: a wall stands for a sphere of the same size. */
+/* As in the contact loop, a wall counts as a sphere of the same radius. */
 static void note_pair(struct chunk *s, const struct bodies *b, int q)
 {
     const int i = s->contacts.owner[q], j = s->contacts.partner[q];

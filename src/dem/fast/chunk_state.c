@@ -60,7 +60,7 @@ static void contacts_state(struct chunk *c, struct state *s)
     state_end(s);
 }
 
-/* The lists, and what has room for as much as they have. */
+/* Visits the lists and the arrays whose sizes follow from them. */
 static void lists_state(struct chunk *c, int n, struct state *s)
 {
     const size_t size = sizeof *c->blocks;
@@ -110,7 +110,7 @@ void chunk_energy_state(struct chunk_energy *e, struct state *s)
     double *const all[] = {&e->normal, &e->tangential, &e->found,
                            &e->stored, &e->damped_n,   &e->damped_t,
                            &e->slid,   &e->released,   &e->rolled,
-                           &e->work,   &e->attracted,  &e->driven};
+                           &e->work,   &e->attracted,  &e->prescribed};
 
     state_several(s, "energy", "J", all, sizeof all / sizeof *all);
     state_whole(s, "skip_release", "-", &e->skip_release);

@@ -6,16 +6,17 @@
 #include "dem/fast/attraction_loop.h"
 #include "dem/fast/drag_rows.h"
 
-/* Those that move as prescribed; what they do and gain comes from outside. */
+/* Sets the velocities of prescribed particles; their work on others and the
+ * energy that they gain come from outside. */
 static void set_prescribed(const struct neighbours *nb, struct chunk *own,
                            int begin, int end, double (*load)[8],
                            const struct step_parameters *by)
 {
     if (nb->prescribed == NULL || !by->prescribed) return;
-    own->energy.driven +=
+    own->energy.prescribed +=
         by->dt * prescribed_particles_power(nb->prescribed, nb->bodies, begin,
                                             end, load);
-    own->energy.driven += prescribed_particles_set_velocities(
+    own->energy.prescribed += prescribed_particles_set_velocities(
         nb->prescribed, nb->bodies, nb->ps, begin, end, load, by->t, by->drift);
 }
 
@@ -78,12 +79,13 @@ static void load_block(const struct neighbours *nb, struct chunk *own, int k,
 static void add_attractions(const struct bodies *b, struct chunk *own,
                             const struct step_parameters *by)
 {
-    const int books = by->budget && by->n_attractions > 0;
-    const double before = books ? chunk_power(own, b) : 0.0;
+    const int counted = by->budget && by->n_attractions > 0;
+    const double before = counted ? chunk_power(own, b) : 0.0;
 
     for (int k = 0; k < by->n_attractions; k++)
         attraction_loop_add(own, b, &by->attractions[k]);
-    if (books) own->energy.attracted += by->dt * (chunk_power(own, b) - before);
+    if (counted)
+        own->energy.attracted += by->dt * (chunk_power(own, b) - before);
 }
 
 /* Adds the loads of surfaces and attractions on a chunk. */

@@ -1,8 +1,8 @@
 /* contact_loops.h -- the compiled loops of the contact laws. Chapter "Particles
  * and contact".
  *
- * A law of which nothing is said here runs in a loop that calls its `respond`
- * for each contact: the same numbers, but slower.
+ * Hertz's law and the linear one have compiled loops. Any other law runs in a
+ * loop that calls its `respond` for each contact, which is slower.
  */
 #ifndef DEM_FAST_CONTACT_LOOPS_H
 #define DEM_FAST_CONTACT_LOOPS_H
@@ -19,11 +19,10 @@ typedef void contact_sweep(struct chunk *s, const struct bodies *b,
 /* Options of a contact loop; each law has a compiled loop for every
  * combination, so that unused options cost nothing. */
 enum {
-    CONTACT_PERIODIC = 1,       /* directions that are */
-    CONTACT_MULTI_MATERIAL = 2, /* materials */
-    CONTACT_ROLLING =
-        4, /* friction; only with the table of CONTACT_MULTI_MATERIAL */
-    CONTACT_BUDGET = 8, /* of energy; only with that table, too */
+    CONTACT_PERIODIC = 1,       /* there are periodic directions */
+    CONTACT_MULTI_MATERIAL = 2, /* constants by a table of material pairs */
+    CONTACT_ROLLING = 4,        /* rolling friction; only with the table */
+    CONTACT_BUDGET = 8,         /* energy budget; only with the table */
     CONTACT_LOOPS = 16
 };
 

@@ -50,24 +50,24 @@ static void compute_loads(const struct dem *dem, double dt)
     chunk_step_load_and_move(fast_of(dem)->neighbours, &still);
 }
 
-/* Sets whether the budget counts the energy lost by springs since the last
- * sweep. */
-static void set_skip_release(const struct dem *dem, int looks)
+/* skip = 1: the budget does not count the energy that the springs have lost
+ * since the last sweep as released. */
+static void set_skip_release(const struct dem *dem, int skip)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
     const struct chunk_range mine = neighbours_static_range(nb);
 
     if (dem->energy == NULL) return;
     for (int s = mine.first; s < mine.last; s++) {
-        nb->chunks[s].energy.skip_release = looks;
+        nb->chunks[s].energy.skip_release = skip;
         if (nb->surfaces != NULL)
-            surfaces_energy(nb->surfaces, s)->skip_release = looks;
+            surfaces_energy(nb->surfaces, s)->skip_release = skip;
     }
     neighbours_barrier(nb);
 }
 
-/* The loads over `kicks` first kicks, for surfaces with a momentum of their
- * own. */
+/* Adds the present loads over `kicks` times the first kick to the totals of
+ * carried surfaces, which have a momentum of their own. */
 static void push_surfaces(const struct dem *dem, double kicks)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;
@@ -81,8 +81,8 @@ static void push_surfaces(const struct dem *dem, double kicks)
 }
 
 /* Rebuilds lists and forces after particles were changed between runs; the time
- * does not advance. The first kick then has these loads, and not those of the
- * last step, which the surfaces have got. */
+ * does not advance. The first kick then has these loads in place of those of
+ * the last step, which the totals of the surfaces contain already. */
 static int start(struct dem *dem, double *margin)
 {
     push_surfaces(dem, -1.0);
@@ -202,8 +202,9 @@ static void force_at_start(struct dem *dem)
     neighbours_barrier(nb);
 }
 
-/* Driven particles keep the velocity of a whole step through both of Heun's
- * halves, and so end where they should; dt = 0: the velocity of that time. */
+/* Prescribed particles have the mean velocity of the step in both of Heun's
+ * halves, and so end at the prescribed position; dt = 0: the velocity of that
+ * time. */
 static void set_prescribed(struct dem *dem, int k, double dt)
 {
     struct neighbours *const nb = fast_of(dem)->neighbours;

@@ -152,7 +152,7 @@ static int beside(const struct grid *g, int k, int c, int found[3])
     return n;
 }
 
-/* Is the gap of i and j, nearest image, less than the skin? */
+/* 1 if the gap of i and j, nearest image, is less than the skin. */
 static inline int close_by(const struct bodies *b, int i, int j, double skin)
 {
     const double *const x = b->position_radius[i], *const y =
@@ -184,8 +184,8 @@ static inline int close_inside(const struct bodies *b, int i, int j,
 }
 
 /* Partners of i among the particles from ... to - 1, all of which it would own,
- * in a box without images. Every one is written down and kept if it is close:
- * to guess beforehand whether it is, as a processor does at a branch, fails for
+ * in a box without images. Each candidate is written to the list, and the next
+ * one overwrites it unless it is close; a branch would be predicted wrongly for
  * every third. */
 static void find_inside(int from, int to, struct chunk *s,
                         const struct bodies *b, int i, double skin)

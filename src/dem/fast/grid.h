@@ -23,13 +23,13 @@ void grid_free(struct grid *g);
 const int *grid_order(struct grid *g, const struct particles *ps, double reach);
 
 /* Fills the neighbour list of a chunk with pairs and walls closer than skin
- * [m]. The bodies are in the order that grid_order said. */
+ * [m]. The bodies are in the order of grid_order. */
 void grid_find(const struct grid *g, struct chunk *s, const struct bodies *b,
                double skin);
 
-/* Returns which particle owns the pair: the first of the two or, where the
- * slowest direction is periodic, the one from which the index of the other is
- * reached in fewer steps. */
+/* 1 if particle i owns its pair with j: the particle with the smaller index
+ * does or, where the slowest direction is periodic, the one from which the
+ * index of the other is reached in fewer steps upward. */
 int grid_owns(const struct grid *g, int i, int j, int n);
 
 #endif

@@ -49,11 +49,12 @@ void heun_save_start(struct heun *h, const struct chunk *s,
     memcpy(h->load[s->begin], s->load[0], n * sizeof *h->load);
 }
 
-/* Rate of row k of a motion: of v, and of R omega (bodies.c). */
-static double rate(const double load[8], const double push[4], double per_mass,
-                   int k)
+/* Rate of number k of the row `velocity`: of v, and of R omega (bodies.c). */
+static double rate(const double load[8], const double acceleration[4],
+                   double per_mass, int k)
 {
-    return k < 3 ? load[k] * per_mass + push[k] : -2.5 * load[k] * per_mass;
+    return k < 3 ? load[k] * per_mass + acceleration[k]
+                 : -2.5 * load[k] * per_mass;
 }
 
 static const int moving[6] = {0, 1, 2, 4, 5, 6};

@@ -50,8 +50,8 @@ void neighbours_free(struct neighbours *nb);
 /* Adds the rolling angle to the contacts. To be called before the first run. */
 void neighbours_add_rolling(struct neighbours *nb);
 
-/* From now on the deepest overlap beyond this share of the mean diameter is
- * known with its place and its two; HUGE_VAL: none. */
+/* From now on the deepest overlap beyond this fraction of the mean diameter is
+ * recorded with its place and its two particles; HUGE_VAL: none is. */
 void neighbours_watch(struct neighbours *nb, double overlap);
 
 /* Chunks first ... last - 1 belong to this thread. */
@@ -64,7 +64,7 @@ struct chunk_range neighbours_static_range(const struct neighbours *nb);
  * of the two partitions there must be a barrier. */
 struct chunk_range neighbours_balanced_range(const struct neighbours *nb);
 
-/* All that the next run depends on (state.h). */
+/* Visits all that the next run depends on (state.h). */
 void neighbours_state(struct neighbours *nb, struct state *s);
 
 /* Waits for all threads of the team. */

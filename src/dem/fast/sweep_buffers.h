@@ -1,5 +1,5 @@
-/* sweep_buffers.h -- buffers that transpose contacts for vector loops. Chapter
- * 2.
+/* sweep_buffers.h -- buffers that transpose contacts for vector loops.
+ * Chapter "Particles and contact".
  *
  * The input of a contact is the difference of the rows of its two particles
  * (bodies.h). For SWEEP_LANES contacts at a time, these rows are transposed
@@ -26,7 +26,7 @@ struct sweep_buffers {
     double row[SWEEP_LANES]
               [8]; /* in: v_i - v_j [m/s], 1/R* [1/m], R_i omega_i + R_j omega_j
                       [m/s], 1/m* [1/kg]; out: as the loads of struct chunk */
-    double x[4][SWEEP_LANES];      /* the columns of place */
+    double x[4][SWEEP_LANES];      /* the columns of separation */
     double column[8][SWEEP_LANES]; /* and of row, in and out */
     double n[3][SWEEP_LANES];      /* [-] from j to i */
     double delta[SWEEP_LANES];     /* [m] overlap */
@@ -99,8 +99,8 @@ static inline void sweep_spare_rows(struct sweep_buffers *c, int p,
     memcpy(c->row[p], still, sizeof still);
 }
 
-/* Fills the rows with contacts first ... first + count - 1: differences of what
- * points, sums of what does not. */
+/* Fills the rows with contacts first ... first + count - 1: positions and
+ * velocities are subtracted, R, 1/R, R omega and 1/m are added. */
 SWEEP_STAGE void sweep_gather(struct sweep_buffers *restrict c,
                               const struct chunk *s, const struct bodies *b,
                               int first, int count)
@@ -169,7 +169,7 @@ SWEEP_STAGE void sweep_into_rows(struct sweep_buffers *restrict c)
             c->row[p][k] = c->column[k][p];
 }
 
-/* Both of a pair have their load: opposite forces, equal torques over R. An
+/* Adds the load of a pair to both: opposite forces, equal torques over R. An
  * index before the chunk's first stands for one after the last of all n
  * (periodic, slowest direction). */
 SWEEP_STAGE void sweep_scatter(const struct sweep_buffers *restrict c,

@@ -31,7 +31,7 @@ struct sweep_slip {
     double left2; /* [m^2] of the spring that sweep_loads leaves */
 };
 
-/* v_t as sweep_springs has it. */
+/* v_t as in sweep_springs. */
 static inline void sweep_slip_velocity(const struct sweep_buffers *c, int p,
                                        double v_n, double v_t[3])
 {
@@ -43,7 +43,7 @@ static inline void sweep_slip_velocity(const struct sweep_buffers *c, int p,
     }
 }
 
-/* Cuts force and spring as sweep_loads is going to; most = mu |F_n|. */
+/* Limits force and spring as sweep_loads does afterwards; most = mu |F_n|. */
 static inline struct sweep_slip sweep_slip(const struct sweep_buffers *c, int p,
                                            const double xi[3],
                                            const double v_t[3], double most,

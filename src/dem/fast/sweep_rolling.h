@@ -51,7 +51,7 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
 {
     static const double wall[8] = {0};
     const int pairs = sweep_pairs(s, first, count);
-    double nobody[8] = {0};
+    double unused[8] = {0};
 
     for (int p = 0; p < count; p++) {
         const int slot = first + p, i = s->contacts.owner[slot];
@@ -69,7 +69,7 @@ SWEEP_STAGE void sweep_rolling(const struct sweep_buffers *restrict c,
         const double power = sweep_roll_one(
             c, p, s, slot, b->velocity[i], pair ? b->velocity[j] : wall,
             per_mass, s->load[i - s->begin],
-            pair ? s->load[at < 0 ? at + b->n : at] : nobody, mu_r, dt);
+            pair ? s->load[at < 0 ? at + b->n : at] : unused, mu_r, dt);
         if (budget) s->energy.rolled -= power * dt;
     }
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* no_contacts.c -- particles that do not meet, for one- and two-way coupling.
+/* no_contacts.c -- particles without contacts, for one- and two-way coupling.
  * Chapter "Further forces".
  *
  *   m dv/dt = F   [LS 4.1]
  *
- * No pairs are looked for, so each particle takes all steps of a run before the
- * next one begins. The walls of the box are smooth and throw it back at once,
- * v_n to -e v_n with the restitution e of wall and grain, and no time has to
- * resolve the impact. The spin stays what it is.
+ * There are no pairs, so each particle takes all steps of a run before the next
+ * one begins. The walls of the box are smooth and reflect it at once, v_n to
+ * -e v_n with the restitution e of wall and grain, so that the step need not
+ * resolve the impact. The spin is unchanged.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -24,8 +24,8 @@ enum { MANY = 1000 };
 /* The gains of an implicit drag in the first, the later and the last kick. */
 enum { KICKS = 3 };
 
-/* One particle on its way; its loads are constant in a run. */
-struct traveller {
+/* One particle during a run; the forces on it are constant. */
+struct free_particle {
     double x[3], v[3]; /* [m], [m/s] */
     double R, m;       /* [m]; [kg] with the added mass */
     double a[3];       /* [m/s^2] of the outside force */
@@ -62,16 +62,16 @@ static double restitution_at(const struct dem *dem, int i)
                      .restitution;
 }
 
-static struct traveller traveller_of(const struct dem *dem, int i,
-                                     const struct kicks *kicks)
+static struct free_particle free_particle_of(const struct dem *dem, int i,
+                                             const struct kicks *kicks)
 {
     const struct particles *const ps = dem->ps;
     const int drag = ps->drag_coefficient != NULL;
-    struct traveller t = {.x = {ps->x[i], ps->y[i], ps->z[i]},
-                          .v = {ps->vx[i], ps->vy[i], ps->vz[i]},
-                          .R = 0.5 * ps->d[i],
-                          .m = ps->m[i] + (drag ? ps->added_mass[i] : 0.0),
-                          .restitution = restitution_at(dem, i)};
+    struct free_particle t = {.x = {ps->x[i], ps->y[i], ps->z[i]},
+                              .v = {ps->vx[i], ps->vy[i], ps->vz[i]},
+                              .R = 0.5 * ps->d[i],
+                              .m = ps->m[i] + (drag ? ps->added_mass[i] : 0.0),
+                              .restitution = restitution_at(dem, i)};
     const double F[3] = {ps->ex[i], ps->ey[i], ps->ez[i]};
 
     for (int k = 0; k < 3; k++)
@@ -83,7 +83,7 @@ static struct traveller traveller_of(const struct dem *dem, int i,
 }
 
 /* v += F/m dt [LS 4.1], with a drag -k v as in implicit_drag.h. */
-static void kick(struct traveller *t, double gain, double dt)
+static void kick(struct free_particle *t, double gain, double dt)
 {
     for (int k = 0; k < 3; k++) {
         const double dv = gain * (t->a[k] - t->rate * t->v[k]) * dt;
@@ -92,9 +92,10 @@ static void kick(struct traveller *t, double gain, double dt)
     }
 }
 
-/* Mirrors what is beyond a wall that is approached; what it lost is e of the
- * way, as it would be without forces. */
-static void rebound(struct traveller *t, const struct box_domain *box)
+/* Reflects a particle at a wall that it approaches: its distance beyond the
+ * wall becomes e times that distance in front of it, as it would without
+ * forces. */
+static void rebound(struct free_particle *t, const struct box_domain *box)
 {
     for (int w = 0; w < 6; w++) {
         const int k = w / 2;
@@ -109,7 +110,8 @@ static void rebound(struct traveller *t, const struct box_domain *box)
     }
 }
 
-static void drift(struct traveller *t, const struct box_domain *box, double dt)
+static void drift(struct free_particle *t, const struct box_domain *box,
+                  double dt)
 {
     for (int k = 0; k < 3; k++) {
         t->x[k] += dt * t->v[k];
@@ -120,7 +122,7 @@ static void drift(struct traveller *t, const struct box_domain *box, double dt)
 }
 
 /* Kick, drift, kick, drift, ... (integrators.h). */
-static void travel(struct traveller *t, const struct box_domain *box,
+static void travel(struct free_particle *t, const struct box_domain *box,
                    const struct kicks *kicks, int steps)
 {
     for (int k = 0; k < steps; k++) {
@@ -131,7 +133,7 @@ static void travel(struct traveller *t, const struct box_domain *box,
     if (steps > 0) kick(t, t->gain[2], kicks->dt[2]);
 }
 
-static void store(const struct traveller *t, const struct box_domain *box,
+static void store(const struct free_particle *t, const struct box_domain *box,
                   struct particles *ps, int i)
 {
     ps->x[i] = box_domain_inside(box, 0, t->x[0]);
@@ -209,7 +211,7 @@ static void move_all(struct dem *dem, const struct box_domain *box, int steps)
 
 #pragma omp parallel for schedule(static) if (ps->n >= MANY && e == NULL)
     for (int i = 0; i < ps->n; i++) {
-        struct traveller t = traveller_of(dem, i, &kicks);
+        struct free_particle t = free_particle_of(dem, i, &kicks);
         travel(&t, box, &kicks, steps);
         store(&t, box, ps, i);
         if (e == NULL) continue;

@@ -1,4 +1,5 @@
 /* grain_table.h -- grains from the files of other programs.
+ * Chapter "Insertion, removal and energy".
  *
  * A dump of LAMMPS or LIGGGHTS: of several snapshots the last. Or a data file
  * of theirs, with atoms of the style sphere. Or a table with a line of names

@@ -13,8 +13,8 @@
 #include "base/number.h"
 #include "base/random.h"
 
-/* Places tried a step for one sphere: beyond 30 % of solids hardly any is free,
- * and what waits is asked again in the next step. */
+/* Positions tried for one sphere in a step: beyond 30 % of solids hardly any is
+ * free, and a sphere without one is tried again in the next step. */
 enum { ATTEMPTS = 200, LINE = 256, AT_ONCE = 4096, MOST_CELLS = 1000 };
 
 double insertion_diameter(const struct insertion_options *o, long k)
@@ -46,15 +46,15 @@ long insertion_count_due(const struct insertion *in, double t)
     return number_long(n, &due) != 0 || due > o->count ? o->count : due;
 }
 
-/* Particles by the cell of their centre, chained; cells are as wide as two of
- * the largest spheres that touch are apart, so that who touches a sphere is in
- * its cell or beside it. */
+/* Particles in linked lists by the cell of their centre; cells are as wide as
+ * the largest diameter, so that a particle that touches a sphere is in its cell
+ * or in one beside it. */
 struct near_particles {
     const struct particles *ps;
     const struct box_domain *box;
     double lo[3], inverse[3]; /* [m], [1/m] */
     int cells[3];
-    int *head, *next; /* the first of a cell; who follows; -1: nobody */
+    int *head, *next; /* [-] first of a cell, next of its cell; -1: none */
 };
 
 static const double *axis(const struct particles *ps, int k)
@@ -70,8 +70,8 @@ static double apart(const struct near_particles *c, int i, int k,
     return dx - c->box->length[k] * rint(dx * c->box->inverse[k]);
 }
 
-/* Over the region, or the period; so few that to empty them costs no more than
- * to fill them in. */
+/* Cells over the region, or the period; their number is limited, so that to
+ * clear them costs no more than to fill them. */
 static void divide(struct near_particles *c, const struct insertion_options *o,
                    double width)
 {
@@ -102,7 +102,7 @@ static int beside(const struct near_particles *c, int k, int cell)
     return c->box->periodic[k] ? (cell + n) % n : -1;
 }
 
-/* Who is beyond an end is in the last cell before it. */
+/* A coordinate beyond an end belongs to the last cell. */
 static int coordinate(const struct near_particles *c, int k, double x)
 {
     return number_clamped((x - c->lo[k]) * c->inverse[k], 0, c->cells[k] - 1);
@@ -113,7 +113,7 @@ static int number(const struct near_particles *c, const int at[3])
     return (at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0];
 }
 
-static void join(struct near_particles *c, int i)
+static void add_to_cell(struct near_particles *c, int i)
 {
     int at[3];
 
@@ -124,11 +124,11 @@ static void join(struct near_particles *c, int i)
     *head = i;
 }
 
-/* An empty one, for spheres of up to `widest` [m]. */
+/* Empty cells for spheres of up to `widest` [m]. */
 static struct near_particles
-sphere_grid_create(const struct insertion_options *o,
-                   const struct particles *ps, const struct box_domain *box,
-                   double widest)
+near_particles_create(const struct insertion_options *o,
+                      const struct particles *ps, const struct box_domain *box,
+                      double widest)
 {
     struct near_particles c = {.ps = ps, .box = box};
 
@@ -141,14 +141,14 @@ sphere_grid_create(const struct insertion_options *o,
     return c;
 }
 
-static void sphere_grid_free(struct near_particles *c)
+static void near_particles_free(struct near_particles *c)
 {
     free(c->head);
     free(c->next);
 }
 
-/* One of a cell that overlaps a sphere by more than this share of the mean
- * diameter; -1: none. */
+/* A particle of the cell that overlaps the sphere by more than this fraction of
+ * the mean diameter; -1: none. */
 static int overlap_in(const struct near_particles *c, int cell,
                       const double x[3], double d, double share)
 {
@@ -182,7 +182,7 @@ static int overlap_near(const struct near_particles *c, const double x[3],
     return -1;
 }
 
-/* Those who may touch a sphere in the region. */
+/* The particles that may touch a sphere in the region. */
 static struct near_particles near_particles_of(const struct insertion *in,
                                                const struct particles *ps,
                                                const struct box_domain *box,
@@ -195,7 +195,7 @@ static struct near_particles near_particles_of(const struct insertion *in,
         widest = fmax(widest, ps->d[i]);
     for (long k = in->n_inserted; k < due; k++)
         widest = fmax(widest, insertion_diameter(o, k));
-    struct near_particles c = sphere_grid_create(o, ps, box, widest);
+    struct near_particles c = near_particles_create(o, ps, box, widest);
     for (int k = 0; k < 3; k++)
         middle[k] = 0.5 * (o->lo[k] + o->hi[k]);
     for (int i = 0; i < ps->n; i++) {
@@ -203,7 +203,7 @@ static struct near_particles near_particles_of(const struct insertion *in,
         for (int k = 0; k < 3; k++)
             near &= fabs(apart(&c, i, k, middle)) <=
                     0.5 * (o->hi[k] - o->lo[k]) + 0.5 * ps->d[i];
-        if (near || o->list != NULL) join(&c, i);
+        if (near || o->list != NULL) add_to_cell(&c, i);
     }
     return c;
 }
@@ -227,7 +227,7 @@ static int place_next(struct insertion *in, struct near_particles *c,
         ps->vx[i] = o->velocity[0];
         ps->vy[i] = o->velocity[1];
         ps->vz[i] = o->velocity[2];
-        join(c, i);
+        add_to_cell(c, i);
         in->n_inserted++;
         in->n_attempts = 0;
         return 1;
@@ -235,20 +235,20 @@ static int place_next(struct insertion *in, struct near_particles *c,
     return 0;
 }
 
-/* Those before number `last`, as far as they find room. */
+/* Inserts the spheres before number `last`, until one has no free position. */
 static void place_some(struct insertion *in, struct particles *ps,
                        const struct box_domain *box, long last)
 {
-    struct near_particles sphere_grid = near_particles_of(in, ps, box, last);
+    struct near_particles near = near_particles_of(in, ps, box, last);
 
     while (in->n_inserted < last && ps->n < ps->capacity &&
-           place_next(in, &sphere_grid, ps))
+           place_next(in, &near, ps))
         continue;
-    sphere_grid_free(&sphere_grid);
+    near_particles_free(&near);
 }
 
-/* AT_ONCE of them at a time, so that a step that finds no room for the first of
- * many has not asked how large they all are. */
+/* The spheres are inserted AT_ONCE at a time, so that the diameters of all are
+ * not drawn in a step that has no room for the first. */
 int insertion_step(struct insertion *in, struct particles *ps,
                    const struct box_domain *box, double t)
 {
@@ -272,15 +272,15 @@ int insertion_overlap(const struct insertion_options *o,
 
     for (long k = 0; k < o->count; k++)
         widest = fmax(widest, o->list[k].d);
-    struct near_particles c = sphere_grid_create(o, ps, box, widest);
+    struct near_particles c = near_particles_create(o, ps, box, widest);
     who[0] = -1;
     for (who[1] = 0; who[1] < o->count; who[1]++) {
         const struct insertion_sphere *const one = &o->list[who[1]];
         who[0] = overlap_near(&c, one->x, one->d, share);
         if (who[0] >= 0) break;
-        join(&c, particles_add(ps, one->x, one->d, 1.0));
+        add_to_cell(&c, particles_add(ps, one->x, one->d, 1.0));
     }
-    sphere_grid_free(&c);
+    near_particles_free(&c);
     particles_free(ps);
     return who[0] >= 0;
 }

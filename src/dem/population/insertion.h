@@ -64,8 +64,9 @@ void insertion_place(const struct insertion_options *o, long k, long attempt,
 int insertion_step(struct insertion *in, struct particles *ps,
                    const struct box_domain *box, double t);
 
-/* Whether two spheres of the list overlap by more than this share of their mean
- * diameter, so that they cannot come at once, and which. */
+/* 1 if two spheres of the list overlap by more than this fraction of their mean
+ * diameter, so that they cannot be inserted together; `who` are their numbers.
+ */
 int insertion_overlap(const struct insertion_options *o,
                       const struct box_domain *box, double share, int who[2]);
 

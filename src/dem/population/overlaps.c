@@ -6,8 +6,8 @@
 
 #include "base/alloc.h"
 
-/* Each round moves pairs apart by a little more than their overlap, or rounding
- * and neighbours would leave some for ever. */
+/* [-] Each round moves pairs apart by a little more than their overlap;
+ * otherwise rounding and neighbours would leave some overlaps for ever. */
 static const double push = 1.02;
 
 /* x_i - x_j, nearest image, and its length. */
@@ -107,9 +107,9 @@ struct overlap overlaps_deepest(const struct particles *ps,
     return found;
 }
 
-/* Two centres in one place have no line; they part along x. */
-static void part(struct particles *ps, const struct box_domain *box, int i,
-                 int j)
+/* Two centres at the same position are moved apart along x. */
+static void move_apart(struct particles *ps, const struct box_domain *box,
+                       int i, int j)
 {
     double *const x[3] = {ps->x, ps->y, ps->z};
     double d[3];
@@ -142,7 +142,7 @@ int overlaps_relax(struct particles *ps, const struct box_domain *box, int most)
         if (overlaps_deepest(ps, box).depth <= OVERLAPS_MAX) return round;
         for (int i = 0; i < ps->n; i++)
             for (int j = 0; j < i; j++)
-                part(ps, box, i, j);
+                move_apart(ps, box, i, j);
         for (int i = 0; i < ps->n; i++)
             keep_inside(ps, box, i);
     }

@@ -31,7 +31,7 @@ void population_remove(struct population *l, struct dem *dem);
 int population_insert(struct population *l, struct particles *ps,
                       struct dem *dem, double t);
 
-/* What was inserted and removed (state.h). */
+/* Visits what was inserted and removed (state.h). */
 void population_state(struct population *l, struct state *s);
 
 #endif

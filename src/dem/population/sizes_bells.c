@@ -78,8 +78,8 @@ static void shape_lognormal(struct sizes *s, const struct sizes_options *o)
     cut_bell(s, log(s->min), log(s->max));
 }
 
-/* Less than this share of a bell between the cut-offs is a mistake, and not
- * computed well. */
+/* Cut-offs that leave less than this fraction of a bell are refused, because
+ * the formulas then lose their digits. */
 static const double least_left = 1e-6;
 
 static const char *bell_wrong(const struct sizes_options *o)

@@ -1,5 +1,5 @@
-/* motion.h -- how a wall or a prescribed particle moves, as prescribed. Chapter
- * 14.
+/* motion.h -- the prescribed motion of a wall or a particle.
+ * Chapter "Walls".
  *
  *   c(t) = c_0 + v s + A sin(2 pi f s),   s = t - from, not beyond until
  *   x(t) = c(t) + Q(omega s) (x_0 - c_0)                              (14.6)

@@ -23,8 +23,8 @@ struct surface_scene {
 
 struct near_face {
     int surface, face;
-    double shift[3]; /* [m] from the particle's mark to the image of it that
-                        is near */
+    double shift[3]; /* [m] from the particle's position at the last rebuild
+                        to the image of it that is near */
 };
 
 /* A particle and its faces: face[first] ... face[last - 1]. */
@@ -59,7 +59,7 @@ void near_faces_choose(struct near_faces *l, const struct near_faces *from,
 void near_faces_image(const struct near_face *f, const struct bodies *b, int i,
                       double x[3]);
 
-/* All faces, as the part of that name (state.h). */
+/* Visits all faces, under this name (state.h). */
 void near_faces_state(struct near_faces *l, const char *name, struct state *s);
 
 /* Returns `list` with capacity for one more than n items of this size [bytes].

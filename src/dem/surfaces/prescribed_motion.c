@@ -18,7 +18,7 @@ void prescribed_motion_set_velocities(const struct neighbours *nb, double t,
     if (nb->prescribed == NULL) return;
     for (int s = mine.first; s < mine.last; s++) {
         struct chunk *const own = &nb->chunks[s];
-        own->energy.driven += prescribed_particles_set_velocities(
+        own->energy.prescribed += prescribed_particles_set_velocities(
             nb->prescribed, nb->bodies, nb->ps, own->begin, own->end, NULL, t,
             dt);
     }

@@ -41,8 +41,9 @@ void prescribed_particles_locate(struct prescribed_particles *d,
     }
 }
 
-/* Without 1/m, and deaf to what else would move it. Its drag -k v stays what
- * the fluid feels of it: k is as it was, but does not change v. */
+/* Sets 1/m to nearly 0 and the outside acceleration to 0, so that no force
+ * changes the velocity. The coefficient k of the drag -k v is unchanged,
+ * because its reaction still acts on the fluid. */
 static void set_inverse_mass(struct bodies *b, const struct particles *ps,
                              int i)
 {
@@ -56,9 +57,9 @@ static void set_inverse_mass(struct bodies *b, const struct particles *ps,
     b->implicit_drag[i][3] = per_mass;
 }
 
-/* As bodies_load makes it. The loads of this moment are those of a particle
- * without 1/m: its dashpots, made for so large a mass, would throw one that
- * has a mass again. They go with the motion that ends. */
+/* Restores the row of bodies_load. The present loads are those of a particle of
+ * nearly infinite mass, whose dashpots would accelerate a finite mass far too
+ * much; they are set to 0. */
 static void restore_inverse_mass(struct bodies *b, const struct particles *ps,
                                  int i, double load[8])
 {
@@ -93,7 +94,7 @@ static void set_velocity_of(const struct motion *m, struct bodies *b, int i,
         v[4 + k] = x[3] * now.spin[k];
 }
 
-/* Of translation and rotation, and of the fluid that is taken along [J]. */
+/* Energy of translation and rotation, and of the added mass [J]. */
 static double kinetic(const struct bodies *b, const struct particles *ps, int i)
 {
     const double *const v = b->velocity[i];
@@ -104,7 +105,7 @@ static double kinetic(const struct bodies *b, const struct particles *ps, int i)
            0.2 * ps->m[i] * (v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
 }
 
-/* What the fluid takes from it [W], as chunk_add_work books it. */
+/* Power of the drag [W], as chunk_add_work counts it. */
 static double taken(const struct bodies *b, const struct particles *ps, int i)
 {
     const double *const v = b->velocity[i];

@@ -99,7 +99,7 @@ static int is_binary(const struct source *in)
     return (double)in->length == HEAD + 4 + RECORD * announced(in);
 }
 
-/* Twelve numbers, the normal first, and two bytes that nobody uses. */
+/* Twelve numbers, the normal first, and two unused bytes. */
 static int read_binary(struct source *in, struct stl *s)
 {
     const int n = number_clamped(announced(in), 0, MOST);

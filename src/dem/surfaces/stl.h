@@ -2,9 +2,9 @@
  * Chapter "Walls".
  *
  * Text ("solid ... facet ... endsolid", any number of solids) or binary (80
- * bytes of anything, the number of triangles, 50 bytes each). Which one, says
- * the length: a file that is as long as its binary head announces is binary,
- * even if it begins with "solid". The normals in the file are not used.
+ * bytes of anything, the number of triangles, 50 bytes each). The length tells
+ * which: a file that is as long as its binary head announces is binary, even if
+ * it begins with "solid". The normals in the file are not used.
  */
 #ifndef DEM_SURFACES_STL_H
 #define DEM_SURFACES_STL_H

@@ -8,7 +8,7 @@
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
 
-/* A centre in the triangle itself has no side: it is given one. */
+/* If the centre lies in the triangle, n is the normal of the triangle. */
 static struct surface_hit nearest_on_triangle(const double corner[3][3],
                                               const double y[3])
 {

@@ -45,7 +45,7 @@ static void gather(struct surface_contact_points *t,
     }
 }
 
-/* (14.5) */
+/* 1 if the point t lies behind the plane through the nearer one (14.5). */
 static int hides(const struct surface_contact_point *nearer,
                  const struct surface_contact_point *t, double R)
 {

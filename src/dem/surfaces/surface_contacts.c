@@ -227,7 +227,7 @@ void surface_contacts_add_loads(struct surface_contacts *c,
     two.position_radius = c->position_radius;
     two.velocity = c->velocity;
     two.material = c->material;
-    two.own_inverse_mass = NULL; /* put_spheres has regarded it */
+    two.own_inverse_mass = NULL; /* put_spheres has used it */
     for (int a = 0; a < scene->n; a++) {
         memset(c->received[a].force, 0, sizeof c->received[a].force);
         memset(c->received[a].torque, 0, sizeof c->received[a].torque);

@@ -1,4 +1,4 @@
-/* surface_history_list.h -- the springs of surfaces among all springs.
+/* surface_history.h -- the springs of surfaces among all springs.
  *
  * Chapter "Walls".
  *

@@ -11,7 +11,7 @@
 
 struct surface;
 
-/* What one face of a surface is to a point. */
+/* The position of a point relative to one face of a surface. */
 struct surface_hit {
     double r;    /* [m] distance; negative in the solid of a shape */
     double n[3]; /* [-] from the face to the point */
@@ -26,13 +26,13 @@ struct surface_shape {
     const struct key *keys[KEY_TABLES]; /* tables of the keys it reads */
     const struct key *own_keys;         /* of these the one whose numbers are in
                                            surface.own (base/model.h); NULL: none */
-    /* What it is to the point y [m] in its frame, as at time 0; NULL: it is
-     * made of triangles. */
+    /* The nearest point to y [m], in the frame of the surface, as at time 0;
+     * NULL: the shape is made of triangles. */
     struct surface_hit (*nearest)(const struct surface *s, const double y[3]);
     /* Largest distance [m] of its points from the centre of its motion; NULL:
      * that of the corners of the box. */
     double (*reach)(const struct surface *s);
-    /* What of its numbers is impossible, in words; NULL: nothing is. */
+    /* What is wrong with its numbers, in words; NULL: nothing is. */
     const char *(*wrong)(const struct surface *s);
     /* Its point x [m] for two numbers a, b from 0 to 1, for display; lo and hi
      * are the ends of the box. NULL: plane, cylinder and triangles are drawn in

@@ -9,7 +9,7 @@
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
 
-/* Of any point of them in the box [m/s]. */
+/* The highest speed of any point of the surfaces in the box [m/s]. */
 static double highest_speed(const struct surface_scene *scene)
 {
     double speed = 0.0;
@@ -264,7 +264,7 @@ void surfaces_restore_history(struct surfaces *sf,
 
 /* Between two runs a carrier may have changed its velocity, or come back into a
  * periodic box. */
-static void take_carriers(struct surfaces *sf)
+static void update_carried(struct surfaces *sf)
 {
     sf->speed = highest_speed(&sf->scene);
     for (int s = 0; s < sf->n_chunks; s++)
@@ -279,7 +279,7 @@ void surfaces_begin_run(struct surfaces *sf)
 {
     for (int s = 0; s < sf->n_chunks; s++)
         sf->chunk[s].pairs.max_overlap = 0.0;
-    if (sf->carried) take_carriers(sf);
+    if (sf->carried) update_carried(sf);
 }
 
 int surfaces_contacts(const struct surfaces *sf)

@@ -17,7 +17,7 @@ struct surfaces {
     double speed;       /* [m/s] no point of a surface in the box is faster */
     int carried;        /* [-] 1: one of them has a carrier (motion.h) */
     int *index_of_id;   /* [-] index of each id after a sort, or -1 */
-    int index_capacity; /* [-] that there is room for in `where` */
+    int index_capacity; /* [-] ids that there is room for in index_of_id */
 };
 
 /* The list and the box are borrowed. */
@@ -46,8 +46,8 @@ void surfaces_add_loads(struct surfaces *sf, int s, struct chunk *chunk,
                         const struct contact_constants *k, double dt);
 
 /* Adds to the survey the particles that are in the solid of a plane or cylinder
- * by more than their radius and, if there are `marks`, those whose path since
- * the last rebuild crosses a triangle. */
+ * by more than their radius and, if `marks` says that the positions at the last
+ * rebuild are known, those whose path since then crosses a triangle. */
 void surfaces_check_lost(const struct surfaces *sf, int s,
                          const struct chunk *chunk, const struct bodies *b,
                          int marks, double skin, struct bodies_survey *found);
@@ -61,7 +61,7 @@ void surfaces_clear_history(struct surfaces *sf);
 void surfaces_restore_history(struct surfaces *sf,
                               const struct surface_history *one);
 
-/* All that the next run depends on (state.h). */
+/* Visits all that the next run depends on (state.h). */
 void surfaces_state(struct surfaces *sf, struct state *s);
 
 /* Before a run, and after it: contacts that touch [-], and the largest overlap

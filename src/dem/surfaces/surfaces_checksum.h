@@ -1,5 +1,5 @@
-/* surfaces_checksum.h -- one number for all that a bed rests on besides the
- * box. Chapter "Nothing is lost".
+/* surfaces_checksum.h -- the checksum of the surfaces that a bed rests on.
+ * Chapter "Nothing is lost".
  */
 #ifndef DEM_SURFACES_SURFACES_CHECKSUM_H
 #define DEM_SURFACES_SURFACES_CHECKSUM_H

@@ -118,9 +118,10 @@ static void add(struct triangle_list *list, int i)
     list->number[list->n++] = i;
 }
 
-/* Is this cell the first one in which the search meets the triangle? */
-static int first_meeting(const struct triangles *t, int i, const int from[3],
-                         const int cell[3])
+/* 1 if this cell is the first one that both the search and the triangle have.
+ */
+static int is_first_common_cell(const struct triangles *t, int i,
+                                const int from[3], const int cell[3])
 {
     int first[3], last[3];
 
@@ -130,8 +131,8 @@ static int first_meeting(const struct triangles *t, int i, const int from[3],
     return 1;
 }
 
-static int meets(const struct triangles *t, int i, const double y[3],
-                 double reach)
+static int is_within(const struct triangles *t, int i, const double y[3],
+                     double reach)
 {
     for (int k = 0; k < 3; k++) {
         double lo, hi;
@@ -149,7 +150,7 @@ static void search(const struct triangles *t, const double y[3], double reach,
 
     for (int q = t->start[c]; q < t->start[c + 1]; q++) {
         const int i = t->member[q];
-        if (first_meeting(t, i, from, cell) && meets(t, i, y, reach))
+        if (is_first_common_cell(t, i, from, cell) && is_within(t, i, y, reach))
             add(found, i);
     }
 }

@@ -2,8 +2,8 @@
  * Chapter "Walls".
  *
  * They lie in a grid of cells about as wide as a triangle, each in every cell
- * that its bounding box meets. They never move: for a moving surface points are
- * transformed into its frame.
+ * that its bounding box overlaps. They do not move: for a moving surface points
+ * are transformed into its frame.
  */
 #ifndef DEM_SURFACES_TRIANGLES_H
 #define DEM_SURFACES_TRIANGLES_H

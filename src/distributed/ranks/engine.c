@@ -72,7 +72,7 @@ static double number_in(const char *dir, const char *file, const char *name)
 
 static const char slot_name[] = "/processes/slot";
 
-/* That which neither the checkpoint nor the one before it has. */
+/* A slot that neither the checkpoint nor the one before it uses. */
 static int free_slot(const char *dir)
 {
     const double taken[2] = {number_in(dir, "checkpoint", slot_name),

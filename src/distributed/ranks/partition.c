@@ -42,7 +42,7 @@ static int choose(struct partition *p, int down, int parts)
     return best < HUGE_VAL;
 }
 
-/* As many ranks as can be used, at most `size`. */
+/* How many ranks can be used, at most `size`. */
 static int largest_that_fits(struct partition *p, int down)
 {
     int n = p->size;

@@ -51,7 +51,8 @@ static void release_part(struct engine *e)
     e->part = NULL;
 }
 
-/* The file: what LAMMPS had, of a run that goes on; or "". */
+/* The file has the spheres of a run that goes on; its name is "" in a new one.
+ */
 int engine_build_part(struct engine *e, const char *file)
 {
     int code;
@@ -193,7 +194,7 @@ static void obey(struct engine *e, const struct message *m)
     if (m->order == RELEASE) release_part(e);
     if (m->order == PROCESSES_START) coupling_start(part->sim);
     if (m->order == PROCESSES_STEP) coupling_step(part->sim);
-    if (m->order == PROCESSES_LOOK) snapshot_take(e->last, part->sim);
+    if (m->order == PROCESSES_SNAPSHOT) snapshot_take(e->last, part->sim);
     if (m->order == PROCESSES_ROW) add_row(e);
     if (m->order == PROCESSES_ROW_DONE) part_count_own(part);
     if (m->order == WRITE) pieces_write(part, e->last, m->path);

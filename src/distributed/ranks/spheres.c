@@ -337,7 +337,7 @@ static void release(struct dem *dem)
     spheres_free(dem->state);
 }
 
-/* distributed/refusal.h has looked at the case. */
+/* What LAMMPS does not know has been refused by distributed/refusal.h. */
 static const char *unknown(const struct dem_options *o)
 {
     return o == NULL ? "options" : NULL;
@@ -348,7 +348,7 @@ static double skin(const struct dem_options *o, double mean)
     return o->skin > 0.0 ? o->skin : mean / 6.0;
 }
 
-/* spheres_begin does it. */
+/* LAMMPS is started later, by spheres_begin. */
 static int create_later(struct dem *dem)
 {
     return dem == NULL;

@@ -54,15 +54,15 @@ static double explicit_part(const struct deferred_terms *d,
 
 /* grad u . (S - d S.S / S.d) of component k, linear between the cells. */
 static double non_orthogonal(const struct deferred_terms *d,
-                             const struct fluid *fl, const double rest[3],
+                             const struct fluid *fl, const double oblique[3],
                              int f, int k)
 {
     const struct mesh *const m = fl->mesh;
     const double *const slope = d->slope;
 
-    return m->w[f] * vector_dot(&slope[9 * m->owner[f] + 3 * k], rest) +
+    return m->w[f] * vector_dot(&slope[9 * m->owner[f] + 3 * k], oblique) +
            (1.0 - m->w[f]) *
-               vector_dot(&slope[9 * m->neighbour[f] + 3 * k], rest);
+               vector_dot(&slope[9 * m->neighbour[f] + 3 * k], oblique);
 }
 
 /* Adds a flux to one cell and subtracts it from the other. */
@@ -89,11 +89,12 @@ static void add_non_orthogonal(struct deferred_terms *d, struct fluid *fl,
 {
     fill_velocity_gradients(d, fl, u);
     for (int f = 0; f < fl->mesh->n_internal; f++) {
-        double rest[3];
-        mesh_oblique_part(fl->mesh, f, rest);
+        double oblique[3];
+        mesh_oblique_part(fl->mesh, f, oblique);
         for (int k = 0; k < 3; k++)
-            add_to_both_cells(
-                fl, f, k, fl->options.mu * non_orthogonal(d, fl, rest, f, k));
+            add_to_both_cells(fl, f, k,
+                              fl->options.mu *
+                                  non_orthogonal(d, fl, oblique, f, k));
     }
 }
 

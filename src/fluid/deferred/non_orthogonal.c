@@ -33,15 +33,15 @@ static void balancing_gradient(const struct fluid *fl, int c, double slope[3])
  * degrees to the normal: beyond, it would amplify itself from corrector to
  * corrector in flat tetrahedra. What is left out of the flux is of the order of
  * the square of the mesh width. */
-static void oblique_part(const struct fluid *fl, int f, double rest[3])
+static void oblique_part(const struct fluid *fl, int f, double oblique[3])
 {
     const double most = 2.0; /* [-] */
 
-    mesh_oblique_part(fl->mesh, f, rest);
+    mesh_oblique_part(fl->mesh, f, oblique);
     const double square =
-        vector_dot(rest, rest) / (most * most * fl->geometry->SS[f]);
+        vector_dot(oblique, oblique) / (most * most * fl->geometry->SS[f]);
     for (int k = 0; k < 3 && square > 1.0; k++)
-        rest[k] /= sqrt(square);
+        oblique[k] /= sqrt(square);
 }
 
 /* The non-orthogonal part of grad p . S, linear between the cells. With the
@@ -52,13 +52,14 @@ static void oblique_part(const struct fluid *fl, int f, double rest[3])
 FACE_KERNEL non_orthogonal_flux(int f, int o, int n, struct fluid *fl)
 {
     const double w = fl->mesh->w[f];
-    double rest[3], a[3], b[3];
+    double oblique[3], a[3], b[3];
 
-    oblique_part(fl, f, rest);
+    oblique_part(fl, f, oblique);
     balancing_gradient(fl, o, a);
     balancing_gradient(fl, n, b);
-    fl->phi[f] -= fl->pressure->m_face[f] *
-                  (w * vector_dot(a, rest) + (1.0 - w) * vector_dot(b, rest));
+    fl->phi[f] -=
+        fl->pressure->m_face[f] *
+        (w * vector_dot(a, oblique) + (1.0 - w) * vector_dot(b, oblique));
 }
 
 void deferred_terms_add_oblique_fluxes(struct fluid *fl)

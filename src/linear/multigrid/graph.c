@@ -26,9 +26,9 @@ static struct graph *allocate(int n, int n_links)
     return g;
 }
 
-/* A cell is closed, so what its links leave open is the area of its wall. S is
- * taken along d, which is exact if they are parallel; a small gap is the error
- * of that. */
+/* The areas of a closed cell add up to zero, so the sum over its links is minus
+ * the area of its walls. S is assumed to be parallel to d; a sum below
+ * small_gap is taken for the error of that. */
 static void find_walls(struct graph *g)
 {
     double *const area = alloc_doubles(g->n);
@@ -111,8 +111,8 @@ static int number(int n, const int *root, int *parent)
     return count;
 }
 
-/* Volumes and walls of the aggregates; offsets from their centroids instead of
- * from their first cells. */
+/* Sets the volumes and walls of the aggregates, and changes the offsets from
+ * those from their first cells to those from their centroids. */
 static void centre(const struct graph *g, const int *parent, struct graph *big,
                    double *offset)
 {
@@ -131,7 +131,7 @@ static void centre(const struct graph *g, const int *parent, struct graph *big,
     free(sum);
 }
 
-/* The lower of the two aggregates that link l joins. */
+/* The number of the first of the two aggregates that link l joins. */
 static int lower(const struct graph *g, const int *parent, int l)
 {
     const int I = parent[g->owner[l]], J = parent[g->neighbour[l]];
@@ -139,7 +139,8 @@ static int lower(const struct graph *g, const int *parent, int l)
     return I < J ? I : J;
 }
 
-/* Where link l leads between centroids, seen from the lower aggregate. */
+/* D = the vector between the centroids of the aggregates that link l joins,
+ * from the one with the lower number [m]. */
 static void between_centroids(const struct graph *g, const int *parent,
                               const double *offset, int l, double *D)
 {
@@ -151,8 +152,8 @@ static void between_centroids(const struct graph *g, const int *parent,
                        offset[3L * j + k]);
 }
 
-/* The coarse link from I to J along D, among those from first on; a new one if
- * there is none. */
+/* The coarse link from I to J along D, among those from first on; one is
+ * created if there is none. */
 static int find_bundle(struct graph *big, int first, int I, int J,
                        const double *D)
 {
@@ -172,7 +173,8 @@ static int find_bundle(struct graph *big, int first, int I, int J,
     return b;
 }
 
-/* The links in the order of the lower of the aggregates they join. */
+/* The links, sorted by the lower number of the two aggregates that they join;
+ * the caller frees the list. */
 static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
 {
     int *const order = alloc_ints(g->n_links);
@@ -188,8 +190,9 @@ static int *sorted_by_lower(const struct graph *g, const int *parent, int count)
     return order;
 }
 
-/* Bundles the links between aggregates. A coarse link is as strong as its links
- * together, less by the factor by which it is longer. */
+/* Adds the links between each two aggregates to a coarse link. Its strength is
+ * the sum of theirs, each times the ratio of its length to that of the coarse
+ * link. */
 static void bundle_links(const struct graph *g, const int *parent,
                          const double *offset, struct graph *big, int *bundle)
 {

@@ -30,11 +30,11 @@ double graph_length(const struct graph *g, int l);
 double graph_depth(const struct graph *g, int i);
 
 /* The graph of aggregates. root[i] is the first cell of the aggregate of i,
- * offset the way from there to i [m] (becomes the way from the centroid).
- * parent[i] becomes the aggregate of i, coarse link[l] the coarse link that
- * link l is part of, or -1 if it lies within an aggregate. Links between the
- * same two aggregates are one coarse link if they lead the same way: through a
- * periodic side they may not. */
+ * offset the vector from there to i [m]; it becomes the vector from the
+ * centroid of the aggregate. parent[i] becomes the aggregate of i, bundle[l]
+ * the coarse link that link l is part of, or -1 if it lies within an aggregate.
+ * Links between the same two aggregates are one coarse link if they lead the
+ * same way: through a periodic side they may not. */
 struct graph *graph_aggregated(const struct graph *g, const int *root,
                                double *offset, int *parent, int *bundle);
 

@@ -67,10 +67,10 @@ void level_release(struct level *v)
     members_release(&v->cells);
 }
 
-/* Factor of the coefficient to a wall as the distance to the wall increases on
- * the coarser level. */
-static double wall_share(const struct graph *fine, int i,
-                         const struct graph *coarse, int I)
+/* The factor of the coefficient between cell i and a wall on the coarser level,
+ * where the distance from the wall is that of the aggregate I [-]. */
+static double wall_factor(const struct graph *fine, int i,
+                          const struct graph *coarse, int I)
 {
     const double depth = graph_depth(fine, i);
 
@@ -91,7 +91,7 @@ void level_connect(struct level *v, const struct graph *fine,
     *cells = members_of(coarse->n, fine->n, parent);
     for (int I = 0; I < coarse->n; I++)
         for (int s = cells->start[I]; s < cells->start[I + 1]; s++)
-            cells->weight[s] = wall_share(fine, cells->list[s], coarse, I);
+            cells->weight[s] = wall_factor(fine, cells->list[s], coarse, I);
 }
 
 void level_set_fine(struct level *v, const double *g, const double *sums,
@@ -102,7 +102,7 @@ void level_set_fine(struct level *v, const double *g, const double *sums,
     v->kind->fill(v->A, v->g, v->sums, unit);
 }
 
-/* coarse[i] = the members of i among the fine, summed. */
+/* coarse[i] = the weighted sum of the members of i among the fine. */
 static void gather(int first, int last, const struct level_members *m,
                    const double *fine, double *coarse)
 {

@@ -68,7 +68,7 @@ static const float *inverse(const void *data)
     return m->inverse;
 }
 
-/* Row i of b - unit A x. */
+/* Row i of b - unit A x, computed in double. */
 static double residual_of_row(const struct rows *m, int i, const float *b,
                               const float *x)
 {

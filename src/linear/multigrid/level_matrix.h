@@ -20,7 +20,7 @@ struct level_matrix_kind {
     float *(*vector)(const void *data);
     void (*vector_free)(const void *data, float *x);
     void (*fill)(void *data, const double *g, const double *sums, double unit);
-    /* One over the diagonal, which is times unit. */
+    /* One over the diagonal times unit. */
     const float *(*inverse)(const void *data);
     /* With A times unit: r = b - A x, and y = alpha x + beta w + gamma D^-1
      * (b - A x). x is such a vector; y may be w. */

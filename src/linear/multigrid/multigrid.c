@@ -32,7 +32,8 @@ struct multigrid {
     double unit;                /* one over the typical entry of the matrix */
 };
 
-/* Adds the level above g, or returns NULL if aggregates no longer help. */
+/* Adds the level above g and returns its graph; or NULL if the aggregates are
+ * more than 0.8 of the unknowns of g. */
 static struct graph *add_level(struct multigrid *mg, struct graph *g)
 {
     struct level *const v = &mg->level[mg->n_levels];
@@ -89,7 +90,8 @@ void multigrid_free(struct multigrid *mg)
     free(mg);
 }
 
-/* The coarsest matrix in double, from the coefficients of its links. */
+/* Factors the coarsest matrix, in double, from the coefficients of its links.
+ */
 static void factor_coarsest(struct multigrid *mg)
 {
     const struct level *const v = &mg->level[mg->n_levels - 1];
@@ -132,7 +134,7 @@ void multigrid_set_coefficients(struct multigrid *mg, const double *g,
 
 /* The weights of the two stages of Chebyshev smoothing [Saad03, 12.3.2]. */
 struct weights {
-    float first, turn, second;
+    float first, previous, second;
 };
 
 static struct weights smoothing(void)
@@ -146,7 +148,7 @@ static struct weights smoothing(void)
     return w;
 }
 
-/* x = weight D^-1 b over a range */
+/* x = weight D^-1 b over a range. */
 static void jacobi_rows(int first, int last, struct level *v, float weight)
 {
     const float *const inverse = v->kind->inverse(v->A);
@@ -155,23 +157,24 @@ static void jacobi_rows(int first, int last, struct level *v, float weight)
         v->x[i] = weight * inverse[i] * v->b[i];
 }
 
-/* y = a smoothed solution of A y = b from zero. */
+/* Two stages of smoothing of A y = b, from y = 0. */
 static void smooth_from_zero(struct level *v)
 {
     const struct weights w = smoothing();
 
     PARALLEL_RANGES(v->n, 1, jacobi_rows, v, w.first);
-    v->kind->relax(v->A, v->b, v->x, 1.0F + w.turn, v->x, 0.0F, w.second, v->y);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->x, 0.0F, w.second,
+                   v->y);
 }
 
-/* The same, starting from the present y. */
+/* The same from the present y. */
 static void smooth(struct level *v)
 {
     const struct weights w = smoothing();
 
     v->kind->relax(v->A, v->b, v->y, 1.0F, v->y, 0.0F, w.first, v->x);
-    v->kind->relax(v->A, v->b, v->x, 1.0F + w.turn, v->y, -w.turn, w.second,
-                   v->y);
+    v->kind->relax(v->A, v->b, v->x, 1.0F + w.previous, v->y, -w.previous,
+                   w.second, v->y);
 }
 
 static void solve_coarsest(struct multigrid *mg)

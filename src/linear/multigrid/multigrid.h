@@ -1,4 +1,4 @@
-/* multigrid.h -- the pressure solver's preconditioner.
+/* multigrid.h -- a preconditioner: one cycle of multigrid by aggregation.
  * Chapter "Linear solvers".
  *
  * Cells are joined into aggregates, and aggregates into larger ones, until a
@@ -39,8 +39,8 @@ void multigrid_set_coefficients(struct multigrid *mg, const double *g,
  * positive definite M. Returns r.z. */
 double multigrid_apply(struct multigrid *mg, const double *r, double *z);
 
-/* y = A x in double, for the matrix taken over; returns x.y. On a box several
- * times faster than csr_multiply; equal to it up to rounding. */
+/* y = A x in double, for the coefficients that were set; returns x.y. On a box
+ * several times faster than csr_multiply; equal to it up to rounding. */
 double multigrid_multiply(const struct multigrid *mg, const double *x,
                           double *y);
 

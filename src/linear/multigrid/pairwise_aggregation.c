@@ -9,10 +9,10 @@
 
 /* A link is strong if its S/d is at least this fraction of the largest of
  * either of its cells [-]. */
-static const double strong_share = 0.4;
+static const double strong_fraction = 0.4;
 
-/* 0, 1, 2: the axis closest to the link; x before y before z where rounding
- * alone would decide. */
+/* The axis (0, 1, 2) to which the link is closest; where only rounding tells
+ * two axes apart, the first of them. */
 static int axis_of(const struct graph *g, int l)
 {
     const double *const d = g->distance + 3L * l;
@@ -37,8 +37,8 @@ static void mark_strong(struct graph *g)
     for (int l = 0; l < g->n_links; l++) {
         const int i = g->owner[l], j = g->neighbour[l];
 
-        g->strong[l] =
-            i != j && g->strength[l] >= strong_share * fmin(most[i], most[j]);
+        g->strong[l] = i != j && g->strength[l] >=
+                                     strong_fraction * fmin(most[i], most[j]);
     }
     free(most);
 }
@@ -88,9 +88,10 @@ static int strongest(const struct csr *A, const int *mate, int i, int free_one)
     return best;
 }
 
-/* Where a cell lies from the first cell of its aggregate, through link l. */
-static void join_left_over(const struct graph *g, int l, int i, int j,
-                           double *offset)
+/* Sets the offset of cell j from the first cell of its aggregate, through link
+ * l from cell i. */
+static void set_offset(const struct graph *g, int l, int i, int j,
+                       double *offset)
 {
     const double sign = g->owner[l] == i ? 1.0 : -1.0;
 
@@ -99,8 +100,8 @@ static void join_left_over(const struct graph *g, int l, int i, int j,
             offset[3L * i + k] + sign * g->distance[3L * l + k];
 }
 
-/* Joins cells in pairs along one axis; root and offset as in graph_aggregated.
- */
+/* Joins cells in pairs along one axis, and each cell that is left over to the
+ * pair of a neighbour; root and offset as in graph_aggregated. */
 static void join_pairs(const struct graph *g, int axis, int *root,
                        double *offset)
 {
@@ -118,21 +119,21 @@ static void join_pairs(const struct graph *g, int axis, int *root,
         mate[i] = A->col[e];
         mate[A->col[e]] = i;
         root[A->col[e]] = i;
-        join_left_over(g, link_at[e], i, A->col[e], offset);
+        set_offset(g, link_at[e], i, A->col[e], offset);
     }
     for (int i = 0; i < g->n; i++) {
         const int e = mate[i] < 0 ? strongest(A, mate, i, 0) : -1;
 
         if (e < 0) continue;
         root[i] = root[A->col[e]];
-        join_left_over(g, link_at[e], A->col[e], i, offset);
+        set_offset(g, link_at[e], A->col[e], i, offset);
     }
     free(mate);
     free(link_at);
     csr_free(A);
 }
 
-/* One pass of pairing, along one axis. */
+/* The graph after the cells have been paired along one axis. */
 static struct graph *pair_along_axis(const struct graph *g, int axis,
                                      int *parent, int *bundle)
 {
@@ -148,7 +149,7 @@ static struct graph *pair_along_axis(const struct graph *g, int axis,
     return big;
 }
 
-/* map = next after map; -1 stays. */
+/* map[i] = next[map[i]]; an entry of -1 stays. */
 static void follow(int n, int *map, const int *next)
 {
     for (int i = 0; i < n; i++)

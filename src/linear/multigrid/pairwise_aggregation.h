@@ -15,8 +15,7 @@
 
 #include "linear/multigrid/graph.h"
 
-/* The next coarser graph, with parent and coarse link as in graph_aggregated.
- */
+/* The next coarser graph, with parent and bundle as in graph_aggregated. */
 struct graph *pairwise_aggregation_coarsen(struct graph *g, int *parent,
                                            int *bundle);
 

@@ -39,7 +39,8 @@ void block_means_free(struct block_means *b)
     free(b);
 }
 
-/* Neighbours become one block, and the second half of the room is empty. */
+/* Neighbours are joined to one block, and the second half of the array is free.
+ */
 static void join(struct block_means *b, double *sum)
 {
     const int n = b->n, half = MOST_BLOCKS / 2;

@@ -87,8 +87,8 @@ int picture_write_particles(struct folder *folder, const char *name,
     return file_commit(f);
 }
 
-/* With 99 % of the particles a single fast one does not make all others dark.
- */
+/* The largest speed of all but 1 % of the particles: with the largest of all,
+ * one fast particle would make the colours of the others equal. */
 double picture_speed_scale(const struct picture *p)
 {
     if (p->n == 0) return 0.0;

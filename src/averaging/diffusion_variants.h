@@ -1,9 +1,9 @@
-/* diffusion_parts.h -- what the folders may add to the diffusion.
+/* diffusion_variants.h -- variants of the diffusion that folders provide.
  *
  * Chapter "Averaging".
  */
-#ifndef AVERAGING_DIFFUSION_PARTS_H
-#define AVERAGING_DIFFUSION_PARTS_H
+#ifndef AVERAGING_DIFFUSION_VARIANTS_H
+#define AVERAGING_DIFFUSION_VARIANTS_H
 
 #include "mesh/mesh.h"
 

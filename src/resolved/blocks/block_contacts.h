@@ -9,10 +9,12 @@
  *
  * and friction mu F against the slip [LS 4.8], without a spring of its own.
  */
-#ifndef RESOLVED_BLOCK_CONTACTS_H
-#define RESOLVED_BLOCK_CONTACTS_H
+#ifndef RESOLVED_BLOCKS_BLOCK_CONTACTS_H
+#define RESOLVED_BLOCKS_BLOCK_CONTACTS_H
 
 #include "resolved/solid_bodies.h"
+
+extern const struct body_contacts block_contacts;
 
 /* Changes the velocities of what touches and can move, by the forces of a time
  * dt [s]. Returns the deepest overlap over the diameter of a ball [-]. */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/block_contacts.h"
+#include "resolved/blocks/block_contacts.h"
 
 #include <math.h>
 
 #include "base/vector.h"
 #include "dem/contact_linear.h"
-#include "resolved/body_gaps.h"
+#include "resolved/blocks/body_gaps.h"
+#include "resolved/squeeze_film.h"
 
 /* The impulse on a ball that reaches into the other body by `depth`, at the
  * slip v. */
@@ -45,3 +46,30 @@ double block_contacts_act(struct solid_bodies *b, double dt)
     b->touching = 0;
     return body_gaps_each(b, 0.0, dt, touch);
 }
+
+/* A ball beside a body that is no sphere, or a ball of a clump. A point has no
+ * film: what flows out beside a surface is the mesh's. */
+static double act_in_gap(struct solid_bodies *b, const struct body_gap *g,
+                         double dt)
+{
+    if (g->R == 0.0) return 0.0;
+    const double speed = vector_dot(g->v, g->n),
+                 R_star = 1.0 / (1.0 / g->R + 1.0 / g->R_j);
+    const double gained =
+        squeeze_film_velocity(&b->lubrication, R_star, g->m, g->z, speed, dt) -
+        speed;
+    double J[3];
+
+    for (int k = 0; k < 3; k++)
+        J[k] = g->m * gained * g->n[k];
+    body_gaps_push(b, g, J);
+    return 0.0;
+}
+
+static void act_by_films(struct solid_bodies *b, double dt)
+{
+    body_gaps_each(b, b->lubrication.reach, dt, act_in_gap);
+}
+
+const struct body_contacts block_contacts = {
+    .act = block_contacts_act, .film = act_by_films, .touch = body_gaps_touch};

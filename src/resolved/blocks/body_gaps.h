@@ -6,8 +6,8 @@
  * from the ball's centre and the normal there. What two spheres do to one
  * another, and spheres at walls, is dem's.
  */
-#ifndef RESOLVED_BODY_GAPS_H
-#define RESOLVED_BODY_GAPS_H
+#ifndef RESOLVED_BLOCKS_BODY_GAPS_H
+#define RESOLVED_BLOCKS_BODY_GAPS_H
 
 #include "resolved/solid_bodies.h"
 
@@ -38,10 +38,6 @@ void body_gaps_push(struct solid_bodies *b, const struct body_gap *g,
 /* What an overlap is compared with [m]: the diameter of the ball, or where the
  * body of a point is narrowest. */
 double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g);
-
-/* 1 if the body is a sphere on a spring: b->dem would give it an infinite mass,
- * so its contacts are found here. */
-int body_gaps_hung(const struct solid_bodies *b, int i);
 
 /* 1 if contacts keep bodies i and j apart, of which one moves. */
 int body_gaps_touch(const struct solid_bodies *b, int i, int j);

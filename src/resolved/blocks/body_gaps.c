@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "resolved/body_gaps.h"
+#include "resolved/blocks/body_gaps.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,11 +8,6 @@
 #include "dem/box_domain.h"
 #include "resolved/body_motion.h"
 #include "resolved/body_turn.h"
-
-int body_gaps_hung(const struct solid_bodies *b, int i)
-{
-    return b->shape[i].kind == BODY_SPHERE && b->motion[i] == BODY_SPRING;
-}
 
 static int can_move(const struct solid_bodies *b, int i)
 {
@@ -23,7 +18,7 @@ static int can_move(const struct solid_bodies *b, int i)
 static int is_clump(const struct solid_bodies *b, int i)
 {
     return b->shape[i].kind == BODY_OUTLINE ? b->shape[i].outline->width == 0.0
-                                            : body_gaps_hung(b, i);
+                                            : solid_bodies_hung(b, i);
 }
 
 /* 1 if points of its surface touch others. */
