@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The iterations of flat cells are those of multigrid: needs
- * src/linear/multigrid
- */
+/* Flat cells: needs src/linear/multigrid */
 #include "fluid/fluid.h"
 #include "facts.h"
 
