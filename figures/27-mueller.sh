@@ -52,18 +52,18 @@ vary() {
             # shellcheck disable=SC2086 # words
             run "$name" 0.9 $seed 2.4e-3 12,32,3 4.0 $change </dev/null
         done <<END
-restitution-0.9 -s $grains.restitution=0.9
 slip -s fluid.sides=slip
+same -s averaging.interpolation=same
+friction-0.3 -s $grains.friction=0.3
+young-1.2e6 -s $grains.young=1.2e6 -s particles.step=1e-5
+di-felice -s exchange.drag=di-felice
+gidaspow -s exchange.drag=gidaspow
+restitution-0.9 -s $grains.restitution=0.9
 beetstra -s exchange.drag=beetstra
 model-B -s exchange.model=B
-same -s averaging.interpolation=same
 fewer-8960 -s particles.bed.count=8960
-friction-0.3 -s $grains.friction=0.3
-gidaspow -s exchange.drag=gidaspow
-di-felice -s exchange.drag=di-felice
 one-deep -s mesh.cells=[12,32,1]
 diameter-1.17 -s particles.bed.diameter=1.17e-3
-young-1.2e6 -s $grains.young=1.2e6 -s particles.step=1e-5
 END
     done
     run young-1.2e7 0.9 1 2.4e-3 12,32,3 4.0 -s $grains.young=1.2e7 -s particles.step=4e-6
