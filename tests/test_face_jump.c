@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Asks for schemes by name: needs src/fluid/deferred */
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
  * damping by drag: in two and three directions, by all schemes. */
 #include "fluid/fluid.h"
