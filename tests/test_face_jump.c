@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Takes all schemes of convection: needs src/fluid/deferred */
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
  * damping by drag: in two and three directions, by all schemes, some of which
  * are in a folder: needs src/fluid/deferred
