@@ -33,7 +33,8 @@ struct pool_options {
     const struct body_method *method;
     int n; /* bodies */
     int dem_steps;
-    double tolerance; /* 0: 1e-10 */
+    double tolerance;      /* 0: 1e-10 */
+    double piso_tolerance; /* 0: 1e-3 */
 };
 
 /* Equal cells, second order in space and time. */
@@ -48,7 +49,7 @@ static inline void pool_create(struct pool *p, const struct pool_options *o)
         .time = time_scheme_named(o->time != NULL ? o->time : "bdf2"),
         .convection = convection_scheme_named("linear"),
         .correctors = 2,
-        .piso_tolerance = 1e-3,
+        .piso_tolerance = o->piso_tolerance > 0.0 ? o->piso_tolerance : 1e-3,
         .tolerance = o->tolerance > 0.0 ? o->tolerance : 1e-10,
         .boundaries = p->boundary};
     struct dem_options dem = {

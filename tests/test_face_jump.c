@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks for schemes by name: needs src/fluid/deferred */
 /* Flow through beds whose fluid fraction jumps from cell to cell, without
- * damping by drag: in two and three directions, by all schemes. */
+ * damping by drag: in two and three directions, by all schemes, some of which
+ * are in a folder: needs src/fluid/deferred
+ */
 #include "fluid/fluid.h"
 #include "facts.h"
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Flat cells are solved in few iterations: needs src/linear/multigrid */
 #include "fluid/fluid.h"
 #include "linear/preconditioned.h"
 #include "facts.h"

@@ -15,23 +15,16 @@
 
 enum { MOST_PATCH_KEYS = 8 };
 
-static double number(const config_setting_t *s)
-{
-    return config_setting_type(s) == CONFIG_TYPE_FLOAT
-               ? config_setting_get_float(s)
-               : (double)config_setting_get_int64(s);
-}
-
 static int is_real(const struct key *key, const config_setting_t *s)
 {
-    return config_setting_is_number(s) && isfinite(number(s)) &&
-           schema_allow_number(key, number(s));
+    return config_setting_is_number(s) && isfinite(source_number(s)) &&
+           schema_allow_number(key, source_number(s));
 }
 
 static int is_count(const struct key *key, const config_setting_t *s)
 {
     return config_setting_type(s) == CONFIG_TYPE_INT &&
-           schema_allow_number(key, number(s));
+           schema_allow_number(key, source_number(s));
 }
 
 static int is_flag(const struct key *key, const config_setting_t *s)
@@ -81,11 +74,11 @@ static int is_series(const struct key *key, const config_setting_t *s)
             config_setting_length(point) != 2)
             return 0;
         time = config_setting_get_elem(point, 0);
-        if (!config_setting_is_number(time) || !isfinite(number(time)) ||
-            number(time) <= last ||
+        if (!config_setting_is_number(time) || !isfinite(source_number(time)) ||
+            source_number(time) <= last ||
             !is_real(key, config_setting_get_elem(point, 1)))
             return 0;
-        last = number(time);
+        last = source_number(time);
     }
     return 1;
 }

@@ -136,18 +136,6 @@ static const config_setting_t *find_in(const struct settings *s,
     return found;
 }
 
-static double real(const config_setting_t *s)
-{
-    switch (config_setting_type(s)) {
-    case CONFIG_TYPE_FLOAT:
-        return config_setting_get_float(s);
-    case CONFIG_TYPE_STRING:
-        return 0.0; /* a word in the place of a number */
-    default:
-        return (double)config_setting_get_int64(s);
-    }
-}
-
 /* A word in its place is 0. */
 static int whole(const config_setting_t *s)
 {
@@ -158,7 +146,7 @@ static int whole(const config_setting_t *s)
 static void vector(const config_setting_t *s, double v[3])
 {
     for (unsigned i = 0; i < 3; i++)
-        v[i] = real(config_setting_get_elem(s, i));
+        v[i] = source_number(config_setting_get_elem(s, i));
 }
 
 int settings_has(const struct settings *s, const char *path)
@@ -171,7 +159,7 @@ int settings_has(const struct settings *s, const char *path)
 
 double settings_real(const struct settings *s, const char *path)
 {
-    return real(find(s, path, KEY_REAL));
+    return source_number(find(s, path, KEY_REAL));
 }
 
 int settings_int(const struct settings *s, const char *path)
@@ -227,13 +215,13 @@ static void series_point(const config_setting_t *found, int i, double *time,
     assert(i >= 0 && i < series_length(found));
     if (!config_setting_is_list(found)) {
         *time = 0.0;
-        *value = real(found);
+        *value = source_number(found);
         return;
     }
     const config_setting_t *const point =
         config_setting_get_elem(found, (unsigned)i);
-    *time = real(config_setting_get_elem(point, 0));
-    *value = real(config_setting_get_elem(point, 1));
+    *time = source_number(config_setting_get_elem(point, 0));
+    *value = source_number(config_setting_get_elem(point, 1));
 }
 
 int settings_points(const struct settings *s, const char *path)
@@ -277,7 +265,7 @@ int settings_item_is_set(const struct settings *s, const char *list, int i,
 double settings_item_real(const struct settings *s, const char *list, int i,
                           const char *key)
 {
-    return real(find_in(s, list, i, key, KEY_REAL));
+    return source_number(find_in(s, list, i, key, KEY_REAL));
 }
 
 int settings_item_int(const struct settings *s, const char *list, int i,

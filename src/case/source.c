@@ -92,6 +92,13 @@ int source_is_default(const config_setting_t *setting)
     return config_setting_get_hook(setting) == source_default;
 }
 
+double source_number(const config_setting_t *s)
+{
+    return config_setting_type(s) == CONFIG_TYPE_FLOAT
+               ? config_setting_get_float(s)
+               : (double)config_setting_get_int64(s);
+}
+
 /* Where a setting stands: its override, or its file and line. */
 static void place(const config_setting_t *at, char text[SOURCE_TEXT])
 {

@@ -23,6 +23,9 @@ int source_read(config_t *tree, const char *file);
 /* 1 if the value is a default. */
 int source_is_default(const config_setting_t *setting);
 
+/* A number, whole or real; 0 for a word that stands in its place. */
+double source_number(const config_setting_t *setting);
+
 /* Prints "winnow: PLACE: message" on stderr. Returns 2. */
 int source_wrong(const config_setting_t *at, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -5,8 +5,8 @@
  *   k_t = 8 G* sqrt(R*) sqrt(delta)                            [LS 4.10]
  *   eta = 2 sqrt(5/6) zeta sqrt(S m*)       [LS 4.12, with e instead of 0]
  *
- * with S_n = 2 E* sqrt(R* delta) along n and S_t = k_t across it; zeta is that of
- * e (contact.h), and sqrt(5/6) makes e exact. The contact ends at delta = 0.
+ * with S_n = 2 E* sqrt(R* delta) along n, S_t = k_t across it, and zeta of e
+ * (contact.h); sqrt(5/6) makes e exact. The contact ends at delta = 0.
  */
 #ifndef DEM_CONTACT_HERTZ_H
 #define DEM_CONTACT_HERTZ_H

@@ -22,13 +22,46 @@ static double gyration(const struct solid_bodies *b, int i)
     return 0.1 * b->ps->d[i] * b->ps->d[i];
 }
 
+/* Half of the smallest width of a body [m]. */
+static double least_radius(const struct body_shape *shape)
+{
+    double R = shape->half[0];
+
+    if (shape->kind != BODY_OUTLINE) return R;
+    if (shape->outline->width > 0.0) return 0.5 * shape->outline->width;
+    for (int k = 0; k < shape->outline->n_balls; k++)
+        R = fmin(R, shape->outline->ball[k].R);
+    return R;
+}
+
+/* In a step viscosity takes K times the momentum of the fluid in the place of a
+ * body: of a sphere, with x = nu dt / R^2,
+ *
+ *   K = 9/2 (x + sqrt(x)) + 1/2         of a velocity,
+ *   K = 15 x + 5 sqrt(x)/(1 + sqrt(x))  of a spin
+ *
+ * which the implicit step of Stokes' equations gives. From K = 4 (rho_r + C_v)
+ * on it would take more than there is, with the other sign in each step; half
+ * of that is left. */
+static void set_virtual_mass(struct solid_bodies *b, int i, double dt)
+{
+    const double R = least_radius(&b->shape[i]);
+    const double x = b->mu * dt / (b->rho * R * R), root = sqrt(x);
+    const double rho_r = b->mass[i] / displaced(b, i);
+
+    b->C_v[i] =
+        fmax(b->options.virtual_mass, 0.5 * (4.5 * (x + root) + 0.5) - rho_r);
+    b->C_spin[i] = fmax(b->options.virtual_mass,
+                        0.5 * (15.0 * x + 5.0 * root / (1.0 + root)) - rho_r);
+}
+
 /* [EW18 2]. The force of the fluid [EW18 15], J/dt and what accelerates the
  * fluid inside; and all that acts during the step, on the mass with that which
  * is added. */
 static void set_forces(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
-    const double m = displaced(b, i), C_v = b->options.virtual_mass;
+    const double m = displaced(b, i), C_v = b->C_v[i];
     const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
     double outside[3];
 
@@ -44,12 +77,17 @@ static void set_forces(struct solid_bodies *b, int i, double dt)
     ps->added_mass[i] = C_v * m;
 }
 
+double body_motion_turning_mass(const struct solid_bodies *b, int i)
+{
+    return b->ps->m[i] + b->C_spin[i] * displaced(b, i);
+}
+
 /* [EW18 3]: the spin by the torque of the fluid [EW18 16]. The contacts follow,
  * with the inertia of the solid alone. */
 static void turn(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
-    const double C_v = b->options.virtual_mass, per_mass = gyration(b, i);
+    const double C_v = b->C_spin[i], per_mass = gyration(b, i);
     const double I_f = per_mass * displaced(b, i);
     const double I = per_mass * ps->m[i] + C_v * I_f;
     double *const w[3] = {&ps->wx[i], &ps->wy[i], &ps->wz[i]};
@@ -68,7 +106,7 @@ static void turn(struct solid_bodies *b, int i, double dt)
 static void turn_outline(struct solid_bodies *b, int i, double dt)
 {
     struct particles *const ps = b->ps;
-    const double m_f = displaced(b, i), C_v = b->options.virtual_mass;
+    const double m_f = displaced(b, i), C_v = b->C_spin[i];
     const double w[3] = {ps->wx[i], ps->wy[i], ps->wz[i]};
     double G[6], gained[3], inside[3], whole[3], gyro[3], J[3];
 
@@ -190,7 +228,7 @@ static void spin_of(const struct solid_bodies *b, int i, double m,
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3])
 {
-    const double m = b->ps->m[i] + b->options.virtual_mass * displaced(b, i);
+    const double m = body_motion_turning_mass(b, i);
     const double I = m * gyration(b, i);
     double gained[3] = {impulse[0] / I, impulse[1] / I, impulse[2] / I};
 
@@ -205,6 +243,7 @@ void body_motion_set_forces(struct solid_bodies *b, double dt)
 {
     if (b->exit != NULL) body_exit_look(b);
     for (int i = 0; i < b->ps->n; i++) {
+        set_virtual_mass(b, i, dt);
         set_forces(b, i, dt);
         if (b->shape[i].kind == BODY_OUTLINE)
             turn_outline(b, i, dt);
@@ -229,7 +268,7 @@ void body_motion_add_momentum(const struct solid_bodies *b, double total[3])
     const struct particles *const ps = b->ps;
 
     for (int i = 0; i < ps->n; i++) {
-        const double m = displaced(b, i), C_v = b->options.virtual_mass;
+        const double m = displaced(b, i), C_v = b->C_v[i];
         const double u[3] = {ps->vx[i], ps->vy[i], ps->vz[i]};
         for (int k = 0; k < 3 && b->motion[i] == BODY_FREE; k++)
             total[k] += ps->m[i] * u[k] - m * b->u_old[3 * i + k] +

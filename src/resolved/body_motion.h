@@ -9,8 +9,8 @@
  *                                 + (rho_p - rho) V g dt + contacts
  *
  * a spring adds -k (X - X_0) to the contacts. Likewise with the moments of
- * inertia. C_v rho V stands on both sides: it does nothing to a steady motion,
- * and keeps light bodies stable.
+ * inertia, with C_v or what viscosity asks for. C_v rho V stands on both sides:
+ * it does nothing to a steady motion, and keeps light bodies stable.
  */
 #ifndef RESOLVED_BODY_MOTION_H
 #define RESOLVED_BODY_MOTION_H
@@ -26,6 +26,8 @@ int body_motion_advance(struct solid_bodies *b, double dt);
  * [N m s] gives. */
 void body_motion_set_forces(struct solid_bodies *b, double dt);
 int body_motion_run(struct solid_bodies *b, int n, double step);
+/* Mass that resists a spin, over the moments by mass, in the step [kg]. */
+double body_motion_turning_mass(const struct solid_bodies *b, int i);
 void body_motion_add_spin(struct solid_bodies *b, int i,
                           const double impulse[3]);
 

@@ -30,6 +30,8 @@ struct solid_bodies *solid_bodies_create(int n, int cells, double rho,
     b->shape = alloc_zeroed((size_t)n, sizeof *b->shape);
     b->motion = alloc_zeroed((size_t)n, sizeof *b->motion);
     b->mass = alloc_doubles(n);
+    b->C_v = alloc_doubles(n);
+    b->C_spin = alloc_doubles(n);
     b->volume = alloc_doubles(n);
     for (int a = 0; a < 8; a++)
         *three[a] = alloc_doubles(3 * n);
@@ -57,6 +59,8 @@ void solid_bodies_free(struct solid_bodies *b)
     free(b->shape);
     free(b->motion);
     free(b->mass);
+    free(b->C_v);
+    free(b->C_spin);
     free(b->volume);
     free(b->spring);
     free(b->anchor);
@@ -104,6 +108,7 @@ int solid_bodies_add(struct solid_bodies *b, const struct body_shape *shape,
     if (shape->kind == BODY_OUTLINE && b->turn == NULL)
         b->turn = alloc_doubles(4 * b->ps->capacity);
     b->volume[i] = V;
+    b->C_v[i] = b->C_spin[i] = b->options.virtual_mass;
     b->mass[i] = b->ps->m[i];
     if (motion != BODY_FREE) b->ps->m[i] = solid_bodies_immovable;
     return i;
@@ -129,6 +134,7 @@ int solid_bodies_begin(struct solid_bodies *b, struct fluid *fl)
     int free = 0;
 
     fl->immersed = &b->hooks;
+    b->mu = fl->options.mu;
     if (b->turn != NULL) body_turn_begin(b);
     for (int i = 0; i < b->ps->n; i++) {
         const struct particles *const ps = b->ps;

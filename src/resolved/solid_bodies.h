@@ -6,8 +6,7 @@
  *
  *   rho (du/dt + u . grad u) = -grad p + mu lap u + hold (U + omega x r - u)
  *
- * and what the friction takes from the fluid moves the body [EW18 2, 3, 15]: a
- * particle of a second family, with contacts of its own.
+ * and what this takes from the fluid moves the body [EW18 2, 3, 15].
  */
 #ifndef RESOLVED_SOLID_BODIES_H
 #define RESOLVED_SOLID_BODIES_H
@@ -22,7 +21,7 @@
 struct solid_bodies {
     struct immersed hooks; /* first, because the fluid gives it back */
     struct solid_bodies_options options;
-    double rho; /* [kg/m^3] of the fluid */
+    double rho, mu; /* [kg/m^3], [Pa s] of the fluid */
     struct dem_options contacts;
     struct squeeze_film lubrication;
     struct particles *ps;       /* centres, velocities, masses */
@@ -36,6 +35,7 @@ struct solid_bodies {
     enum body_motion *motion;
     double *volume; /* [m^3] of the part of it within the box */
     double *mass;   /* [kg]; ps->m: infinite to contacts unless it is free */
+    double *C_v, *C_spin;    /* [-] of each, of its rotation (body_motion.h) */
     double *spring, *anchor; /* [N/m], 0: held along this axis; [m]; 3 a body */
     double *u_old, *w_old;   /* [m/s], [rad/s] a step before, 3 a body */
     double *impulse, *angular; /* [N s], [N m s] of friction in this step, 3 */

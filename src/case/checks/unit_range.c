@@ -36,13 +36,6 @@ static int holds(const struct unit_range *r, double x)
     return x == 0.0 || (fabs(x) >= r->least && fabs(x) <= r->most);
 }
 
-static double number(const config_setting_t *s)
-{
-    return config_setting_type(s) == CONFIG_TYPE_FLOAT
-               ? config_setting_get_float(s)
-               : (double)config_setting_get_int64(s);
-}
-
 /* A component of a point or of a direction may be a 0 with a rounding error. */
 static int may_be_tiny(const struct key *key)
 {
@@ -60,9 +53,9 @@ static double extreme(const struct key *key, const config_setting_t *s)
                       : 0;
     double x = 0.0;
 
-    if (config_setting_is_number(s) && !whole && !holds(r, number(s)) &&
-        !(may_be_tiny(key) && fabs(number(s)) < r->least))
-        return number(s);
+    if (config_setting_is_number(s) && !whole && !holds(r, source_number(s)) &&
+        !(may_be_tiny(key) && fabs(source_number(s)) < r->least))
+        return source_number(s);
     for (int i = key->type == KEY_SERIES && n == 2 &&
                  config_setting_is_number(config_setting_get_elem(s, 0));
          i < n && x == 0.0; i++)

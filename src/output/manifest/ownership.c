@@ -92,6 +92,19 @@ static int complaint(const char *what, const char *path)
 
 /* --- ownership of the folder ---------------------------------------------- */
 
+/* Cuts the last name off a path; returns the length that is left. */
+static size_t cut_last(char *path)
+{
+    size_t n = strlen(path);
+
+    while (n > 0 && path[n - 1] == '/')
+        n--;
+    while (n > 0 && path[n - 1] != '/')
+        n--;
+    path[n] = '\0';
+    return n;
+}
+
 /* The length of the part of the path that exists already. */
 static size_t length_there(const char *dir)
 {
@@ -100,11 +113,7 @@ static size_t length_there(const char *dir)
     struct stat s;
 
     while (n > 0 && stat(part, &s) != 0) {
-        while (n > 0 && part[n - 1] == '/')
-            n--;
-        while (n > 0 && part[n - 1] != '/')
-            n--;
-        part[n] = '\0';
+        n = cut_last(part);
     }
     free(part);
     return n;
@@ -259,11 +268,7 @@ static void leave(void *own)
         unlinkat(f->here, manifest, 0);
     while (n > f->there) {
         rmdir(part); /* if it is empty */
-        while (n > 0 && part[n - 1] == '/')
-            n--;
-        while (n > 0 && part[n - 1] != '/')
-            n--;
-        part[n] = '\0';
+        n = cut_last(part);
     }
     free(part);
 }

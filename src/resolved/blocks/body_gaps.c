@@ -52,7 +52,8 @@ static double mass_at(const struct solid_bodies *b, int i, const double arm[3],
     vector_cross(arm, n, turn);
     body_turn_gyration(b, i, G);
     vector_solve(G, turn, spin);
-    return M / (1.0 + vector_dot(turn, spin));
+    const double of_spin = M / body_motion_turning_mass(b, i);
+    return M / (1.0 + of_spin * vector_dot(turn, spin));
 }
 
 /* Velocity of body i at the arm r [m] from its centre. */
