@@ -106,9 +106,12 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
                k->eps_s < densest
                    ? "factor in a step: it decays"
                    : "NOT STABLE: it grows where the bed is packed");
+    /* Spheres of many sizes settle at up to three quarters. */
     check_line("largest stable solid fraction", densest, "-",
-               helped ? "eps_s, with virtual mass"
-                      : "eps_s, without virtual mass");
+               densest < 0.75 && k->eps_s < densest
+                   ? "eps_s; NOT STABLE where many sizes are denser"
+               : helped ? "eps_s, with virtual mass"
+                        : "eps_s, without virtual mass");
 }
 
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
