@@ -52,7 +52,11 @@ NF == 0 || $1 == "needs" { next }
 { split($1, word, ":"); $1 = word[1] }
 !($1 in n) { kinds[++n_kinds] = $1; n[$1] = 0; type[$1] = word[2] }
 NF == 1 { next }
-NF == 3 && $3 == "last" { ends[$1] = $2; next }
+NF == 3 && $3 == "last" {
+    if ($1 in ends) wrong("there is a last " $1 " already: " ends[$1])
+    ends[$1] = $2
+    next
+}
 NF == 3 && $3 == "first" { at = 0 }
 NF == 4 && ($3 == "after" || $3 == "before") {
     for (at = n[$1]; at > 0 && model[$1, at] != $4; at--) continue

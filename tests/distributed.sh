@@ -250,6 +250,13 @@ fact while_spheres_change_ranks moved
 on 1 run closed.cfg -o closed-1 >said
 fact a_periodic_box_cut_in_two_directions_is_that_of_one_rank \
     below '1.2e-12 1.2e-12 1e-9 1e-8' 256 closed-1 closed
+shares() { # of one rank alone they would be those of a quarter of the box
+    for dir in closed-1 closed; do
+        grep -o '"mean_share": [0-9.e-]*' "$dir/summary.json" | head -n 1
+    done | awk '{ s[NR] = $2 } END { print s[1], s[2]; d = s[1] - s[2]
+        exit !(NR == 2 && s[1] > 0 && d * d < 1e-16 * s[1] * s[1]) }'
+}
+fact the_share_of_an_effect_is_that_of_all_ranks shares
 
 # --- checkpoint, resume, ends
 on 2 run bed.cfg -o half -s output.end=0.01 >said

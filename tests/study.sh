@@ -447,6 +447,8 @@ fact nothing_to_look_at refused 'what is to be looked at' channel.cfg -s fluid.s
 fact nothing_to_compare refused 'nothing to compare' channel.cfg --measure u_x
 fact a_truth_that_is_none refused 'expected a formula' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --truth finset
+fact a_word_is_no_third_number refused 'three numbers or more' \
+    "$sphere" -s particles.skin=2e-4,auto,1e-4 --measure mean_fall_velocity --truth extrapolated
 fact seeds_where_nothing_is_random refused 'no group with a seed' \
     channel.cfg -s fluid.step=0.1,0.2 --measure u_x --seeds 3
 fact a_key_twice_in_one_choice refused 'a key is there twice' \

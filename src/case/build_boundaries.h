@@ -25,8 +25,7 @@ struct boundary_builder {
     const char *key; /* "profile" */
     int (*build)(const struct settings *s, const struct mesh *m,
                  const struct patch *p, struct boundary *b);
-    /* 1 if only building shows whether the case is right; NULL: it always is
-     * so. */
+    /* 1 if the boundary must be built to be checked; NULL: always. */
     int (*is_checked)(const struct settings *s, const struct patch *p);
 };
 extern const struct boundary_builder *const boundary_builders[]; /* NULL ends */

@@ -92,7 +92,10 @@ int recorder_sample(struct recorder *r)
     if (step % r->row_every == 0) {
         recorder_take_snapshots(r);
         processes_join(r->sim, PROCESSES_ROW);
-        const int failed = add_row(r) != 0 || recorder_part_row(&r->parts) != 0;
+        /* The means of a part are sums over all processes: a row that could
+         * not be written must not keep this one from them. */
+        int failed = add_row(r) != 0;
+        failed |= recorder_part_row(&r->parts) != 0;
         processes_join(r->sim, PROCESSES_ROW_DONE);
         if (failed) return 1;
     }

@@ -35,8 +35,8 @@ int recorder_sample(struct recorder *r);
 
 /* The state at the end as a row, where none is due there; after the state has
  * been saved, since a run that goes on to a later end has no such row. It
- * counts in no mean, for it stands for a shorter time than the others. A
- * simulation of several processes has none. */
+ * counts in no mean of the run, for it stands for a shorter time than the
+ * others. A simulation of several processes has none. */
 int recorder_last_row(struct recorder *r);
 
 /* The last good state, in a picture of its own if it has none yet. */

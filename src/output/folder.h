@@ -24,8 +24,8 @@ struct folder *folder_take(const char *dir);
 /* Releases the folder. */
 void folder_free(struct folder *f);
 
-/* Removes the folders that folder_take made, if nothing was begun and nothing
- * was made ahead. f must still be freed. */
+/* If the folders have an owner: removes those that folder_take made, if nothing
+ * was begun and nothing was made ahead. f must still be freed. */
 void folder_leave(struct folder *f);
 
 /* Lets folder_begin remove without a word. */

@@ -62,7 +62,8 @@ char *choices_label(const struct choices *c, int variant, int but);
  * the first or the last is a word, or if they neither fall nor rise. */
 double choices_size(const struct choice *c, int entry);
 
-/* The choice along which the most sizes lie, at least two; -1 if none. */
+/* The choice with the most entries, words included, of those with two sizes or
+ * more; -1 if none. */
 int choices_axis(const struct choices *c);
 
 #endif

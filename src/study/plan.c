@@ -156,12 +156,20 @@ static int add_choices(struct plan *p)
     return check_threads(p);
 }
 
+/* 1 if the last three entries of a choice are numbers in order. */
+static int ends_in_three_sizes(const struct choice *c)
+{
+    for (int i = c->n - 3; i < c->n; i++)
+        if (i < 0 || isnan(choices_size(c, i))) return 0;
+    return 1;
+}
+
 static int check_truth(const struct plan *p, const struct truth *t)
 {
     const int axis = choices_axis(&p->choices);
 
     if (t->kind != TRUTH_EXTRAPOLATED ||
-        (axis >= 0 && p->choices.of[axis].n > 2))
+        (axis >= 0 && ends_in_three_sizes(&p->choices.of[axis])))
         return 0;
     return wrong("extrapolated", ": asks for a key with three numbers or more, "
                                  "rising or falling");

@@ -66,7 +66,8 @@ static void describe(const struct settings *s, struct inlet_request *r,
     settings_vector(s, path, r->along);
 }
 
-/* The first value of a profile that is none, over its faces and the run. */
+/* The first value of a profile that is negative or not finite, over its faces
+ * and the run. */
 static int check_values(const struct settings *s, const struct boundary *b,
                         const struct inlet_request *r,
                         char wrong[INLET_PROFILE_TEXT])
@@ -110,7 +111,7 @@ static int add_profile(const struct settings *s, const struct mesh *m,
     return failed ? settings_wrong(s, path, "%s", wrong) : 0;
 }
 
-/* The parabola of a box needs no arrays to be known as right. */
+/* Profiles that ask for no key cannot be wrong. */
 static int is_checked(const struct settings *s, const struct patch *p)
 {
     return profile_of(s, p)->asks != NULL;

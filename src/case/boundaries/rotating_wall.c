@@ -10,18 +10,18 @@
 #include "base/vector.h"
 #include "mesh/face_corners.h"
 
-/* From the point of boundary face f where its viscous force takes the velocity
- * of a wall, below the centre of the cell, back to the middle of the face; 0
- * where there is nothing between them but rounding. */
+/* From the projection of the cell's centre onto boundary face f, where the
+ * viscous force takes the velocity of a wall, to the middle of the face; 0 if
+ * they differ by rounding alone. */
 static void from_foot(const struct mesh *m, int f, double off[3])
 {
     if (m->skewed && mesh_misses_middle(m, f, off)) return;
     off[0] = off[1] = off[2] = 0.0;
 }
 
-/* omega x (x - centre) at the foot of the centre of each face's cell, without
- * what rounding or the flat faces of a round wall leave of a normal part; that
- * of a wall which would move through itself is an error. */
+/* omega x (x - centre) at the projection of the centre of each face's cell onto
+ * the face, with the normal component removed. A wall with a large normal
+ * component would move through itself: an error. */
 static int add_rotation(const struct settings *s, const struct mesh *m,
                         const struct patch *p, struct boundary *b)
 {

@@ -10,7 +10,7 @@
 #define FIELD_NAMES "eps_f | eps_s | p | u_x | u_y | u_z | us_x | us_y | us_z"
 
 /* The field that a case calls `name`; values NULL if the case has none. Mean
- * velocities of the particles are weighted by how much of them there is. */
+ * velocities of the particles are weighted by the solids fraction. */
 struct profile_field field_names_find(const struct snapshot *s,
                                       const char *name);
 

@@ -108,7 +108,8 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
                    : "NOT STABLE: it grows where the bed is packed");
     /* Spheres of many sizes settle at up to three quarters. */
     check_line("largest stable solid fraction", densest, "-",
-               densest < 0.75 && k->eps_s < densest
+               densest < 0.75 && k->eps_s < densest &&
+                       settings_has(s, "particles.bed.sizes")
                    ? "eps_s; NOT STABLE where many sizes are denser"
                : helped ? "eps_s, with virtual mass"
                         : "eps_s, without virtual mass");

@@ -8,8 +8,8 @@
 
 extern const char case_blocks_boxes[], case_blocks_cylinders[];
 
-/* 1 if one that is no sphere and no clump is free. Then all of these touch
- * others with points of their surfaces. */
+/* 1 if a box, cylinder or closed surface is free. Then all boxes, cylinders and
+ * surfaces touch others with points of their surfaces. */
 int case_blocks_touch(const struct settings *s);
 
 /* Number i of one of these two lists: along the axes of the mesh; and as an

@@ -50,8 +50,8 @@ static double volume(double d)
     return M_PI / 6.0 * d * d * d;
 }
 
-/* The least that a contact of one that moves so has to stop, with what is added
- * to it [kg]; HUGE_VAL: there is none. */
+/* The smallest mass in a contact of a body with this motion, virtual mass
+ * included [kg]; HUGE_VAL: there is none. */
 static double lightest_of(const struct settings *s, enum body_motion motion)
 {
     const char *const others[] = {case_outlines_clumps, case_blocks_boxes,

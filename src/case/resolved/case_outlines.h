@@ -18,7 +18,7 @@ struct body_outline *case_outlines_read(const struct settings *s,
  * its file cannot be read. */
 void case_outlines_radii(const struct settings *s, int i, double R[2]);
 
-/* What a ball or a point of it has to stop in an impact [m^3]: of a clump the
+/* The volume whose mass one ball or contact point carries [m^3]: of a clump the
  * largest sphere, else its volume over the points that meet a plane together;
  * HUGE_VAL if its file cannot be read. */
 double case_outlines_contact_volume(const struct settings *s, const char *list,

@@ -27,6 +27,7 @@ static const char *value_of(const char *text, const char *path)
                                                         strstr(text, end);
         if (at == NULL || (stop != NULL && at > stop)) return NULL;
         text = at + strlen(entry);
+        if (strncmp(text, "{}", 2) == 0) return NULL;
         if (path[length] == '\0') return text;
         path += length + 1;
     }

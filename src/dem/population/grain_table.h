@@ -3,8 +3,8 @@
  *
  * A dump of LAMMPS or LIGGGHTS: of several snapshots the last. Or a data file
  * of theirs, with atoms of the style sphere. Or a table with a line of names
- * (base/csv.h). Both have columns x, y, z [m] and one of d, diameter, radius
- * [m], in any order, among others.
+ * (base/tables/csv.h). Both have columns x, y, z [m] and one of d, diameter,
+ * radius [m], in any order, among others.
  */
 #ifndef DEM_POPULATION_GRAIN_TABLE_H
 #define DEM_POPULATION_GRAIN_TABLE_H
