@@ -601,6 +601,11 @@ fact box_is_in_the_box 2 "bodies.boxes: number 0 at [0.5, 0.05, 0.05] m is not i
 fact bodies_begin_apart 2 "bodies: body 0 begins 0.02007 m deep in body 1" \
     "$winnow" run bodies.cfg -o deep -s bodies.spheres.1.position=[0.05,0.03993,0.05]
 fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grading=[2.0,1.0,1.0]
+fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
+    -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
+fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
+    "rebound, times                              30.74" \
+    body -s fluid.viscosity=50.0
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&
         "$winnow" run "$1.cfg" -o parts --quiet -s output.end=0.12 >/dev/null &&

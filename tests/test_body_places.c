@@ -3,10 +3,12 @@
  * on springs come upon. */
 #include "resolved.h"
 
+#include <gsl/gsl_math.h>
 #include <string.h>
 
 #include "base/vector.h"
 #include "facts.h"
+#include "resolved/blocks/body_gaps.h"
 #include "resolved/body_exit.h"
 #include "resolved/shapes/clump.h"
 
@@ -212,6 +214,79 @@ START_TEST(a_body_on_a_spring_bounces_off_a_wall)
 }
 END_TEST
 
+/* A box on a spring comes with 1 m/s to a sphere that is fixed or prescribed,
+ * and comes back, as nothing is lost in the impact of 40 steps. */
+START_TEST(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed)
+{
+    const struct body_shape sphere = body_shape_sphere(0.3),
+                            box = body_shape_box((double[3]){0.3, 0.3, 0.3});
+    struct pool p;
+
+    create_void(&p, 0);
+    solid_bodies_add(p.bodies, &sphere, (double[3]){0.3, 0.5, 0.5}, 1.0,
+                     _i ? BODY_PRESCRIBED : BODY_FIXED);
+    solid_bodies_add(p.bodies, &box, (double[3]){0.62, 0.5, 0.5}, 1.0,
+                     BODY_FIXED);
+    solid_bodies_set_spring(p.bodies, 1, (double[3]){1e-6, 0.0, 0.0});
+    const struct particles *const ps = p.bodies->ps;
+    ps->vx[1] = -1.0;
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    for (int i = 0; i < 150; i++)
+        ck_assert_int_eq(body_motion_advance(p.bodies, p.fluid->options.dt), 0);
+    ck_assert_double_eq_tol(ps->vx[1], 1.0, 0.05);
+    ck_assert_double_eq(ps->x[0], 0.3);
+    pool_free(&p);
+}
+END_TEST
+
+/* Plates along each axis, and a disc: with x = nu dt / R^2 = 16 of half of what
+ * they are thick, viscosity asks for 0.5 (4.5 (16 + 4) + 0.5) - 1 of each; and
+ * an overlap is compared with what they are thick. */
+START_TEST(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block)
+{
+    const struct body_shape of[4] = {
+        body_shape_box((double[3]){0.05, 0.5, 0.5}),
+        body_shape_box((double[3]){0.5, 0.05, 0.5}),
+        body_shape_box((double[3]){0.5, 0.5, 0.05}),
+        body_shape_cylinder(0.5, 0.05, (double[3]){1.0, 0.0, 0.0})};
+    const struct pool_options o = {.size = {1.0, 1.0, 1.0},
+                                   .cells = {10, 10, 10},
+                                   .rho = 1.0,
+                                   .mu = 1.0,
+                                   .dt = 0.01,
+                                   .virtual_mass = 2.0,
+                                   .n = 1};
+    const struct body_gap point = {.j = -1};
+    struct pool p;
+
+    pool_create(&p, &o);
+    solid_bodies_add(p.bodies, &of[_i], (double[3]){0.5, 0.5, 0.5}, 1.0,
+                     BODY_FIXED);
+    ck_assert_int_eq(solid_bodies_begin(p.bodies, p.fluid), 0);
+    body_motion_set_forces(p.bodies, o.dt);
+    ck_assert_double_eq_tol(p.bodies->C_v[0], 44.25, 1e-10);
+    ck_assert_double_eq_tol(body_gaps_width(p.bodies, &point), 0.05, 1e-15);
+    pool_free(&p);
+}
+END_TEST
+
+/* 49 times 1/49 is less than 1 by rounding: such an axis is one of the mesh,
+ * and the part of the cylinder beyond the walls has no volume. */
+START_TEST(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis)
+{
+    const struct body_shape tube =
+        body_shape_cylinder(0.2, 3.0, (double[3]){0.0, 0.0, 49.0});
+    struct pool p;
+
+    create_void(&p, 1);
+    ck_assert_double_lt(tube.axis[2], 1.0);
+    solid_bodies_add(p.bodies, &tube, (double[3]){0.5, 0.5, 0.5}, 1.0,
+                     BODY_FIXED);
+    ck_assert_double_eq_tol(p.bodies->volume[0], 0.01 * M_PI, 1e-15);
+    pool_free(&p);
+}
+END_TEST
+
 /* Two boxes have no contacts. Prescribed ones may overlap, but one on a spring
  * would go through what should stop it. */
 START_TEST(a_box_on_a_spring_does_not_go_through_another_in_silence)
@@ -239,5 +314,9 @@ FACTS("body_places")
     FACT(ew18_2_a_body_leaves_through_an_outlet);
     FACT(a_sphere_on_a_spring_is_pushed_by_one_that_hits_it);
     FACT_FOR_EACH(a_body_on_a_spring_bounces_off_a_wall, 4);
+    FACT_FOR_EACH(a_box_on_a_spring_bounces_off_a_sphere_that_cannot_be_pushed,
+                  2);
+    FACT_FOR_EACH(ew18_2_virtual_mass_goes_by_the_smallest_width_of_a_block, 4);
+    FACT(a_cylinder_is_cut_at_the_walls_whatever_the_length_of_its_axis);
     FACT_FOR_EACH(a_box_on_a_spring_does_not_go_through_another_in_silence, 2);
 }

@@ -3,15 +3,19 @@
  *
  * nearest  the value of its own cell. Exact for constants; jumps from cell to
  *          cell.
- * linear   the value and the Gauss gradient of that cell,
- *              phi_i = phi_c + (1 / V_c) sum_f S_f (phi_f - phi_c) . (x_i -
- * x_c). Exact for linear fields, also on graded meshes and across a period;
- *          second order for smooth ones; discontinuous at faces. At a
- *          boundary phi_f is the given value; then it is exact there as well.
- * If none is given, the gradient of a cell at the boundary is fitted to its
- * neighbours, again exact for linear fields; there is none in a direction of
- * one cell. It may exceed the range of the neighbouring values: there is no
- *          limiter.
+ * linear   the value of that cell and its Gauss gradient g,
+ *
+ *            phi_i = phi_c + g . (x_i - x_c),
+ *            g = (1 / V_c) sum_f S_f (phi_f - phi_c).
+ *
+ *          Exact for linear fields, also on graded meshes and across a period;
+ *          second order for smooth ones; discontinuous at faces. At a boundary
+ *          phi_f is the given value; then it is exact there as well. If none
+ *          is given, the gradient of a cell at the boundary is fitted to its
+ *          neighbours, again exact for linear fields; there is none in a
+ *          direction of one cell. It may exceed the range of the neighbouring
+ *          values: there is no limiter.
+ *
  * same     the adjoint of the averaging: the weights are those with which the
  *          forces are averaged [XS11 3.9].
  */

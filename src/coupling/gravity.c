@@ -3,8 +3,9 @@
  *
  * The weight of the fluid balances the hydrostatic part of the pressure, which
  * fluid.h leaves out. That part acts on the whole volume; where the phases do
- * not share the pressure (pressure_shared in fluid.h is 0), reaction.c adds the
- * difference, eps_s rho_f g, to the fluid.
+ * not share the pressure (pressure_shared in fluid.h is 0), reaction.c takes
+ * the difference, eps_s rho_f g, from the force F on the fluid: F gets
+ * -(1 - eps) rho_f g.
  */
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"

@@ -37,7 +37,6 @@ struct dem_method {
     void (*limit_overlap)(struct dem *dem);
     /* Visits dem->state (state.h). */
     void (*visit)(struct dem *dem, struct state *s);
-    /* The contact histories as a new list (dem.h). */
     /* A new list of the contact histories (dem.h). */
     struct dem_spring *(*springs)(struct dem *dem, int *n);
     /* The next run starts with these histories, whose particles all exist;

@@ -23,9 +23,11 @@ struct cg_many_work;
 struct cg_many_work *cg_many_work_create(int n, int m);
 void cg_many_work_free(struct cg_many_work *w);
 
-/* Solves A x = b from the guess in x for the m fields of the work space; the
- * report and the tolerances are those of cg_solve, for the field that is worst
- * relative to its own |b|. weight = NULL: the diagonal of A. */
+/* Solves A x = b from the guess in x for the m fields of the work space, until
+ * each field has |r| <= max(tolerance |b|, absolute): relative to its own b, as
+ * bicgstab_solve, and not to the first residual, as cg_solve. The report is
+ * that of the field that is worst relative to its |b|. weight = NULL: the
+ * diagonal of A. */
 struct solve_report cg_many_solve(const struct csr *A, const double *weight,
                                   const double *b, double *x,
                                   double tolerance /* [-] */,

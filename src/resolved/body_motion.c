@@ -7,6 +7,7 @@
 #include "base/vector.h"
 #include "dem/box_domain.h"
 #include "resolved/body_exit.h"
+#include "resolved/body_numbers.h"
 #include "resolved/body_turn.h"
 #include "resolved/squeeze_film.h"
 
@@ -22,18 +23,6 @@ static double gyration(const struct solid_bodies *b, int i)
     return 0.1 * b->ps->d[i] * b->ps->d[i];
 }
 
-/* Half of the smallest width of a body [m]. */
-static double least_radius(const struct body_shape *shape)
-{
-    double R = shape->half[0];
-
-    if (shape->kind != BODY_OUTLINE) return R;
-    if (shape->outline->width > 0.0) return 0.5 * shape->outline->width;
-    for (int k = 0; k < shape->outline->n_balls; k++)
-        R = fmin(R, shape->outline->ball[k].R);
-    return R;
-}
-
 /* In a step viscosity takes K times the momentum of the fluid in the place of a
  * body: of a sphere, with x = nu dt / R^2,
  *
@@ -45,12 +34,11 @@ static double least_radius(const struct body_shape *shape)
  * of that is left. */
 static void set_virtual_mass(struct solid_bodies *b, int i, double dt)
 {
-    const double R = least_radius(&b->shape[i]);
+    const double R = 0.5 * body_shape_width(&b->shape[i]);
     const double x = b->mu * dt / (b->rho * R * R), root = sqrt(x);
     const double rho_r = b->mass[i] / displaced(b, i);
 
-    b->C_v[i] =
-        fmax(b->options.virtual_mass, 0.5 * (4.5 * (x + root) + 0.5) - rho_r);
+    b->C_v[i] = body_numbers_virtual_mass(b->options.virtual_mass, x, rho_r);
     b->C_spin[i] = fmax(b->options.virtual_mass,
                         0.5 * (15.0 * x + 5.0 * root / (1.0 + root)) - rho_r);
 }

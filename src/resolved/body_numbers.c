@@ -24,6 +24,11 @@ double body_numbers_stokes(double rho_r, double Re)
     return rho_r * Re / 18.0; /* [EW18 9] */
 }
 
+double body_numbers_virtual_mass(double least, double x, double rho_r)
+{
+    return fmax(least, 0.5 * (4.5 * (x + sqrt(x)) + 0.5) - rho_r);
+}
+
 double body_numbers_impact_gain(double rho_r, double C_v, double steps)
 {
     const double whole = rho_r + 0.5; /* with the added mass of a sphere */

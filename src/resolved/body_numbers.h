@@ -19,6 +19,12 @@ double body_numbers_density_ratio(double rho_p, double rho);
 /* rho_r Re / 18 [-] [EW18 9]. */
 double body_numbers_stokes(double rho_r, double Re);
 
+/* C_v [-] of a body in a step: the least that is asked for, or what viscosity
+ * asks for (body_motion.c), with x = nu dt / R^2 [-] of half its smallest
+ * width.
+ */
+double body_numbers_virtual_mass(double least, double x, double rho_r);
+
 /* Speed after an impact over that before it [-] that the virtual mass C_v makes
  * of 1, at most: the impact lasts `steps` steps of the fluid by the mass with
  * C_v, and the spring acts (C_v - 1/2)/(rho_r + 1/2) of a step late (24.13). */

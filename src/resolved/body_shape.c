@@ -28,6 +28,11 @@ struct body_shape body_shape_cylinder(double diameter, double length,
         .axis = {per * axis[0], per * axis[1], per * axis[2]}};
 }
 
+int body_shape_along(const struct body_shape *shape, int k)
+{
+    return fabs(shape->axis[k]) > 1.0 - 1e-12;
+}
+
 struct body_shape body_shape_outline(struct body_outline *outline)
 {
     const double *const half = outline->half;
@@ -137,6 +142,20 @@ double body_shape_volume(const struct body_shape *shape)
     if (shape->kind == BODY_CYLINDER)
         return 2.0 * M_PI * half[0] * half[0] * half[1];
     return 4.0 / 3.0 * M_PI * half[0] * half[0] * half[0];
+}
+
+double body_shape_width(const struct body_shape *shape)
+{
+    const double *const half = shape->half;
+    double R = half[0];
+
+    if (shape->kind == BODY_BOX) R = fmin(R, fmin(half[1], half[2]));
+    if (shape->kind == BODY_CYLINDER) R = fmin(R, half[1]);
+    if (shape->kind != BODY_OUTLINE) return 2.0 * R;
+    if (shape->outline->width > 0.0) return shape->outline->width;
+    for (int k = 0; k < shape->outline->n_balls; k++)
+        R = fmin(R, shape->outline->ball[k].R);
+    return 2.0 * R;
 }
 
 int body_shape_balls(const struct body_shape *shape)

@@ -26,6 +26,8 @@ struct body_shape body_shape_box(const double size[3]);
 /* The axis may have any length but 0. */
 struct body_shape body_shape_cylinder(double diameter, double length,
                                       const double axis[3]);
+/* 1 if the axis of a cylinder is axis k of the mesh, but for rounding. */
+int body_shape_along(const struct body_shape *shape, int k);
 /* Not turned yet. */
 struct body_shape body_shape_outline(struct body_outline *outline);
 
@@ -40,6 +42,10 @@ void body_shape_normal(const struct body_shape *shape, const double r[3],
 void body_shape_extent(const struct body_shape *shape, double extent[3]);
 
 double body_shape_volume(const struct body_shape *shape); /* [m^3] */
+
+/* The smallest width [m]: of a clump, the diameter of its smallest ball; of a
+ * closed surface, body_outline.h. */
+double body_shape_width(const struct body_shape *shape);
 
 /* How many balls touch others, and ball k: its centre from that of the body, in
  * the frame of the box. Boxes and cylinders have none. */

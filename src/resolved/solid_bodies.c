@@ -91,7 +91,7 @@ static double volume_within(const struct solid_bodies *b,
     for (int k = 0; k < 3 && hi[k] > lo[k]; k++) {
         const double half = 0.5 * (hi[k] - lo[k]);
         if (shape->kind == BODY_BOX) cut.half[k] = fmin(cut.half[k], half);
-        if (shape->kind == BODY_CYLINDER && fabs(shape->axis[k]) == 1.0)
+        if (shape->kind == BODY_CYLINDER && body_shape_along(shape, k))
             cut.half[1] = fmin(cut.half[1], half);
     }
     return body_shape_volume(&cut);

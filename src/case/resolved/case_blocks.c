@@ -113,10 +113,10 @@ static void width_of(const struct body_shape *shape, double width[3])
     const double d = 2.0 * shape->half[0], length = 2.0 * shape->half[1];
 
     for (int k = 0; k < 3; k++)
-        width[k] = shape->kind == BODY_BOX       ? 2.0 * shape->half[k]
-                   : fabs(shape->axis[k]) == 1.0 ? length
-                   : shape->axis[k] == 0.0       ? d
-                                                 : fmin(d, length);
+        width[k] = shape->kind == BODY_BOX      ? 2.0 * shape->half[k]
+                   : body_shape_along(shape, k) ? length
+                   : shape->axis[k] == 0.0      ? d
+                                                : fmin(d, length);
 }
 
 /* What has no mass, or is held, has no place for a spin. */

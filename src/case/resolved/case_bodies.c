@@ -50,30 +50,32 @@ static double volume(double d)
     return M_PI / 6.0 * d * d * d;
 }
 
+double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
+                                double C_v)
+{
+    const double rho_p = settings_item_real(s, of, i, "density"),
+                 rho = settings_real(s, "fluid.density");
+
+    return (rho_p + C_v * rho) *
+           (strcmp(of, list) == 0
+                ? volume(settings_item_real(s, of, i, "diameter"))
+                : case_outlines_contact_volume(s, of, i));
+}
+
 /* The smallest mass in a contact of a body with this motion, virtual mass
  * included [kg]; HUGE_VAL: there is none. */
 static double lightest_of(const struct settings *s, enum body_motion motion)
 {
-    const char *const others[] = {case_outlines_clumps, case_blocks_boxes,
-                                  case_blocks_cylinders,
-                                  case_outlines_surfaces};
-    const double C_v = settings_real(s, "bodies.virtual_mass"),
-                 rho = settings_real(s, "fluid.density");
+    const char *const all[] = {list, case_outlines_clumps, case_blocks_boxes,
+                               case_blocks_cylinders, case_outlines_surfaces};
+    const double C_v = settings_real(s, "bodies.virtual_mass");
     double least = HUGE_VAL;
 
-    for (int i = 0; i < settings_length(s, list); i++)
-        if (motion_of(s, list, i) == motion)
-            least = fmin(
-                least, (settings_item_real(s, list, i, "density") + C_v * rho) *
-                           volume(settings_item_real(s, list, i, "diameter")));
-    for (int l = 0; l < 4; l++)
-        for (int i = 0; i < settings_length(s, others[l]); i++) {
-            if (motion_of(s, others[l], i) != motion) continue;
-            least =
-                fmin(least, (settings_item_real(s, others[l], i, "density") +
-                             C_v * rho) *
-                                case_outlines_contact_volume(s, others[l], i));
-        }
+    for (int l = 0; l < 5; l++)
+        for (int i = 0; i < settings_length(s, all[l]); i++)
+            if (motion_of(s, all[l], i) == motion)
+                least =
+                    fmin(least, case_bodies_contact_mass(s, all[l], i, C_v));
     return least;
 }
 
@@ -100,11 +102,10 @@ double case_bodies_stiffness(const struct settings *s)
     return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
 }
 
-double case_bodies_impact_time(const struct settings *s)
+double case_bodies_impact_time(const struct settings *s, double m)
 {
     return contact_linear_time(case_bodies_stiffness(s),
-                               settings_real(s, "bodies.restitution"),
-                               lightest(s));
+                               settings_real(s, "bodies.restitution"), m);
 }
 
 /* Particle steps in a step of the fluid: 25 in an impact. */

@@ -10,10 +10,13 @@ extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];
 
-/* Spring [N/m] of their contacts, how long the lightest one touches a wall [s],
- * and particle steps in a step of the fluid. */
+/* Spring [N/m] of their contacts, how long a mass [kg] touches a wall [s], what
+ * a contact of one has to stop with the virtual mass C_v [-] [kg], and particle
+ * steps in a step of the fluid. */
 double case_bodies_stiffness(const struct settings *s);
-double case_bodies_impact_time(const struct settings *s);
+double case_bodies_impact_time(const struct settings *s, double m);
+double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
+                                double C_v);
 int case_bodies_dem_steps(const struct settings *s);
 
 /* case_bodies_report.c: prints the section of `check`. */

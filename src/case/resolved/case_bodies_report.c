@@ -45,9 +45,11 @@ static void report_numbers(const struct settings *s)
 
 /* The smallest diameter of spheres and clumps, and width of others that are
  * free; the largest speed at the start; and how many are free, with the
- * smallest density ratio of these. */
+ * smallest density ratio, the largest virtual mass and the smallest mass with
+ * it of these. */
 struct extremes {
     double d, speed, ratio; /* [m], [m/s], [-] */
+    double C_v, m;          /* [-], [kg] */
     int free;
 };
 
@@ -67,6 +69,22 @@ static double width_of(const struct settings *s, const char *of, int i)
     return width;
 }
 
+static void look_at_free(const struct settings *s, const char *of, int i,
+                         double width, struct extremes *e)
+{
+    const double rho = settings_real(s, "fluid.density"), R = 0.5 * width;
+    const double ratio = settings_item_real(s, of, i, "density") / rho,
+                 x = settings_real(s, "fluid.viscosity") *
+                     settings_real(s, "fluid.step") / (rho * R * R);
+    const double C_v = body_numbers_virtual_mass(
+        settings_real(s, "bodies.virtual_mass"), x, ratio);
+
+    e->free++;
+    e->ratio = fmin(e->ratio, ratio);
+    e->C_v = fmax(e->C_v, C_v);
+    e->m = fmin(e->m, case_bodies_contact_mass(s, of, i, C_v));
+}
+
 static void look_at(const struct settings *s, const char *of,
                     struct extremes *e)
 {
@@ -76,12 +94,10 @@ static void look_at(const struct settings *s, const char *of,
         double v[3];
         settings_item_vector(s, of, i, "velocity", v);
         e->speed = fmax(e->speed, vector_length(v));
-        if (free || of == list || of == case_outlines_clumps)
-            e->d = fmin(e->d, width_of(s, of, i));
-        if (!free) continue;
-        e->free++;
-        e->ratio = fmin(e->ratio, settings_item_real(s, of, i, "density") /
-                                      settings_real(s, "fluid.density"));
+        if (!free && of != list && of != case_outlines_clumps) continue;
+        const double width = width_of(s, of, i);
+        e->d = fmin(e->d, width);
+        if (free) look_at_free(s, of, i, width, e);
     }
 }
 
@@ -99,19 +115,12 @@ static void report_counts(const struct settings *s)
         check_line("clumps and closed surfaces", outlines, "-", "");
 }
 
-/* (24.13) of the smallest density ratio, in the shortest impact of any. */
-static double impact_gain(const struct settings *s, double ratio)
+static void report_free(const struct settings *s, const struct extremes *e)
 {
-    const double dt = settings_real(s, "fluid.step");
-    const double t = case_bodies_impact_time(s);
-
-    return body_numbers_impact_gain(
-        ratio, settings_real(s, "bodies.virtual_mass"), t / dt);
-}
-
-static void report_free(const struct settings *s, double ratio)
-{
-    const double gain = impact_gain(s, ratio);
+    const double ratio = e->ratio, t = case_bodies_impact_time(s, e->m);
+    /* (24.13), in the shortest impact of any */
+    const double gain = body_numbers_impact_gain(
+        ratio, e->C_v, t / settings_real(s, "fluid.step"));
 
     report_numbers(s);
     check_line("smallest density ratio", ratio, "-",
@@ -129,7 +138,7 @@ static void report_free(const struct settings *s, double ratio)
 void case_bodies_report(const struct settings *s,
                         const struct case_scales *scales)
 {
-    struct extremes e = {.d = HUGE_VAL, .ratio = HUGE_VAL};
+    struct extremes e = {.d = HUGE_VAL, .ratio = HUGE_VAL, .m = HUGE_VAL};
     double h[3];
 
     (void)scales;
@@ -159,5 +168,5 @@ void case_bodies_report(const struct settings *s,
                e.speed * dt / narrowest > 0.5
                    ? "HIGH: more than half a cell in a step"
                    : "by their speed at time 0");
-    if (e.free > 0) report_free(s, e.ratio);
+    if (e.free > 0) report_free(s, &e);
 }

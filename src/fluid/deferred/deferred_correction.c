@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* deferred_correction.c -- deferred correction.
  *
- * These are the explicit part of a convection scheme that uses the cell
- * upstream of the upstream cell, and the non-orthogonal part of the viscous
- * stress:
+ * To the equations of piso.h, which link a cell to its neighbours alone, this
+ * file adds
  *
- *   mu grad u . S = mu (S.S / S.d) (u_N - u_P) + mu grad u . (S - d S.S / S.d)
+ *   - the explicit part of a convection scheme of second order, by the gradient
+ *     of the upwind cell;
+ *   - the non-orthogonal part of the viscous stress,
+ *       mu grad u . S = mu (S.S / S.d) (u_N - u_P)
+ *                       + mu grad u . (S - d S.S / S.d);
+ *   - what skewness.c computes where the line between two centres misses that
+ *     of their face.
  *
- * Both need velocity gradients, so they are computed from the velocities known
- * so far and added to the right-hand sides of the two cells with opposite
- * signs.
+ * The first two need velocity gradients, so they are computed from the
+ * velocities known so far and added to the right-hand sides of the two cells
+ * with opposite signs.
  */
 #include "fluid/deferred/deferred_terms.h"
 

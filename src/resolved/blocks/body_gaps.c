@@ -192,14 +192,14 @@ static double block_beside_walls(struct solid_bodies *b,
     return most;
 }
 
-/* The balls of i act upon j: a clump on all that is no clump, and on a clump
- * after it; a sphere on what does not consist of balls; points on this too. */
+/* The balls of i act upon j, if one of the two can move: a clump on all that is
+ * no clump, and on a clump after it; a sphere on what does not consist of
+ * balls; points on this too. */
 static int acts_on(const struct solid_bodies *b, int i, int j)
 {
     if (i == j || !(can_move(b, i) || can_move(b, j))) return 0;
     if (is_clump(b, i)) return !is_clump(b, j) || i < j;
-    if (is_clump(b, j) || b->shape[j].kind == BODY_SPHERE) return 0;
-    return can_move(b, i) || has_points(b, i) || has_points(b, j);
+    return !is_clump(b, j) && b->shape[j].kind != BODY_SPHERE;
 }
 
 /* 1 if nothing of i is nearer than `reach` [m] to j, as their extents show. */
@@ -292,11 +292,7 @@ static double too_deep(const struct solid_bodies *b,
 
 double body_gaps_width(const struct solid_bodies *b, const struct body_gap *g)
 {
-    const struct body_shape *const shape = &b->shape[g->i];
-
-    return g->R > 0.0                    ? 2.0 * g->R
-           : shape->kind == BODY_OUTLINE ? shape->outline->width
-                                         : 2.0 * shape->half[0];
+    return g->R > 0.0 ? 2.0 * g->R : body_shape_width(&b->shape[g->i]);
 }
 
 double body_gaps_deepest(const struct solid_bodies *b, int pair[2])

@@ -124,14 +124,11 @@ struct body_outline *block_outline_create(const struct body_shape *block,
                                           const double rotation[3])
 {
     struct block *const b = alloc_zeroed(1, sizeof *b);
-    const double *const half = block->half;
 
     b->shape = *block;
     b->outline.distance = distance;
     b->outline.free = release;
-    b->outline.width =
-        2.0 * (block->kind == BODY_BOX ? fmin(half[0], fmin(half[1], half[2]))
-                                       : fmin(half[0], half[1]));
+    b->outline.width = body_shape_width(block);
     set_rotation(b->Q, rotation);
     set_moments(b);
     set_surface(b);
