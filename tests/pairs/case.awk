@@ -194,7 +194,7 @@ function place(a, b, c,    w) {
 
 function put_list(to) {
     print place(0.2, 0.8, 0.5), d >to
-    print place(on("bodies") ? 0.88 : 0.6, 0.85, 0.5), d >to
+    print place(on("bodies") && !is("mesh", "sheared") ? 0.88 : 0.6, 0.85, 0.5), d >to
     close(to)
 }
 
