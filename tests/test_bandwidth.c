@@ -220,6 +220,29 @@ START_TEST(a_grain_larger_than_all_before_is_averaged)
 }
 END_TEST
 
+/* A bed that is resumed does not know the grains that have left it. */
+START_TEST(grains_that_are_gone_leave_no_trace)
+{
+    static const int cell[] = {10, 20, 30};
+    static const double d[] = {1e-3, 2e-3, 1.5e-3};
+    const double q[] = {1.0, 1.0, 1.0};
+    const struct averaging_options o = {
+        .bandwidth = 3.0, .vary = "grains", .tolerance = 1e-9};
+    struct row fresh = row_of(40, 1.0, 3, cell, d, &o);
+    struct row r = row_of(40, 1.0, 3, cell, d, &o);
+
+    for (int i = 0; i < 2; i++) { /* in the second round as before */
+        r.ps->d[0] = i == 0 ? 9e-3 : d[0];
+        ck_assert_int_eq(averaging_bind(r.a), 0);
+        averaging_spread(r.a, 1, q, r.field);
+    }
+    for (int c = 0; c < 40; c++)
+        ck_assert(r.field[c] == fresh.field[c]);
+    row_free(&r);
+    row_free(&fresh);
+}
+END_TEST
+
 /* What depends on the widths of cells alone goes by directions in a box, and is
  * what the series makes of all of it at once; some links of these boxes are too
  * long to be crossed. */
@@ -265,6 +288,7 @@ FACTS("bandwidth")
     FACT_FOR_EACH(no_cell_has_more_than_the_largest_bandwidth, 2);
     FACT(grains_of_one_size_have_one_bandwidth);
     FACT(a_grain_larger_than_all_before_is_averaged);
+    FACT(grains_that_are_gone_leave_no_trace);
     FACT_FOR_EACH(
         by_directions_the_variance_of_the_cells_is_subtracted_as_by_the_series,
         2 * CLOUD_SHAPES);

@@ -150,11 +150,11 @@ static void fill_matrix(struct diffusion *d)
 
 /* Creates the series for the matrix with the largest possible D on all faces;
  * fill_matrix then sets the actual coefficients of K. */
-static void make_series(struct diffusion *d)
+static void make_series(struct diffusion *d, double largest)
 {
     const struct mesh *const m = d->h->mesh;
 
-    d->largest_D = d->vary != NULL ? d->variation->largest(d->vary) : 1.0;
+    d->largest_D = largest;
     diffusion_matrix_fill(d->K, m, NULL, d->largest_D, NULL);
     chebyshev_free(d->series);
     d->series = chebyshev_create(d->K, m->V, d->T, d->tolerance, d->fields);
@@ -197,22 +197,35 @@ static void *diffusion_create(const struct cell_of_particle *h,
         d->steps = d->scheme->stepping->create(d->scheme, m, o);
     } else {
         d->K = csr_create(m->n_cells, m->n_internal, m->owner, m->neighbour);
-        make_series(d);
+        make_series(d, d->vary != NULL ? d->variation->largest(d->vary) : 1.0);
     }
     fill_matrix(d);
     return d;
 }
 
+/* The next power of two. */
+static double rounded_up(double D)
+{
+    int exponent;
+    const double part = frexp(D, &exponent);
+
+    return ldexp(1.0, part > 0.5 ? exponent : exponent - 1);
+}
+
 /* Updates the matrix where the bandwidth depends on the particles. The series
- * also holds for smaller coefficients. */
+ * also holds for smaller coefficients: its bound is a power of two, which
+ * seldom changes, and follows from the present particles alone, as after a
+ * resume. */
 static void diffusion_bind(void *state, struct averaging_report *r)
 {
     struct diffusion *const d = state;
 
     (void)r;
     if (d->vary == NULL || !d->variation->bind(d->vary)) return;
-    if (d->series != NULL && d->variation->largest(d->vary) > d->largest_D)
-        make_series(d);
+    if (d->series != NULL) {
+        const double bound = rounded_up(d->variation->largest(d->vary));
+        if (bound != d->largest_D) make_series(d, bound);
+    }
     fill_matrix(d);
 }
 
