@@ -20,8 +20,7 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->free != NULL) case_parts[i]->free(sim);
+    MODELS_EACH(case_parts, free, sim);
     if (sim->population != NULL)
         sim->population->functions->free(sim->population);
     free(sim->materials);

@@ -372,8 +372,9 @@ static int add(const struct settings *s, struct simulation *sim)
 }
 
 /* Says which sources have spheres that are due and found no room. */
-static void report(const struct simulation *sim)
+static void report(void *none, const struct simulation *sim)
 {
+    (void)none;
     const struct population *const l = sim->population;
 
     for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
