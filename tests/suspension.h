@@ -14,6 +14,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
+#include "coupling/population/replacement.h"
 #include "dem/population/population.h"
 
 /* A simulation built without a case file: all that the tests vary. */
@@ -146,6 +147,7 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
     const double L = s->size;
 
     sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);
+    sim->insert_remove = &replacement_functions;
     if (s->fed > 0.0)
         sim->population->sources[0].options =
             (struct insertion_options){.hi = {L, L, L},

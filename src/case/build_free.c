@@ -5,7 +5,6 @@
 
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "dem/population.h"
 #include "case/build_boundaries.h"
 #include "case/case_part.h"
 
@@ -21,8 +20,7 @@ void build_free(struct simulation *sim)
     averaging_free(sim->averaging);
     dem_free(sim->dem);
     MODELS_EACH(case_parts, free, sim);
-    if (sim->population != NULL)
-        sim->population->functions->free(sim->population);
+    if (sim->population != NULL) sim->insert_remove->free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);

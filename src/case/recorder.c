@@ -17,7 +17,6 @@
 #include "coupling/effect_count.h"
 #include "coupling/processes.h"
 #include "output/summary.h"
-#include "dem/population.h"
 #include "case/case_steps.h"
 
 void recorder_free(struct recorder *r)
@@ -180,14 +179,6 @@ static void write_residuals(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static void write_population(struct summary *f, const struct recorder *r)
-{
-    if (r->sim->population == NULL) return;
-    summary_count(f, "particles_in", r->sim->population->totals.inserted);
-    summary_count(f, "particles_out", r->sim->population->totals.removed);
-    summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
-}
-
 static void write_counts(struct summary *f, const struct recorder *r)
 {
     struct effect_count c[EFFECT_COUNTS];
@@ -220,7 +211,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "threads", omp_get_max_threads());
     summary_count(f, "cells", (long)processes_cells(sim));
     summary_count(f, "particles", (long)processes_particles(sim));
-    write_population(f, r);
+    MODELS_EACH(history_tables, summarize, sim, f);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
     summary_count(f, "steps", sim->steps);
@@ -240,8 +231,8 @@ static struct table *create_history(struct recorder *r)
 {
     const char *names[MOST_COLUMNS];
 
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
+    HISTORY_EACH(t, c)
+    if (history_applies(t, c, r->sim)) r->column[r->n_columns++] = c;
     for (int i = 0; r->parts.part[i] != NULL; i++)
         for (const struct history_column *c = r->parts.part[i]->columns;
              c != NULL && c->name != NULL; c++)

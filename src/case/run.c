@@ -7,12 +7,12 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "base/thread_tuner.h"
+#include "base/model.h"
+#include "base/thread_choice.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "dem/population.h"
 #include "output/folder.h"
 #include "case/build.h"
 #include "case/case_check.h"
@@ -39,14 +39,13 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-/* One step with the number of threads that was measured to be fastest. */
-static int step(struct simulation *sim, struct thread_tuner *tuner)
+static int step(struct simulation *sim, void *threads)
 {
     const double began = clock_processor();
 
-    thread_tuner_begin(tuner);
+    MODELS_EACH(thread_choices, before_step, threads);
     const int failed = coupling_step(sim);
-    thread_tuner_end(tuner);
+    MODELS_EACH(thread_choices, after_step, threads);
     sim->seconds.processor += clock_processor() - began;
     return failed;
 }
@@ -90,24 +89,18 @@ static int start(struct run *run)
                : 0;
 }
 
-/* 1 if a signal has ended the insertion of particles early: this step differs
- * from that of a run without the signal. */
-static int is_cut_short(const struct simulation *sim)
-{
-    return interrupt_arrived() && sim->population != NULL &&
-           sim->population->totals.waiting > 0;
-}
-
 /* The loop. Returns the exit code. A step that was cut short is not sampled. */
-static int advance(struct run *run, struct thread_tuner *tuner)
+static int advance(struct run *run, void *threads)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
 
     while (sim->steps < steps) {
-        const int failed = step(sim, tuner);
+        const int failed = step(sim, threads);
+        int cut_short = 0;
 
-        if (is_cut_short(sim)) return INTERRUPTED;
+        MODELS_UNTIL(cut_short, run_parts, is_cut_short, sim);
+        if (cut_short) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
         MODELS_EACH(run_parts, after_step, run->part[i_model], sim);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
@@ -120,14 +113,13 @@ static int advance(struct run *run, struct thread_tuner *tuner)
 
 static int go(struct run *run)
 {
-    struct thread_tuner tuner;
+    void *const threads = thread_choice_create();
 
     for (int i = 0; run_parts[i] != NULL; i++)
         if (run_parts[i]->create != NULL)
             run->part[i] = run_parts[i]->create(run->settings, run->sim);
-    thread_tuner_use_all(&tuner);
-    int code = advance(run, &tuner);
-    thread_tuner_restore(&tuner);
+    int code = advance(run, threads);
+    MODELS_EACH(thread_choices, free, threads);
     if (code == INTERRUPTED) interrupt_take();
     MODELS_EACH(run_parts, after_run, run->part[i_model], run->sim);
     return code;

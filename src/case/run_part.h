@@ -14,6 +14,8 @@ struct run_part {
     void (*after_step)(void *part, const struct simulation *sim);
     /* After the last step; releases the part. */
     void (*after_run)(void *part, const struct simulation *sim);
+    /* 1 if the last step must not count, because a signal has changed it. */
+    int (*is_cut_short)(const struct simulation *sim);
     /* Why the computation broke down: where, when, what, and a remedy, in one
      * paragraph; 0: it does not know. */
     int (*broke_down)(const struct simulation *sim, char text[RUN_PART_TEXT]);

@@ -111,4 +111,5 @@ static void after_run(void *part, const struct simulation *sim)
     free(part);
 }
 
-const struct run_part progress_part = {create, after_step, after_run, NULL};
+const struct run_part progress_part = {
+    .create = create, .after_step = after_step, .after_run = after_run};
