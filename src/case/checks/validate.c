@@ -212,6 +212,8 @@ static int check_place(const struct settings *s)
             settings_item_real(s, "particles.place", i, "diameter");
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
+            /* the period of a box that is oblique leads back into it */
+            if (periodic[k] && settings_mesh(s) != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0
                             : (0.5 - particle_options_wall_overlap(s)) * d;
