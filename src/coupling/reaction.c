@@ -80,7 +80,7 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
-/* The inertia of effects beside the drag (coupling_add_inertia). */
+/* The inertia of effects beside the drag (effects/effect_force.h). */
 static void add_inertia(struct coupling *cp, int n, double dt)
 {
     for (int i = 0; i < n; i++) {

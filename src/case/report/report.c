@@ -18,7 +18,7 @@
 #include "case/case_materials.h"
 #include "case/checks/case_memory.h"
 #include "case/case_part.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/case_mesh.h"
 #include "case/case_steps.h"
 #include "case/command.h"

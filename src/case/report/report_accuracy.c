@@ -2,7 +2,7 @@
 #include "case/report/report_accuracy.h"
 
 #include "case/checks/case_cost.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "fluid/time_scheme.h"
 
 #include <math.h>

@@ -24,6 +24,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 
 struct virtual_mass {
     double C; /* [-] */
@@ -49,7 +50,7 @@ static void *virtual_mass_create(struct simulation *sim,
     self->start = alloc_doubles(3 * n);
     self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
-    coupling_add_inertia(sim);
+    effect_force_inertia(sim);
     particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
     particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
     particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
@@ -134,7 +135,7 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
                                           self->start[3 * i + k]);
             f[k] = impulse[k] / sim->dt;
         }
-        coupling_charge_inertia(sim, i, self->mass[i]);
+        effect_force_charge(sim, i, self->mass[i]);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, f, 1.0);
     }

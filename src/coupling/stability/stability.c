@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/stability.h"
+#include "coupling/stability/stability.h"
 
 #include <math.h>
 
@@ -14,11 +14,6 @@ double stability_frozen_limit(double M)
     const double b = 1.0 - M;
 
     return 4.0 / (b + sqrt(b * b + 16.0 * M));
-}
-
-double stability_substeps(double x)
-{
-    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
 }
 
 double stability_loading(double rho_s, double eps_s, double rho_f)

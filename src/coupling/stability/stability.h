@@ -10,8 +10,8 @@
  *   dt < 2 eps_f^2 tau_p                                             (20.6)
  *   lambda = (1 + C) / (rho_s / rho_f + C) * eps_s / eps_f < 1       (20.9)
  */
-#ifndef COUPLING_STABILITY_H
-#define COUPLING_STABILITY_H
+#ifndef COUPLING_STABILITY_STABILITY_H
+#define COUPLING_STABILITY_STABILITY_H
 
 /* The longest step [s] of the fluid above a packed bed of which eps_f [-] is
  * fluid, and whose particles relax within tau_p [s]. */
@@ -20,10 +20,6 @@ double stability_longest_step(double eps_f, double tau_p);
 /* The longest step over tau_p [-] of a suspension with frozen drag, one update
  * a step, and semi-implicit treatment: 2 for M = 0, 1/2 for the heaviest. */
 double stability_frozen_limit(double M);
-
-/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
- * time [XS11 section 3.3]; from that half on at least two. */
-double stability_substeps(double x);
 
 /* Mass of the particles over that of the fluid in the same volume, M [-]. */
 double stability_loading(double rho_s, double eps_s, double rho_f);
