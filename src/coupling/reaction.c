@@ -8,6 +8,7 @@
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
 #include "coupling/replacement.h"
+#include "coupling/stability.h"
 #include "coupling/transfer.h"
 
 /* From m fields a cell, of which the first is eps_s and the next, if there are
@@ -81,11 +82,18 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
-/* The inertia of effects beside the drag (coupling_add_inertia). */
-static void add_inertia(struct coupling *cp, int n, double dt)
+/* The inertia of effects beside the drag (coupling_add_inertia): as much of it
+ * as keeps a bed stable (20.10). */
+static void add_inertia(struct coupling *cp, const struct simulation *sim)
 {
-    for (int i = 0; i < n; i++) {
-        const double k = cp->inertia[i] / dt;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double m_f = sim->fluid->options.rho * particles_volume(ps, i);
+        const double eps_s = fmin(1.0 - cp->eps[i], 0.9);
+        cp->inertia[i] *= stability_share_in_advance(
+            cp->inertia[i] / m_f, ps->m[i] / m_f, fmax(eps_s, 0.0));
+        const double k = cp->inertia[i] / sim->dt;
         cp->amount[4 * i] += k;
         for (int a = 0; a < 3; a++)
             cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
@@ -115,7 +123,7 @@ void reaction_drag_terms(struct simulation *sim)
     struct coupling *const cp = sim->coupling;
 
     estimate_drag_impulse(sim);
-    if (cp->inertia != NULL) add_inertia(cp, sim->particles->n, sim->dt);
+    if (cp->inertia != NULL) add_inertia(cp, sim);
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
     replacement_add_force(cp->replacement, sim->mesh->n_cells, sim->dt,
                           cp->field);
