@@ -14,6 +14,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
+#include "coupling/population/replacement.h"
 #include "dem/population/population.h"
 
 /* A simulation built without a case file: all that the tests vary. */
@@ -152,6 +153,7 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
     const double L = s->size;
 
     sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);
+    sim->insert_remove = &replacement_functions;
     if (s->fed > 0.0)
         sim->population->sources[0].options =
             (struct insertion_options){.hi = {L, L, L},
@@ -186,7 +188,7 @@ static inline struct simulation *build(const struct scene *s)
     static struct attraction attraction;
 
     if (s->roughness > 0.0) {
-        attraction = effects_named("lubrication")->attraction(gap, &liquid);
+        attraction = effect_named("lubrication")->attraction(gap, &liquid);
         o.attractions = &attraction;
         o.n_attractions = 1;
     }
@@ -205,15 +207,15 @@ static inline struct simulation *build(const struct scene *s)
     sim->effects = alloc_zeroed(8, sizeof *sim->effects);
     if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
-    if (s->whole_drag) add_effect(sim, effects_named("whole_drag"), NULL);
+    if (s->whole_drag) add_effect(sim, effect_named("whole_drag"), NULL);
     if (s->virtual_mass > 0.0)
-        add_effect(sim, effects_named("virtual_mass"), &s->virtual_mass);
+        add_effect(sim, effect_named("virtual_mass"), &s->virtual_mass);
     if (s->viscous_stress)
-        add_effect(sim, effects_named("viscous_stress"), NULL);
-    if (s->basset > 0.0) add_effect(sim, effects_named("basset"), &s->basset);
-    if (s->saffman) add_effect(sim, effects_named("saffman"), NULL);
-    if (s->fluid_torque) add_effect(sim, effects_named("fluid_torque"), NULL);
-    if (s->magnus) add_effect(sim, effects_named("magnus"), NULL);
+        add_effect(sim, effect_named("viscous_stress"), NULL);
+    if (s->basset > 0.0) add_effect(sim, effect_named("basset"), &s->basset);
+    if (s->saffman) add_effect(sim, effect_named("saffman"), NULL);
+    if (s->fluid_torque) add_effect(sim, effect_named("fluid_torque"), NULL);
+    if (s->magnus) add_effect(sim, effect_named("magnus"), NULL);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
 }

@@ -253,8 +253,9 @@ static int check_setting(const struct key *const *tables, const char *path,
     if (key == NULL) return unknown(tables, path, s);
     if (!fits(key, s)) return misfit(key, path, s);
     if ((code = unmet(key, s)) != 0) return code;
-    if (key->type != KEY_LIST && (code = case_check_value(key, path, s)) != 0)
-        return code;
+    if (key->type != KEY_LIST)
+        MODELS_UNTIL(code, case_checks, value, key, path, s);
+    if (code != 0) return code;
     if (config_setting_is_group(s)) return check_group(tables, path, s);
     if (key->type == KEY_LIST)
         for (int i = 0; i < config_setting_length(s) && code == 0; i++) {

@@ -63,7 +63,13 @@ struct coupling_report {
                            which linear interpolation may make smaller */
 };
 
-struct replacement;
+/* Of removed particles (population/). */
+struct replacement {
+    double *unpaid_impulse; /* [N s/m^3] that has not acted on the fluid yet, 3
+                               a cell */
+    double unpaid_sum[3];   /* [N s] its integral; 0 after it has acted */
+    double *eps_before;     /* [-] fluid fraction before they were removed */
+};
 
 struct coupling {
     struct coupling_options options;
@@ -86,7 +92,7 @@ struct coupling {
     double *amount; /* up to 4 a particle */
     double *rate;   /* [kg/s] k at the end of the step */
     double *field;  /* up to 4 a cell */
-    struct replacement *replacement; /* NULL without insertion and removal */
+    struct replacement *replacement; /* NULL: none was removed or inserted */
 };
 
 struct coupling *coupling_create(struct simulation *sim,

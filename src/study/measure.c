@@ -97,8 +97,10 @@ static const struct history_column *in_columns(const struct history_column *c,
 /* Those of all runs, or of a folder. */
 static const struct history_column *in_history(const char *name)
 {
-    const struct history_column *found = in_columns(history_columns, name);
+    const struct history_column *found = NULL;
 
+    for (int i = 0; history_tables[i] != NULL && found == NULL; i++)
+        found = in_columns(history_tables[i]->columns, name);
     for (int i = 0; recorder_parts[i] != NULL && found == NULL; i++)
         if (recorder_parts[i]->columns != NULL)
             found = in_columns(recorder_parts[i]->columns, name);
@@ -149,8 +151,8 @@ static int unknown(const struct measure *m)
     char why[MEASURE_NAME + 128];
 
     nearest_init(&n, m->name);
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        offer(&n, c->name);
+    HISTORY_EACH(t, c)
+    offer(&n, c->name);
     for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
         offer(&n, ++at);
     const char *const best = nearest_best(&n);
