@@ -40,7 +40,8 @@ fluid = { density = 1000; viscosity = 0.1; step = 0.01; bottom_top = "no-slip";
           mean_gradient = [-10.0, 0.0, 0.0]; convection = "linear"; tolerance = 1e-13; };
 output = { end = 0.32; every = 0.32;
     probes = ( { field = "u_x"; position = [0.005, 0.005, 0.005]; } );
-    profiles = ( { field = "u_x"; height = 0.005; } ); };
+    profiles = ( { field = "u_x"; height = 0.005; },
+                 { field = "u_x"; along = "y"; x = 0.005; from = 7.9; } ); };
 END
 # A few grains in a little air that do not lie still.
 cat >grains.cfg <<'END'
@@ -74,13 +75,14 @@ fact bdf2_is_reported_with_order_2 order time bdf2 1.9 2.15
 # (rho/2) (G / 2 mu)^2 h^5/30 for each area of a wall, here of 1e-4 m^2. The cells
 # meet it to second order.
 "$winnow" study channel.cfg -s output.end=8 \
-    -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' -o cells \
-    --quiet
-cells_are_second_order() {
-    awk -F' [|] ' '/^\| cells/ { n++; if (n > 1 && ($5 + 0 < 1.9 || $5 + 0 > 2.15)) wrong = 1 }
+    -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' \
+    --measure profile.1 --truth '50*x*(0.01 - x)' -o cells --quiet
+cells_are_second_order() { # column of study.md
+    awk -F' [|] ' -v c="$1" '/^\| cells/ { n++; if (n > 1 && ($c + 0 < 1.9 || $c + 0 > 2.15)) wrong = 1 }
                    END { exit n != 3 || wrong }' cells/study.md
 }
-fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order
+fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order 5
+fact a_profile_along_y_is_the_parabola_of_the_channel_to_order_2 cells_are_second_order 8
 # A flow through both walls of a channel blows the profile along it to one side, V u' =
 # nu u'' + g with u = 0 below and u' = 0 above: a layer of nu/V, eight cells of the
 # finest mesh at the top. Upwind convection is of order 1, from below, since the layer

@@ -316,6 +316,13 @@ function put_effects() {
     put("};")
 }
 
+# Each direction of a profile, and each of its two places.
+function line(i) {
+    return i % 2 ? (i == 1 ? "z = " 0.4 * size[3] : i == 3 ? "along = \"y\"; z = " 0.4 * size[3] : \
+        "along = \"z\"; x = " 0.4 * size[1]) : i == 2 ? "height = 1e-3" : \
+        i == 4 ? "along = \"y\"; x = " 0.4 * size[1] : "along = \"z\"; height = 1e-3"
+}
+
 function put_output(    h, p, i, n, f) {
     put("output = { end = " 10 * step "; every = " (is("every", "each") ? step : 10 * step) ";")
     h = is("history", "each") ? step : is("history", "second") ? 2 * step : 20 * step
@@ -324,7 +331,7 @@ function put_output(    h, p, i, n, f) {
     if (on("profiles")) {
         put("  profiles = (")
         for (i = 1; i <= n; i++)
-            put("    { field = \"" f[i] "\"; height = " i * 1e-3 "; from = 1e-3; }" (i < n ? "," : ""))
+            put("    { field = \"" f[i] "\"; " line(i % 6 + 1) "; from = 1e-3; }" (i < n ? "," : ""))
         put("  );")
     }
     if (on("probes")) {
