@@ -10,6 +10,7 @@
 #include "case/resume/read_summary.h"
 #include "study/results.h"
 #include "study/statistics.h"
+#include "study/study.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,8 +31,7 @@ static const char in_summary[] =
 
 static int refuse(const struct measure *m, const char *why)
 {
-    fprintf(stderr, "winnow: study: measure %s: %s\n", m->text, why);
-    return 2;
+    return study_wrong("measure %s: %s", m->text, why);
 }
 
 /* --- what is meant -------------------------------------------------------- */
@@ -146,7 +146,6 @@ static void offer(struct nearest *n, const char *word)
 static int unknown(const struct measure *m)
 {
     struct nearest n;
-    char why[MEASURE_NAME + 128];
 
     nearest_init(&n, m->name);
     for (const struct history_column *c = history_columns; c->name != NULL; c++)
@@ -154,12 +153,10 @@ static int unknown(const struct measure *m)
     for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
         offer(&n, ++at);
     const char *const best = nearest_best(&n);
-    snprintf(why, sizeof why,
-             "no column of history.csv or probes.csv is called so, and no "
-             "number of summary.json%s%s%s",
-             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
-             best != NULL ? "?" : "");
-    return refuse(m, why);
+    return study_wrong("measure %s: no column of history.csv or probes.csv is "
+                       "called so, and no number of summary.json%s%s%s",
+                       m->text, best != NULL ? "; did you mean " : "",
+                       best != NULL ? best : "", best != NULL ? "?" : "");
 }
 
 /* Where the measure is found in the folder of a run. */
