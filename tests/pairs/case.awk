@@ -317,10 +317,13 @@ function put_effects() {
 }
 
 # Each direction of a profile, and each of its two places.
-function line(i) {
-    return i % 2 ? (i == 1 ? "z = " 0.4 * size[3] : i == 3 ? "along = \"y\"; z = " 0.4 * size[3] : \
-        "along = \"z\"; x = " 0.4 * size[1]) : i == 2 ? "height = 1e-3" : \
-        i == 4 ? "along = \"y\"; x = " 0.4 * size[1] : "along = \"z\"; height = 1e-3"
+function course(i) {
+    if (i == 1) return "z = " 0.4 * size[3]
+    if (i == 2) return "height = 1e-3"
+    if (i == 3) return "along = \"y\"; z = " 0.4 * size[3]
+    if (i == 4) return "along = \"y\"; x = " 0.4 * size[1]
+    if (i == 5) return "along = \"z\"; x = " 0.4 * size[1]
+    return "along = \"z\"; height = 1e-3"
 }
 
 function put_output(    h, p, i, n, f) {
@@ -331,7 +334,7 @@ function put_output(    h, p, i, n, f) {
     if (on("profiles")) {
         put("  profiles = (")
         for (i = 1; i <= n; i++)
-            put("    { field = \"" f[i] "\"; " line(i % 6 + 1) "; from = 1e-3; }" (i < n ? "," : ""))
+            put("    { field = \"" f[i] "\"; " course(i % 6 + 1) "; from = 1e-3; }" (i < n ? "," : ""))
         put("  );")
     }
     if (on("probes")) {
