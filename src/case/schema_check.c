@@ -180,10 +180,13 @@ static int unknown(const struct key *const *tables, const char *path,
 {
     char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
     const struct key *const key = schema_nearest(tables, path, nearest);
+    const char *const dot = strrchr(path, '.');
 
     if (left_out_folder(path) != NULL) return left_out(s, path, path);
     if (key == NULL)
-        return source_wrong(s, "%s: no such key; see winnow list keys", path);
+        return source_wrong(s, "%s: no such key; see winnow list keys%s%.*s",
+                            path, dot != NULL ? " " : "",
+                            dot != NULL ? (int)(dot - path) : 0, path);
     schema_expected(key, expected);
     return source_wrong(s, "%s: no such key; did you mean %s, %s?", path,
                         nearest, expected);

@@ -80,11 +80,18 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
-/* The inertia of effects beside the drag (effects/effect_force.h). */
-static void add_inertia(struct coupling *cp, int n, double dt)
+/* The inertia of effects beside the drag (effects/effect_force.h): as much of
+ * it as keeps a bed stable (20.10). */
+static void add_inertia(struct coupling *cp, const struct simulation *sim)
 {
-    for (int i = 0; i < n; i++) {
-        const double k = cp->inertia[i] / dt;
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double m_f = sim->fluid->options.rho * particles_volume(ps, i);
+        const double eps_s = fmin(1.0 - cp->eps[i], 0.9);
+        cp->inertia[i] *= cp->share_in_advance(
+            cp->inertia[i] / m_f, ps->m[i] / m_f, fmax(eps_s, 0.0));
+        const double k = cp->inertia[i] / sim->dt;
         cp->amount[4 * i] += k;
         for (int a = 0; a < 3; a++)
             cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
@@ -115,7 +122,7 @@ void reaction_drag_terms(struct simulation *sim)
     const struct replacement *const removed = cp->replacement;
 
     estimate_drag_impulse(sim);
-    if (cp->inertia != NULL) add_inertia(cp, sim->particles->n, sim->dt);
+    if (cp->inertia != NULL) add_inertia(cp, sim);
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
     for (int j = 0; removed != NULL && j < 3 * sim->mesh->n_cells; j++)
         cp->field[4 * (j / 3) + 1 + j % 3] -=
