@@ -122,7 +122,7 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_warns_of_beds_denser_than_is_stable 0 "NOT STABLE where many sizes" \
     "$winnow" check "$top/cases/seepage.cfg"
-fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
+fact check_weighs_virtual_mass_too 0 "eps_s, with the added mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
     "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
