@@ -408,6 +408,13 @@ written() {
     done | uniq | wc -l
 }
 fact what_is_written_does_not_change_the_motion 0 1 written
+pictures() { # soft.cfg has a row each millisecond
+    rm -rf written
+    "$winnow" run soft.cfg -o written --quiet "$@" >/dev/null 2>&1
+    find written/particles -name '*.vtp' | wc -l
+}
+fact pictures_may_be_more_frequent_than_rows 0 21 \
+    pictures -s output.every=2e-4 -s output.end=4e-3 -s particles.expected_overlap=0.5
 sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
 soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
 # Of statistics: one axial and two transverse temperatures make that of history,
@@ -488,6 +495,25 @@ come_written() {
 fact what_is_written_does_not_change_when_spheres_come 0 1 come_written
 fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
 fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
+fact check_says_which_pictures_are_too_frequent 0 "output.every is 0.0001 s" \
+    "$winnow" check come.cfg -s output.every=1e-4
+cat >oblique.cfg <<'END'
+title = "a grain in a sheared box, beyond the length of its floor";
+mesh = { size = [0.02, 0.02, 0.02]; cells = [4, 4, 4]; shear = [0.5, 0.0, 0.0];
+         periodic = [true, false, false]; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.025, 0.016, 0.01]; velocity = [1.0, 0.0, 0.0]; diameter = 3e-3; } ); };
+output = { end = 2e-3; every = 1e-3; };
+END
+oblique() {
+    for x in 0.025 0.005; do
+        "$winnow" run oblique.cfg -o oblique$x --quiet \
+            -s particles.place.0.position=[$x,0.016,0.01] || return
+    done
+    cmp oblique0.025/history.csv oblique0.005/history.csv && echo same
+}
+fact a_grain_is_brought_back_by_the_period_of_a_sheared_box 0 same oblique
 fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \
     come -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
     -s particles.insert.0.count=1

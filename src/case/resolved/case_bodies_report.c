@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/vector.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/particle_options.h"
 #include "case/resolved/case_blocks.h"
 #include "case/resolved/case_bodies.h"
