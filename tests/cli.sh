@@ -219,7 +219,7 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
-    "20.4 -    HIGH: forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
+    "20.4 -    HIGH: pressure, forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
     "$winnow" check channel.cfg -s fluid.viscosity=3.0
 # 3 / 960 0.004 / 0.002^2 = 3.1.
 fact check_says_what_long_viscous_steps_do_to_free_bodies 0 \
