@@ -195,9 +195,10 @@ static void print_viscous(const struct settings *s, double number)
     char remark[96];
 
     if (part < 2e-3) return;
-    snprintf(remark, sizeof remark,
-             "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e", part,
-             pow(10.0, floor(log10(1e-3 / number))));
+    snprintf(
+        remark, sizeof remark,
+        "HIGH: pressure, forces on walls to %.1g; fluid.piso_tolerance = %.0e",
+        part, pow(10.0, floor(log10(1e-3 / number))));
     line("nu dt / h^2", number, "-", remark);
 }
 
