@@ -222,8 +222,16 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
-    "20.4 -    HIGH: forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
+    "20.4 -    HIGH: pressure, forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
     "$winnow" check channel.cfg -s fluid.viscosity=3.0
+# 3 / 960 0.004 / 0.002^2 = 3.1.
+fact check_says_what_long_viscous_steps_do_to_free_bodies 0 \
+    "3.125 -    HIGH: free bodies shake; fluid.piso_tolerance = 1e-06" \
+    "$winnow" check "$top/cases/falling-sphere.cfg" -s fluid.viscosity=3.0
+# 4 / 16 m over 1 / 16 m.
+fact check_says_which_cells_are_so_long_that_the_pressure_may_alternate 0 \
+    "longest cell over its width                     4 -    LONG: 2.6 at most" \
+    "$winnow" check channel.cfg
 fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
