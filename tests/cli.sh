@@ -605,6 +605,9 @@ awk 'function corner(k) { split(k == 0 ? "21 19 25" : k == 1 ? "19 21 25" : k ==
          print "endsolid plate" }' >plate.stl
 fact body_that_is_thin_across_its_file 2 "bodies.surfaces: number 0 is only 0.114 cells thick" \
     body -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02];})}'
+fact body_that_is_free_may_be_thinner_than_three_cells 0 "LOW: good to look at" \
+    body -s mesh.cells=[120,120,120] \
+    -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02]; motion="free"; density=2000.0;})}'
 fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
     body -s bodies.spheres.1.position=[0.09,0.05,0.05]
 fact body_does_not_meet_itself 2 "meets itself across the period" \

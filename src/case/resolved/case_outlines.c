@@ -157,8 +157,8 @@ static double thinnest(const char *list, const struct body_outline *o,
 {
     double least = fmin(hi[0] - lo[0], fmin(hi[1] - lo[1], hi[2] - lo[2]));
 
-    if (o->width > 0.0 && list != case_outlines_surfaces)
-        return fmin(least, o->width);
+    if (list == case_outlines_surfaces) return least; /* check_thickness */
+    if (o->width > 0.0) return fmin(least, o->width);
     for (int i = 0; i < o->n_balls; i++)
         least = fmin(least, 2.0 * o->ball[i].R);
     return least;
