@@ -624,6 +624,27 @@ fact free_body_asks_for_its_density 2 "sphere 0 is free and asks for its density
     body -s 'bodies.spheres.0.motion="free"'
 fact body_asks_for_three_cells 2 "has a diameter of 1.2 cells; expected at least 3" \
     body -s bodies.spheres.1.diameter=0.01
+fact body_of_three_cells_but_for_rounding 0 "LOW: good to look at" \
+    body -s mesh.size=[6.0,6.0,6.0] -s mesh.cells=[30,30,30] \
+    -s 'bodies={spheres=({position=[3.0,3.0,3.0]; diameter=0.6; density=1200.0;})}'
+# Two pyramids on a square in the plane x = y, 2.8 mm high together.
+awk 'function corner(k) { split(k == 0 ? "21 19 25" : k == 1 ? "19 21 25" : k == 2 ? "0 0 0" : \
+             k == 3 ? "40 40 0" : k == 4 ? "40 40 50" : "0 0 50", x, " ")
+         print "vertex", x[1], x[2], x[3] }
+     BEGIN {
+         print "solid plate"
+         for (e = 0; e < 8; e++) {
+             a = 2 + e % 4; b = 2 + (e + 1) % 4
+             print "facet normal 0 0 0\nouter loop"
+             corner(e < 4 ? 0 : 1); corner(e < 4 ? a : b); corner(e < 4 ? b : a)
+             print "endloop\nendfacet"
+         }
+         print "endsolid plate" }' >plate.stl
+fact body_that_is_thin_across_its_file 2 "bodies.surfaces: number 0 is only 0.114 cells thick" \
+    body -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02];})}'
+fact body_that_is_free_may_be_thinner_than_three_cells 0 "LOW: good to look at" \
+    body -s mesh.cells=[120,120,120] \
+    -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02]; motion="free"; density=2000.0;})}'
 fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
     body -s bodies.spheres.1.position=[0.09,0.05,0.05]
 fact body_does_not_meet_itself 2 "meets itself across the period" \
@@ -641,7 +662,13 @@ fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grad
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
 fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "rebound, times                              30.74" \
+    "rebound, times                               2620" \
+    body -s fluid.viscosity=50.0
+fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
+    "largest virtual mass                        9.507" \
+    body -s fluid.viscosity=50.0
+fact free_bodies_jitter_in_a_thick_fluid 0 \
+    "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
     body -s fluid.viscosity=50.0
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&
