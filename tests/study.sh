@@ -149,6 +149,12 @@ sums_agree() {
     [ $n -eq 90 ]
 }
 fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
+# A line across a bed is the same in a mirror, one along gravity is not.
+"$winnow" run grains.cfg -o lines --quiet >said 2>&1 -s output.end=1e-3 \
+    -s 'output.profiles=({field="eps_f";height=0.003;},{field="eps_f";along="y";x=0.003;})'
+mirror_of() { sed -n "/\"$1\"/,/}/p" lines/summary.json | grep -c mirror_error; }
+mirrors_agree() { [ "$(mirror_of eps_f_y3mm)" = 1 ] && [ "$(mirror_of eps_f_along_y_x3mm)" = 0 ]; }
+fact a_profile_along_gravity_has_no_mirror_error mirrors_agree
 # The cheapest row within the limit, found again from study.csv.
 advice_agrees() {
     best=$(awk -F, '
