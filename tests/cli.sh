@@ -80,6 +80,9 @@ fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
 fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
     "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
     "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact key_like_no_other_is_sent_to_the_keys_of_its_group 2 \
+    "effects.shear_lift: no such key; see winnow list keys effects" \
+    "$winnow" check tiny.cfg -s "effects.shear_lift={}"
 fact more_particle_steps_than_an_int_holds_are_refused 2 \
     "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
     "$winnow" check tiny.cfg -s particles.step=1e-14
@@ -119,7 +122,7 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_warns_of_beds_denser_than_is_stable 0 "NOT STABLE where many sizes" \
     "$winnow" check "$top/cases/seepage.cfg"
-fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
+fact check_weighs_virtual_mass_too 0 "eps_s, with the added mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
     "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'

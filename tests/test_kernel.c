@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/kernel.h"
+#include "averaging/kernel/kernel.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -11,10 +11,8 @@
 #include "coupling/effects.h"
 #include "coupling/effect_mover.h"
 #include "coupling/processes.h"
-#include "coupling/replacement.h"
 #include "coupling/stability.h"
 #include "coupling/transfer.h"
-#include "dem/population.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -48,7 +46,6 @@ struct coupling *coupling_create(struct simulation *sim,
     particles_attach(ps, "unpaid_impulse", "N s", cp->unpaid_impulse, 3);
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
         particles_add_implicit_drag(ps);
-    if (sim->population != NULL) cp->replacement = replacement_create(cells);
     return cp;
 }
 
@@ -67,7 +64,7 @@ void coupling_free(struct coupling *cp)
     free(cp->amount);
     free(cp->field);
     free(cp->u_b);
-    replacement_free(cp->replacement);
+    free(cp->replacement);
     free(cp);
 }
 
@@ -205,22 +202,6 @@ static void finish_step(struct simulation *sim)
     effects_call(sim, EFFECTS_AFTER_STEP);
 }
 
-/* Removes and inserts particles before the step. With coupling, the averaged
- * fields and the drag terms are then those of the new particles. */
-static int insert_and_remove(struct simulation *sim)
-{
-    struct particles *const ps = sim->particles;
-    struct population *const population = sim->population;
-    const struct population_functions *const f = population->functions;
-    const int removed = f->mark(population, ps, sim->dt);
-
-    if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
-    if (removed > 0) f->remove(population, sim->dem);
-    const int first = f->insert(population, ps, sim->dem, sim->t);
-    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
-    return replacement_apply(sim, first);
-}
-
 /* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 int coupling_step(struct simulation *sim)
 {
@@ -228,7 +209,7 @@ int coupling_step(struct simulation *sim)
     int failed = 0;
 
     processes_join(sim, PROCESSES_STEP);
-    if (sim->population != NULL) failed = insert_and_remove(sim);
+    if (sim->population != NULL) failed = sim->insert_remove->step(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
     if (sim->fluid != NULL && !failed)
@@ -282,8 +263,7 @@ static void exchange_state(struct simulation *sim, struct state *s)
  */
 void coupling_state(struct simulation *sim, struct state *s)
 {
-    if (sim->population != NULL)
-        sim->population->functions->state(sim->population, s);
+    if (sim->population != NULL) sim->insert_remove->state(sim->population, s);
     if (sim->coupling != NULL) exchange_state(sim, s);
 }
 

@@ -63,7 +63,13 @@ struct coupling_report {
                            which linear interpolation may make smaller */
 };
 
-struct replacement;
+/* Of removed particles (population/). */
+struct replacement {
+    double *unpaid_impulse; /* [N s/m^3] that has not acted on the fluid yet, 3
+                               a cell */
+    double unpaid_sum[3];   /* [N s] its integral; 0 after it has acted */
+    double *eps_before;     /* [-] fluid fraction before they were removed */
+};
 
 struct coupling {
     struct coupling_options options;
@@ -86,7 +92,7 @@ struct coupling {
     double *amount; /* up to 4 a particle */
     double *rate;   /* [kg/s] k at the end of the step */
     double *field;  /* up to 4 a cell */
-    struct replacement *replacement; /* NULL without insertion and removal */
+    struct replacement *replacement; /* NULL: none was removed or inserted */
 };
 
 struct coupling *coupling_create(struct simulation *sim,
@@ -120,9 +126,8 @@ void coupling_add_force(struct simulation *sim, int i, const double f[3]);
 
 /* For an effect whose force on a particle contains m du/dt. The first allocates
  * the arrays `inertia` and `u_then`, by which the next step of the fluid is
- * charged with m (u^new - u_then)/dt in advance. Charged one step later, this
- * term would make the fluid oscillate with a growing amplitude where m exceeds
- * the mass of the fluid. The second adds m [kg] of particle i, after the
+ * charged with a share of m (u^new - u_then)/dt in advance (stability.h), and
+ * the step after it with the rest. The second adds m [kg] of particle i, after the
  * particles have moved, for the step of the fluid that follows. */
 void coupling_add_inertia(struct simulation *sim);
 void coupling_charge_inertia(struct simulation *sim, int i, double m);

@@ -8,6 +8,7 @@
 
 struct effect_scales {
     double rho_f, mu;    /* [kg/m^3], [Pa s] */
+    double dt;           /* [s] step of the fluid */
     double rho_s, d;     /* [kg/m^3], [m] of the mean particle */
     double gravity;      /* [m/s^2] */
     double push;         /* [Pa/m] that drives the fluid through a period */

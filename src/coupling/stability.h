@@ -3,12 +3,18 @@
  * Chapter "Which treatment is stable".
  *
  * The drag on a bed that moves as a whole is 1/eps_f^2 times that on one
- * particle in it, because the fluid is frozen while the particles move; and the
- * reaction of the pressure force on the particles acts on the fluid one step
- * later:
+ * particle in it, because the fluid is frozen while the particles move:
  *
  *   dt < 2 eps_f^2 tau_p                                             (20.6)
- *   lambda = (1 + C) / (rho_s / rho_f + C) * eps_s / eps_f < 1       (20.9)
+ *
+ * The fluid flows back between the particles one step after they have moved.
+ * With r = rho_s/rho_f and q = eps_s/eps_f, an acceleration of the bed is
+ * multiplied in each step by a root L of
+ *
+ *   (r + C) L^2 + q (1 + 2 C + s q C) L + (1 - s) q^2 C = 0         (20.10)
+ *
+ * where C is the added mass and s the share of its reaction that the fluid
+ * receives in the same step.
  */
 #ifndef COUPLING_STABILITY_H
 #define COUPLING_STABILITY_H
@@ -28,13 +34,26 @@ double stability_substeps(double x);
 /* Mass of the particles over that of the fluid in the same volume, M [-]. */
 double stability_loading(double rho_s, double eps_s, double rho_f);
 
-/* Amplification of an oscillation of the pressure in one step, with its sign
- * reversed [-]; C is the coefficient of virtual mass, 0 without it. From 1 on
- * the oscillation grows. */
-double stability_amplification(double C, double rho_s, double eps_s,
-                               double rho_f);
+/* What accelerates with a particle, over the mass of the fluid in its place. */
+struct added_mass {
+    double C;         /* [-] for a change of the slip in this step */
+    double C_history; /* [-] for one in the step before, as a force */
+};
+
+/* The share s [-] of the reaction to C du/dt with which both roots of (20.10)
+ * are the same, and none is larger; 0 for particles that are too light for
+ * that. `ratio` is rho_s/rho_f and eps_s the solids fraction, below 1. */
+double stability_share_in_advance(double C, double ratio, double eps_s);
+
+/* The factor [-], without its sign, by which an acceleration of a bed is
+ * multiplied in a step: of a bed that is free (20.10), (20.12), or of the fluid
+ * in a bed at rest (20.13). From 1 on it grows. `implicit`: the treatment of
+ * the drag is semi-implicit, which charges the fluid in advance. */
+double stability_amplification(const struct added_mass *added, double ratio,
+                               double eps_s, int implicit);
 
 /* The solid fraction [-] at which that is 1. */
-double stability_max_solid_fraction(double C, double rho_s, double rho_f);
+double stability_max_solid_fraction(const struct added_mass *added,
+                                    double ratio, int implicit);
 
 #endif

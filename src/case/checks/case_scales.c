@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "averaging/averaging.h"
+#include "averaging/kernel/weights.h"
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/boundaries/inlet_builder.h"
@@ -106,7 +107,7 @@ int case_scales_check_memory(const struct settings *s,
     if (!settings_has(s, "averaging")) return 0;
     struct mesh *const m = case_mesh_outline(s);
     const struct averaging_options o = build_averaging_options(s);
-    const double bytes = averaging_bytes(
+    const double bytes = weights_bytes(
         averaging_method_named(settings_text(s, "averaging.method")), m,
         k->d_most, &o);
 

@@ -237,7 +237,7 @@ static int check_integrator(const struct settings *s)
 {
     const char *const name = settings_text(s, "particles.integrator");
 
-    if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
+    if (!settings_has(s, "exchange") || !integrator_named(name)->predicts)
         return 0;
     return settings_wrong(s, "particles.integrator",
                           "%s is for cases without exchange; with it there are "
@@ -278,7 +278,7 @@ static int check_particles(const struct settings *s)
 
     if (code == 0) code = materials_check(s);
     if (code == 0) code = check_mesh_walls(s);
-    if (code == 0) code = case_part_check(s);
+    MODELS_UNTIL(code, case_parts, check, s);
     if (code == 0) code = check_list(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
@@ -289,7 +289,7 @@ static int check_particles(const struct settings *s)
 
 static int check_time_average(const struct settings *s)
 {
-    if (effects_named("time_average") == NULL ||
+    if (effect_named("time_average") == NULL ||
         !settings_has(s, "effects.time_average") || build_two_way(s))
         return 0;
     return settings_wrong(s, "effects.time_average",
@@ -299,11 +299,10 @@ static int check_time_average(const struct settings *s)
 
 static int check_output(const struct settings *s)
 {
-    for (int i = 0; recorder_parts[i] != NULL; i++)
-        if (recorder_parts[i]->check != NULL &&
-            recorder_parts[i]->check(s) != 0)
-            return 2;
-    return check_time_average(s);
+    int code = 0;
+
+    MODELS_UNTIL(code, recorder_parts, check, s);
+    return code != 0 ? code : check_time_average(s);
 }
 
 int validate_case(const struct settings *s)
@@ -320,6 +319,6 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
-    if (code == 0) code = case_part_check_any(s);
+    MODELS_UNTIL(code, case_parts, check_any, s);
     return code != 0 ? code : check_output(s);
 }

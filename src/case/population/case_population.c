@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/interrupt.h"
 #include "base/number.h"
+#include "coupling/population/replacement.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
 #include "case/cohesion/case_cohesion.h"
@@ -362,6 +364,7 @@ static int add(const struct settings *s, struct simulation *sim)
     const struct box_domain box = box_domain_of(lo, hi, periodic);
     struct population *const l = sim->population =
         population_create(&box, n, m);
+    sim->insert_remove = &replacement_functions;
     for (int i = 0; i < n && code == 0; i++) {
         code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
         l->sources[i].options.region = sim->region;
@@ -372,8 +375,9 @@ static int add(const struct settings *s, struct simulation *sim)
 }
 
 /* Says which sources have spheres that are due and found no room. */
-static void report(const struct simulation *sim)
+static void report(void *none, const struct simulation *sim)
 {
+    (void)none;
     const struct population *const l = sim->population;
 
     for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
@@ -397,4 +401,13 @@ const struct case_part case_population_part = {.keys = case_population_keys,
                                                .place = place,
                                                .add = add};
 
-const struct run_part case_population_run = {.after_run = report};
+/* A step in which a signal ended the insertion early differs from that of a run
+ * without the signal. */
+static int is_cut_short(const struct simulation *sim)
+{
+    return interrupt_arrived() && sim->population != NULL &&
+           sim->population->totals.waiting > 0;
+}
+
+const struct run_part case_population_run = {.after_run = report,
+                                             .is_cut_short = is_cut_short};

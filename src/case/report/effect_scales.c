@@ -203,6 +203,7 @@ struct effect_scales case_effects_scales(const struct settings *s,
         }
         k.rho_f = settings_real(s, "fluid.density");
         k.mu = settings_real(s, "fluid.viscosity");
+        k.dt = in->dt;
         if (in->volume > 0.0 || is_crowd(s, &k, in))
             bed_scales(s, &k, in);
         else

@@ -177,8 +177,7 @@ int report_case(const struct settings *s)
     print_quality(s);
     if (k.particles > 0) print_contacts(s, &k);
     if (k.particles > 0) report_cohesion(s, k.d, k.density, k.dem_dt, k.impact);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->print != NULL) case_parts[i]->print(s, &k);
+    MODELS_EACH(case_parts, print, s, &k);
     if (settings_has(s, "fluid"))
         case_flow_print(s, k.dt, k.particles > 0 ? packed : 0.0);
     if (settings_has(s, "averaging"))

@@ -24,6 +24,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
+#include "coupling/stability.h"
 #include "dem/implicit_drag.h"
 
 enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */
@@ -96,11 +97,19 @@ static double *term(const struct basset *self, int k, int i)
     return &self->E[k / TERMS_A_ROW][ROW * i + 3 * (k % TERMS_A_ROW)];
 }
 
+/* Part of the change of the slip in the step before [-]. */
+static const double before = 2.0 * M_SQRT2 - 2.0;
+
+/* The added mass [kg] of a sphere of diameter d [m] in a step dt [s]. */
+static double mass_of(double dt, double rho, double mu, double d)
+{
+    return 4.0 / 3.0 * sqrt(dt) * basset_coefficient(rho, mu, d);
+}
+
 static double mass(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    return 4.0 / 3.0 * sqrt(sim->dt) *
-           basset_coefficient(o->rho, o->mu, sim->particles->d[i]);
+    return mass_of(sim->dt, o->rho, o->mu, sim->particles->d[i]);
 }
 
 /* The held force over the added mass [m/s^2]: component a of particle i, whose
@@ -115,7 +124,7 @@ static double known_part(const struct basset *self,
 
     for (int k = 0; k < self->kernel.n; k++)
         older += self->kernel.c[k] * self->gain[k] * term(self, k, i)[a];
-    return du / dt + (2.0 * M_SQRT2 - 2.0) * self->change[3 * i + a] / dt +
+    return du / dt + before * self->change[3 * i + a] / dt +
            0.75 * (older / sqrt(dt) + 2.0 * w_0 / dt);
 }
 
@@ -197,6 +206,15 @@ static struct effect_estimate estimate(const struct effect_scales *k)
         0};
 }
 
+static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+{
+    const double m_f = k->rho_f * M_PI / 6.0 * gsl_pow_3(k->d);
+    const double C = mass_of(k->dt, k->rho_f, k->mu, k->d) / m_f;
+
+    sum->C += C;
+    sum->C_history += before * C;
+}
+
 static const struct key keys[] = {
     {"effects.basset", KEY_GROUP, "", "", KEY_OPTIONAL,
      "force of the boundary layer that lags behind the slip", "LS 5.4",
@@ -216,5 +234,6 @@ const struct effect basset_effect = {
     .after_particles = basset_after_particles,
     .free = basset_free,
     .estimate = estimate,
+    .added_mass = added_mass,
     .cost = {212.0, 0.0, 11.0},
 };

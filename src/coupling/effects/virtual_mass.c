@@ -7,9 +7,11 @@
  * particle step (implicit_drag.h), the first a force that is constant in a
  * step. The reaction to the impulse of the step, C rho_f V_p (Du/Dt dt - change
  * of v), acts on the fluid in its next step, but for what is charged in advance
- * (coupling.h): the term C rho_f V_p du/dt acts in the step itself. Were it
- * left to the next step, each change of the fluid's velocity would be followed
- * there by one of -C eps_s/eps_f times itself, which is large in a packed bed.
+ * (coupling.h): a share of the term C rho_f V_p du/dt acts in the step itself.
+ * Were all of it left to the next step, each change of the fluid's velocity
+ * would be followed there by one of -C eps_s/eps_f times itself, which is large
+ * in a packed bed; were all of it charged in advance, a bed in a liquid would
+ * be unstable (stability.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
@@ -24,6 +26,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/stability.h"
 
 struct virtual_mass {
     double C; /* [-] */
@@ -156,6 +159,11 @@ static struct effect_estimate estimate(const struct effect_scales *k)
         C * k->rho_f * V * k->acceleration / k->force, "", 0};
 }
 
+static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+{
+    sum->C += k->numbers[0];
+}
+
 static const struct key keys[] = {
     {"effects.virtual_mass", KEY_GROUP, "", "", KEY_OPTIONAL,
      "inertia of the fluid that is accelerated with a particle", "LS 5.3",
@@ -176,5 +184,6 @@ const struct effect virtual_mass_effect = {
     .state = virtual_mass_state,
     .free = virtual_mass_free,
     .estimate = estimate,
+    .added_mass = added_mass,
     .cost = {23.0, 37.0, 11.0},
 };

@@ -10,8 +10,8 @@
  * the field u of b = V u keeps sum_i V_i x_i to rounding: all residuals and
  * directions then have the sum, or the V-weighted sum, zero.
  */
-#ifndef LINEAR_CG_MANY_H
-#define LINEAR_CG_MANY_H
+#ifndef LINEAR_MANY_CG_MANY_H
+#define LINEAR_MANY_CG_MANY_H
 
 #include "linear/csr.h"
 #include "linear/report.h"
@@ -22,6 +22,9 @@ struct cg_many_work;
 
 struct cg_many_work *cg_many_work_create(int n, int m);
 void cg_many_work_free(struct cg_many_work *w);
+
+/* dot[k] = sum_i x[m * i + k] y[m * i + k] for m fields side by side. */
+void cg_many_dot(int n, int m, const double *x, const double *y, double *dot);
 
 /* Solves A x = b from the guess in x for the m fields of the work space, until
  * each field has |r| <= max(tolerance |b|, absolute): relative to its own b, as

@@ -13,8 +13,8 @@
  * common stencil, which reduces the memory a hundredfold and makes the kernel
  * method fast.
  */
-#ifndef AVERAGING_STENCIL_H
-#define AVERAGING_STENCIL_H
+#ifndef AVERAGING_KERNEL_STENCIL_H
+#define AVERAGING_KERNEL_STENCIL_H
 
 #include "mesh/mesh.h"
 

@@ -4,8 +4,8 @@
  * time and the time left; elsewhere a line at every tenth; quiet: nothing. All
  * of it on stderr.
  */
-#ifndef CASE_PROGRESS_H
-#define CASE_PROGRESS_H
+#ifndef CASE_PROGRESS_PROGRESS_H
+#define CASE_PROGRESS_PROGRESS_H
 
 enum progress_style { PROGRESS_QUIET, PROGRESS_LINES, PROGRESS_BAR };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "linear/cg_many.h"
+#include "linear/many/cg_many.h"
 
 #include "base/alloc.h"
 #include "base/field_groups.h"
@@ -22,6 +22,26 @@ struct cg_many_work {
 struct fields {
     double at[CG_MANY_FIELDS];
 };
+
+static void range_fields(int first, int last, int n, int m, const double *x,
+                         const double *y, double (*partial)[REDUCE_FIELDS])
+{
+    reduce_range_many(first, last, m, x, y,
+                      partial[parallel_ranges_of(n, first)]);
+}
+
+void cg_many_dot(int n, int m, const double *x, const double *y, double *dot)
+{
+    double partial[PARALLEL_RANGES_COUNT][REDUCE_FIELDS] = {{0.0}};
+
+    assert(m >= 1 && m <= REDUCE_FIELDS);
+    PARALLEL_RANGES(n, m, range_fields, n, m, x, y, partial);
+    for (int k = 0; k < m; k++)
+        dot[k] = 0.0;
+    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
+        for (int k = 0; k < m; k++)
+            dot[k] += partial[s][k];
+}
 
 struct cg_many_work *cg_many_work_create(int n, int m)
 {
@@ -196,7 +216,7 @@ static int step(const struct csr *A, double *x, struct cg_many_work *w,
 
     PARALLEL_RANGES(w->n, w->m, update_direction, w, beta);
     csr_multiply_many(A, w->m, w->p, w->q);
-    reduce_dot_many(w->n, w->m, w->p, w->q, pq);
+    cg_many_dot(w->n, w->m, w->p, w->q, pq);
     for (int k = 0; k < w->m; k++) {
         const double a = sum->rz.at[k] / pq[k];
 
@@ -227,7 +247,7 @@ struct solve_report cg_many_solve(const struct csr *A, const double *weight,
     double bb[CG_MANY_FIELDS];
     const double least = sqrt(DBL_MIN); /* smaller ones count as zero (cg.c) */
 
-    reduce_dot_many(w->n, w->m, b, b, bb);
+    cg_many_dot(w->n, w->m, b, b, bb);
     clear_empty(w->n, w->m, bb, x);
     for (int k = 0; k < w->m; k++)
         target.at[k] = fmax(fmax(tolerance * sqrt(bb[k]), absolute), least);

@@ -8,11 +8,12 @@
  * [XS11 3.4]; the loops over particles and cells are common to all methods and
  * are in this module. The result does not depend on the number of threads.
  */
-#ifndef AVERAGING_WEIGHTS_H
-#define AVERAGING_WEIGHTS_H
+#ifndef AVERAGING_KERNEL_WEIGHTS_H
+#define AVERAGING_KERNEL_WEIGHTS_H
 
+#include "averaging/averaging_method.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/stencil.h"
+#include "averaging/kernel/stencil.h"
 
 /* The cells near a cell c: their numbers are c + index_offset[e], and their
  * centres are at (dx[e], dy[e], dz[e]) from that of c. Entry 0 is c itself. */
@@ -56,6 +57,12 @@ struct neighbourhood weights_around(const struct weights *s, int c);
 
 /* Borrowed. */
 const struct stencil *weights_stencil(const struct weights *s);
+
+/* Estimate of the memory for the neighbourhoods of all cells before they are
+ * found [byte]; d [m] is the largest diameter. The mesh may be an outline. */
+double weights_bytes(const struct averaging_method *method,
+                     const struct mesh *mesh, double d,
+                     const struct averaging_options *o);
 
 /* Spreading, and its adjoint. weights_spread returns the number of particles
  * that were assigned to their own cell alone; 0 if the rule has a list. */

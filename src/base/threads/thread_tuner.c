@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/thread_tuner.h"
+#include "base/threads/thread_tuner.h"
 
 #include <omp.h>
+#include <stdlib.h>
 
+#include "base/alloc.h"
 #include "base/clock.h"
+#include "base/thread_choice.h"
 
 enum { TRIAL = 3 }; /* [-] steps */
 
@@ -81,24 +84,37 @@ int thread_tuner_next(struct thread_tuner *c, double seconds)
 }
 
 /* With one thread there are no trials, and the clock is not read. */
-void thread_tuner_use_all(struct thread_tuner *c)
+static void *create(void)
 {
+    struct thread_tuner *const c = alloc_zeroed(1, sizeof *c);
+
     thread_tuner_init(c, omp_get_max_threads());
     omp_set_num_threads(1);
+    return c;
 }
 
-void thread_tuner_begin(struct thread_tuner *c)
+static void before_step(void *choice)
 {
+    struct thread_tuner *const c = choice;
+
     if (c->max_threads > 1) c->step_start = clock_now();
 }
 
-void thread_tuner_end(struct thread_tuner *c)
+static void after_step(void *choice)
 {
+    struct thread_tuner *const c = choice;
+
     if (c->max_threads > 1)
         omp_set_num_threads(thread_tuner_next(c, clock_now() - c->step_start));
 }
 
-void thread_tuner_restore(const struct thread_tuner *c)
+static void release(void *choice)
 {
+    struct thread_tuner *const c = choice;
+
     omp_set_num_threads(c->max_threads);
+    free(c);
 }
+
+const struct thread_choice thread_tuner_choice = {create, before_step,
+                                                  after_step, release};

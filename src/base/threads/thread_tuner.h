@@ -7,8 +7,8 @@
  * time it takes some steps with more or fewer threads and keeps that number if
  * it was faster. Results do not depend on the number of threads.
  */
-#ifndef BASE_THREAD_TUNER_H
-#define BASE_THREAD_TUNER_H
+#ifndef BASE_THREADS_THREAD_TUNER_H
+#define BASE_THREADS_THREAD_TUNER_H
 
 struct thread_tuner {
     int max_threads;      /* [-] threads available */
@@ -30,13 +30,5 @@ void thread_tuner_init(struct thread_tuner *c, int most);
 
 /* Number of threads for the next step; seconds: wall time of the last step. */
 int thread_tuner_next(struct thread_tuner *c, double seconds);
-
-/* The same with OpenMP's threads: thread_tuner_use_all starts with all of them,
- * thread_tuner_begin and thread_tuner_end enclose each step, and
- * thread_tuner_restore restores the number. */
-void thread_tuner_use_all(struct thread_tuner *c);
-void thread_tuner_begin(struct thread_tuner *c);
-void thread_tuner_end(struct thread_tuner *c);
-void thread_tuner_restore(const struct thread_tuner *c);
 
 #endif

@@ -1,5 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/vtk_blocks.h"
+/* vtk_blocks.c -- the bytes of one array, compressed by zlib in blocks.
+ *
+ * The format that VTK reads after <AppendedData> (every word a UInt64):
+ *
+ *     number of blocks
+ *     size of a full block, before compression
+ *     size of the last block if it is not full, else 0
+ *     size of each block, after compression
+ *     the compressed blocks
+ *
+ * Once a block of an array shrinks by less than a tenth, as those of particle
+ * velocities do, the following blocks are stored uncompressed (zlib's level 0);
+ * until then they are compressed lightly (level 1).
+ */
+#include "output/vtk_file.h"
 
 #include "base/alloc.h"
 
@@ -7,6 +21,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <zlib.h>
+
+/* Full block, before compression [bytes]. */
+enum { VTK_BLOCK = 65536 };
 
 /* A stored block grows by some bytes for every 16 KiB; zlib's own bound for
  * 64 KiB is well below this. */
@@ -50,7 +67,7 @@ static void make_room(struct vtk_blocks *b, size_t n)
     b->n_size = 2 * n;
 }
 
-struct vtk_blocks *vtk_blocks_create(void)
+static void *create(void)
 {
     struct vtk_blocks *const b = alloc_zeroed(1, sizeof *b);
 
@@ -62,9 +79,10 @@ struct vtk_blocks *vtk_blocks_create(void)
     return b;
 }
 
-void vtk_blocks_free(struct vtk_blocks *b)
+static void release(void *state)
 {
-    if (b == NULL) return;
+    struct vtk_blocks *const b = state;
+
     deflateEnd(&b->light);
     deflateEnd(&b->stored);
     free(b->size);
@@ -109,9 +127,10 @@ static void put_blocks(struct vtk_blocks *b, FILE *out,
     }
 }
 
-void vtk_blocks_write(struct vtk_blocks *b, FILE *out,
-                      const struct vtk_array *a, int n)
+static void write_array(void *state, FILE *out, const struct vtk_array *a,
+                        int n)
 {
+    struct vtk_blocks *const b = state;
     const size_t n_values = (size_t)n * (size_t)a->components;
     const size_t bytes = n_values * vtk_array_width(a);
     const size_t n_blocks = (bytes + VTK_BLOCK - 1) / VTK_BLOCK;
@@ -127,3 +146,11 @@ void vtk_blocks_write(struct vtk_blocks *b, FILE *out,
     put_words(out, b->size, n_blocks);
     fseeko(out, end, SEEK_SET);
 }
+
+const struct vtk_encoding vtk_compressed = {
+    .name = "zlib",
+    .attribute = " compressor=\"vtkZLibDataCompressor\"",
+    .create = create,
+    .free = release,
+    .write = write_array,
+};

@@ -8,10 +8,11 @@
  * window of cells, and each cell then sums the windows that contain it, in
  * order.
  */
-#include "averaging/weights.h"
+#include "averaging/kernel/weights.h"
 
 #include <stdlib.h>
 
+#include "averaging/averaging.h"
 #include "base/alloc.h"
 
 enum { RANGES = 16 }; /* [-] more windows would take longer to add up */
@@ -228,6 +229,18 @@ struct weights *weights_create(const struct cell_of_particle *h, double reach,
     for (int k = 0; k < RANGES; k++)
         set_range(s, k, fields);
     return s;
+}
+
+double weights_bytes(const struct averaging_method *method,
+                     const struct mesh *mesh, double d,
+                     const struct averaging_options *o)
+{
+    const struct averaging_method *const variant =
+        averaging_variant(method, mesh);
+    const double reach = variant->reach_b * o->bandwidth + variant->reach_d * d;
+    const enum stencil_to to =
+        variant->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
+    return reach > 0.0 ? stencil_bytes(mesh, reach, to) : 0.0;
 }
 
 const struct stencil *weights_stencil(const struct weights *s)

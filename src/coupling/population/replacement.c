@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "coupling/replacement.h"
+#include "coupling/population/replacement.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,32 +8,29 @@
 #include "base/alloc.h"
 #include "coupling/coupling.h"
 #include "coupling/transfer.h"
-#include "dem/population.h"
+#include "dem/population/population.h"
 
-struct replacement *replacement_create(int n_cells)
+/* Of the first particles that are inserted or removed; coupling_free releases
+ * it. */
+static void create(struct coupling *cp, int n_cells)
 {
-    struct replacement *const r = alloc_zeroed(1, sizeof *r);
+    struct replacement *const r = alloc_zeroed(
+        1, sizeof *r + 4 * (size_t)n_cells * sizeof *r->eps_before);
 
-    r->eps_before = alloc_doubles(n_cells);
-    r->unpaid_impulse = alloc_doubles(3 * n_cells);
-    return r;
+    r->eps_before = (double *)(r + 1);
+    r->unpaid_impulse = r->eps_before + n_cells;
+    cp->replacement = r;
 }
 
-void replacement_free(struct replacement *r)
-{
-    if (r == NULL) return;
-    free(r->eps_before);
-    free(r->unpaid_impulse);
-    free(r);
-}
-
-void replacement_collect_unpaid(struct simulation *sim)
+/* Before the marked particles are removed: stores their unpaid impulse. */
+static void collect_unpaid(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
-    struct replacement *const r = cp->replacement;
     double *const impulse = cp->smooth; /* not in use between two steps */
 
     if (!cp->options.two_way) return;
+    if (cp->replacement == NULL) create(cp, sim->mesh->n_cells);
+    struct replacement *const r = cp->replacement;
     for (int i = 0; i < sim->particles->n; i++)
         for (int k = 0; k < 3; k++) {
             const int j = 3 * i + k;
@@ -73,8 +70,9 @@ int replacement_apply(struct simulation *sim, int first)
 {
     const int n_cells = sim->mesh->n_cells;
     struct coupling *const cp = sim->coupling;
-    double *const eps_before = cp->replacement->eps_before;
 
+    if (cp->replacement == NULL) create(cp, n_cells);
+    double *const eps_before = cp->replacement->eps_before;
     start_velocity(sim, first);
     memcpy(eps_before, sim->fluid->eps, (size_t)n_cells * sizeof *eps_before);
     if (transfer_average(sim) != 0) return 1;
@@ -88,23 +86,6 @@ int replacement_apply(struct simulation *sim, int first)
     return 0;
 }
 
-void replacement_add_force(const struct replacement *r, int n_cells, double dt,
-                           double *field)
-{
-    if (r == NULL) return;
-    for (int c = 0; c < n_cells; c++)
-        for (int k = 0; k < 3; k++)
-            field[4 * c + 1 + k] -= r->unpaid_impulse[3 * c + k] / dt;
-}
-
-void replacement_reset(struct replacement *r, int n_cells)
-{
-    if (r == NULL) return;
-    memset(r->unpaid_impulse, 0,
-           3 * (size_t)n_cells * sizeof *r->unpaid_impulse);
-    memset(r->unpaid_sum, 0, sizeof r->unpaid_sum);
-}
-
 void replacement_momentum(const struct simulation *sim, double brought[3])
 {
     const struct population_totals *const a = &sim->population->totals;
@@ -114,3 +95,21 @@ void replacement_momentum(const struct simulation *sim, double brought[3])
         if (sim->fluid != NULL) brought[k] -= sim->fluid->replaced_momentum[k];
     }
 }
+
+/* Removes and inserts particles before the step. With coupling, the averaged
+ * fields and the drag terms are then those of the new particles. */
+static int step(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+    struct population *const population = sim->population;
+    const int removed = population_mark(population, ps, sim->dt);
+
+    if (sim->coupling != NULL && removed > 0) collect_unpaid(sim);
+    if (removed > 0) population_remove(population, sim->dem);
+    const int first = population_insert(population, ps, sim->dem, sim->t);
+    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
+    return replacement_apply(sim, first);
+}
+
+const struct population_functions replacement_functions = {
+    step, population_state, population_free};

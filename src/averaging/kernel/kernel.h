@@ -17,8 +17,8 @@
  *     bell      K = (1 - zeta^2)^4 for |zeta| < 1, else 0           [XS11 3.6]
  *     gaussian  K = exp(-zeta^2) for |zeta| < 3, else 0       [SX15 6 and 4.1]
  */
-#ifndef AVERAGING_KERNEL_H
-#define AVERAGING_KERNEL_H
+#ifndef AVERAGING_KERNEL_KERNEL_H
+#define AVERAGING_KERNEL_KERNEL_H
 
 #include "averaging/averaging_method.h"
 
@@ -27,10 +27,5 @@ extern const struct averaging_method kernel_gaussian_method;
 
 /* [XS11 3.6], the bell: K = (1 - zeta^2)^4 for |zeta| < 1, else 0. [-] */
 double kernel_bell(double zeta);
-
-/* sigma [m] and b [m] of the Gaussian that has half its height at the distance
- * delta_05 / 2 [m] [EW18 20]. */
-double kernel_sigma(double delta_05);
-double kernel_bandwidth(double delta_05);
 
 #endif

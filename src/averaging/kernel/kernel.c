@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "averaging/kernel.h"
+#include "averaging/kernel/kernel.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "averaging/averaging.h"
-#include "averaging/weights.h"
+#include "averaging/kernel/weights.h"
 #include "base/alloc.h"
 
 /* Cut-off of the Gaussian, over b: exp(-9) = 1.2e-4 [SX15 section 4.1]. */
@@ -31,16 +31,6 @@ static inline double bell(double zeta2)
 double kernel_bell(double zeta)
 {
     return bell(zeta * zeta);
-}
-
-double kernel_sigma(double delta_05)
-{
-    return delta_05 / (2.0 * sqrt(2.0 * log(2.0))); /* [EW18 20] */
-}
-
-double kernel_bandwidth(double delta_05)
-{
-    return sqrt(2.0) * kernel_sigma(delta_05);
 }
 
 /* [XS11 3.5b] divides by the sum, and so the weights add up to one [XS11 3.4].
