@@ -122,7 +122,7 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_warns_of_beds_denser_than_is_stable 0 "NOT STABLE where many sizes" \
     "$winnow" check "$top/cases/seepage.cfg"
-fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
+fact check_weighs_virtual_mass_too 0 "eps_s, with the added mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
     "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
@@ -222,8 +222,16 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
-    "20.4 -    HIGH: forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
+    "20.4 -    HIGH: pressure, forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
     "$winnow" check channel.cfg -s fluid.viscosity=3.0
+# 3 / 960 0.004 / 0.002^2 = 3.1.
+fact check_says_what_long_viscous_steps_do_to_free_bodies 0 \
+    "3.125 -    HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
+    "$winnow" check "$top/cases/falling-sphere.cfg" -s fluid.viscosity=3.0
+# 4 / 16 m over 1 / 16 m.
+fact check_says_which_cells_are_so_long_that_the_pressure_may_alternate 0 \
+    "longest cell over its width                     4 -    LONG: 2.6 at most" \
+    "$winnow" check channel.cfg
 fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
@@ -616,6 +624,27 @@ fact free_body_asks_for_its_density 2 "sphere 0 is free and asks for its density
     body -s 'bodies.spheres.0.motion="free"'
 fact body_asks_for_three_cells 2 "has a diameter of 1.2 cells; expected at least 3" \
     body -s bodies.spheres.1.diameter=0.01
+fact body_of_three_cells_but_for_rounding 0 "LOW: good to look at" \
+    body -s mesh.size=[6.0,6.0,6.0] -s mesh.cells=[30,30,30] \
+    -s 'bodies={spheres=({position=[3.0,3.0,3.0]; diameter=0.6; density=1200.0;})}'
+# Two pyramids on a square in the plane x = y, 2.8 mm high together.
+awk 'function corner(k) { split(k == 0 ? "21 19 25" : k == 1 ? "19 21 25" : k == 2 ? "0 0 0" : \
+             k == 3 ? "40 40 0" : k == 4 ? "40 40 50" : "0 0 50", x, " ")
+         print "vertex", x[1], x[2], x[3] }
+     BEGIN {
+         print "solid plate"
+         for (e = 0; e < 8; e++) {
+             a = 2 + e % 4; b = 2 + (e + 1) % 4
+             print "facet normal 0 0 0\nouter loop"
+             corner(e < 4 ? 0 : 1); corner(e < 4 ? a : b); corner(e < 4 ? b : a)
+             print "endloop\nendfacet"
+         }
+         print "endsolid plate" }' >plate.stl
+fact body_that_is_thin_across_its_file 2 "bodies.surfaces: number 0 is only 0.114 cells thick" \
+    body -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02];})}'
+fact body_that_is_free_may_be_thinner_than_three_cells 0 "LOW: good to look at" \
+    body -s mesh.cells=[120,120,120] \
+    -s 'bodies={surfaces=({file="plate.stl"; scale=1e-3; position=[0.03,0.03,0.02]; motion="free"; density=2000.0;})}'
 fact body_is_in_the_box 2 "with diameter 0.03 m is not inside the box" \
     body -s bodies.spheres.1.position=[0.09,0.05,0.05]
 fact body_does_not_meet_itself 2 "meets itself across the period" \
@@ -633,7 +662,13 @@ fact bodies_ask_for_equal_cells 2 "bodies ask for equal cells" body -s mesh.grad
 fact cylinder_is_along_an_axis_but_for_rounding 0 "" body -s mesh.cells=[12,12,4] \
     -s 'bodies={cylinders=({position=[0.05,0.05,0.05]; diameter=0.01; length=0.03; axis=[0.0,0.0,49.0];})}'
 fact rebound_is_that_by_the_mass_that_viscosity_asks_for 0 \
-    "rebound, times                              30.74" \
+    "rebound, times                               2620" \
+    body -s fluid.viscosity=50.0
+fact virtual_mass_is_what_viscosity_and_shape_ask_for 0 \
+    "largest virtual mass                        9.507" \
+    body -s fluid.viscosity=50.0
+fact free_bodies_jitter_in_a_thick_fluid 0 \
+    "HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
     body -s fluid.viscosity=50.0
 gone_on() {
     "$winnow" run "$1.cfg" -o whole --quiet >/dev/null &&

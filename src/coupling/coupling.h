@@ -85,9 +85,6 @@ struct coupling {
     /* Of effect_force_inertia (effects/); NULL if no effect has called it. */
     double *inertia; /* [kg] */
     double *u_then;  /* [m/s] 3 */
-    /* [-] of the reaction to it, for the added mass, the density and the solids
-     * fraction of a particle (stability/stability.h). */
-    double (*share_in_advance)(double C, double ratio, double eps_s);
     /* Work space. */
     double *u_b;    /* [m/s] fluid velocity on the boundary faces, 3 a face;
                        NULL unless the interpolation is linear */

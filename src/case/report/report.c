@@ -67,6 +67,22 @@ static void print_bad_cells(const struct mesh *m, const struct mesh_quality *q)
     line_at("smallest cell", q->V_min, "m^3", m, q->n_small, "");
 }
 
+/* Beyond sqrt(7) widths the pressure can alternate from cell to cell (19.8). */
+static void print_longest(const struct mesh *m)
+{
+    int c;
+    const double longest = mesh_longest_cell(m, &c);
+    static const char *const name = "longest cell over its width";
+    static const char *const advice =
+        "LONG: 2.6 at most where the flow changes within one";
+
+    if (longest <= sqrt(7.0)) return;
+    if (c < 0)
+        check_line(name, longest, "-", advice);
+    else
+        line_at(name, longest, "-", m, c, advice);
+}
+
 /* The quality of the mesh: a box has no oblique links and no skewness. */
 static void print_quality(const struct settings *s)
 {
@@ -78,6 +94,7 @@ static void print_quality(const struct settings *s)
 
     mesh_volumes(m, &least, &most, &mean);
     if (crooked) print_bad_cells(m, &q);
+    if (settings_has(s, "fluid")) print_longest(m);
     if (most > least * (1.0 + 1e-9))
         check_line(
             "largest over smallest cell", most / least, "-",

@@ -25,7 +25,6 @@
 #include "coupling/effects/effect_force.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
-#include "coupling/stability/stability.h"
 #include "dem/implicit_drag.h"
 
 enum { ROW = 6, TERMS_A_ROW = 2 }; /* numbers a particle in one array of E */

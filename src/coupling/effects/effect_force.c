@@ -4,7 +4,6 @@
 #include "base/alloc.h"
 #include "coupling/coupling.h"
 #include "coupling/effects.h"
-#include "coupling/stability/stability.h"
 
 void effect_force_add(struct simulation *sim, int i, const double f[3])
 {
@@ -22,7 +21,6 @@ void effect_force_inertia(struct simulation *sim)
     struct coupling *const cp = sim->coupling;
 
     if (cp->inertia != NULL) return;
-    cp->share_in_advance = stability_share_in_advance;
     cp->inertia = alloc_doubles(sim->particles->capacity);
     cp->u_then = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);

@@ -11,7 +11,7 @@
  * Were all of it left to the next step, each change of the fluid's velocity
  * would be followed there by one of -C eps_s/eps_f times itself, which is large
  * in a packed bed; were all of it charged in advance, a bed in a liquid would
- * be unstable (stability.h).
+ * be unstable (reaction.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
@@ -27,7 +27,6 @@
 #include "base/alloc.h"
 #include "coupling/coupling.h"
 #include "coupling/effects/effect_force.h"
-#include "coupling/stability/stability.h"
 
 struct virtual_mass {
     double C; /* [-] */
