@@ -85,7 +85,7 @@ static double rebound(double C_v)
 }
 
 /* With C_v = 1/2 nothing is gained, and the fluid takes 2 to 3 %. Measured with
- * 2 is 1.08 times as much, the bound of (24.13) is 1.13; without the delay it
+ * 2 is 1.08 times as much, the bound of (24.15) is 1.13; without the delay it
  * would be 1. */
 START_TEST(ew18_2_virtual_mass_adds_less_to_an_impact_than_its_bound)
 {

@@ -124,6 +124,77 @@ START_TEST(ls_4_3_the_points_that_touch_lie_on_the_surface)
 }
 END_TEST
 
+static void put_corner(double corner[3], const double at[2], double z)
+{
+    corner[0] = at[0], corner[1] = at[1], corner[2] = z;
+}
+
+/* The triangles of a prism; corner 0 of its base sees all others. */
+static int extrude(int n, const double (*x)[2], double depth, double (*t)[3][3])
+{
+    int m = 0;
+
+    for (int k = 1; k + 1 < n; k++, m += 2) {
+        const int base[3] = {0, k + 1, k}, top[3] = {0, k, k + 1};
+        for (int v = 0; v < 3; v++) {
+            put_corner(t[m][v], x[base[v]], 0.0);
+            put_corner(t[m + 1][v], x[top[v]], depth);
+        }
+    }
+    for (int k = 0; k < n; k++, m += 2) {
+        const double *const a = x[k], *const b = x[(k + 1) % n];
+        put_corner(t[m][0], a, 0.0);
+        put_corner(t[m][1], b, 0.0);
+        put_corner(t[m][2], a, depth);
+        put_corner(t[m + 1][0], b, 0.0);
+        put_corner(t[m + 1][1], b, depth);
+        put_corner(t[m + 1][2], a, depth);
+    }
+    return m;
+}
+
+/* A plate of 0.01 m and an L with legs of 0.025 m, turned in their file by 0.6
+ * about z and then about x; their boxes are ten times as wide. The points that
+ * touch are half of that apart, or a 48th of the longest side. */
+START_TEST(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it)
+{
+    static const double plate[4][2] = {{0, 0},
+                                       {0.5, 0},
+                                       {0.5, 0.01},
+                                       {0, 0.01}},
+                        ell[6][2] = {{0, 0},         {0.5, 0},     {0.5, 0.025},
+                                     {0.025, 0.025}, {0.025, 0.5}, {0, 0.5}};
+    const double thin = _i == 0 ? 0.01 : 0.025, c = cos(0.6), s = sin(0.6);
+    double t[20][3][3];
+    const char *trouble;
+
+    const int m = extrude(_i == 0 ? 4 : 6, _i == 0 ? plate : ell, 0.4, t);
+    for (int k = 0; k < 3 * m; k++) {
+        double *const x = t[k / 3][k % 3];
+        const double y = s * x[0] + c * x[1];
+        x[0] = c * x[0] - s * x[1];
+        x[1] = c * y - s * x[2];
+        x[2] = s * y + c * x[2];
+    }
+    struct body_outline *const o = closed_surface_create(m, t, &trouble);
+    ck_assert_ptr_nonnull(o);
+    ck_assert_double_eq_tol(o->width, thin, 1e-12);
+    ck_assert_double_gt(fmin(o->half[0], fmin(o->half[1], o->half[2])),
+                        5.0 * thin);
+    contact_points_add(o);
+    const double longest = 2.0 * fmax(o->half[0], fmax(o->half[1], o->half[2]));
+    for (int i = 0; i < o->n_balls; i++) {
+        double r[3], nearest = HUGE_VAL;
+        for (int j = 0; j < o->n_balls; j++) {
+            vector_between(o->ball[i].at, o->ball[j].at, r);
+            if (j != i) nearest = fmin(nearest, vector_length(r));
+        }
+        ck_assert_double_le(nearest, fmax(0.5 * thin, longest / 48.0) + 1e-12);
+    }
+    body_outline_free(o);
+}
+END_TEST
+
 /* --- contacts --------------------------------------------------------------
  */
 
@@ -314,7 +385,7 @@ END_TEST
  */
 
 /* A periodic box with a free body that turns and drifts: fluid and body keep
- * their momentum (24.10) to the solver's tolerance, 1e-10. */
+ * their momentum (24.12) to the solver's tolerance, 1e-10. */
 START_TEST(ew18_2_a_free_block_and_the_fluid_keep_their_momentum)
 {
     const struct pool_options o = {.size = {1.0, 1.0, 1.0},
@@ -352,6 +423,7 @@ FACTS("free shapes")
     FACT(ew18_3_a_turned_box_is_the_box_of_its_triangles);
     FACT(ew18_3_moments_of_a_cylinder_along_any_axis);
     FACT(ls_4_3_the_points_that_touch_lie_on_the_surface);
+    FACT_FOR_EACH(ls_4_3_a_closed_surface_is_as_thin_as_most_of_it, 2);
     FACT_FOR_EACH(ls_4_4_contacts_of_boxes_keep_momentum_linear_and_angular, 2);
     FACT(ls_4_4_an_elastic_box_keeps_its_energy);
     FACT(ls_4_4_the_corner_of_a_box_has_the_restitution_of_its_material);

@@ -23,6 +23,9 @@ struct immersed {
     void (*smooth_forces)(struct immersed *self, struct fluid *fl);
     /* The velocity has been corrected with the new pressure. */
     void (*corrected)(struct immersed *self, struct fluid *fl);
+    /* The largest diagonal without the friction times the velocity [N], which
+     * the residual of the splitting is compared with; NULL: with friction. */
+    double (*largest_term)(const struct immersed *self, const struct fluid *fl);
     /* The velocity of the step is final, unless this changes it. */
     void (*end)(struct immersed *self, struct fluid *fl);
     double impulse[3]; /* [N s] on the fluid in the last step */

@@ -218,5 +218,7 @@ double velocity_residual(struct fluid *fl)
     }
     if (fl->options.shared != NULL)
         return fl->options.shared->residual(fl->options.shared->parts, fl);
+    if (fl->immersed != NULL && fl->immersed->largest_term != NULL)
+        all.largest = fl->immersed->largest_term(fl->immersed, fl);
     return all.largest > 0.0 ? all.worst / all.largest : 0.0;
 }

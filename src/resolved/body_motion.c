@@ -23,24 +23,20 @@ static double gyration(const struct solid_bodies *b, int i)
     return 0.1 * b->ps->d[i] * b->ps->d[i];
 }
 
-/* In a step viscosity takes K times the momentum of the fluid in the place of a
- * body: of a sphere, with x = nu dt / R^2,
- *
- *   K = 9/2 (x + sqrt(x)) + 1/2         of a velocity,
- *   K = 15 x + 5 sqrt(x)/(1 + sqrt(x))  of a spin
- *
- * which the implicit step of Stokes' equations gives. From K = 4 (rho_r + C_v)
- * on it would take more than there is, with the other sign in each step; half
- * of that is left. */
+/* The force of the fluid comes a step late. From C_v = (K + 1 + 2 C_a -
+ * rho_r)/2 down, a change of the velocity comes back larger and with the other
+ * sign (24.10). */
 static void set_virtual_mass(struct solid_bodies *b, int i, double dt)
 {
-    const double R = 0.5 * body_shape_width(&b->shape[i]);
-    const double x = b->mu * dt / (b->rho * R * R), root = sqrt(x);
+    const double width = body_shape_width(&b->shape[i]), R = 0.5 * width;
+    const double x = b->mu * dt / (b->rho * R * R);
     const double rho_r = b->mass[i] / displaced(b, i);
+    const double C_a =
+        body_numbers_added_mass(body_shape_volume(&b->shape[i]), width);
+    const double least = b->options.virtual_mass;
 
-    b->C_v[i] = body_numbers_virtual_mass(b->options.virtual_mass, x, rho_r);
-    b->C_spin[i] = fmax(b->options.virtual_mass,
-                        0.5 * (15.0 * x + 5.0 * root / (1.0 + root)) - rho_r);
+    b->C_v[i] = body_numbers_virtual_mass(least, x, rho_r, C_a);
+    b->C_spin[i] = body_numbers_virtual_spin(least, x, rho_r, C_a);
 }
 
 /* [EW18 2]. The force of the fluid [EW18 15], J/dt and what accelerates the

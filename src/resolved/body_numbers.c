@@ -24,9 +24,33 @@ double body_numbers_stokes(double rho_r, double Re)
     return rho_r * Re / 18.0; /* [EW18 9] */
 }
 
-double body_numbers_virtual_mass(double least, double x, double rho_r)
+double body_numbers_added_mass(double volume, double width)
 {
-    return fmax(least, 0.5 * (4.5 * (x + sqrt(x)) + 0.5) - rho_r);
+    return 0.5 * sqrt(6.0 * volume / (M_PI * width * width * width));
+}
+
+/* Beside a wall or another body the added mass is up to twice as large. */
+static const double beside_another = 2.0;
+
+/* K is what viscosity takes in the step of a change of 1 [-]. */
+static double without_growth(double least, double K, double C_a, double rho_r)
+{
+    return fmax(least, 0.5 * (K + 1.0 + 2.0 * beside_another * C_a - rho_r));
+}
+
+double body_numbers_virtual_mass(double least, double x, double rho_r,
+                                 double C_a)
+{
+    return without_growth(least, 4.5 * (x + sqrt(x)), C_a, rho_r);
+}
+
+double body_numbers_virtual_spin(double least, double x, double rho_r,
+                                 double C_a)
+{
+    const double root = sqrt(x);
+    /* a sphere that spins moves no fluid but by viscosity */
+    return without_growth(least, 15.0 * x + 5.0 * root / (1.0 + root),
+                          fmax(C_a - 0.5, 0.0), rho_r);
 }
 
 double body_numbers_impact_gain(double rho_r, double C_v, double steps)

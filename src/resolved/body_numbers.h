@@ -19,15 +19,22 @@ double body_numbers_density_ratio(double rho_p, double rho);
 /* rho_r Re / 18 [-] [EW18 9]. */
 double body_numbers_stokes(double rho_r, double Re);
 
-/* C_v [-] of a body in a step: the least that is asked for, or what viscosity
- * asks for (body_motion.c), with x = nu dt / R^2 [-] of half its smallest
- * width.
- */
-double body_numbers_virtual_mass(double least, double x, double rho_r);
+/* C_a [-]: the fluid that a body accelerates with it where it is widest, over
+ * the fluid that it displaces, about: sqrt(6 V / (pi w^3)) / 2, of its volume
+ * [m^3] and smallest width [m]. 1/2 of a sphere. */
+double body_numbers_added_mass(double volume, double width);
+
+/* C_v [-] in a step of the velocity of a body, and of its spin: the least that
+ * is asked for, or what keeps them from growing with the other sign in each
+ * step (24.10), with x = nu dt / R^2 [-] of half its smallest width. */
+double body_numbers_virtual_mass(double least, double x, double rho_r,
+                                 double C_a);
+double body_numbers_virtual_spin(double least, double x, double rho_r,
+                                 double C_a);
 
 /* Speed after an impact over that before it [-] that the virtual mass C_v makes
  * of 1, at most: the impact lasts `steps` steps of the fluid by the mass with
- * C_v, and the spring acts (C_v - 1/2)/(rho_r + 1/2) of a step late (24.13). */
+ * C_v, and the spring acts (C_v - 1/2)/(rho_r + 1/2) of a step late (24.15). */
 double body_numbers_impact_gain(double rho_r, double C_v, double steps);
 
 #endif

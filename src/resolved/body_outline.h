@@ -24,8 +24,8 @@ struct body_outline {
     int n_balls;        /* [-] that touch others: the spheres that it consists
                            of, or points of its surface; 0: none */
     struct body_ball *ball;
-    double width;    /* [m] smallest; of a closed surface, that of the box along
-                        the axes of its file; 0: it consists of balls */
+    double width;    /* [m] smallest; of a closed surface, as thick as all but a
+                        tenth of it (thickness.h); 0: it consists of balls */
     int flat;        /* [-] points in one plane, at most; 0: it has none */
     int n_triangles; /* [-] of its surface; 0: none */
     double (*corner)[3][3]; /* [m]; borrowed from the shape */

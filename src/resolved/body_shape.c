@@ -153,8 +153,9 @@ double body_shape_width(const struct body_shape *shape)
     if (shape->kind == BODY_CYLINDER) R = fmin(R, half[1]);
     if (shape->kind != BODY_OUTLINE) return 2.0 * R;
     if (shape->outline->width > 0.0) return shape->outline->width;
+    R = 0.0;
     for (int k = 0; k < shape->outline->n_balls; k++)
-        R = fmin(R, shape->outline->ball[k].R);
+        R = fmax(R, shape->outline->ball[k].R);
     return 2.0 * R;
 }
 

@@ -43,7 +43,7 @@ void body_shape_extent(const struct body_shape *shape, double extent[3]);
 
 double body_shape_volume(const struct body_shape *shape); /* [m^3] */
 
-/* The smallest width [m]: of a clump, the diameter of its smallest ball; of a
+/* The smallest width [m]: of a clump, the diameter of its largest ball; of a
  * closed surface, body_outline.h. */
 double body_shape_width(const struct body_shape *shape);
 

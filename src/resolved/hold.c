@@ -145,6 +145,22 @@ static void add_impulse(struct solid_bodies *b, const struct fluid *fl, int i)
     }
 }
 
+/* In a body that moves the friction is a thousand times as large as all other
+ * terms, and a residual that is small beside it may be larger than they are. */
+static double largest_term(const struct immersed *self, const struct fluid *fl)
+{
+    const struct solid_bodies *const b = (const struct solid_bodies *)self;
+    double largest = 0.0;
+
+    for (int c = 0; c < fl->mesh->n_cells; c++) {
+        const double own = fl->momentum->diag[c] - b->hold[c] * fl->mesh->V[c];
+        const double *const u = &fl->u[3 * c];
+        const double most = fmax(fabs(u[0]), fmax(fabs(u[1]), fabs(u[2])));
+        largest = fmax(largest, own * most);
+    }
+    return largest;
+}
+
 static void end(struct immersed *self, struct fluid *fl)
 {
     struct solid_bodies *const b = bodies_of(self);
@@ -162,6 +178,7 @@ void hold_fluid(struct solid_bodies *b)
                                  .add_friction = add_friction,
                                  .change_faces = change_faces,
                                  .smooth_forces = smooth_forces,
+                                 .largest_term = largest_term,
                                  .end = end};
 }
 

@@ -246,7 +246,7 @@ rebound() {
 # Each density ratio, C_v, and steps that the impact lasts, by the mass with C_v; half a
 # minute.
 impact() {
-    echo "# rho_p/rho  C_v  steps of an impact  speed after over before  bound (24.13)"
+    echo "# rho_p/rho  C_v  steps of an impact  speed after over before  bound (24.15)"
     for how in "8 2 4" "8 2 8" "8 2 16" "8 1 8" "8 0.5 8" "8 0 8" "4 2 8" "4 2 16" "4 0.5 8" "20 2 8" "20 0.5 8"; do
         # shellcheck disable=SC2086 # three words
         set -- $how
@@ -269,6 +269,52 @@ CASE
                   printf "%6s %6s %4s %12.3f %8.3f\n", r, C, n, after / before,
                          exp(p * p / 2 / n * (C - 0.5) / w * sqrt((r + C) / w)) }' $out/impact/bodies.csv
     done
+}
+
+# NAME RHO_R V WIDTH BODIES: the added mass C_a of a body whose velocity the others are
+# opposite to, from the changes D of its velocity after a kick:
+# (rho_r + C_v) D_n+1 - (1 + C_v) D_n = (1 + C_a) (D_n-1 / 2 - 3 D_n / 2).
+swing_row() {
+    cat >$out/swing.cfg <<CASE
+title = "A kick";
+mesh = { size = [4.0, 4.0, 4.0]; cells = [32, 32, 32]; };
+fluid = { density = 1.0; viscosity = 1e-5; step = 0.05; time = "bdf2"; convection = "upwind"; tolerance = 1e-8;
+          sides = "slip"; front_back = "slip"; bottom = "slip"; top = "slip"; };
+bodies = { virtual_mass = 0.0; lubrication = false; $5 };
+output = { end = 0.6; every = 0.6; history = 0.05; };
+CASE
+    run swing $out/swing.cfg
+    C=$(winnow check $out/swing.cfg | awk '/largest virtual mass/ { print $4 }')
+    awk -F, -v name="$1" -v r="$2" -v C="$C" -v V="$3" -v w="$4" '
+        NR > 1 && $2 == 0 { v[++n] = $7 }
+        END {
+            for (i = 5; i < n; i++) {
+                D = v[i] - v[i - 1]; x = 0.5 * (v[i - 1] - v[i - 2]) - 1.5 * D
+                y = (r + C) * (v[i + 1] - v[i]) - (1 + C) * D
+                xy += x * y; xx += x * x
+            }
+            printf "%-28s %5.2f %8.2f %8.2f %8.2f\n", name, r, C, 0.5 * sqrt(6 * V / 3.14159265358979 / w ^ 3), xy / xx - 1
+        }' $out/swing/bodies.csv
+}
+
+# What fluid a body that is kicked accelerates with it, alone and beside another one.
+swing() {
+    echo "# body, rho_r, C_v that it gets, its C_a by (24.11), and measured"
+    V=0.5235988
+    up='density = 1.0; velocity = [0.0, 0.001, 0.0];'
+    down='density = 1.0; velocity = [0.0, -0.001, 0.0];'
+    swing_row "sphere" 1 $V 1 "spheres = ( { position = [2.0, 2.0, 2.0]; diameter = 1.0; $up } );"
+    swing_row "sphere, a cell from a wall" 1 $V 1 "spheres = ( { position = [2.0, 0.625, 2.0]; diameter = 1.0; $up } );"
+    for z in 2 1 0.25; do
+        at=$(awk "BEGIN { print 0.5 + $z / 16 }")
+        swing_row "two spheres, gap $z h" 1 $V 1 "spheres = ( { position = [2.0, $(awk "BEGIN { print 2 + $at }"), 2.0]; diameter = 1.0; $up },
+            { position = [2.0, $(awk "BEGIN { print 2 - $at }"), 2.0]; diameter = 1.0; $down } );"
+    done
+    swing_row "cube" 1 1 1 "boxes = ( { position = [2.0, 2.0, 2.0]; size = [1.0, 1.0, 1.0]; motion = \"free\"; $up } );"
+    swing_row "rod, 1:2" 1 1.570796 1 "cylinders = ( { position = [2.0, 2.0, 2.0]; diameter = 1.0; length = 2.0; axis = [1.0, 0.0, 0.0]; motion = \"free\"; $up } );"
+    plate='size = [1.5, 0.5, 1.5]; motion = "free";'
+    swing_row "plate, 1:3" 1 1.125 0.5 "boxes = ( { position = [2.0, 2.0, 2.0]; $plate $up } );"
+    swing_row "two plates, gap 1 h" 1 1.125 0.5 "boxes = ( { position = [2.0, 2.3125, 2.0]; $plate $up }, { position = [2.0, 1.6875, 2.0]; $plate $down } );"
 }
 
 # Sixteen spheres five times as heavy as the fluid settle on a floor: how nearly they come

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/resolved/case_bodies.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/number.h"
 #include "base/vector.h"
 #include "case/case_mesh.h"
-#include "case/case_steps.h"
 #include "case/models.h"
 #include "case/resolved/bodies_record.h"
 #include "case/resolved/case_blocks.h"
@@ -19,7 +16,6 @@
 #include "case/particle_options.h"
 #include "coupling/effects.h"
 #include "dem/contact_linear.h"
-#include "dem/limits.h"
 #include "dem/reference.h"
 #include "resolved/among/among_effect.h"
 #include "resolved/among/among_grains.h"
@@ -30,10 +26,6 @@
 
 static const char list[] = "bodies.spheres";
 
-/* Steps of the fluid that an impact lasts where the case gives no stiffness:
- * the fluid has to follow the rebound. */
-static const double steps_an_impact = 8.0;
-
 static enum body_motion motion_of(const struct settings *s, const char *of,
                                   int i)
 {
@@ -43,81 +35,6 @@ static enum body_motion motion_of(const struct settings *s, const char *of,
            : strcmp(name, "prescribed") == 0 ? BODY_PRESCRIBED
            : strcmp(name, "spring") == 0     ? BODY_SPRING
                                              : BODY_FIXED;
-}
-
-static double volume(double d)
-{
-    return M_PI / 6.0 * d * d * d;
-}
-
-double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
-                                double C_v)
-{
-    const double rho_p = settings_item_real(s, of, i, "density"),
-                 rho = settings_real(s, "fluid.density");
-
-    return (rho_p + C_v * rho) *
-           (strcmp(of, list) == 0
-                ? volume(settings_item_real(s, of, i, "diameter"))
-                : case_outlines_contact_volume(s, of, i));
-}
-
-/* The smallest mass in a contact of a body with this motion, virtual mass
- * included [kg]; HUGE_VAL: there is none. */
-static double lightest_of(const struct settings *s, enum body_motion motion)
-{
-    const char *const all[] = {list, case_outlines_clumps, case_blocks_boxes,
-                               case_blocks_cylinders, case_outlines_surfaces};
-    const double C_v = settings_real(s, "bodies.virtual_mass");
-    double least = HUGE_VAL;
-
-    for (int l = 0; l < 5; l++)
-        for (int i = 0; i < settings_length(s, all[l]); i++)
-            if (motion_of(s, all[l], i) == motion)
-                least =
-                    fmin(least, case_bodies_contact_mass(s, all[l], i, C_v));
-    return least;
-}
-
-/* Of the free ones, or if there are none of those on springs; 0: all are held.
- */
-static double lightest(const struct settings *s)
-{
-    double least = lightest_of(s, BODY_FREE);
-
-    if (least == HUGE_VAL) least = lightest_of(s, BODY_SPRING);
-    return least < HUGE_VAL ? least : 0.0;
-}
-
-/* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
- */
-double case_bodies_stiffness(const struct settings *s)
-{
-    if (settings_has(s, "bodies.stiffness"))
-        return settings_real(s, "bodies.stiffness");
-    const double e = settings_real(s, "bodies.restitution"),
-                 zeta = contact_damping_ratio(e), m = lightest(s);
-    const double t = steps_an_impact * settings_real(s, "fluid.step");
-
-    return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
-}
-
-double case_bodies_impact_time(const struct settings *s, double m)
-{
-    return contact_linear_time(case_bodies_stiffness(s),
-                               settings_real(s, "bodies.restitution"), m);
-}
-
-/* Particle steps in a step of the fluid: 25 in an impact. */
-int case_bodies_dem_steps(const struct settings *s)
-{
-    const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
-
-    if (settings_has(s, "particles")) return case_steps_within(s);
-    if (m == 0.0) return 1;
-    const double t = contact_linear_time(case_bodies_stiffness(s), e, 0.5 * m);
-    return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
-                          1000000);
 }
 
 static struct dem_options contacts(const struct settings *s)

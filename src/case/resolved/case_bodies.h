@@ -10,11 +10,13 @@ extern const struct kind case_bodies_method;
 extern const struct case_part case_bodies_part;
 extern const struct key case_bodies_keys[];
 
-/* Spring [N/m] of their contacts, how long a mass [kg] touches a wall [s], what
- * a contact of one has to stop with the virtual mass C_v [-] [kg], and particle
- * steps in a step of the fluid. */
+/* case_body_mass.c: spring [N/m] of their contacts, how long a mass [kg]
+ * touches a wall [s], the virtual mass C_v [-] of number i of a list, what a
+ * contact of it has to stop [kg], and particle steps in a step of the fluid. */
 double case_bodies_stiffness(const struct settings *s);
 double case_bodies_impact_time(const struct settings *s, double m);
+double case_bodies_virtual_mass(const struct settings *s, const char *of,
+                                int i);
 double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
                                 double C_v);
 int case_bodies_dem_steps(const struct settings *s);

@@ -123,7 +123,7 @@ const struct key case_bodies_keys[] = {
      "angular velocity at time 0, about its centroid", "", ""},
     {"bodies.virtual_mass", KEY_REAL, "-", ">= 0", "2.0",
      "C_v: fluid of so many volumes counts on both sides of the motion, which "
-     "keeps light bodies stable; a small one in a thick fluid gets more",
+     "keeps light bodies stable; a light, thin or small one gets more",
      "EW18 2", ""},
     {"bodies.stiffness", KEY_REAL, "N/m", "> 0", "",
      "spring of their contacts; left out: an impact lasts eight steps",

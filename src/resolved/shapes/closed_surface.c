@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
+#include "resolved/shapes/thickness.h"
 #include "resolved/shapes/triangle_tree.h"
 
 struct closed_surface {
@@ -257,6 +258,15 @@ static void set_frame(struct closed_surface *s, int n)
     }
 }
 
+/* The least of its box and of what most of it is thick. */
+static void set_width(struct body_outline *o)
+{
+    const double *const half = o->half;
+    const double box = 2.0 * fmin(half[0], fmin(half[1], half[2]));
+
+    o->width = fmin(box, thickness_of(o->n_triangles, o->corner));
+}
+
 struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
                                            const char **trouble)
 {
@@ -270,13 +280,12 @@ struct body_outline *closed_surface_create(int n, double (*corner)[3][3],
     set_frame(s, n);
     s->outline.n_triangles = n;
     s->outline.corner = s->corner;
-    s->outline.width = 2.0 * fmin(s->outline.half[0],
-                                  fmin(s->outline.half[1], s->outline.half[2]));
     *trouble = join(s, n);
     if (*trouble == NULL && !(s->outline.volume > 0.0))
         *trouble = "it has no volume";
     if (*trouble == NULL) {
         s->tree = triangle_tree_create(n, s->corner);
+        set_width(&s->outline);
         return &s->outline;
     }
     release(&s->outline);

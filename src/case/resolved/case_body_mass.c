@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* case_body_mass.c -- what resists in the contacts of bodies, and for how long
+ * they touch. Chapter "Resolving the grains". */
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "case/case_steps.h"
+#include "case/resolved/case_blocks.h"
+#include "case/resolved/case_bodies.h"
+#include "case/resolved/case_outlines.h"
+#include "dem/contact_linear.h"
+#include "dem/limits.h"
+#include "resolved/body_numbers.h"
+#include "resolved/body_shape.h"
+
+static const char list[] = "bodies.spheres";
+
+/* Steps of the fluid that an impact lasts where the case gives no stiffness:
+ * the fluid has to follow the rebound. */
+static const double steps_an_impact = 8.0;
+
+static double volume(double d)
+{
+    return M_PI / 6.0 * d * d * d;
+}
+
+/* Volume [m^3] and smallest width [m] of number i of a list; 0, or 1 if its
+ * file cannot be read. */
+static int size_of(const struct settings *s, const char *of, int i, double *V,
+                   double *width)
+{
+    const int is_block = of == case_blocks_boxes || of == case_blocks_cylinders;
+    struct body_outline *const o =
+        strcmp(of, list) == 0 || is_block ? NULL : case_outlines_read(s, of, i);
+    struct body_shape shape;
+
+    if (strcmp(of, list) == 0)
+        shape = body_shape_sphere(settings_item_real(s, of, i, "diameter"));
+    else if (is_block)
+        shape = case_blocks_shape(s, of, i);
+    else if (o != NULL)
+        shape = body_shape_outline(o);
+    else
+        return 1;
+    *V = body_shape_volume(&shape);
+    *width = body_shape_width(&shape);
+    body_outline_free(o);
+    return 0;
+}
+
+double case_bodies_virtual_mass(const struct settings *s, const char *of, int i)
+{
+    const double least = settings_real(s, "bodies.virtual_mass"),
+                 rho = settings_real(s, "fluid.density");
+    double V, width;
+
+    if (size_of(s, of, i, &V, &width) != 0) return least;
+    const double R = 0.5 * width, x = settings_real(s, "fluid.viscosity") *
+                                      settings_real(s, "fluid.step") /
+                                      (rho * R * R);
+    return body_numbers_virtual_mass(
+        least, x, settings_item_real(s, of, i, "density") / rho,
+        body_numbers_added_mass(V, width));
+}
+
+double case_bodies_contact_mass(const struct settings *s, const char *of, int i,
+                                double C_v)
+{
+    const double rho_p = settings_item_real(s, of, i, "density"),
+                 rho = settings_real(s, "fluid.density");
+
+    return (rho_p + C_v * rho) *
+           (strcmp(of, list) == 0
+                ? volume(settings_item_real(s, of, i, "diameter"))
+                : case_outlines_contact_volume(s, of, i));
+}
+
+/* The smallest mass in a contact of a body with this motion, virtual mass
+ * included [kg]; HUGE_VAL: there is none. */
+static double lightest_of(const struct settings *s, const char *motion)
+{
+    const char *const all[] = {list, case_outlines_clumps, case_blocks_boxes,
+                               case_blocks_cylinders, case_outlines_surfaces};
+    double least = HUGE_VAL;
+
+    for (int l = 0; l < 5; l++)
+        for (int i = 0; i < settings_length(s, all[l]); i++)
+            if (strcmp(settings_item_text(s, all[l], i, "motion"), motion) == 0)
+                least =
+                    fmin(least, case_bodies_contact_mass(
+                                    s, all[l], i,
+                                    case_bodies_virtual_mass(s, all[l], i)));
+    return least;
+}
+
+/* Of the free ones, or if there are none of those on springs; 0: all are held.
+ */
+static double lightest(const struct settings *s)
+{
+    double least = lightest_of(s, "free");
+
+    if (least == HUGE_VAL) least = lightest_of(s, "spring");
+    return least < HUGE_VAL ? least : 0.0;
+}
+
+/* k with which the lightest one bounces off a wall in so many steps [LS 4.4].
+ */
+double case_bodies_stiffness(const struct settings *s)
+{
+    if (settings_has(s, "bodies.stiffness"))
+        return settings_real(s, "bodies.stiffness");
+    const double e = settings_real(s, "bodies.restitution"),
+                 zeta = contact_damping_ratio(e), m = lightest(s);
+    const double t = steps_an_impact * settings_real(s, "fluid.step");
+
+    return m > 0.0 ? m * M_PI * M_PI / (t * t * (1.0 - zeta * zeta)) : 1.0;
+}
+
+double case_bodies_impact_time(const struct settings *s, double m)
+{
+    return contact_linear_time(case_bodies_stiffness(s),
+                               settings_real(s, "bodies.restitution"), m);
+}
+
+/* Particle steps in a step of the fluid: 25 in an impact. */
+int case_bodies_dem_steps(const struct settings *s)
+{
+    const double e = settings_real(s, "bodies.restitution"), m = lightest(s);
+
+    if (settings_has(s, "particles")) return case_steps_within(s);
+    if (m == 0.0) return 1;
+    const double t = contact_linear_time(case_bodies_stiffness(s), e, 0.5 * m);
+    return number_clamped(ceil(25.0 * settings_real(s, "fluid.step") / t), 1,
+                          1000000);
+}
