@@ -578,6 +578,10 @@ sums() {
 fact forces_of_grains_on_surfaces_add_up_and_turn_them_about_the_point 0 1 sums
 fact surface_that_is_not_there_has_no_forces 2 "there is no surface shet" \
     "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "shet"; })'
+fact forces_of_one_name_are_refused 2 'columns that begin with "sheet"' \
+    "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "sheet"; }, { name = "sheet"; surfaces = "floor"; })'
+fact a_direction_of_no_length_is_refused 2 "lift: expected a direction" \
+    "$winnow" check walls.cfg -s 'output.forces=({ surfaces = "sheet"; lift = [0.0, 0.0, 0.0]; })'
 fact forces_on_patches_ask_for_fluid 2 "written with surfaces" \
     "$winnow" check walls.cfg -s 'output.forces=({ patches = "top"; })'
 fact fluid_does_not_see_a_surface 2 'surfaces = "sheet" gives the force of the grains' \
