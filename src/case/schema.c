@@ -203,7 +203,7 @@ void schema_expected(const struct key *key, char text[SCHEMA_TEXT])
         [KEY_SERIES] = "a number or ((time, number), ...), each number",
         [KEY_CURVE] = "((x, number), ...) with x rising, each number",
         [KEY_PATCH] =
-            "{ KEY = ...; } with inlet, outlet, wall, rotation or pressure"};
+            "{ KEY = ...; } with one of inlet, outlet, wall, rotation, pressure"};
     char conditions[SCHEMA_TEXT], words[SCHEMA_TEXT];
 
     gather(key, 1, ", ", conditions);
