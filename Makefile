@@ -68,7 +68,7 @@ style-slow: $B/winnow
 	@sh tests/style.sh $B long
 faults-slow: $B/winnow
 	@sh tests/faults.sh $B/winnow long
-commands-slow: $B/winnow $B/tests/test_impacts
+commands-slow: $B/winnow $B/tests/test_impacts $(STEPS)
 	@sh tests/commands.sh $B whole
 
 # Side by side, what takes longest first; with -k all that is wrong is said.

@@ -15,4 +15,4 @@ set ylabel "z [mm]"
 set palette defined (0 "#0b5a8a", 1 "#c2571a", 2 "#3d7a3d", 3 "#7a4a9a")
 plot data index 1 using 1:2:(int($3) * 29 % 17) with points \
          pointtype 7 pointsize 0.45 palette, \
-     data index 0 using 1:2 with lines linecolor "#333333" linewidth 1.2
+     data index 0 using 1:2 with lines linetype 1 linecolor "#333333" linewidth 1.2

@@ -9,6 +9,6 @@ set xrange [1.6:260]
 set yrange [1e-6:3]
 set arrow from 25,1e-6 to 25,3 nohead linecolor "#999999" dashtype 3
 set arrow from 15,1e-6 to 15,3 nohead linecolor "#999999" dashtype 3
-plot "figures/11-rebound.txt" using 1:3 with linespoints linetype 2 pointtype 7 title "e = 0.7", \
+plot "figures/11-rebound.txt" using 1:3 with linespoints linetype 2 dashtype 1 pointtype 7 title "e = 0.7", \
      "" using 1:2 with linespoints linetype 1 pointtype 5 title "e = 1", \
      0.4 / x with lines linecolor "#999999" dashtype 2 title "one over the steps"

@@ -11,8 +11,8 @@ set ylabel "error of the overlap [-]"
 set xrange [8:800]
 set key bottom left
 plot data index 0 using 1:2 with linespoints linetype 1 pointtype 7 pointsize 0.5 title "velocity Verlet", \
-     "" index 0 using 1:3 with linespoints linetype 2 pointtype 7 pointsize 0.5 title "symplectic Euler", \
-     "" index 0 using 1:4 with linespoints linetype 3 pointtype 7 pointsize 0.5 title "Heun", \
+     "" index 0 using 1:3 with linespoints linetype 2 dashtype 1 pointtype 5 pointsize 0.5 title "symplectic Euler", \
+     "" index 0 using 1:4 with linespoints linetype 3 dashtype 1 pointtype 9 pointsize 0.6 title "Heun", \
      "" index 1 using 1:2 with lines linetype 1 dashtype 2 title "e = 0.5", \
      "" index 1 using 1:3 with lines linetype 2 dashtype 2 notitle, \
      "" index 1 using 1:4 with lines linetype 3 dashtype 2 notitle

@@ -1,8 +1,8 @@
 # Where the grains of a drop lie in the end, from figures/17-drop.txt.
 load "figures/style.gp"
-set terminal pngcairo size 1400,230 font "Sans,13" background "#ffffff"
+set terminal pngcairo size 1400,330 font "Sans,22" background "#ffffff"
 set output "figures/17-drop.png"
-set multiplot layout 1,3 margins 0.03, 0.985, 0.27, 0.9 spacing 0.035
+set multiplot layout 1,3 margins 0.03, 0.985, 0.36, 0.87 spacing 0.045
 unset key
 unset grid
 set size ratio -1

@@ -13,7 +13,7 @@ table = "< grep '^[01]' figures/data/albensoeder-kuhlmann-2005.csv | tr , ' '"
 plot part("100") using 1:2 with lines linetype 1 title "Re 100", \
      part("400") using 1:2 with lines linetype 2 title "Re 400", \
      part("1000") using 1:2 with lines linetype 3 title "Re 1000", \
-     part("1000") using 1:4 with lines linetype 3 dashtype 2 \
+     part("1000") using 1:4 with lines linetype 3 linecolor "#222222" dashtype (12,3,2,3) \
          title "its limit", \
      table using 1:2 with points pointtype 6 linetype 3 \
          title "Albensoeder et al."
@@ -23,5 +23,5 @@ unset key
 plot part("100") using 1:3 with lines linetype 1, \
      part("400") using 1:3 with lines linetype 2, \
      part("1000") using 1:3 with lines linetype 3, \
-     part("1000") using 1:5 with lines linetype 3 dashtype 2, \
+     part("1000") using 1:5 with lines linetype 3 linecolor "#222222" dashtype (12,3,2,3), \
      table using 3:4 with points pointtype 6 linetype 3

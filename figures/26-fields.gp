@@ -1,6 +1,6 @@
 # One layout by eight ways on three meshes, from figures/26-fields.txt.
 load "figures/style.gp"
-set terminal pngcairo size 1240,520 font "sans,10" background "#ffffff"
+set terminal pngcairo size 1240,520 font "sans,15" background "#ffffff"
 set output "figures/26-fields.png"
 set multiplot
 unset key
@@ -21,10 +21,10 @@ do for [r = 0:2] {
     set tmargin at screen 0.945 - 0.315 * r
     set bmargin at screen 0.945 - 0.315 * r - 0.30
     do for [k = 0:7] {
-        set lmargin at screen 0.028 + 0.1165 * k
-        set rmargin at screen 0.028 + 0.1165 * k + 0.112
+        set lmargin at screen 0.028 + 0.1135 * k
+        set rmargin at screen 0.028 + 0.1135 * k + 0.109
         if (r == 0) {
-            set title word(names, k + 1) offset 0,-0.7
+            set title word(names, k + 1) offset 0,-0.8
         } else {
             unset title
         }
@@ -33,7 +33,7 @@ do for [r = 0:2] {
             set ylabel "cells of ".word(sizes, r + 1)." d" offset 1,0
         }
         if (r == 2 && k == 7) {
-            set colorbox user origin screen 0.965, 0.06 size screen 0.010, 0.85
+            set colorbox user origin screen 0.94, 0.06 size screen 0.010, 0.85
             set cbtics 0.2 format "%.1f"
         }
         plot "figures/26-fields.txt" index r \

@@ -1,6 +1,6 @@
 # Mueller's bed at 0.9 m/s with two bandwidths, and sediFoam, over what was measured.
 load "figures/style.gp"
-set terminal svg size 1000,330 dynamic font "sans,12" background "#ffffff"
+set terminal svg size 720,600 dynamic font "sans,13" background "#ffffff"
 set output "figures/27-mueller.svg"
 fields = "eps_f eps_f us_y us_y"
 heights = "16.4 31.2 15 25"
@@ -18,16 +18,17 @@ seen(who, k) = sprintf("< awk '$1 == \"%s\" && $2 == \"%s\" && $3 == %s && \
 set multiplot
 set xrange [0:44]
 set xtics 0,10,40
-set xlabel "x [mm]"
 do for [k = 1:4] {
-    set lmargin at screen 0.045 + 0.245 * (k - 1)
-    set rmargin at screen 0.245 + 0.245 * (k - 1)
-    set tmargin at screen 0.88
-    set bmargin at screen 0.17
-    set title word(names, k) font "sans,11"
-    if (k > 2) { set yrange [-0.2:0.3] } else { set yrange [0.35:0.85] }
+    row = (k - 1) / 2
+    if (row == 1) { set xlabel "x [mm]" } else { unset xlabel }
+    set lmargin at screen 0.07 + 0.5 * ((k - 1) % 2)
+    set rmargin at screen 0.48 + 0.5 * ((k - 1) % 2)
+    set tmargin at screen 0.94 - 0.47 * row
+    set bmargin at screen 0.6 - 0.47 * row
+    set title word(names, k) font "sans,13"
+    if (k > 2) { set yrange [-0.2:0.4] } else { set yrange [0.35:0.85] }
     if (k == 3) {
-        set key top right samplen 1.5 spacing 1 maxrows 5 font "sans,10"
+        set key top right samplen 2.5 spacing 1 maxrows 5 font "sans,12"
     } else { unset key }
     plot seen("measured", k) with points pointtype 6 pointsize 0.6 \
              linecolor "#333333" title "measured", \

@@ -1,6 +1,6 @@
 # Velocity of a suspension over that of one sphere, by each drag law, on three sizes.
 load "figures/style.gp"
-set terminal svg size 1000,360 dynamic font "sans,12" background "#ffffff"
+set terminal svg size 720,460 dynamic font "sans,13" background "#ffffff"
 set output "figures/27-settling.svg"
 laws = "syamlal-obrien gidaspow di-felice beetstra hill-koch-ladd tenneti rong cello"
 sizes = "0.1 0.5 2.0"
@@ -13,17 +13,17 @@ set multiplot
 set logscale xy
 set xrange [0.48:1]
 set yrange [0.02:1]
-set xtics (0.5, 0.6, 0.7, 0.8, 0.9, 1)
+set xtics (0.5, 0.6, 0.8, 1)
 set xlabel "void fraction"
 do for [k = 1:3] {
     set lmargin at screen 0.06 + 0.31 * (k - 1)
     set rmargin at screen 0.33 + 0.31 * (k - 1)
-    set tmargin at screen 0.9
-    set bmargin at screen 0.15
+    set tmargin at screen 0.92
+    set bmargin at screen 0.38
     d = word(sizes, k)
     now = Re(d)
-    set title sprintf("u / u_t, Re_t about %s", now < 10 ? sprintf("%.1f", now) : sprintf("%.0f", now)) noenhanced font "sans,11"
-    if (k == 3) { set key bottom right samplen 1.5 spacing 1 font "sans,9" } else { unset key }
+    set title sprintf("u / u_t, Re_t about %s", now < 10 ? sprintf("%.1f", now) : sprintf("%.0f", now)) noenhanced font "sans,13"
+    if (k == 3) { set key at screen 0.98,0.2 right maxrows 4 samplen 1.5 spacing 1.1 font "sans,12" } else { unset key }
     plot x**n(now) linecolor "#000000" linewidth 2 title "Richardson and Zaki", \
          x**garside(now) linecolor "#000000" dashtype 2 linewidth 1.5 \
              title "Garside and Al-Dibouni", \

@@ -1,6 +1,6 @@
 # Speed of the spheres across the spouted bed at six heights, measured and computed.
 load "figures/style.gp"
-set terminal svg size 900,460 dynamic font "sans,12" background "#ffffff"
+set terminal svg size 720,500 dynamic font "sans,12" background "#ffffff"
 set output "figures/27-spouted.svg"
 heights = "30 60 90 120 150 160"
 set multiplot
@@ -14,12 +14,12 @@ do for [k = 1:6] {
     set lmargin at screen 0.07 + 0.315 * col
     set rmargin at screen 0.34 + 0.315 * col
     set tmargin at screen 0.93 - 0.47 * row
-    set bmargin at screen 0.59 - 0.47 * row
+    set bmargin at screen 0.61 - 0.47 * row
     h = word(heights, k)
-    set title h . " mm above the bottom" font "sans,11"
-    if (row == 1) { set xlabel "x from the middle [mm]" } else { unset xlabel }
+    set title h . " mm above the bottom" font "sans,12"
+    if (row == 1) { set xlabel "x from the middle [mm]" font "sans,11" } else { unset xlabel }
     if (col == 0) { set ylabel "speed [m/s]" } else { unset ylabel }
-    if (k == 1) { set key top right samplen 1.5 font "sans,10" } else { unset key }
+    if (k == 1) { set key top right samplen 1.5 font "sans,11" } else { unset key }
     plot sprintf("< awk '!/^#/ && $1 * 200 > %s - 0.5 && $1 * 200 < %s + 0.5' figures/data/yue-2020.txt", h, h) \
              using 2:3 with points pointtype 6 pointsize 0.6 linecolor "#333333" title "measured", \
          sprintf("< awk '$1 == %s' figures/27-spouted.txt", h) \

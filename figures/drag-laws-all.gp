@@ -11,11 +11,11 @@ set xtics 0.2
 set xlabel "fluid fraction {/:Italic  ε_f} [-]"
 set ylabel "drag over that of Beetstra's law" offset 1,0
 set linetype 5 linecolor "#999999" linewidth 2.5
-set linetype 6 linecolor "#c9a400" linewidth 2.5
-set linetype 7 linecolor "#d4458e" linewidth 2.5
-set linetype 8 linecolor "#3aa6a6" linewidth 2.5
+set linetype 6 linecolor "#c9a400" linewidth 2.5 dashtype (2,4)
+set linetype 7 linecolor "#d4458e" linewidth 2.5 dashtype (24,3)
+set linetype 8 linecolor "#3aa6a6" linewidth 2.5 dashtype (10,3,2,3,2,3)
 set linetype 9 linecolor "#111111" linewidth 2.5
-set key at screen 0.52,0.12 center maxrows 4 samplen 2
+set key at screen 0.52,0.12 center maxrows 4 samplen 3.5
 set title "Re = 1"
 file = "figures/drag-laws-all.txt"
 plot file using 1:2 with lines linetype 1 title "syamlal-obrien", \

@@ -80,6 +80,9 @@ fact wrong_override_is_named 2 "option -s fluid.density=heavy" \
 fact key_of_a_side_outside_of_one_finds_where_it_stands 2 \
     "fluid.inlet: no such key; did you mean fluid.bottom.inlet" \
     "$winnow" check tiny.cfg -s fluid.inlet=1.0
+fact key_like_no_other_is_sent_to_the_keys_of_its_group 2 \
+    "effects.shear_lift: no such key; see winnow list keys effects" \
+    "$winnow" check tiny.cfg -s "effects.shear_lift={}"
 fact more_particle_steps_than_an_int_holds_are_refused 2 \
     "particles.step: 1e-14 s would be 2e+10 particle steps in one step" \
     "$winnow" check tiny.cfg -s particles.step=1e-14
@@ -119,7 +122,7 @@ fact check_warns_of_grains_lighter_than_the_fluid 0 "NOT STABLE: it grows" \
     "$winnow" check "$top/cases/small-bed.cfg" -s fluid.density=1000
 fact check_warns_of_beds_denser_than_is_stable 0 "NOT STABLE where many sizes" \
     "$winnow" check "$top/cases/seepage.cfg"
-fact check_weighs_virtual_mass_too 0 "eps_s, with virtual mass" \
+fact check_weighs_virtual_mass_too 0 "eps_s, with the added mass" \
     "$winnow" check "$top/cases/small-bed.cfg" -s 'effects.virtual_mass={}'
 fact check_refuses_the_overlaps_that_run_refuses 2 "spheres 0 and 1 overlap by 1" \
     "$winnow" check tiny.cfg -s 'particles.place.1.position=[0.003, 0.002, 0.003]'
@@ -219,8 +222,16 @@ fact check_knows_the_courant_number_of_a_moving_wall 0 \
 # 3 0.05 (1/0.25^2 + 16^2) / 2 = 20.4, and a thousandth of it are 2 %: in a cavity
 # at 17 the force on the lid takes turns by 1.5 %.
 fact check_says_what_long_viscous_steps_do_to_the_forces_on_walls 0 \
-    "20.4 -    HIGH: forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
+    "20.4 -    HIGH: pressure, forces on walls to 0.02; fluid.piso_tolerance = 1e-05" \
     "$winnow" check channel.cfg -s fluid.viscosity=3.0
+# 3 / 960 0.004 / 0.002^2 = 3.1.
+fact check_says_what_long_viscous_steps_do_to_free_bodies 0 \
+    "3.125 -    HIGH: free bodies jitter; fluid.piso_tolerance = 1e-4" \
+    "$winnow" check "$top/cases/falling-sphere.cfg" -s fluid.viscosity=3.0
+# 4 / 16 m over 1 / 16 m.
+fact check_says_which_cells_are_so_long_that_the_pressure_may_alternate 0 \
+    "longest cell over its width                     4 -    LONG: 2.6 at most" \
+    "$winnow" check channel.cfg
 fact list_shows_the_keys_of_a_part 0 "fluid.<patch>.inlet = a number" \
     "$winnow" list keys fluid
 only_its_own() { "$winnow" list keys fluid | grep -v '^ ' | grep -v '^fluid'; }
@@ -405,6 +416,13 @@ written() {
     done | uniq | wc -l
 }
 fact what_is_written_does_not_change_the_motion 0 1 written
+pictures() { # soft.cfg has a row each millisecond
+    rm -rf written
+    "$winnow" run soft.cfg -o written --quiet "$@" >/dev/null 2>&1
+    find written/particles -name '*.vtp' | wc -l
+}
+fact pictures_may_be_more_frequent_than_rows 0 21 \
+    pictures -s output.every=2e-4 -s output.end=4e-3 -s particles.expected_overlap=0.5
 sed 's/velocity = .0.1, /velocity = [7.0, /; s/^output/effects = { gravity = [-9.81, 0.0, 0.0]; };\n&/' soft.cfg >thrown.cfg
 soft() { "$winnow" run soft.cfg -o soft --quiet "$@" 2>&1 >/dev/null; }
 # Of statistics: one axial and two transverse temperatures make that of history,
@@ -485,6 +503,25 @@ come_written() {
 fact what_is_written_does_not_change_when_spheres_come 0 1 come_written
 fact spheres_that_found_no_room_are_told_at_the_end 0 "of the 100 spheres that were due" come
 fact they_are_in_the_summary_too 0 "particles_waiting" cat come/summary.json
+fact check_says_which_pictures_are_too_frequent 0 "output.every is 0.0001 s" \
+    "$winnow" check come.cfg -s output.every=1e-4
+cat >oblique.cfg <<'END'
+title = "a grain in a sheared box, beyond the length of its floor";
+mesh = { size = [0.02, 0.02, 0.02]; cells = [4, 4, 4]; shear = [0.5, 0.0, 0.0];
+         periodic = [true, false, false]; };
+particles = { contact = "linear"; step = 2e-5;
+    grains = { density = 1000; stiffness = 100.0; restitution = 0.9; friction = 0.3; };
+    place = ( { position = [0.025, 0.016, 0.01]; velocity = [1.0, 0.0, 0.0]; diameter = 3e-3; } ); };
+output = { end = 2e-3; every = 1e-3; };
+END
+oblique() {
+    for x in 0.025 0.005; do
+        "$winnow" run oblique.cfg -o oblique$x --quiet \
+            -s particles.place.0.position=[$x,0.016,0.01] || return
+    done
+    cmp oblique0.025/history.csv oblique0.005/history.csv && echo same
+}
+fact a_grain_is_brought_back_by_the_period_of_a_sheared_box 0 same oblique
 fact spheres_to_come_must_fit_into_the_period 2 "periodic direction x" \
     come -s particles.insert.0.diameter=9.5e-3 -s particles.insert.0.to=[0.02,0.01,0.02] \
     -s particles.insert.0.count=1

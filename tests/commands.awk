@@ -3,13 +3,13 @@
 # CODE is the exit code that the text promises: <!-- exit 3 --> above the lines; 0
 # without one.
 #
-#   awk -f tests/commands.awk README.md chapters/*.md
+#   awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md
 FNR == 1 { fenced = code = 0; command = "" }
 /^```/ { fenced = !fenced }
 fenced { next }
 /^<!-- exit [0-9]+ -->$/ { code = $3 }
 command != "" && /^    / { take(substr($0, 5)); next }
-/^    (build\/winnow|make|sh|gnuplot|xvfb-run|mkdir|awk) / {
+/^    (build\/winnow|build\/steps\/[0-9a-z-]+|make|sh|gnuplot|xvfb-run|mkdir|awk|cp|diff)( |$)/ {
     where = FILENAME ":" FNR
     take(substr($0, 5))
 }

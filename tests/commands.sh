@@ -72,6 +72,7 @@ form_of() { # code command...
     'make build/'*) [ -z "$whole" ] || echo "$*" ;;
     make\ *) echo "grep -q ^$2: Makefile" ;;
     mkdir\ * | 'awk -f cases/'*) echo "$*" ;; # a mesh for the run that follows
+    diff\ *) echo "$*" ;;
     *validate/* | 'sh chapters/tools/check.sh') ;;
     'sh figures/27-mueller.sh run'*) [ -z "$whole" ] || echo "${*% *} 2e-3" ;; # not 18 s
     xvfb-run*)
@@ -109,7 +110,7 @@ ln -s "$build" "$work/build"
 cd "$top" || exit 1
 
 compile
-awk -f tests/commands.awk README.md chapters/*.md >"$work/commands"
+awk -f tests/commands.awk README.md chapters/*.md chapters/steps/README.md >"$work/commands"
 while read -r where code command; do
     # shellcheck disable=SC2086 # words
     try "$where" "$code" $command

@@ -368,7 +368,7 @@ static inline double orders_lubrication(int steps)
     const double numbers[] = {z_min, z_out};
     const struct attraction_scene scene = {.viscosity = mu};
     const struct attraction a =
-        effects_named("lubrication")->attraction(numbers, &scene);
+        effect_named("lubrication")->attraction(numbers, &scene);
     struct dem_options o = spheres_options(&contact_linear, T / steps, 0.01);
     struct particles *const ps = particles_create(2);
     struct dem_report r;

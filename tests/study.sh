@@ -40,7 +40,8 @@ fluid = { density = 1000; viscosity = 0.1; step = 0.01; bottom_top = "no-slip";
           mean_gradient = [-10.0, 0.0, 0.0]; convection = "linear"; tolerance = 1e-13; };
 output = { end = 0.32; every = 0.32;
     probes = ( { field = "u_x"; position = [0.005, 0.005, 0.005]; } );
-    profiles = ( { field = "u_x"; height = 0.005; } ); };
+    profiles = ( { field = "u_x"; height = 0.005; },
+                 { field = "u_x"; along = "y"; x = 0.005; from = 7.9; } ); };
 END
 # A few grains in a little air that do not lie still.
 cat >grains.cfg <<'END'
@@ -74,13 +75,14 @@ fact bdf2_is_reported_with_order_2 order time bdf2 1.9 2.15
 # (rho/2) (G / 2 mu)^2 h^5/30 for each area of a wall, here of 1e-4 m^2. The cells
 # meet it to second order.
 "$winnow" study channel.cfg -s output.end=8 \
-    -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' -o cells \
-    --quiet
-cells_are_second_order() {
-    awk -F' [|] ' '/^\| cells/ { n++; if (n > 1 && ($5 + 0 < 1.9 || $5 + 0 > 2.15)) wrong = 1 }
+    -s mesh.cells:fluid.step='[1,8,1]:2.0,[1,16,1]:1.0,[1,32,1]:0.5' --times 3 --measure kinetic_energy_fluid --truth '0.5*1000*50^2*0.01^5/30*1e-4' \
+    --measure profile.1@0.001..0.009 --truth '50*x*(0.01 - x)' -o cells --quiet
+cells_are_second_order() { # column of study.md
+    awk -F' [|] ' -v c="$1" '/^\| cells/ { n++; if (n > 1 && ($c + 0 < 1.9 || $c + 0 > 2.15)) wrong = 1 }
                    END { exit n != 3 || wrong }' cells/study.md
 }
-fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order
+fact cells_are_reported_with_order_2_against_a_formula cells_are_second_order 5
+fact a_profile_along_y_is_the_parabola_of_the_channel_to_order_2 cells_are_second_order 8
 # A flow through both walls of a channel blows the profile along it to one side, V u' =
 # nu u'' + g with u = 0 below and u' = 0 above: a layer of nu/V, eight cells of the
 # finest mesh at the top. Upwind convection is of order 1, from below, since the layer
@@ -91,7 +93,8 @@ mesh = { size = [0.01, 0.02, 0.01]; cells = [1, 16, 1]; periodic = [true, false,
 fluid = { density = 1000; viscosity = 0.1; step = 0.02; bottom = { inlet = 0.05; };
           top = { outlet = 0.0; }; mean_gradient = [-100.0, 0.0, 0.0]; tolerance = 1e-12; };
 output = { end = 2; every = 2;
-    probes = ( { field = "u_x"; position = [0.005, 0.0175, 0.005]; } ); };
+    probes = ( { field = "u_x"; position = [0.005, 0.0175, 0.005]; } );
+    profiles = ( { field = "u_x"; along = "y"; x = 0.005; from = 1.99; } ); };
 END
 "$winnow" study blown.cfg -s fluid.convection=upwind,linear \
     -s mesh.cells='[1,16,1],[1,32,1],[1,64,1]' --measure u_x -o blown --quiet \
@@ -146,6 +149,12 @@ sums_agree() {
     [ $n -eq 90 ]
 }
 fact seconds_in_study_csv_are_those_of_the_summaries sums_agree
+# A line across a bed is the same in a mirror, one along gravity is not.
+"$winnow" run grains.cfg -o lines --quiet >said 2>&1 -s output.end=1e-3 \
+    -s 'output.profiles=({field="eps_f";height=0.003;},{field="eps_f";along="y";x=0.003;})'
+mirror_of() { sed -n "/\"$1\"/,/}/p" lines/summary.json | grep -c mirror_error; }
+mirrors_agree() { [ "$(mirror_of eps_f_y3mm)" = 1 ] && [ "$(mirror_of eps_f_along_y_x3mm)" = 0 ]; }
+fact a_profile_along_gravity_has_no_mirror_error mirrors_agree
 # The cheapest row within the limit, found again from study.csv.
 advice_agrees() {
     best=$(awk -F, '
@@ -242,6 +251,28 @@ fact linear_convection_costs_and_gains_what_check_says_over_upwind \
     holds linear.cfg 'fluid.convection = upwind' linear 'convection=' 5
 fact and_second_order_upwind_over_linear \
     holds linear.cfg 'fluid.convection = second-upwind' second 'convection=' 5
+# The whole profile of the flow through walls, with a layer of 0.3 of the width; and a flow
+# that enters on the left, turns between two walls and leaves at the top.
+sed 's/viscosity = 0.1/viscosity = 0.3/' blown.cfg >layer.cfg
+"$winnow" study layer.cfg -s fluid.convection=upwind,second-upwind -o layer --times 3 --quiet \
+    --measure profile.0 --truth '2*(x - 6e-3*exp(-10/3)*(exp(x*500/3) - 1))'
+fact in_a_layer_convection_costs_and_gains_what_check_says \
+    holds layer.cfg 'fluid.convection = second-upwind' layer 'convection=' 5
+cat >bend.cfg <<'END'
+mesh = { size = [0.1, 0.1, 0.01]; cells = [16, 16, 1]; periodic = [false, false, true]; };
+fluid = { density = 1000; viscosity = 0.1; step = 0.04;
+          left = { inlet = 0.05; profile = "parabola"; }; top = { outlet = 0.0; };
+          bottom = "no-slip"; right = "no-slip"; };
+output = { end = 8; every = 8; history = 8;
+    profiles = ( { field = "u_y"; height = 0.05; from = 7.9; } ); };
+END
+"$winnow" study bend.cfg --measure profile.0 -o bend --times 3 --quiet \
+    -s fluid.convection:mesh.cells:fluid.step='upwind:[16,16,1]:0.04,second-upwind:[16,16,1]:0.04,second-upwind:[48,48,1]:0.02'
+fact in_a_bend_convection_costs_and_gains_what_check_says \
+    holds bend.cfg 'fluid.convection = second-upwind' bend '16,16' 5
+# Between two walls nothing is carried from cell to cell, and no scheme differs.
+nothing_is_said() { ! "$winnow" check channel.cfg | grep -q 'fluid.convection = '; }
+fact along_a_channel_check_says_nothing_of_convection nothing_is_said
 "$winnow" study "$top/cases/cavity.cfg" -s fluid.tolerance=1e-4,1e-8,1e-13 --times 3 \
     -s output.end=0.4 -s output.history=0.4 --measure probe.0 -o tolerance --quiet
 sed 's/step = 0.02;/&tolerance = 1e-6;/' "$top/cases/cavity.cfg" >sixth.cfg

@@ -14,6 +14,7 @@
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
+#include "coupling/population/replacement.h"
 #include "dem/population/population.h"
 
 /* A simulation built without a case file: all that the tests vary. */
@@ -37,6 +38,8 @@ struct scene {
     double size;  /* [m] of the cube */
     int cells;    /* a side */
     double shear; /* [-] of the cube, along x over y */
+    int tall;     /* 0: the cube; else so many above each other, between a floor
+                     and a roof that let the fluid slip */
     double width; /* [-] bandwidth in cells */
     double cap;   /* [-] of pcm on eps_s; 0: none */
     double gravity[3];
@@ -75,15 +78,16 @@ static inline void add_effect(struct simulation *sim, const struct effect *e,
 /* Spheres on a lattice with random velocities. */
 static inline void scatter(struct simulation *sim, const struct scene *s)
 {
-    const int side = (int)ceil(cbrt(s->n));
+    const int tall = s->tall > 0 ? s->tall : 1;
+    const int side = (int)ceil(cbrt((double)s->n / tall)), high = side * tall;
     const double pitch = s->size / side;
     gsl_rng *const random = gsl_rng_alloc(gsl_rng_mt19937);
 
     sim->particles = particles_create(s->n + (s->fed > 0.0 ? 3000 : 0));
     for (int k = 0; k < s->n; k++) {
         const double x[3] = {(k % side + 0.5) * pitch,
-                             (k / side % side + 0.5) * pitch,
-                             (k / side / side + 0.5) * pitch};
+                             (k / side % high + 0.5) * pitch,
+                             (k / side / high + 0.5) * pitch};
         const int i = particles_add(sim->particles, x, s->d, s->rho_s);
         sim->particles->vx[i] = 0.5 * gsl_rng_uniform(random);
         sim->particles->vy[i] = 0.5 * gsl_rng_uniform(random) - 0.25;
@@ -94,6 +98,8 @@ static inline void scatter(struct simulation *sim, const struct scene *s)
 
 static inline void create_fluid(struct simulation *sim, const struct scene *s)
 {
+    static const struct boundary slip[] = {{.kind = BOUNDARY_SLIP},
+                                           {.kind = BOUNDARY_SLIP}};
     const struct fluid_options fo = {
         .rho = s->rho,
         .mu = s->mu,
@@ -103,6 +109,7 @@ static inline void create_fluid(struct simulation *sim, const struct scene *s)
         .correctors = 2,
         .time = s->time,
         .tolerance = 1e-10,
+        .boundaries = slip,
         .coupled = !s->one_way,
         .mean_gradient = {s->mean_gradient, 0.0, 0.0},
         .pressure_shared = s->pressure_gradient && !s->one_way && !s->model_b};
@@ -146,6 +153,7 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
     const double L = s->size;
 
     sim->population = population_create(&box, s->fed > 0.0, s->sink > 0.0);
+    sim->insert_remove = &replacement_functions;
     if (s->fed > 0.0)
         sim->population->sources[0].options =
             (struct insertion_options){.hi = {L, L, L},
@@ -163,23 +171,24 @@ static inline void create_life(struct simulation *sim, const struct scene *s,
 static inline struct simulation *build(const struct scene *s)
 {
     struct simulation *const sim = alloc_zeroed(1, sizeof *sim);
-    const struct box_spec spec = {{s->size, s->size, s->size},
-                                  {s->cells, s->cells, s->cells},
+    const int tall = s->tall > 0 ? s->tall : 1, open = s->tall == 0;
+    const struct box_spec spec = {{s->size, s->size * tall, s->size},
+                                  {s->cells, s->cells * tall, s->cells},
                                   {1.0, 1.0, 1.0},
-                                  {1, 1, 1}};
+                                  {1, open, 1}};
     struct dem_options o = {
         .law = contact_law_named("linear"),
         .material = {.stiffness = 100.0, .restitution = 0.9, .friction = 0.3},
         .step = s->dt / s->dem_steps,
-        .hi = {s->size, s->size, s->size},
-        .periodic = {1, 1, 1}};
+        .hi = {s->size, s->size * tall, s->size},
+        .periodic = {1, open, 1}};
 
     const double gap[2] = {s->roughness, 0.2 * s->d};
     const struct attraction_scene liquid = {.viscosity = s->mu};
     static struct attraction attraction;
 
     if (s->roughness > 0.0) {
-        attraction = effects_named("lubrication")->attraction(gap, &liquid);
+        attraction = effect_named("lubrication")->attraction(gap, &liquid);
         o.attractions = &attraction;
         o.n_attractions = 1;
     }
@@ -198,15 +207,15 @@ static inline struct simulation *build(const struct scene *s)
     sim->effects = alloc_zeroed(8, sizeof *sim->effects);
     if (s->gravity[1] != 0.0) add_effect(sim, &gravity_effect, s->gravity);
     if (s->pressure_gradient) add_effect(sim, &pressure_gradient_effect, NULL);
-    if (s->whole_drag) add_effect(sim, effects_named("whole_drag"), NULL);
+    if (s->whole_drag) add_effect(sim, effect_named("whole_drag"), NULL);
     if (s->virtual_mass > 0.0)
-        add_effect(sim, effects_named("virtual_mass"), &s->virtual_mass);
+        add_effect(sim, effect_named("virtual_mass"), &s->virtual_mass);
     if (s->viscous_stress)
-        add_effect(sim, effects_named("viscous_stress"), NULL);
-    if (s->basset > 0.0) add_effect(sim, effects_named("basset"), &s->basset);
-    if (s->saffman) add_effect(sim, effects_named("saffman"), NULL);
-    if (s->fluid_torque) add_effect(sim, effects_named("fluid_torque"), NULL);
-    if (s->magnus) add_effect(sim, effects_named("magnus"), NULL);
+        add_effect(sim, effect_named("viscous_stress"), NULL);
+    if (s->basset > 0.0) add_effect(sim, effect_named("basset"), &s->basset);
+    if (s->saffman) add_effect(sim, effect_named("saffman"), NULL);
+    if (s->fluid_torque) add_effect(sim, effect_named("fluid_torque"), NULL);
+    if (s->magnus) add_effect(sim, effect_named("magnus"), NULL);
     ck_assert_int_eq(coupling_start(sim), 0);
     return sim;
 }

@@ -232,6 +232,49 @@ START_TEST(every_profile_has_a_file_of_its_own)
 }
 END_TEST
 
+START_TEST(profiles_along_other_directions_have_other_names)
+{
+    static const char three[] =
+        "output.profiles=({field=\"eps_f\";along=\"y\";x=0.011;},"
+        "{field=\"eps_f\";along=\"z\";height=0.011;},"
+        "{field=\"eps_f\";z=0.005;})";
+    static const char *const names[3] = {"eps_f_along_y_x11mm",
+                                         "eps_f_along_z_y11mm", "eps_f_z5mm"};
+    int code;
+
+    struct settings *const s = read_case("cases/mueller-bed.cfg", three, &code);
+    ck_assert_ptr_nonnull(s);
+    for (int i = 0; i < 3; i++) {
+        char name[PROFILES_NAME];
+        profiles_name(s, i, name);
+        ck_assert_str_eq(name, names[i]);
+    }
+    settings_free(s);
+    refused("output.profiles=({field=\"p\";along=\"y\";x=0.01;},"
+            "{field=\"p\";height=0.01;},{field=\"p\";along=\"y\";x=0.01;},"
+            "{field=\"p\";along=\"y\";x=0.01;})",
+            "profiles 2 and 3 are of the same field on the same line from the "
+            "same time: both would be p_along_y_x10mm_from0s.csv");
+}
+END_TEST
+
+START_TEST(a_profile_has_one_place_beside_its_direction)
+{
+    refused("output.profiles=({field=\"p\";})",
+            "profile 0 goes along x: expected height or z, in m");
+    refused("output.profiles=({field=\"p\";height=0.01;z=0.001;})",
+            "and not both");
+    refused("output.profiles=({field=\"p\";along=\"y\";height=0.01;})",
+            "profile 0 goes along y and so has no height; expected x or z");
+    refused("output.profiles=({field=\"p\";along=\"z\";})",
+            "profile 0 goes along z: expected x or height");
+    refused("output.profiles=({field=\"p\";along=\"y\";x=0.05;})",
+            "x 0.05 m is beyond the box, 0.044 m");
+    refused("output.profiles=({field=\"p\";along=\"y\";z=-1e-9;})",
+            "z -1e-09 m is beyond the box, 0 m");
+}
+END_TEST
+
 START_TEST(contact_law_requires_its_constants)
 {
     refused("particles.contact=linear",
@@ -590,6 +633,8 @@ FACTS("scene")
     FACT(what_rounding_leaves_of_a_0_is_a_direction_still);
     FACT(sink_without_a_side_requires_a_region);
     FACT(every_profile_has_a_file_of_its_own);
+    FACT(profiles_along_other_directions_have_other_names);
+    FACT(a_profile_has_one_place_beside_its_direction);
     FACT(contact_law_requires_its_constants);
     FACT(materials_are_known_by_their_names);
     FACT(materials_of_a_case_reach_the_particles);

@@ -37,7 +37,7 @@ static void run_once(const char *where)
     struct folder *const f = folder_take(where);
 
     ck_assert_ptr_nonnull(f);
-    ck_assert_int_eq(folder_begin(f), 0);
+    ck_assert_int_eq(folder_begin(f, 0), 0);
     static const char *const names[] = {
         "summary.json", "fluid/fluid_000000.vtr", "history.csv"};
     ck_assert_int_eq(folder_make(f, "fluid"), 0);
@@ -59,7 +59,7 @@ START_TEST(what_is_listed_goes_and_what_is_not_stays)
     struct folder *const f = folder_take(name);
     ck_assert_ptr_nonnull(f);
     ck_assert(scratch_exists(scratch_path(name, "summary.json")));
-    ck_assert_int_eq(folder_begin(f), 0);
+    ck_assert_int_eq(folder_begin(f, 0), 0);
     folder_free(f);
     ck_assert(!scratch_exists(scratch_path(name, "summary.json")));
     ck_assert(!scratch_exists(scratch_path(name, "fluid/fluid_000000.vtr")));
@@ -135,7 +135,7 @@ START_TEST(a_line_cut_short_by_a_crash_is_no_name)
                   MANIFEST_HEAD "summary.json\nfluid/fluid_000000.vtr\nnotes");
     struct folder *const f = folder_take(name);
     ck_assert_ptr_nonnull(f);
-    ck_assert_int_eq(folder_begin(f), 0);
+    ck_assert_int_eq(folder_begin(f, 0), 0);
     folder_free(f);
     ck_assert(scratch_exists(scratch_path(name, "notes")));
 }

@@ -61,7 +61,7 @@ START_TEST(ls_5_8_the_sum_of_all_forces_keeps_total_momentum)
     for (int e = 0; e < sim->n_effects; e++) /* each of them did something */
         ck_assert(sim->effects[e].effect->before_particles == NULL ||
                   sim->effects[e].tally.sum > 0.0 ||
-                  sim->effects[e].effect == effects_named("fluid_torque"));
+                  sim->effects[e].effect == effect_named("fluid_torque"));
     discard(sim);
 }
 END_TEST

@@ -7,14 +7,14 @@
 
 #include "averaging/averaging.h"
 #include "averaging/diffusion.h"
-#include "averaging/kernel.h"
+#include "averaging/kernel/kernel.h"
 #include "base/alloc.h"
 #include "facts.h"
 #include "cloud.h"
 
 START_TEST(ew18_20_half_the_height_is_at_half_of_delta)
 {
-    const double sigma = kernel_sigma(1.2e-3);
+    const double sigma = averaging_sigma(1.2e-3);
     ck_assert_double_eq_tol(
         images_kernel(0.6e-3, sigma) / images_kernel(0.0, sigma), 0.5, 1e-14);
 }
@@ -43,8 +43,8 @@ START_TEST(ew18_19_is_sx15_6_of_that_bandwidth)
     const double delta = 0.7;
     for (double r = 0.0; r < 2.0; r += 0.3)
         ck_assert_double_eq_tol(
-            images_kernel(r, kernel_sigma(delta)) /
-                diffusion_kernel(r, kernel_bandwidth(delta)),
+            images_kernel(r, averaging_sigma(delta)) /
+                diffusion_kernel(r, averaging_bandwidth(delta)),
             1.0, 1e-13);
 }
 END_TEST

@@ -27,7 +27,7 @@ static double error_of_oscillator(const char *integrator, double e, int steps)
     const double overlap = 1e-4;
     struct dem_report r;
 
-    o.integrator = integrators_named(integrator);
+    o.integrator = integrator_named(integrator);
     o.material.restitution = e;
     spheres_add(ps, -0.005 + 0.5 * overlap, 0, 0, 0.01);
     spheres_add(ps, 0.005 - 0.5 * overlap, 0, 0, 0.01);
@@ -72,7 +72,7 @@ static double spin_after(const char *integrator, const struct contact_law *law,
     struct dem_options o = spheres_options(law, 2e-4 / steps, 0.1);
     struct dem_report r;
 
-    o.integrator = integrators_named(integrator);
+    o.integrator = integrator_named(integrator);
     o.material.restitution = e;
     o.material.friction = 1e3;
     spheres_throw(ps, spheres_add(ps, -0.0049, 0, 0, 0.01), 0.5, 0.3, 0.0);
@@ -118,7 +118,7 @@ static double energy_after(const char *integrator, int steps)
     struct dem_options o = spheres_options(&contact_linear, 0.0, 0.1);
     struct dem_report r;
 
-    o.integrator = integrators_named(integrator);
+    o.integrator = integrator_named(integrator);
     o.lo[0] = -0.0049;
     o.hi[0] = 0.0049;
     spheres_throw(ps, spheres_add(ps, 0, 0, 0, 0.01), 0.01, 0, 0);
@@ -157,7 +157,7 @@ static struct particles *moved(const char *integrator, int pieces)
     struct dem_options o = spheres_options(&contact_hertz, 5e-6, 0.0405);
     struct dem_report r;
 
-    o.integrator = integrator != NULL ? integrators_named(integrator) : NULL;
+    o.integrator = integrator != NULL ? integrator_named(integrator) : NULL;
     o.material.friction = 0.3;
     o.material.restitution = 0.8;
     o.periodic[2] = 1;
@@ -220,7 +220,7 @@ START_TEST(energy_closes_by_heun_to_second_order)
         struct dem_options o =
             spheres_options(&contact_hertz, k == 0 ? 4e-6 : 2e-6, 0.1);
         struct dem_report r;
-        o.integrator = integrators_named("heun");
+        o.integrator = integrator_named("heun");
         o.material.restitution = 0.7;
         o.material.friction = 1e3;
         spheres_throw(ps, spheres_add(ps, -0.0049, 0, 0, 0.01), 0.5, 0.3, 0.0);

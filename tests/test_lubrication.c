@@ -15,7 +15,7 @@ static struct attraction water(double viscosity)
 {
     const double numbers[] = {z_min, z_out};
     const struct attraction_scene scene = {.viscosity = viscosity};
-    return effects_named("lubrication")->attraction(numbers, &scene);
+    return effect_named("lubrication")->attraction(numbers, &scene);
 }
 
 static struct dem_options with(const struct attraction *a, const char *method,

@@ -44,9 +44,9 @@ START_TEST(each_name_finds_its_own_row)
     for (int i = 0; time_schemes[i] != NULL; i++)
         CHECK_ROW(time_scheme_named, time_schemes[i]);
     for (int i = 0; integrators[i] != NULL; i++)
-        CHECK_ROW(integrators_named, integrators[i]);
+        CHECK_ROW(integrator_named, integrators[i]);
     for (int i = 0; effects[i] != NULL; i++)
-        CHECK_ROW(effects_named, effects[i]);
+        CHECK_ROW(effect_named, effects[i]);
     for (int i = 0; sizes_laws[i] != NULL; i++)
         CHECK_ROW(sizes_law_named, sizes_laws[i]);
 }
@@ -64,8 +64,8 @@ START_TEST(a_name_that_no_row_has_finds_none)
         ck_assert_ptr_null(convection_scheme_named(wrong[i]));
         ck_assert_ptr_null(velocity_gradient_scheme_named(wrong[i]));
         ck_assert_ptr_null(time_scheme_named(wrong[i]));
-        ck_assert_ptr_null(integrators_named(wrong[i]));
-        ck_assert_ptr_null(effects_named(wrong[i]));
+        ck_assert_ptr_null(integrator_named(wrong[i]));
+        ck_assert_ptr_null(effect_named(wrong[i]));
         ck_assert_ptr_null(sizes_law_named(wrong[i]));
     }
 }

@@ -43,7 +43,7 @@ START_TEST(ls_4_1_alone_a_particle_moves_as_with_a_list)
 {
     struct dem_options o = apart(1e-3, 1.0);
     o.integrator =
-        integrators_named(_i ? "symplectic-euler" : "velocity-verlet");
+        integrator_named(_i ? "symplectic-euler" : "velocity-verlet");
     struct particles *const own = pulled(&o);
     o.method = dem_method_named("verlet");
     struct particles *const listed = pulled(&o);

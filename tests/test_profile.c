@@ -252,7 +252,7 @@ START_TEST(columns_are_named_with_units)
 }
 END_TEST
 
-START_TEST(a_height_outside_the_box_is_refused)
+START_TEST(a_line_outside_the_box_is_refused)
 {
     struct mesh *const m = graded_box();
     double f[6 * 9 * 5] = {0.0};
@@ -264,7 +264,7 @@ START_TEST(a_height_outside_the_box_is_refused)
             profile_create(m, &(struct profile_line){0, 1, heights[i], 0.0}, 1,
                            &(struct profile_field){"f", "-", f, 1, 0, NULL}));
     char *const said = scratch_heard(dir);
-    ck_assert_ptr_nonnull(strstr(said, "height 1.2001 m is outside the box"));
+    ck_assert_ptr_nonnull(strstr(said, "y = 1.2001 m is outside the box"));
     free(said);
     profile_free(NULL);
     mesh_free(m);
@@ -282,5 +282,5 @@ FACTS("profile")
     FACT(the_mirror_error_is_half_the_difference_of_the_sides);
     FACT(the_error_of_a_profile_is_that_of_its_blocks);
     FACT(columns_are_named_with_units);
-    FACT(a_height_outside_the_box_is_refused);
+    FACT(a_line_outside_the_box_is_refused);
 }

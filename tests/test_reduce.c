@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "linear/many/cg_many.h"
 #include "linear/reduce.h"
 
 #include "base/parallel_ranges.h"
@@ -81,7 +82,7 @@ START_TEST(fields_side_by_side_have_their_own_dot_products)
 
             for (int i = 0; i < n * m; i++)
                 x[i] = 1 + i % m;
-            reduce_dot_many(n, m, x, x, dot);
+            cg_many_dot(n, m, x, x, dot);
             for (int k = 0; k < m; k++)
                 ck_assert_double_eq(dot[k], (1.0 + k) * (1.0 + k) * n);
             free(x);
@@ -100,7 +101,7 @@ START_TEST(threads_do_not_change_a_bit)
 
         omp_set_num_threads(threads);
         dot[3] = reduce_dot(3 * n, x, y);
-        reduce_dot_many(n, 3, x, y, dot);
+        cg_many_dot(n, 3, x, y, dot);
     }
     ck_assert_mem_eq(one, two, sizeof one);
     free(x);

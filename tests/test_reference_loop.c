@@ -303,7 +303,7 @@ START_TEST(the_reference_loop_refuses_what_it_does_not_know)
 
     spheres_add(ps, 0.5 * L, 0.5 * L, 0.5 * L, 1e-3);
     dem_free(dem_create(ps, &o));
-    o.integrator = integrators_named("heun");
+    o.integrator = integrator_named("heun");
     ck_assert_ptr_null(dem_create(ps, &o));
     o.integrator = NULL;
     o.surfaces = &floor;

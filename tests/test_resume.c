@@ -51,7 +51,7 @@ static void name_effect(const struct effect *e, char text[TEXT])
     snprintf(text + strlen(text), TEXT - strlen(text), "};");
 }
 
-static struct simulation *build(const char *fluid, const char *effects_named)
+static struct simulation *build(const char *fluid, const char *effect_named)
 {
     char path[] = "/tmp/winnow-resume-XXXXXX";
     const int fd = mkstemp(path);
@@ -73,12 +73,12 @@ static struct simulation *build(const char *fluid, const char *effects_named)
             "exchange = { drag = \"gidaspow\"; };\n"
             "effects = { %s };\n"
             "output = { end = 1.0; every = 1.0; };\n",
-            fluid, strstr(effects_named, "electro") ? "charge = 1e-12;" : "",
-            effects_named);
+            fluid, strstr(effect_named, "electro") ? "charge = 1e-12;" : "",
+            effect_named);
     fclose(f);
     struct settings *const s = case_file_read(path, 0, NULL, &code);
     remove(path);
-    ck_assert_msg(s != NULL, "no case: %s", effects_named);
+    ck_assert_msg(s != NULL, "no case: %s", effect_named);
     struct simulation *const sim = build_simulation(s, &code);
     ck_assert_ptr_nonnull(sim);
     settings_free(s);

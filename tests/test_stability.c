@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of the coupled step: the formulas compared with the program. */
-#include "coupling/stability.h"
+#include "coupling/stability/stability.h"
 
+#include "coupling/reaction.h"
 #include "facts.h"
 #include "suspension.h"
 
@@ -13,20 +14,215 @@ START_TEST(a_packed_bed_requires_less_than_half_its_relaxation_time)
 }
 END_TEST
 
-/* Where (20.9) is 1: half of the volume for neutral spheres, with added mass
- * and without; a tenth as heavy, 0.4/1.4 with and 0.1/1.1 without it. */
+/* Where the largest factor is 1. Without an added mass q = r. With it neutral
+ * spheres have half of the volume, and a tenth as heavy ones the root of q^2 -
+ * 4 q + 2 r + 1 = 0, both without a share in advance. */
 START_TEST(the_oscillation_decays_below_the_densest_packing)
 {
     static const double ratio[] = {1.0, 1.0, 0.1, 0.1};
-    static const double C[] = {0.0, 0.5, 0.0, 0.5};
-    static const double densest[] = {0.5, 0.5, 0.1 / 1.1, 0.4 / 1.4};
+    static const struct added_mass added[] = {{0.0, 0.0}, {0.5, 0.0}};
+    const double q = 2.0 - sqrt(2.8);
+    const double densest[] = {0.5, 0.5, 0.1 / 1.1, q / (1.0 + q)};
 
     for (int i = 0; i < 4; i++) {
-        const double eps_s = stability_max_solid_fraction(C[i], ratio[i], 1.0);
-        ck_assert_double_eq_tol(eps_s, densest[i], 1e-14);
+        const double eps_s =
+            stability_max_solid_fraction(&added[i % 2], ratio[i], 1);
+        ck_assert_double_eq_tol(eps_s, densest[i], 1e-12);
         ck_assert_double_eq_tol(
-            stability_amplification(C[i], ratio[i], eps_s, 1.0), 1.0, 1e-14);
+            stability_amplification(&added[i % 2], ratio[i], eps_s, 1), 1.0,
+            1e-11);
     }
+}
+END_TEST
+
+static double larger_root(double C, double r, double q, double s)
+{
+    const double b = 0.5 * q * (1.0 + 2.0 * C + s * q * C) / (r + C),
+                 c = (1.0 - s) * q * q * C / (r + C), D = b * b - c;
+
+    return D > 0.0 ? b + sqrt(D) : sqrt(c);
+}
+
+/* By a search in steps of a hundredth. Near a double root the larger one goes
+ * as the root of the rounding error of s. */
+START_TEST(no_other_share_in_advance_has_a_smaller_factor)
+{
+    static const double ratio[] = {0.1, 1.0, 2.0, 2.65, 8.0, 2000.0};
+    const double r = ratio[_i];
+
+    for (double C = 0.1; C < 1.05; C += 0.3)
+        for (double eps_s = 0.1; eps_s < 0.75; eps_s += 0.1) {
+            const double q = eps_s / (1.0 - eps_s);
+            const double s = reaction_share_in_advance(C, r, eps_s);
+            const double least = larger_root(C, r, q, s);
+            ck_assert_double_ge(s, 0.0);
+            ck_assert_double_le(s, 1.0);
+            for (int k = 0; k <= 100; k++)
+                ck_assert_double_le(least,
+                                    larger_root(C, r, q, 0.01 * k) + 1e-7);
+        }
+}
+END_TEST
+
+/* Everything at rest. */
+static void stop(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++)
+        ps->vx[i] = ps->vy[i] = ps->vz[i] = 0.0;
+    for (int i = 0; i < 3 * sim->mesh->n_cells; i++)
+        sim->fluid->u[i] = 0.0;
+    for (int f = 0; f < sim->mesh->n_faces; f++)
+        sim->fluid->phi[f] = 0.0;
+    ck_assert_int_eq(coupling_start(sim), 0);
+}
+
+enum { SINKING = 14 };
+
+/* The velocity [m/s] of a particle in the middle of the height. */
+static double velocity_in_the_middle(const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+    const double half = 0.5 * sim->mesh->hi[1];
+    int best = 0;
+
+    for (int i = 1; i < ps->n; i++)
+        if (fabs(ps->y[i] - half) < fabs(ps->y[best] - half)) best = i;
+    return ps->vy[best];
+}
+
+/* A bed of 1024 spheres that fills a column of 16 cells begins to sink in a
+ * fluid without friction. Returns its solids fraction; D [m/s] are the changes
+ * of its change of velocity from step to step. */
+static double sink(const struct scene *like, double ratio, double D[SINKING])
+{
+    struct scene s = *like;
+    double v = 0.0, dv = 0.0;
+
+    s.size = 0.006;
+    s.tall = 16;
+    s.n = 1024;
+    s.cells = 1;
+    s.d = 0.98 * s.size / 4.0; /* they do not touch in this time */
+    s.averaging = "pcm";
+    s.interpolation = "nearest";
+    s.drag = "schiller-naumann";
+    s.continuity = CONTINUITY_MIXTURE;
+    s.substeps = 1;
+    s.dem_steps = 1;
+    s.rho = 1000.0;
+    s.rho_s = ratio * s.rho;
+    s.gravity[1] = -9.81;
+    struct simulation *const sim = build(&s);
+    stop(sim);
+    for (int k = 0; k < SINKING; k++) {
+        ck_assert_int_eq(coupling_step(sim), 0);
+        const double next = velocity_in_the_middle(sim);
+        D[k] = next - v - dv;
+        dv += D[k];
+        v = next;
+    }
+    discard(sim);
+    return 64.0 * M_PI / 6.0 * gsl_pow_3(s.d / s.size);
+}
+
+/* What the sum of the terms of (20.10) leaves, over the largest of them.
+ * Friction that is not quite 0 changes D by 2e-10 m/s a step, so that the terms
+ * must be larger than 1e-7. */
+static double left_of_20_10(const double D[SINKING], double C, double r,
+                            double q, double s)
+{
+    double most = 0.0;
+    int compared = 0;
+
+    for (int k = 3; k < SINKING && fabs(D[k]) > 1e-7; k++) {
+        const double a = (r + C) * D[k],
+                     b = q * (1.0 + 2.0 * C + s * q * C) * D[k - 1],
+                     c = (1.0 - s) * q * q * C * D[k - 2];
+        const double size = fmax(fabs(a), fmax(fabs(b), fabs(c)));
+        most = fmax(most, fabs(a + b + c) / size);
+        compared++;
+    }
+    ck_assert_int_gt(compared, 0);
+    return most;
+}
+
+START_TEST(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10)
+{
+    static const double ratio[] = {1.3, 2.5, 5.0}, C[] = {0.0, 0.5};
+    const double r = ratio[_i];
+    double D[SINKING];
+
+    for (int implicit = 0; implicit < 2; implicit++)
+        for (int k = 0; k < 2; k++) {
+            struct scene s = air;
+            s.treatment =
+                implicit ? TREATMENT_SEMI_IMPLICIT : TREATMENT_EXPLICIT;
+            s.virtual_mass = C[k];
+            s.mu = 1e-9;
+            s.dt = 1e-5;
+            const double eps_s = sink(&s, r, D);
+            const double share =
+                implicit ? reaction_share_in_advance(C[k], r, eps_s) : 0.0;
+            ck_assert_double_lt(
+                left_of_20_10(D, C[k], r, eps_s / (1.0 - eps_s), share), 5e-3);
+        }
+}
+END_TEST
+
+/* Spheres that are too heavy to move; the fluid between them begins with 0.3
+ * m/s and has no friction. Without a share in advance it changes in each step
+ * by -q C of the change before: (20.13). */
+START_TEST(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13)
+{
+    static const struct added_mass half = {0.5, 0.0};
+    struct scene s = air;
+    double flow[3], u = 0.0, du = 0.0;
+
+    s.n = 512;
+    s.cells = 4;
+    s.averaging = "pcm";
+    s.d = 0.99 * s.size / 8.0;
+    s.drag = "schiller-naumann";
+    s.treatment = TREATMENT_EXPLICIT;
+    s.mu = 1e-9;
+    s.rho_s = 1e9 * s.rho;
+    s.virtual_mass = 0.5;
+    const double eps_s = 512.0 * M_PI / 6.0 * gsl_pow_3(s.d / s.size);
+    struct simulation *const sim = build(&s);
+    stop(sim);
+    ck_assert_int_eq(coupling_step(sim), 0);
+    for (int c = 0; c < sim->mesh->n_cells; c++)
+        sim->fluid->F[3 * c] = s.rho * 1e-5 / s.dt;
+    for (int k = 0; k < 6; k++) {
+        const double before = du;
+        ck_assert_int_eq(coupling_step(sim), 0);
+        fluid_mean_flow(sim->fluid, flow);
+        du = flow[0] - u;
+        u = flow[0];
+        if (k > 2)
+            ck_assert_double_eq_tol(
+                -du / before, stability_amplification(&half, 1e9, eps_s, 0),
+                1e-3);
+    }
+    discard(sim);
+}
+END_TEST
+
+/* Charged with all of the reaction in advance, this bed in water grows by 1.4 a
+ * step. */
+START_TEST(a_bed_with_virtual_mass_and_history_in_water_is_stable)
+{
+    struct scene s = air;
+    double D[SINKING];
+
+    s.virtual_mass = 0.5;
+    s.basset = 2e-3;
+    s.mu = 1e-3;
+    s.dt = 1e-4;
+    sink(&s, 1.3, D);
+    ck_assert_double_lt(fabs(D[SINKING - 1]), 0.2 * fabs(D[1]));
 }
 END_TEST
 
@@ -65,14 +261,15 @@ static double growth(double ratio, double C)
  * diverges, and virtual mass, which takes it from 6.9 to 0.4, stops it. */
 START_TEST(light_spheres_are_limited_by_the_amplification_not_by_their_loading)
 {
+    static const struct added_mass none = {0.0, 0.0}, half = {0.5, 0.0};
     const double eps_s = 400.0 * M_PI / 6.0 / 1728.0;
 
     ck_assert_double_lt(stability_loading(0.15, eps_s, 1.0), 0.03);
-    ck_assert_double_lt(stability_amplification(0.0, 0.15, eps_s, 1.0), 1.0);
+    ck_assert_double_lt(stability_amplification(&none, 0.15, eps_s, 1), 1.0);
     ck_assert_double_lt(growth(0.15, 0.0), 1.0);
-    ck_assert_double_gt(stability_amplification(0.0, 0.02, eps_s, 1.0), 5.0);
+    ck_assert_double_gt(stability_amplification(&none, 0.02, eps_s, 1), 5.0);
     ck_assert_double_gt(growth(0.02, 0.0), 100.0);
-    ck_assert_double_lt(stability_amplification(0.5, 0.02, eps_s, 1.0), 0.5);
+    ck_assert_double_lt(stability_amplification(&half, 0.02, eps_s, 1), 0.5);
     ck_assert_double_lt(growth(0.02, 0.5), 1.0);
 }
 END_TEST
@@ -168,6 +365,10 @@ FACTS("stability")
     tcase_set_timeout(facts, 60.0);
     FACT(a_packed_bed_requires_less_than_half_its_relaxation_time);
     FACT(the_oscillation_decays_below_the_densest_packing);
+    FACT_FOR_EACH(no_other_share_in_advance_has_a_smaller_factor, 6);
+    FACT_FOR_EACH(a_bed_that_sinks_is_multiplied_by_the_roots_of_20_10, 3);
+    FACT(fluid_in_a_bed_at_rest_changes_by_the_root_of_20_13);
+    FACT(a_bed_with_virtual_mass_and_history_in_water_is_stable);
     FACT(the_loading_is_mass_beside_mass);
     FACT_FOR_EACH(the_edges_of_the_map_lie_where_one_turn_of_the_loop_puts_them,
                   3);

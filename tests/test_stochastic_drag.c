@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coupling/effects/stochastic_drag.h"
 
-#include "base/random.h"
+#include "base/random/random.h"
 #include "coupling/effect_count.h"
 #include "facts.h"
 #include "suspension.h"
@@ -123,7 +123,7 @@ static struct simulation *agitated(const struct scene *s, double sigma,
     struct simulation *const sim = build(s);
     const double numbers[] = {sigma, sigma, 1.0, 1.0, 0.0, T, seed};
 
-    add_effect(sim, effects_named("stochastic_drag"), numbers);
+    add_effect(sim, effect_named("stochastic_drag"), numbers);
     return sim;
 }
 

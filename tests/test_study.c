@@ -283,6 +283,46 @@ START_TEST(a_measure_reduces_a_column_as_it_says)
 }
 END_TEST
 
+/* Rows each 0.1 s, and one where the run ends, 0.04 s later. Of two bodies each
+ * time has two rows. A profile over cells that shrink has no such row. */
+START_TEST(a_mean_counts_the_rows_that_were_due)
+{
+    static const struct {
+        const char *head, *rows;
+        enum measure_how how;
+        double from, value;
+    } all[] = {
+        {"time [s]", "0,0\n0.1,1\n0.2,2\n0.3,3\n0.34,9\n", MEASURE_MEAN, NAN,
+         2.5},
+        {"time [s]", "0,0\n0.1,1\n0.2,2\n0.3,3\n0.4,9\n", MEASURE_MEAN, 0.3, 6},
+        {"time [s]", "0,0\n0.1,1\n0.2,2\n0.3,3\n0.34,9\n", MEASURE_MAX, NAN, 9},
+        {"time [s]", "0,0\n0.1,1\n0.2,2\n0.3,3\n0.34,9\n", MEASURE_MEAN, 0.32,
+         9},
+        {"time [s]", "0.1,1\n0.1,2\n0.2,3\n0.2,4\n0.3,5\n0.3,6\n", MEASURE_MEAN,
+         0.3, 5.5},
+        {"time [s]", "0.1,1\n0.1,2\n0.2,3\n0.2,4\n0.23,5\n0.23,6\n",
+         MEASURE_MEAN, 0.2, 3.5},
+        {"x [m]", "0,0\n0.1,1\n0.2,2\n0.3,3\n0.34,9\n", MEASURE_MEAN, 0.3, 6}};
+
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        const struct measure m = {.how = all[i].how,
+                                  .file = "history.csv",
+                                  .column = 1,
+                                  .from = all[i].from,
+                                  .to = NAN};
+        char dir[64], text[256];
+        scratch_make(dir);
+        snprintf(text, sizeof text, "%s,v [m/s]\n%s", all[i].head, all[i].rows);
+        scratch_write(scratch_path(dir, "history.csv"), text);
+        struct curve c = measure_take(&m, dir);
+        ck_assert_int_eq(c.n, 1);
+        ck_assert_double_eq_tol(c.value[0], all[i].value, 1e-14);
+        curve_free(&c);
+        scratch_clear(dir);
+    }
+}
+END_TEST
+
 /* A profile says of each mean how sure it is, or nan after too few samples. */
 START_TEST(a_profile_comes_with_its_standard_errors)
 {
@@ -437,6 +477,7 @@ FACTS("study")
     FACT(numbers_of_a_summary_are_found_by_their_path);
     FACT(texts_of_a_summary_are_those_that_were_written);
     FACT(a_measure_reduces_a_column_as_it_says);
+    FACT(a_mean_counts_the_rows_that_were_due);
     FACT(a_profile_comes_with_its_standard_errors);
     FACT(a_formula_is_computed_as_one_writes_it);
     FACT(a_table_of_measured_values_may_have_gaps);

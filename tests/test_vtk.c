@@ -2,7 +2,7 @@
 #include "output/vtk.h"
 #include "scratch.h"
 
-#include "output/vtk_blocks.h"
+/* It reads what is compressed: needs src/output/compressed */
 
 #include <math.h>
 #include <signal.h>
@@ -10,23 +10,25 @@
 #include <sys/resource.h>
 #include <zlib.h>
 
+enum { VTK_BLOCK = 65536 }; /* [bytes] of src/output/compressed */
+
 /* With a folder as argument the program writes samples there, which
  * vtk_check.py reads with VTK itself. The values of a sample follow from the
  * index alone: number v of an array is (v % 1009) * 0.375 - 100, exact in
  * single precision too, or for whole numbers 7 v - 3. */
 
 static char dir[64];
-static struct vtk_writer *writer;
+static struct vtk_file *writer;
 
 static void set_up(void)
 {
     scratch_make(dir);
-    writer = vtk_writer_create();
+    writer = vtk_file_create();
 }
 
 static void tear_down(void)
 {
-    vtk_writer_free(writer);
+    vtk_file_free(writer);
     scratch_clear(dir);
 }
 
@@ -357,7 +359,7 @@ static int write_samples(const char *folder)
     char name[64];
     int failed = 0;
 
-    writer = vtk_writer_create();
+    writer = vtk_file_create();
     for (int i = 0; i < 6; i++) {
         struct mesh *const m =
             sample_box(cells[i][0], cells[i][1], cells[i][2]);
@@ -370,9 +372,31 @@ static int write_samples(const char *folder)
         snprintf(name, sizeof name, "particles_%d.vtp", counts[i]);
         failed |= write_sample(scratch_path(folder, name), NULL, counts[i]);
     }
-    vtk_writer_free(writer);
+    vtk_file_free(writer);
     return failed;
 }
+
+/* As VTK reads an array of a file without a compressor. */
+START_TEST(the_plain_encoding_is_a_length_and_the_numbers)
+{
+    extern const struct vtk_encoding vtk_plain;
+    const double x[2] = {1.5, -2.0}, y[2] = {0.25, 3.0}, z[2] = {7.0, 1e-300};
+    const struct vtk_array a = {.components = 3, .split = {x, y, z}};
+    const double expected[6] = {1.5, 0.25, 7.0, -2.0, 3.0, 1e-300};
+    char *text = NULL;
+    size_t length = 0;
+    FILE *const out = open_memstream(&text, &length);
+    uint64_t bytes;
+
+    vtk_plain.write(NULL, out, &a, 2);
+    fclose(out);
+    ck_assert_uint_eq(length, sizeof bytes + sizeof expected);
+    memcpy(&bytes, text, sizeof bytes);
+    ck_assert_uint_eq(bytes, sizeof expected);
+    ck_assert_int_eq(memcmp(text + sizeof bytes, expected, sizeof expected), 0);
+    free(text);
+}
+END_TEST
 
 int main(int n_arguments, char **argument)
 {
@@ -389,6 +413,7 @@ int main(int n_arguments, char **argument)
     tcase_add_loop_test(t, blocks_may_be_full_or_not, 0, 6);
     tcase_add_test(t, smooth_arrays_shrink_and_noise_does_not_grow);
     tcase_add_test(t, names_are_escaped);
+    tcase_add_test(t, the_plain_encoding_is_a_length_and_the_numbers);
     tcase_add_test(t, a_full_disk_leaves_nothing_and_the_writer_goes_on);
     SRunner *const r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

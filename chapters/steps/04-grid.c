@@ -18,9 +18,9 @@ static const double width = 1.5e-3, dt = 1e-5; /* [m] of a cell, [s] */
 static double R[N + 1], m[N + 1], x[N + 1], y[N + 1], vx[N + 1], vy[N + 1];
 static double w[N + 1], Fx[N + 1], Fy[N + 1], M[N + 1], zeta;
 static double xi[N][N + 3]; /* [m] springs of pairs, and of three walls */
-static int first[NX][NY], next[N], looked;
+static int first[NX][NY], next[N], compared;
 
-/* The force of j on i; dx, dy [m] lead from j to i. A wall is a heavy grain of
+/* The force of j on i; dx, dy [m] point from j to i. A wall is a heavy grain of
  * the same radius that lies behind it and touches it. */
 static void contact(int i, int j, double dx, double dy, double *xi_ij)
 {
@@ -50,10 +50,10 @@ static void contact(int i, int j, double dx, double dy, double *xi_ij)
 }
 
 /* Grain i is compared with the grains before it, which are in the grid, and is
- * then put there itself. So each pair is looked at once. */
+ * then put there itself. So each pair is compared once. */
 static void forces(void)
 {
-    looked = 0;
+    compared = 0;
     for (int c = 0; c < NX * NY; c++)
         first[c % NX][c / NX] = -1;
     for (int i = 0; i <= N; i++)
@@ -62,7 +62,7 @@ static void forces(void)
         const int a = (int)(x[i] / width), b = (int)(y[i] / width);
         for (int c = a > 0 ? a - 1 : 0; c <= a + 1 && c < NX; c++)
             for (int d = b > 0 ? b - 1 : 0; d <= b + 1 && d < NY; d++)
-                for (int j = first[c][d]; j >= 0; j = next[j], looked++)
+                for (int j = first[c][d]; j >= 0; j = next[j], compared++)
                     contact(i, j, x[i] - x[j], y[i] - y[j], &xi[i][j]);
         next[i] = first[a][b];
         first[a][b] = i;
@@ -139,8 +139,8 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < N; i++)
         height += y[i] / N;
-    printf("t = %g s: looked at %d of %d pairs, mean height = %.9g m\n", t_end,
-           looked, N * (N - 1) / 2, height);
+    printf("t = %g s: compared %d of %d pairs, mean height = %.9g m\n", t_end,
+           compared, N * (N - 1) / 2, height);
     write_vtk(create(argv[0], ".vtk"));
     write_svg(create(argv[0], ".svg"));
     return 0;

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 32, W = N + 2, CELLS = W * W }; /* N cells a side, and a ring */
+enum { N = 32, W = N + 2, CELLS = W * W }; /* N cells a side, and ghosts */
 static const double rho_f = 1.2, nu = 1.5e-5, lid = 0.05; /* Re = 100 */
 static const double dx = 0.03 / N, dt = 0.01;             /* [m], [s] */
 /* One value a cell. The next cell in direction k is c + next[k]. */
@@ -62,7 +62,7 @@ static void predict(void)
         }
 }
 
-/* Each p is changed by one and a half times what its equation requires. */
+/* Successive over-relaxation: 1.5 times the change that solves the equation. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)

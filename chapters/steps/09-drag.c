@@ -81,7 +81,7 @@ static void predict(void)
         }
 }
 
-/* Each p is changed by one and a half times what its equation requires. */
+/* Successive over-relaxation: 1.5 times the change that solves the equation. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 40; sweep++)
@@ -203,8 +203,7 @@ int main(int argc, char **argv)
     }
     for (int c = 0; c < CELLS; c++)
         reaction += F[1][c] * dx * dx * depth;
-    for (int n = 0; n < 50;
-         n++) { /* (9.5) for the steady slip, by repetition */
+    for (int n = 0; n < 50; n++) { /* (9.5), a fixed point */
         tau = rho_s * pi / 6.0 * d * d * d / drag(settled);
         settled = tau * g * (1.0 - rho_f / rho_s);
     }

@@ -28,7 +28,7 @@
 #include <string.h>
 
 enum { N = 300, NX = 8, NY = 32 };            /* grains, cells */
-enum { W = NX + 2, CELLS = W * (NY + 3) };    /* with the ring: W in a row */
+enum { W = NX + 2, CELLS = W * (NY + 3) };    /* with ghosts: W in a row */
 static const double rho_f = 1.2, mu = 1.8e-5; /* [kg/m^3], [Pa s] of air */
 static const double d = 1.2e-3, V_p = 9.04778684e-10; /* [m], [m^3] grains */
 static const double dx = 2e-3, depth = 1.5e-3; /* [m] cells, slot across */
@@ -44,13 +44,13 @@ static field u[2], q[2]; /* [m/s] on the lower face across k: u_k, eps u_k */
 static field mob[2];   /* [m^3 s/kg] mobility there: q over slope of p (6.4) */
 static double x[2][N]; /* [m] grains */
 
-static int host(int a) /* the cell of a grain */
+static int cell_of(int a) /* the cell of a grain */
 {
     return (int)(x[0][a] / dx) + 1 + W * ((int)(x[1][a] / dx) + 1);
 }
 
-/* Beyond the ends of the mesh a field is what it is in the last cells. */
-static void ring(field f)
+/* The ghost cells around the mesh take the values of the cells beside them. */
+static void extend(field f)
 {
     for (int i = 1; i <= NX; i++) {
         f[i] = f[i + W];
@@ -85,17 +85,17 @@ static void average(void)
         resist[c] = 0.0;
     }
     for (int a = 0; a < N; a++)
-        eps[host(a)] -= V_p / V_c;
+        eps[cell_of(a)] -= V_p / V_c;
     for (int a = 0; a < N; a++) {
-        const int c = host(a);
+        const int c = cell_of(a);
         const double slip =
             0.5 / eps[c] * hypot(q[0][c] + q[0][c + 1], q[1][c] + q[1][c + W]);
         resist[c] += V_p / V_c * resistance(eps[c], slip);
     }
     for (int c = 0; c < CELLS; c++)
         resist[c] = (rho_f / dt + resist[c] / eps[c]) / eps[c];
-    ring(eps);
-    ring(resist);
+    extend(eps);
+    extend(resist);
 }
 
 /* Predicts q without p, and finds the mobility m, by which q follows p. Half of
@@ -105,8 +105,8 @@ static void predict(void)
 {
     static field old[2];
     memcpy(old, u, sizeof u);
-    ring(old[0]);
-    ring(old[1]);
+    extend(old[0]);
+    extend(old[1]);
     for (int c = W + 1; c <= W + NX; c++) {
         q[1][c] = U;
         old[1][c] = U / eps[c];
@@ -116,7 +116,7 @@ static void predict(void)
             if (c % W < 2 - k || c % W > NX) continue; /* a wall */
             const int b = c - next[k], o = next[1 - k];
             const double *const f = old[k], *const f_o = old[1 - k];
-            double a[2], u_new = f[c]; /* carried by a from upwind */
+            double a[2], u_new = f[c]; /* convected by a, upwind */
             a[k] = f[c];
             a[1 - k] = 0.25 * (f_o[b] + f_o[b + o] + f_o[c] + f_o[c + o]);
             for (int l = 0; l < 2; l++)
@@ -128,8 +128,8 @@ static void predict(void)
         }
 }
 
-/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
- * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
+/* Successive over-relaxation with the factor 1.7. The mobility is 0 at walls
+ * and at the inlet, so that p has no effect there; p is 0 beyond the outlet. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)

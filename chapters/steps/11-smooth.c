@@ -19,13 +19,13 @@
 #include <string.h>
 
 enum { N = 300, NX = 8, NY = 32 };            /* grains, cells */
-enum { W = NX + 2, CELLS = W * (NY + 3) };    /* with the ring: W in a row */
+enum { W = NX + 2, CELLS = W * (NY + 3) };    /* with ghosts: W in a row */
 static const double rho_f = 1.2, mu = 1.8e-5; /* [kg/m^3], [Pa s] of air */
 static const double d = 1.2e-3, V_p = 9.04778684e-10; /* [m], [m^3] grains */
 static const double dx = 2e-3, depth = 1.5e-3; /* [m] cells, slot across */
 static const double U = 0.2, dt = 2e-4;        /* [m/s] at the inlet, [s] */
 static double bw = 4.8e-3;                     /* [m] bandwidth, b in (8.9) */
-static int parts = 24;                         /* steps of the diffusion */
+static int steps = 24;                         /* steps of the diffusion */
 
 /* One value a cell. The next cell in direction k is c + next[k]. */
 typedef double field[CELLS];
@@ -38,13 +38,13 @@ static field mob[2];   /* [m^3 s/kg] mobility there: q over slope of p (6.4) */
 static double x[2][N]; /* [m] grains */
 static double on_grains, on_air; /* [N] upward drag, which the air loses */
 
-static int host(int a) /* the cell of a grain */
+static int cell_of(int a) /* the cell of a grain */
 {
     return (int)(x[0][a] / dx) + 1 + W * ((int)(x[1][a] / dx) + 1);
 }
 
-/* Beyond the ends of the mesh a field is what it is in the last cells. */
-static void ring(field f)
+/* The ghost cells around the mesh take the values of the cells beside them. */
+static void extend(field f)
 {
     for (int i = 1; i <= NX; i++) {
         f[i] = f[i + W];
@@ -59,16 +59,16 @@ static void ring(field f)
 /* (8.8) in small explicit steps: the sum over the cells stays what it is. */
 static void diffuse(field f)
 {
-    const double share = 0.25 * bw * bw / (parts * dx * dx);
+    const double ratio = 0.25 * bw * bw / (steps * dx * dx);
     field old;
-    for (int n = 0; n < parts; n++) {
-        ring(f);
+    for (int n = 0; n < steps; n++) {
+        extend(f);
         memcpy(old, f, sizeof old);
         for (int c = W + 1; c < W * (NY + 1); c++)
-            f[c] += share * (old[c - 1] + old[c + 1] + old[c - W] + old[c + W] -
+            f[c] += ratio * (old[c - 1] + old[c + 1] + old[c - W] + old[c + W] -
                              4.0 * old[c]);
     }
-    ring(f);
+    extend(f);
 }
 
 /* beta / eps_s [kg/(m^3 s)], drag over volume of the grain and slip. */
@@ -107,7 +107,7 @@ static void average(void)
         resist[c] = 0.0;
     }
     for (int a = 0; a < N; a++)
-        eps[host(a)] -= V_p / V_c;
+        eps[cell_of(a)] -= V_p / V_c;
     diffuse(eps);
     memcpy(eps_p, eps, sizeof eps);
     diffuse(eps_p);
@@ -115,7 +115,7 @@ static void average(void)
         gather(k, u_f[k]);
     on_grains = on_air = 0.0;
     for (int a = 0; a < N; a++) {
-        const int c = host(a);
+        const int c = cell_of(a);
         const double slip = hypot(u_f[0][c], u_f[1][c]);
         const double friction = V_p * resistance(eps_p[c], slip);
         on_grains += friction * u_f[1][c];
@@ -135,8 +135,8 @@ static void predict(void)
 {
     static field old[2];
     memcpy(old, u, sizeof u);
-    ring(old[0]);
-    ring(old[1]);
+    extend(old[0]);
+    extend(old[1]);
     for (int c = W + 1; c <= W + NX; c++) {
         q[1][c] = U;
         old[1][c] = U / eps[c];
@@ -146,7 +146,7 @@ static void predict(void)
             if (c % W < 2 - k || c % W > NX) continue; /* a wall */
             const int b = c - next[k], o = next[1 - k];
             const double *const f = old[k], *const f_o = old[1 - k];
-            double a[2], u_new = f[c]; /* carried by a from upwind */
+            double a[2], u_new = f[c]; /* convected by a, upwind */
             a[k] = f[c];
             a[1 - k] = 0.25 * (f_o[b] + f_o[b + o] + f_o[c] + f_o[c + o]);
             for (int l = 0; l < 2; l++)
@@ -158,8 +158,8 @@ static void predict(void)
         }
 }
 
-/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
- * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
+/* Successive over-relaxation with the factor 1.7. The mobility is 0 at walls
+ * and at the inlet, so that p has no effect there; p is 0 beyond the outlet. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)
@@ -257,7 +257,7 @@ int main(int argc, char **argv)
     const double t_end = argc > 1 ? atof(argv[1]) : 0.02;
     double lowest = 1.0, solids = 0.0;
     if (argc > 2) bw = atof(argv[2]);
-    if (argc > 3) parts = atoi(argv[3]);
+    if (argc > 3) steps = atoi(argv[3]);
     for (int a = 0; a < N; a++) { /* rows of twelve */
         x[0][a] = 1.28e-3 * (a % 12 + 0.5 + 0.5 * (a / 12 % 2));
         x[1][a] = 1.11e-3 * (a / 12 + 0.6);

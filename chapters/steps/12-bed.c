@@ -16,7 +16,7 @@
 #include <string.h>
 
 enum { N = 300, NX = 8, NY = 32 };         /* grains, cells */
-enum { W = NX + 2, CELLS = W * (NY + 3) }; /* with the ring: W in a row */
+enum { W = NX + 2, CELLS = W * (NY + 3) }; /* with ghosts: W in a row */
 static const double g = 9.81, rho_f = 1.2, mu = 1.8e-5;     /* of air, in SI */
 static const double dx = 2e-3, depth = 1.5e-3, bw = 4.8e-3; /* [m] step 11 */
 static const double d = 1.2e-3, V_p = 9.04778684e-10; /* [m], [m^3] grains */
@@ -38,17 +38,17 @@ static double U;         /* [m/s] at the inlet */
 
 /* The grains. Entry N is the walls, which do not move. */
 static double x[2][N], v[2][N + 1], w[N + 1]; /* [m], [m/s], [rad/s] */
-static double P[2][N], drag[N]; /* [N] push of the air, [kg/s] k in (10.1) */
+static double P[2][N], drag[N]; /* [N] force of the air, [kg/s] k in (10.1) */
 static double C[2][N + 1], M[N + 1]; /* [N], [N m] of the contacts */
 static double xi[N][N + 3]; /* [m] springs of pairs, and of three walls */
 
-static int host(int a) /* the cell of a grain */
+static int cell_of(int a) /* the cell of a grain */
 {
     return (int)(x[0][a] / dx) + 1 + W * ((int)(x[1][a] / dx) + 1);
 }
 
-/* Beyond the ends of the mesh a field is what it is in the last cells. */
-static void ring(field f)
+/* The ghost cells around the mesh take the values of the cells beside them. */
+static void extend(field f)
 {
     for (int i = 1; i <= NX; i++) {
         f[i] = f[i + W];
@@ -63,16 +63,16 @@ static void ring(field f)
 /* (8.8) in small explicit steps: the sum over the cells stays what it is. */
 static void diffuse(field f)
 {
-    const double share = 0.25 * bw * bw / (24 * dx * dx);
+    const double ratio = 0.25 * bw * bw / (24 * dx * dx);
     field old;
     for (int n = 0; n < 24; n++) {
-        ring(f);
+        extend(f);
         memcpy(old, f, sizeof old);
         for (int c = W + 1; c < W * (NY + 1); c++)
-            f[c] += share * (old[c - 1] + old[c + 1] + old[c - W] + old[c + W] -
+            f[c] += ratio * (old[c - 1] + old[c + 1] + old[c - W] + old[c + W] -
                              4.0 * old[c]);
     }
-    ring(f);
+    extend(f);
 }
 
 /* beta / eps_s [kg/(m^3 s)], drag over volume of the grain and slip. */
@@ -105,9 +105,9 @@ static void average(void)
         resist[c] = F[0][c] = F[1][c] = s[0][c] = s[1][c] = 0.0;
     }
     for (int a = 0; a < N; a++) {
-        eps[host(a)] -= V_p / V_c;
+        eps[cell_of(a)] -= V_p / V_c;
         for (int k = 0; k < 2; k++)
-            s[k][host(a)] += V_p / V_c * v[k][a];
+            s[k][cell_of(a)] += V_p / V_c * v[k][a];
     }
     diffuse(eps);
     memcpy(eps_p, eps, sizeof eps);
@@ -117,7 +117,7 @@ static void average(void)
         gather(k, u_f[k]);
     }
     for (int a = 0; a < N; a++) {
-        const int c = host(a);
+        const int c = cell_of(a);
         const double slip = hypot(u_f[0][c] - v[0][a], u_f[1][c] - v[1][a]);
         drag[a] = V_p * resistance(eps_p[c], slip);
         resist[c] += drag[a] / V_c;
@@ -137,8 +137,8 @@ static void predict(void)
 {
     static field old[2];
     memcpy(old, u, sizeof u);
-    ring(old[0]);
-    ring(old[1]);
+    extend(old[0]);
+    extend(old[1]);
     for (int c = W + 1; c <= W + NX; c++) {
         q[1][c] = U;
         old[1][c] = U / eps[c];
@@ -148,7 +148,7 @@ static void predict(void)
             if (c % W < 2 - k || c % W > NX) continue; /* a wall */
             const int b = c - next[k], o = next[1 - k];
             const double *const f = old[k], *const f_o = old[1 - k];
-            double a[2], u_new = f[c]; /* carried by a from upwind */
+            double a[2], u_new = f[c]; /* convected by a, upwind */
             a[k] = f[c];
             a[1 - k] = 0.25 * (f_o[b] + f_o[b + o] + f_o[c] + f_o[c + o]);
             for (int l = 0; l < 2; l++)
@@ -162,8 +162,8 @@ static void predict(void)
         }
 }
 
-/* Each p is set to what its own equation gives, and 0.7 as far beyond. At walls
- * and inlet the mobility is 0, and p has no part. At the outlet p is 0. */
+/* Successive over-relaxation with the factor 1.7. The mobility is 0 at walls
+ * and at the inlet, so that p has no effect there; p is 0 beyond the outlet. */
 static void find_pressure(void)
 {
     for (int sweep = 0; sweep < 60; sweep++)
@@ -192,10 +192,10 @@ static void correct(void)
 }
 
 /* What the air does to each grain in this step; its weight less buoyancy. */
-static void push_grains(void)
+static void forces_of_air(void)
 {
     field u_f, slope;
-    ring(p);
+    extend(p);
     for (int c = 1; c <= NX; c++) {
         p[c] = 2.0 * p[c + W] - p[c + 2 * W];
         p[c + W * (NY + 1)] = 0.0;
@@ -206,8 +206,8 @@ static void push_grains(void)
             slope[c] = (p[c + next[k]] - p[c - next[k]]) / (2.0 * dx);
         diffuse(slope);
         for (int a = 0; a < N; a++)
-            P[k][a] = drag[a] * (u_f[host(a)] - v[k][a]) -
-                      V_p * slope[host(a)] - k * (m - rho_f * V_p) * g;
+            P[k][a] = drag[a] * (u_f[cell_of(a)] - v[k][a]) -
+                      V_p * slope[cell_of(a)] - k * (m - rho_f * V_p) * g;
     }
 }
 
@@ -237,7 +237,7 @@ static void contact(int i, int j, double rx, double ry, double *xi_ij)
     M[j] -= l * F_t;
 }
 
-/* As in step 4. The cells of the air are the grid; the ring has no grains. */
+/* As in step 4, with the cells of the air as the grid; the ghosts are empty. */
 static void move_grains(void)
 {
     static const int around[9] = {0,      -1, 1,     -W,   -W - 1,
@@ -249,10 +249,10 @@ static void move_grains(void)
     for (int i = 0; i < N; i++) {
         const double x_i = x[0][i], y_i = x[1][i];
         for (int a = 0; a < 9; a++)
-            for (int j = first[host(i) + around[a]]; j >= 0; j = next_one[j])
+            for (int j = first[cell_of(i) + around[a]]; j >= 0; j = next_one[j])
                 contact(i, j, x_i - x[0][j], y_i - x[1][j], &xi[i][j]);
-        next_one[i] = first[host(i)];
-        first[host(i)] = i;
+        next_one[i] = first[cell_of(i)];
+        first[cell_of(i)] = i;
         contact(i, N, 0.0, y_i + 0.5 * d, &xi[i][N]);
         contact(i, N, x_i + 0.5 * d, 0.0, &xi[i][N + 1]);
         contact(i, N, x_i - NX * dx - 0.5 * d, 0.0, &xi[i][N + 2]);
@@ -329,7 +329,7 @@ int main(int argc, char **argv)
         predict();
         find_pressure();
         correct();
-        push_grains();
+        forces_of_air();
         for (int l = 0; l < lround(dt / dt_s); l++)
             move_grains();
         for (int c = 1; c <= NX; c++)
@@ -346,5 +346,5 @@ int main(int argc, char **argv)
     return 0;
 }
 
-/* To try: let the air come with 0.4 m/s: is the bed carried? Then leave the
- * share of the pressure out of push_grains(): which force has no reaction? */
+/* To try: let the air enter at 0.4 m/s: is the bed lifted? Then leave the
+ * force of the pressure out of forces_of_air(): which force has no reaction? */

@@ -105,6 +105,14 @@ local function transcript(text)
   end):sub(2))
 end
 
+-- Text with longer lines than a page of paper has room for is printed smaller.
+local function is_wide(text)
+  for line in text:gmatch("[^\n]+") do
+    if #line > 100 then return true end
+  end
+  return false
+end
+
 -- The file and line above a listing.
 local function blocks(list)
   local out = pandoc.List()
@@ -118,6 +126,7 @@ local function blocks(list)
         and next_block.t == "CodeBlock" then
       file, line = file:match("^([^:]+):?(%d*)$")
       if what == "output" then next_block.text = transcript(next_block.text) end
+      if is_wide(next_block.text) then next_block.classes:insert("wide") end
       local place = line ~= "" and "#L" .. line or ""
       local said = line ~= "" and file .. ", line " .. line or file
       out:insert(pandoc.Div({ pandoc.Plain({ pandoc.Link(said, file .. ".html" .. place) }) },

@@ -6,13 +6,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "averaging/averaging_wall.h"
 #include "averaging/diffusion.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/stencil.h"
 #include "base/alloc.h"
+#include "base/model.h"
 #include "base/number.h"
 
 struct averaging {
@@ -36,12 +35,14 @@ const struct key averaging_delta_keys[] = {
      "EW18 20", ""},
     KEY_END};
 
-const struct averaging_method *averaging_method_named(const char *name)
+double averaging_sigma(double delta_05)
 {
-    for (int i = 0; averaging_methods[i] != NULL; i++)
-        if (strcmp(averaging_methods[i]->name, name) == 0)
-            return averaging_methods[i];
-    return NULL;
+    return delta_05 / (2.0 * sqrt(2.0 * log(2.0))); /* [EW18 20] */
+}
+
+double averaging_bandwidth(double delta_05)
+{
+    return sqrt(2.0) * averaging_sigma(delta_05);
 }
 
 /* The options with their defaults filled in. */
@@ -57,9 +58,9 @@ static struct averaging_options completed(const struct averaging_options *o)
     return full;
 }
 
-/* The variant of the method for this mesh. */
-static const struct averaging_method *
-variant_for(const struct averaging_method *method, const struct mesh *mesh)
+const struct averaging_method *
+averaging_variant(const struct averaging_method *method,
+                  const struct mesh *mesh)
 {
     return mesh->shape != NULL && method->polyhedral != NULL
                ? method->polyhedral
@@ -82,7 +83,7 @@ struct averaging *averaging_create(const struct averaging_method *method,
     }
     struct averaging *const a = alloc_zeroed(1, sizeof *a);
 
-    a->method = variant_for(method, mesh);
+    a->method = averaging_variant(method, mesh);
     a->fields = full.fields;
     a->cells = cell_of_particle_create(mesh, ps);
     a->state = a->method->create(a->cells, &full);
@@ -181,11 +182,6 @@ void averaging_apply_cap(const struct averaging *a, int m, double *q)
             q[m * i + k] *= averaging_capped_fraction(a, i);
 }
 
-const int *averaging_cell_of_particle(const struct averaging *a)
-{
-    return a->cells->cell;
-}
-
 const struct cell_of_particle *averaging_cells(const struct averaging *a)
 {
     return a->cells;
@@ -196,17 +192,6 @@ const struct averaging_report *averaging_report(const struct averaging *a)
     return &a->report;
 }
 
-double averaging_bytes(const struct averaging_method *method,
-                       const struct mesh *mesh, double d,
-                       const struct averaging_options *o)
-{
-    const struct averaging_method *const variant = variant_for(method, mesh);
-    const double reach = variant->reach_b * o->bandwidth + variant->reach_d * d;
-    const enum stencil_to to =
-        variant->reach_d > 0.0 ? STENCIL_TO_CELL : STENCIL_TO_CENTRE;
-    return reach > 0.0 ? stencil_bytes(mesh, reach, to) : 0.0;
-}
-
 int averaging_check(const struct averaging_method *method,
                     const struct mesh *mesh, const struct averaging_options *o)
 {
@@ -214,3 +199,5 @@ int averaging_check(const struct averaging_method *method,
     return method == &diffusion_method ? diffusion_needed_steps(mesh, &full)
                                        : 0;
 }
+
+MODEL_NAMED(averaging_method)

@@ -98,21 +98,23 @@ const double *averaging_extended(struct averaging *a, int m,
 double averaging_capped_fraction(const struct averaging *a, int i);
 void averaging_apply_cap(const struct averaging *a, int m, double *q);
 
-/* Borrowed: the cell of each particle, the sorted lists of particles of each
- * cell, the report. */
-const int *averaging_cell_of_particle(const struct averaging *a);
+/* Borrowed: the cell of each particle and the particles of each cell, the
+ * report. */
 const struct cell_of_particle *averaging_cells(const struct averaging *a);
 const struct averaging_report *averaging_report(const struct averaging *a);
 
-/* This function and the next need only an outline of the mesh.
- *
- * Estimate of the memory for the neighbourhoods of all cells [byte]; d [m] is
- * the largest diameter. */
-double averaging_bytes(const struct averaging_method *, const struct mesh *,
-                       double d, const struct averaging_options *);
+/* The variant of the method for this mesh. */
+const struct averaging_method *
+averaging_variant(const struct averaging_method *method,
+                  const struct mesh *mesh);
+
+/* sigma [m] and b [m] of the Gaussian that has half its height at the distance
+ * delta_05 / 2 [m] [EW18 20]. */
+double averaging_sigma(double delta_05);
+double averaging_bandwidth(double delta_05);
 
 /* The number of diffusion steps needed to avoid undershoots, if the options
- * have fewer; else 0. */
+ * have fewer; else 0. Needs only an outline of the mesh. */
 int averaging_check(const struct averaging_method *, const struct mesh *,
                     const struct averaging_options *);
 

@@ -70,19 +70,11 @@ static void smooth(struct diffusion *d, int m, double *u,
         apply_exponential(d, m, u, r);
 }
 
-static const struct diffusion_scheme *scheme_named(const char *name)
-{
-    for (int i = 0; diffusion_schemes[i] != NULL; i++)
-        if (strcmp(diffusion_schemes[i]->name, name) == 0)
-            return diffusion_schemes[i];
-    return NULL;
-}
-
 int diffusion_needed_steps(const struct mesh *mesh,
                            const struct averaging_options *o)
 {
     const struct diffusion_stepping *const by =
-        scheme_named(o->scheme)->stepping;
+        diffusion_scheme_named(o->scheme)->stepping;
     const int n = by == NULL || by->safe_steps == NULL
                       ? 0
                       : by->safe_steps(mesh, o->bandwidth);
@@ -122,7 +114,7 @@ static int refuse(const char *what, const char *name, const char *expected)
 /* 0, or non-zero after a message that says what is wrong. */
 static int wrong_options(const struct averaging_options *o)
 {
-    if (scheme_named(o->scheme) == NULL)
+    if (diffusion_scheme_named(o->scheme) == NULL)
         return refuse("scheme", o->scheme,
                       "exponential, series, crank-nicolson, implicit-euler or "
                       "sdirk2");
@@ -183,7 +175,7 @@ static void *diffusion_create(const struct cell_of_particle *h,
     const struct mesh *const m = h->mesh;
 
     d->h = h;
-    d->scheme = scheme_named(o->scheme);
+    d->scheme = diffusion_scheme_named(o->scheme);
     d->fields = o->fields;
     d->tolerance = o->tolerance;
     /* rounded as the sum of the steps of the other schemes */

@@ -38,7 +38,9 @@ struct diffusion_scheme {
     double implicit; /* [-] share of dtau K in the matrix of a stage */
 };
 
-/* All of them, ended by NULL; the first is the default. */
+/* All of them, ended by NULL, the default first; diffusion_scheme_named: NULL
+ * for an unknown name. */
 extern const struct diffusion_scheme *const diffusion_schemes[];
+const struct diffusion_scheme *diffusion_scheme_named(const char *name);
 
 #endif

@@ -3,7 +3,7 @@
  * Chapter "Averaging". */
 #include "averaging/diffusion.h"
 
-#include <stddef.h>
+#include "base/model.h"
 
 const struct key diffusion_keys[] = {
     {"averaging.scheme", KEY_NAME, "", "", "exponential",
@@ -40,3 +40,5 @@ const struct diffusion_scheme diffusion_series = {
     .equations = "",
     .function = "chebyshev_apply",
 };
+
+MODEL_NAMED(diffusion_scheme)

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "averaging/interpolation.h"
 
-#include <string.h>
-
 #include "averaging/cell_of_particle.h"
+#include "base/model.h"
 #include "base/vector.h"
 
 static void nearest(struct averaging *a, int m, const double *field,
@@ -132,10 +131,4 @@ const struct interpolation interpolation_same = {
     .apply = same,
 };
 
-const struct interpolation *interpolation_named(const char *name)
-{
-    for (int i = 0; interpolations[i] != NULL; i++)
-        if (strcmp(interpolations[i]->name, name) == 0)
-            return interpolations[i];
-    return NULL;
-}
+MODEL_NAMED(interpolation)

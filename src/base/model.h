@@ -34,6 +34,18 @@ struct model {
         return *k;                                                             \
     }
 
+/* Calls a function of the descriptors of a list that have it: of each, or up to
+ * the first that returns another code than 0. The arguments may depend on
+ * i_model, the place in the list. */
+#define MODELS_EACH(list, function, ...)                                       \
+    for (int i_model = 0; (list)[i_model] != 0; i_model++)                     \
+        if ((list)[i_model]->function != 0)                                    \
+    (list)[i_model]->function(__VA_ARGS__)
+#define MODELS_UNTIL(code, list, function, ...)                                \
+    for (int i_model = 0; (list)[i_model] != 0 && (code) == 0; i_model++)      \
+        if ((list)[i_model]->function != 0)                                    \
+    (code) = (list)[i_model]->function(__VA_ARGS__)
+
 /* A model may have keys of its own: one of its tables, of numbers that nothing
  * else reads. It is given them in the order of the rows; so many at most. */
 enum { MODEL_NUMBERS = 4 };

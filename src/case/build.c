@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "case/build.h"
 
-#include "averaging/kernel.h"
 #include "base/alloc.h"
 #include "coupling/effects.h"
 #include "coupling/coupling.h"
@@ -18,7 +17,7 @@
 static double bandwidth_of(const struct settings *s)
 {
     if (settings_has(s, "averaging.delta_05"))
-        return kernel_bandwidth(settings_real(s, "averaging.delta_05"));
+        return averaging_bandwidth(settings_real(s, "averaging.delta_05"));
     return settings_has(s, "averaging.bandwidth")
                ? settings_real(s, "averaging.bandwidth")
                : 0.0;
@@ -122,7 +121,7 @@ static struct simulation *build(const struct settings *s, int with_bed,
     }
     if (*code == 0) {
         build_effects(s, sim);
-        *code = case_part_add_last(s, sim);
+        MODELS_UNTIL(*code, case_parts, add_last, s, sim);
         if (*code == 0) return sim;
     }
     build_free(sim);

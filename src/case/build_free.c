@@ -5,7 +5,6 @@
 
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "dem/population.h"
 #include "case/build_boundaries.h"
 #include "case/case_part.h"
 
@@ -20,10 +19,8 @@ void build_free(struct simulation *sim)
     coupling_free(sim->coupling);
     averaging_free(sim->averaging);
     dem_free(sim->dem);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->free != NULL) case_parts[i]->free(sim);
-    if (sim->population != NULL)
-        sim->population->functions->free(sim->population);
+    MODELS_EACH(case_parts, free, sim);
+    if (sim->population != NULL) sim->insert_remove->free(sim->population);
     free(sim->materials);
     particles_free(sim->particles);
     fluid_free(sim->fluid);

@@ -8,6 +8,7 @@
 
 #include "base/alloc.h"
 #include "case/build_free.h"
+#include "dem/box_domain.h"
 #include "case/case_steps.h"
 #include "case/case_part.h"
 #include "case/case_materials.h"
@@ -103,7 +104,9 @@ static int create_bed(const struct settings *s, struct simulation *sim,
     if (named)
         settings_beside(s, settings_text(s, "particles.bed.file"), path,
                         sizeof path);
-    const int cached = !named && case_part_bed_file(s, path, sizeof path);
+    int cached = 0;
+    if (!named)
+        MODELS_UNTIL(cached, case_parts, bed_file, s, path, sizeof path);
     const int was_there = cached && access(path, R_OK) == 0;
     int found = make_bed(s, sim, o, saver, named || cached ? path : NULL, &r);
     if (found == BED_REFUSED && was_there)
@@ -131,7 +134,9 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
                        const struct dem_options *o)
 {
     static const char *const list = "particles.place";
+    const struct box_domain box = box_domain_of(o->lo, o->hi, o->periodic);
     const int n = settings_length(s, list);
+    int code = 0;
 
     sim->particles = particles_create(n + case_part_count_later(s));
     if (sim->materials != NULL) particles_add_material(sim->particles);
@@ -139,6 +144,9 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         const int material = material_of(s, list, k);
         double x[3], v[3], w[3];
         settings_item_vector(s, list, k, "position", x);
+        for (int a = 0; a < 3; a++)
+            if (x[a] < o->lo[a] || x[a] > o->hi[a])
+                x[a] = box_domain_inside(&box, a, x[a]);
         settings_item_vector(s, list, k, "velocity", v);
         settings_item_vector(s, list, k, "spin", w);
         const int i = particles_add(sim->particles, x,
@@ -152,7 +160,8 @@ static int put_spheres(const struct settings *s, struct simulation *sim,
         sim->particles->wy[i] = w[1];
         sim->particles->wz[i] = w[2];
     }
-    return case_part_place(s, sim->particles, o);
+    MODELS_UNTIL(code, case_parts, place, s, sim->particles, o);
+    return code;
 }
 
 static int place_spheres(const struct settings *s, struct simulation *sim,
@@ -182,9 +191,13 @@ static int place_bed(const struct settings *s, struct simulation *sim,
 static int complete(const struct settings *s, struct simulation *sim,
                     struct dem_options *o)
 {
+    int code = 0;
+
     *o = particle_options_dem(s, sim->dt / sim->dem_steps);
     o->materials = sim->materials = case_materials_create(s);
-    return case_part_complete(s, sim, o);
+    MODELS_UNTIL(code, case_parts, complete, s, sim, o);
+    MODELS_UNTIL(code, case_parts, complete_last, s, sim, o);
+    return code;
 }
 
 int build_particles_check(const struct settings *s)
@@ -198,7 +211,7 @@ int build_particles_check(const struct settings *s)
     if (code == 0)
         code = settings_has(s, "particles.bed") ? place_bed(s, sim, &o)
                                                 : place_spheres(s, sim, &o);
-    if (code == 0) code = case_part_add(s, sim);
+    MODELS_UNTIL(code, case_parts, add, s, sim);
     build_free(sim);
     return code;
 }
@@ -226,7 +239,7 @@ int build_particles(const struct settings *s, struct simulation *sim,
     if (code != 0) return code;
     dem_clock(sim->dem, 0);
     build_particles_limit(s, sim);
-    code = case_part_add(s, sim);
+    MODELS_UNTIL(code, case_parts, add, s, sim);
     if (code != 0) return code;
     sim->held_force = alloc_doubles(3 * sim->particles->capacity);
     particles_attach(sim->particles, "held_force", "N", sim->held_force, 3);

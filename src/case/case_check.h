@@ -9,6 +9,7 @@
 #ifndef CASE_CASE_CHECK_H
 #define CASE_CASE_CHECK_H
 
+#include "base/model.h"
 #include "case/settings.h"
 
 struct case_check {
@@ -30,14 +31,5 @@ struct case_check {
 
 /* All of them, ended by NULL. */
 extern const struct case_check *const case_checks[];
-
-/* The same of all together, up to the first that finds something wrong. */
-int case_check_file(const char *file, const char *folder);
-const char *case_check_text(const char *value);
-int case_check_value(const struct key *key, const char *path,
-                     const struct config_setting_t *value);
-int case_check_mesh(const struct settings *s);
-int case_check_whole(const struct settings *s);
-int case_check_run(const struct settings *s);
 
 #endif

@@ -38,9 +38,9 @@ struct settings *case_file_read(const char *file, int n_overrides,
     case_file_tables(tables);
     s = settings_create(file, n_overrides, overrides, tables, code);
     if (s == NULL) return NULL;
-    *code = case_check_mesh(s);
+    MODELS_UNTIL(*code, case_checks, mesh, s);
     if (*code == 0 && mesh_readers[0] != NULL) *code = mesh_readers[0]->read(s);
-    if (*code == 0) *code = case_check_whole(s);
+    MODELS_UNTIL(*code, case_checks, whole, s);
     if (*code == 0) return s;
     settings_free(s);
     return NULL;

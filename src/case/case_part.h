@@ -7,6 +7,7 @@
 #ifndef CASE_CASE_PART_H
 #define CASE_CASE_PART_H
 
+#include "base/model.h"
 #include "case/settings.h"
 #include "coupling/simulation.h"
 #include "dem/bed.h"
@@ -59,16 +60,7 @@ struct case_part {
 /* All of them, ended by NULL. */
 extern const struct case_part *const case_parts[];
 
-/* Of all parts: */
-int case_part_check(const struct settings *s);
-int case_part_check_any(const struct settings *s);
-int case_part_complete(const struct settings *s, struct simulation *sim,
-                       struct dem_options *o);
-int case_part_place(const struct settings *s, struct particles *ps,
-                    const struct dem_options *o);
-int case_part_add(const struct settings *s, struct simulation *sim);
-int case_part_add_last(const struct settings *s, struct simulation *sim);
-int case_part_bed_file(const struct settings *s, char *path, size_t room);
+/* How many particles may come after the start, by all parts. */
 int case_part_count_later(const struct settings *s);
 
 #endif

@@ -15,7 +15,7 @@ struct field_output {
     const struct simulation *sim;
     struct folder *folder;            /* borrowed */
     struct series *fluid, *particles; /* NULL where there are none */
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
     const struct vtk_grid *grid; /* the form of a mesh that is no box */
     void *cells;                 /* its state; NULL for a box */
     double last;                 /* [s] */
@@ -56,7 +56,7 @@ struct field_output *field_output_create(const struct simulation *sim,
     p->sim = sim;
     p->folder = folder;
     p->mesh = sim->mesh;
-    p->writer = vtk_writer_create();
+    p->writer = vtk_file_create();
     p->last = -1.0;
     if (sim->fluid != NULL && p->mesh->shape != NULL)
         p->cells = create_cells(p);
@@ -81,7 +81,7 @@ void field_output_free(struct field_output *p)
     series_free(p->fluid);
     series_free(p->particles);
     if (p->cells != NULL) p->grid->free(p->cells);
-    vtk_writer_free(p->writer);
+    vtk_file_free(p->writer);
     free(p);
 }
 
@@ -141,8 +141,7 @@ static int add_fluid(struct field_output *p, const struct snapshot *s)
     const int failed =
         others != NULL ? others->write(others, path, s)
         : p->cells != NULL
-            ? vtk_write_cells(p->writer, path, p->grid, p->cells, s->t, n,
-                              arrays)
+            ? p->grid->write(p->writer, path, p->cells, s->t, n, arrays)
             : vtk_write_box(p->writer, path, p->mesh, s->t, n, arrays);
     return failed != 0 || series_add(p->fluid, s->t) != 0;
 }

@@ -9,6 +9,8 @@
 
 #include "coupling/simulation.h"
 
+struct summary;
+
 /* One column. */
 struct history_column {
     const char *name; /* with its unit: "pressure_drop [Pa]" */
@@ -21,16 +23,36 @@ enum {
     HISTORY_PARTICLES = 2,
     HISTORY_COUPLING = 4,
     HISTORY_MEAN_GRADIENT = 8, /* a flow prescribed through periodic ends */
-    HISTORY_PARTS = 16,        /* a step of the fluid that may be divided */
-    HISTORY_BUDGET = 32,       /* of the energy of the particles */
-    HISTORY_POPULATION = 64    /* particles inserted or removed */
+    HISTORY_PARTS = 16         /* a step of the fluid that may be divided */
 };
 
-/* All columns, ended by one without a name. */
-extern const struct history_column history_columns[];
+/* The function of a column that is one expression of the simulation. */
+#define HISTORY_VALUE(name, expression)                                        \
+    static double name(const struct simulation *sim)                           \
+    {                                                                          \
+        return expression;                                                     \
+    }
 
-/* 1 if the simulation has what the column needs. */
-int history_applies(const struct history_column *c,
+/* Columns that stand together, ended by one without a name. */
+struct history_table {
+    const struct history_column *columns;
+    int (*applies)(const struct simulation *sim); /* NULL: to all */
+    /* Its numbers in the summary, or NULL. */
+    void (*summarize)(const struct simulation *sim, struct summary *f);
+};
+
+/* All of them, in the order of the row, ended by NULL. */
+extern const struct history_table *const history_tables[];
+
+/* Walks over all columns; t is the table of column c. */
+#define HISTORY_EACH(t, c)                                                     \
+    for (const struct history_table *const *at_##t = history_tables, *t;       \
+         (t = *at_##t) != NULL; at_##t++)                                      \
+        for (const struct history_column *c = t->columns; c->name != NULL; c++)
+
+/* 1 if the simulation has what the table and the column need. */
+int history_applies(const struct history_table *t,
+                    const struct history_column *c,
                     const struct simulation *sim);
 
 #endif

@@ -147,10 +147,11 @@ static config_setting_t *walk(config_t *tree, const char *text, char *path,
 static int set(config_setting_t *group, const char *name, const char *text,
                const char *value)
 {
-    const char *const wrong = case_check_text(value);
+    const char *wrong = NULL;
     config_t tree;
     int code;
 
+    MODELS_UNTIL(wrong, case_checks, text, value);
     if (wrong != NULL) return refuse(text, wrong);
     if (read_value(&tree, value))
         code = put(group, name, text, config_lookup(&tree, "value"));

@@ -27,16 +27,14 @@ struct dem_options particle_options_dem(const struct settings *s, double step)
         .law = contact_law_named(settings_text(s, "particles.contact")),
         .material = case_materials_one(s, 0),
         .integrator =
-            integrators_named(settings_text(s, "particles.integrator")),
+            integrator_named(settings_text(s, "particles.integrator")),
         .method = dem_method_named(settings_text(s, "particles.list")),
         .step = step,
         .skin = real_or_zero(s, "particles.skin")};
 
     case_mesh_ends(s, o.lo, o.hi);
     case_mesh_periodic(s, o.periodic);
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->dem_options != NULL)
-            case_parts[i]->dem_options(s, &o);
+    MODELS_EACH(case_parts, dem_options, s, &o);
     return o;
 }
 
@@ -50,8 +48,7 @@ struct bed_options particle_options_bed(const struct settings *s)
         .jitter = settings_real(s, "particles.bed.jitter"),
         .settle = settings_real(s, "particles.bed.settle")};
 
-    for (int i = 0; case_parts[i] != NULL; i++)
-        if (case_parts[i]->bed_sizes != NULL) case_parts[i]->bed_sizes(s, &b);
+    MODELS_EACH(case_parts, bed_sizes, s, &b);
     particle_options_gravity(s, b.gravity);
     return b;
 }

@@ -17,14 +17,13 @@
 #include "coupling/effect_count.h"
 #include "coupling/processes.h"
 #include "output/summary.h"
-#include "dem/population.h"
 #include "case/case_steps.h"
 
 void recorder_free(struct recorder *r)
 {
     if (r == NULL) return;
     table_free(r->history);
-    recorder_part_free(&r->parts);
+    MODELS_EACH(r->parts.part, free, r->parts.state[i_model]);
     field_output_free(r->pictures);
     if (r->whole != r->snapshot) snapshot_free(r->whole);
     snapshot_free(r->snapshot);
@@ -72,8 +71,11 @@ static int add_row(struct recorder *r)
 
 static int add_fields(struct recorder *r)
 {
-    return field_output_add(r->pictures, r->snapshot) != 0 ||
-           recorder_part_fields(&r->parts, r->snapshot->t) != 0;
+    int failed = field_output_add(r->pictures, r->snapshot);
+
+    MODELS_UNTIL(failed, r->parts.part, fields, r->parts.state[i_model],
+                 r->snapshot->t);
+    return failed;
 }
 
 void recorder_take_snapshots(struct recorder *r)
@@ -94,10 +96,11 @@ int recorder_sample(struct recorder *r)
         processes_join(r->sim, PROCESSES_ROW);
         /* The means of a part are sums over all processes: a row that could
          * not be written must not keep this one from them. */
-        int failed = add_row(r) != 0;
-        failed |= recorder_part_row(&r->parts) != 0;
+        const int unwritten = add_row(r);
+        int failed = 0;
+        MODELS_UNTIL(failed, r->parts.part, row, r->parts.state[i_model]);
         processes_join(r->sim, PROCESSES_ROW_DONE);
-        if (failed) return 1;
+        if (unwritten || failed) return 1;
     }
     if (step % r->picture_every != 0) return 0;
     recorder_take_snapshots(r);
@@ -109,7 +112,9 @@ int recorder_last_row(struct recorder *r)
     if (r->sim->steps % r->row_every == 0 || r->sim->processes != NULL)
         return 0;
     recorder_take_snapshots(r);
-    return add_row(r) != 0 || recorder_part_last_row(&r->parts) != 0;
+    int failed = add_row(r);
+    MODELS_UNTIL(failed, r->parts.part, last_row, r->parts.state[i_model]);
+    return failed;
 }
 
 int recorder_last_state(struct recorder *r)
@@ -174,14 +179,6 @@ static void write_residuals(struct summary *f, const struct recorder *r)
     summary_end(f);
 }
 
-static void write_population(struct summary *f, const struct recorder *r)
-{
-    if (r->sim->population == NULL) return;
-    summary_count(f, "particles_in", r->sim->population->totals.inserted);
-    summary_count(f, "particles_out", r->sim->population->totals.removed);
-    summary_count(f, "particles_waiting", r->sim->population->totals.waiting);
-}
-
 static void write_counts(struct summary *f, const struct recorder *r)
 {
     struct effect_count c[EFFECT_COUNTS];
@@ -214,7 +211,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     summary_count(f, "threads", omp_get_max_threads());
     summary_count(f, "cells", (long)processes_cells(sim));
     summary_count(f, "particles", (long)processes_particles(sim));
-    write_population(f, r);
+    MODELS_EACH(history_tables, summarize, sim, f);
     summary_number(f, "step", sim->dt);
     summary_count(f, "particle_steps_in_a_step", sim->dem_steps);
     summary_count(f, "steps", sim->steps);
@@ -224,7 +221,7 @@ static int write_summary(const struct recorder *r, const char *reason, int code)
     write_speed(f, r);
     write_residuals(f, r);
     write_counts(f, r);
-    recorder_part_summarize(&r->parts, f);
+    MODELS_EACH(r->parts.part, summarize, r->parts.state[i_model], f);
     return summary_commit(f);
 }
 
@@ -234,10 +231,12 @@ static struct table *create_history(struct recorder *r)
 {
     const char *names[MOST_COLUMNS];
 
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, r->sim)) r->column[r->n_columns++] = c;
-    r->n_columns += recorder_part_columns(&r->parts, &r->column[r->n_columns],
-                                          MOST_COLUMNS - r->n_columns);
+    HISTORY_EACH(t, c)
+    if (history_applies(t, c, r->sim)) r->column[r->n_columns++] = c;
+    for (int i = 0; r->parts.part[i] != NULL; i++)
+        for (const struct history_column *c = r->parts.part[i]->columns;
+             c != NULL && c->name != NULL; c++)
+            r->column[r->n_columns++] = c;
     for (int i = 0; i < r->n_columns; i++)
         names[i] = r->column[i]->name;
     r->n_own = r->n_columns;
@@ -263,7 +262,7 @@ static int begin(struct recorder *r, int resume)
 {
     if (resume)
         folder_resume(r->folder);
-    else if (folder_begin(r->folder) != 0)
+    else if (folder_begin(r->folder, settings_quiet(r->settings)) != 0)
         return 1;
     char *const path = folder_file(r->folder, "summary.json");
     free(path);
@@ -322,8 +321,10 @@ struct recorder *recorder_create(const struct settings *s,
 int recorder_finish(struct recorder *r, const char *reason, int exit_code)
 {
     r->ended = clock_now();
-    if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0 &&
-        recorder_part_finish(&r->parts) != 0) {
+    int failed = 0;
+    if (strcmp(reason, RECORDER_NOT_WRITTEN) != 0)
+        MODELS_UNTIL(failed, r->parts.part, finish, r->parts.state[i_model]);
+    if (failed) {
         write_summary(r, RECORDER_NOT_WRITTEN, RECORDER_NOT_WRITTEN_CODE);
         return 1;
     }
@@ -335,7 +336,7 @@ void recorder_print(const struct recorder *r)
     const struct simulation *const sim = r->sim;
     const char *const dir = folder_name(r->folder);
 
-    recorder_part_print(&r->parts);
+    MODELS_EACH(r->parts.part, print, r->parts.state[i_model]);
     if (sim->fluid != NULL)
         printf("open %s/fluid.pvd%s in ParaView\n", dir,
                sim->particles != NULL ? " and particles.pvd" : "");

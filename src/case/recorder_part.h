@@ -50,27 +50,14 @@ struct recorder_part {
 /* All of them, ended by NULL. */
 extern const struct recorder_part *const recorder_parts[];
 
-/* Those that this simulation has something of. */
+/* Those that this simulation has something of, ended by NULL. */
 enum { RECORDER_PART_MOST = 32 };
 struct recorder_part_list {
-    int n;
-    const struct recorder_part *part[RECORDER_PART_MOST];
+    const struct recorder_part *part[RECORDER_PART_MOST + 1];
     void *state[RECORDER_PART_MOST];
 };
-
-/* The same of all parts together. */
+/* Non-zero after a message: a file cannot be written. */
 int recorder_part_create(struct recorder_part_list *l,
                          const struct recorder_view *v);
-void recorder_part_free(struct recorder_part_list *l);
-int recorder_part_columns(const struct recorder_part_list *l,
-                          const struct history_column **column, int room);
-int recorder_part_row(const struct recorder_part_list *l);
-int recorder_part_last_row(const struct recorder_part_list *l);
-int recorder_part_fields(const struct recorder_part_list *l, double t);
-int recorder_part_finish(const struct recorder_part_list *l);
-void recorder_part_summarize(const struct recorder_part_list *l,
-                             struct summary *f);
-void recorder_part_print(const struct recorder_part_list *l);
-void recorder_part_state(const struct recorder_part_list *l, struct state *s);
 
 #endif

@@ -31,7 +31,7 @@ void recorder_state(struct recorder *r, struct state *s)
     else if (s->loading)
         recorder_take_snapshots(r);
     table_state(r->history, s);
-    recorder_part_state(&r->parts, s);
+    MODELS_EACH(r->parts.part, state, r->parts.state[i_model], s);
     field_output_state(r->pictures, s);
     folder_state(r->folder, s);
     state_end(s);

@@ -7,18 +7,17 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "base/thread_tuner.h"
+#include "base/model.h"
+#include "base/thread_choice.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "dem/population.h"
 #include "output/folder.h"
 #include "case/build.h"
 #include "case/case_check.h"
 #include "case/case_steps.h"
 #include "case/command.h"
-#include "case/progress.h"
 #include "case/recorder.h"
 #include "case/run_part.h"
 #include "case/saver.h"
@@ -40,14 +39,13 @@ static int sample(struct recorder *r, struct simulation *sim)
     return failed;
 }
 
-/* One step with the number of threads that was measured to be fastest. */
-static int step(struct simulation *sim, struct thread_tuner *tuner)
+static int step(struct simulation *sim, void *threads)
 {
     const double began = clock_processor();
 
-    thread_tuner_begin(tuner);
+    MODELS_EACH(thread_choices, before_step, threads);
     const int failed = coupling_step(sim);
-    thread_tuner_end(tuner);
+    MODELS_EACH(thread_choices, after_step, threads);
     sim->seconds.processor += clock_processor() - began;
     return failed;
 }
@@ -61,6 +59,7 @@ struct run {
     struct recorder *recorder;
     const struct saver *saver; /* NULL: the run cannot be saved */
     void *memory;              /* of the saver */
+    void *part[RUN_PARTS];     /* what the parts have created */
     int resumes;               /* [-] 1: it had begun, and goes on */
     char why[RUN_PART_TEXT];   /* it broke down */
 };
@@ -70,9 +69,7 @@ static int broke_down(struct run *run)
     const struct simulation *const sim = run->sim;
     int known = 0;
 
-    for (int i = 0; run_parts[i] != NULL && !known; i++)
-        if (run_parts[i]->broke_down != NULL)
-            known = run_parts[i]->broke_down(sim, run->why);
+    MODELS_UNTIL(known, run_parts, broke_down, sim, run->why);
     if (!known)
         snprintf(run->why, RUN_PART_TEXT,
                  "the computation broke down at t = %g s (step %ld)", sim->t,
@@ -92,53 +89,39 @@ static int start(struct run *run)
                : 0;
 }
 
-/* 1 if a signal has ended the insertion of particles early: this step differs
- * from that of a run without the signal. */
-static int is_cut_short(const struct simulation *sim)
-{
-    return interrupt_arrived() && sim->population != NULL &&
-           sim->population->totals.waiting > 0;
-}
-
 /* The loop. Returns the exit code. A step that was cut short is not sampled. */
-static int advance(struct run *run, struct progress *bar,
-                   struct thread_tuner *tuner)
+static int advance(struct run *run, void *threads)
 {
     struct simulation *const sim = run->sim;
     const long steps = case_steps_until_end(run->settings);
-    int told = sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
 
     while (sim->steps < steps) {
-        const int failed = step(sim, tuner);
+        const int failed = step(sim, threads);
+        int cut_short = 0;
 
-        if (is_cut_short(sim)) return INTERRUPTED;
+        MODELS_UNTIL(cut_short, run_parts, is_cut_short, sim);
+        if (cut_short) return INTERRUPTED;
         if (failed) return interrupt_arrived() ? INTERRUPTED : broke_down(run);
-        for (int i = 0; run_parts[i] != NULL; i++)
-            if (run_parts[i]->after_step != NULL)
-                run_parts[i]->after_step(sim, &told);
+        MODELS_EACH(run_parts, after_step, run->part[i_model], sim);
         if (sample(run->recorder, sim) != 0) return NOT_WRITTEN;
         if (run->saver != NULL && run->saver->after_step(run->memory) != 0)
             return NOT_WRITTEN;
         if (interrupt_arrived()) return INTERRUPTED;
-        progress_show(bar, sim->t);
     }
     return 0;
 }
 
 static int go(struct run *run)
 {
-    struct progress bar;
-    struct thread_tuner tuner;
+    void *const threads = thread_choice_create();
 
-    progress_init(&bar, run->sim->t, settings_real(run->settings, "output.end"),
-                  run->options->quiet);
-    thread_tuner_use_all(&tuner);
-    int code = advance(run, &bar, &tuner);
-    thread_tuner_restore(&tuner);
-    progress_end(&bar);
-    if (code == INTERRUPTED) interrupt_take();
     for (int i = 0; run_parts[i] != NULL; i++)
-        if (run_parts[i]->after_run != NULL) run_parts[i]->after_run(run->sim);
+        if (run_parts[i]->create != NULL)
+            run->part[i] = run_parts[i]->create(run->settings, run->sim);
+    int code = advance(run, threads);
+    MODELS_EACH(thread_choices, free, threads);
+    if (code == INTERRUPTED) interrupt_take();
+    MODELS_EACH(run_parts, after_run, run->part[i_model], run->sim);
     return code;
 }
 
@@ -286,13 +269,13 @@ static int create_saver(struct run *run)
 
 int run_case(const struct settings *s, const struct run_options *o)
 {
-    int code;
+    int code = 0;
 
-    if (case_check_run(s) != 0 || check_engine(s) != 0) return WRONG;
+    MODELS_UNTIL(code, case_checks, run, s);
+    if (code != 0 || check_engine(s) != 0) return WRONG;
     struct run run = {.settings = s, .options = o};
     run.folder = folder_take(o->dir); /* before settling */
     if (run.folder == NULL) return NOT_WRITTEN;
-    if (o->quiet) folder_set_quiet(run.folder);
     code = create_saver(&run);
     if (code == 0) run.sim = build(&run, &code);
     const int built = run.sim != NULL;
@@ -327,7 +310,6 @@ static int act(const struct command_line *l)
         return NOT_WRITTEN;
     char *const dir = default_dir(l->words[0]);
     const struct run_options o = {.dir = l->dir != NULL ? l->dir : dir,
-                                  .quiet = l->quiet,
                                   .resume = l->resume,
                                   .fresh = l->fresh,
                                   .n_overrides = l->n_overrides,

@@ -6,7 +6,6 @@
 
 struct run_options {
     const char *dir; /* where the output goes, borrowed */
-    int quiet;       /* [-] 1: no progress on stderr */
     int resume;      /* [-] 1: goes on where the run in dir ended */
     int fresh;       /* [-] 1: settles the bed anew */
     int n_overrides; /* [-] of the case, borrowed */

@@ -3,17 +3,22 @@
 #ifndef CASE_RUN_PART_H
 #define CASE_RUN_PART_H
 
+#include "case/settings.h"
 #include "coupling/simulation.h"
 
-enum { RUN_PART_TEXT = 512 };
+enum { RUN_PART_TEXT = 512, RUN_PARTS = 16 };
 
 struct run_part {
-    /* After a step; *told is 0 until the message has been printed. */
-    void (*after_step)(const struct simulation *sim, int *told);
+    /* Before the first step: what after_step and after_run get. */
+    void *(*create)(const struct settings *s, const struct simulation *sim);
+    void (*after_step)(void *part, const struct simulation *sim);
+    /* After the last step; releases the part. */
+    void (*after_run)(void *part, const struct simulation *sim);
+    /* 1 if the last step must not count, because a signal has changed it. */
+    int (*is_cut_short)(const struct simulation *sim);
     /* Why the computation broke down: where, when, what, and a remedy, in one
      * paragraph; 0: it does not know. */
     int (*broke_down)(const struct simulation *sim, char text[RUN_PART_TEXT]);
-    void (*after_run)(const struct simulation *sim);
 };
 
 /* All of them, ended by NULL. */

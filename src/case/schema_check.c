@@ -180,10 +180,13 @@ static int unknown(const struct key *const *tables, const char *path,
 {
     char nearest[SCHEMA_TEXT], expected[SCHEMA_TEXT];
     const struct key *const key = schema_nearest(tables, path, nearest);
+    const char *const dot = strrchr(path, '.');
 
     if (left_out_folder(path) != NULL) return left_out(s, path, path);
     if (key == NULL)
-        return source_wrong(s, "%s: no such key; see winnow list keys", path);
+        return source_wrong(s, "%s: no such key; see winnow list keys%s%.*s",
+                            path, dot != NULL ? " " : "",
+                            dot != NULL ? (int)(dot - path) : 0, path);
     schema_expected(key, expected);
     return source_wrong(s, "%s: no such key; did you mean %s, %s?", path,
                         nearest, expected);
@@ -253,8 +256,9 @@ static int check_setting(const struct key *const *tables, const char *path,
     if (key == NULL) return unknown(tables, path, s);
     if (!fits(key, s)) return misfit(key, path, s);
     if ((code = unmet(key, s)) != 0) return code;
-    if (key->type != KEY_LIST && (code = case_check_value(key, path, s)) != 0)
-        return code;
+    if (key->type != KEY_LIST)
+        MODELS_UNTIL(code, case_checks, value, key, path, s);
+    if (code != 0) return code;
     if (config_setting_is_group(s)) return check_group(tables, path, s);
     if (key->type == KEY_LIST)
         for (int i = 0; i < config_setting_length(s) && code == 0; i++) {

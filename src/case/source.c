@@ -80,9 +80,11 @@ static void include_beside(config_t *tree, const char *file)
 
 int source_read(config_t *tree, const char *file)
 {
+    int code = 0;
+
     config_init(tree);
     include_beside(tree, file);
-    const int code = case_check_file(file, config_get_include_dir(tree));
+    MODELS_UNTIL(code, case_checks, file, file, config_get_include_dir(tree));
     if (code != 0) return code;
     return config_read_file(tree, file) ? 0 : wrong_syntax(tree, file);
 }

@@ -11,10 +11,7 @@
 #include "coupling/effects.h"
 #include "coupling/effect_mover.h"
 #include "coupling/processes.h"
-#include "coupling/replacement.h"
-#include "coupling/stability.h"
 #include "coupling/transfer.h"
-#include "dem/population.h"
 
 struct coupling *coupling_create(struct simulation *sim,
                                  const struct coupling_options *options)
@@ -48,7 +45,6 @@ struct coupling *coupling_create(struct simulation *sim,
     particles_attach(ps, "unpaid_impulse", "N s", cp->unpaid_impulse, 3);
     if (options->slip_integration == SLIP_INTEGRATION_EXPONENTIAL)
         particles_add_implicit_drag(ps);
-    if (sim->population != NULL) cp->replacement = replacement_create(cells);
     return cp;
 }
 
@@ -67,7 +63,7 @@ void coupling_free(struct coupling *cp)
     free(cp->amount);
     free(cp->field);
     free(cp->u_b);
-    replacement_free(cp->replacement);
+    free(cp->replacement);
     free(cp);
 }
 
@@ -113,13 +109,19 @@ static void apply_held_forces(struct simulation *sim)
     }
 }
 
+double coupling_needed_substeps(double x)
+{
+    return x > 0.5 ? fmax(2.0, ceil(x)) : 1.0;
+}
+
 /* Number of drag updates in this step: at most the number of particle steps. */
 static int count_substeps(const struct simulation *sim)
 {
     const struct coupling *const cp = sim->coupling;
     double n = cp->options.substeps;
 
-    if (n == 0.0) n = stability_substeps(sim->dt / cp->report.shortest_time);
+    if (n == 0.0)
+        n = coupling_needed_substeps(sim->dt / cp->report.shortest_time);
     return number_clamped(n, 1, sim->dem_steps);
 }
 
@@ -205,22 +207,6 @@ static void finish_step(struct simulation *sim)
     effects_call(sim, EFFECTS_AFTER_STEP);
 }
 
-/* Removes and inserts particles before the step. With coupling, the averaged
- * fields and the drag terms are then those of the new particles. */
-static int insert_and_remove(struct simulation *sim)
-{
-    struct particles *const ps = sim->particles;
-    struct population *const population = sim->population;
-    const struct population_functions *const f = population->functions;
-    const int removed = f->mark(population, ps, sim->dt);
-
-    if (sim->coupling != NULL && removed > 0) replacement_collect_unpaid(sim);
-    if (removed > 0) f->remove(population, sim->dem);
-    const int first = f->insert(population, ps, sim->dem, sim->t);
-    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
-    return replacement_apply(sim, first);
-}
-
 /* [XS11 Algorithm 3.1]; the numbers are those of its steps. */
 int coupling_step(struct simulation *sim)
 {
@@ -228,7 +214,7 @@ int coupling_step(struct simulation *sim)
     int failed = 0;
 
     processes_join(sim, PROCESSES_STEP);
-    if (sim->population != NULL) failed = insert_and_remove(sim);
+    if (sim->population != NULL) failed = sim->insert_remove->step(sim);
 
     /* 1. The fluid moves from u^(n-1), p^(n-1) to u^n, p^n. */
     if (sim->fluid != NULL && !failed)
@@ -282,8 +268,7 @@ static void exchange_state(struct simulation *sim, struct state *s)
  */
 void coupling_state(struct simulation *sim, struct state *s)
 {
-    if (sim->population != NULL)
-        sim->population->functions->state(sim->population, s);
+    if (sim->population != NULL) sim->insert_remove->state(sim->population, s);
     if (sim->coupling != NULL) exchange_state(sim, s);
 }
 
@@ -296,29 +281,6 @@ void coupling_add_impulse(struct simulation *sim, int i,
         cp->unpaid_impulse[3 * i + k] += impulse[k];
 }
 
-void coupling_add_inertia(struct simulation *sim)
-{
-    struct coupling *const cp = sim->coupling;
-
-    if (cp->inertia != NULL) return;
-    cp->inertia = alloc_doubles(sim->particles->capacity);
-    cp->u_then = alloc_doubles(3 * sim->particles->capacity);
-    particles_attach(sim->particles, "inertia", "kg", cp->inertia, 1);
-    particles_attach(sim->particles, "u_then", "m/s", cp->u_then, 3);
-}
-
-void coupling_charge_inertia(struct simulation *sim, int i, double m)
-{
-    struct coupling *const cp = sim->coupling;
-
-    if (cp->options.treatment != TREATMENT_SEMI_IMPLICIT ||
-        !cp->options.two_way)
-        return;
-    cp->inertia[i] += m;
-    for (int a = 0; a < 3; a++)
-        cp->u_then[3 * i + a] = cp->u_f[3 * i + a];
-}
-
 void coupling_slip(const struct simulation *sim, int i, double w[3])
 {
     const struct particles *const ps = sim->particles;
@@ -327,17 +289,6 @@ void coupling_slip(const struct simulation *sim, int i, double w[3])
     w[0] = u[0] - ps->vx[i];
     w[1] = u[1] - ps->vy[i];
     w[2] = u[2] - ps->vz[i];
-}
-
-void coupling_add_force(struct simulation *sim, int i, const double f[3])
-{
-    const double T = sim->substep, impulse[3] = {f[0] * T, f[1] * T, f[2] * T};
-
-    sim->particles->ex[i] += f[0];
-    sim->particles->ey[i] += f[1];
-    sim->particles->ez[i] += f[2];
-    coupling_add_impulse(sim, i, impulse);
-    effects_report(sim, f, T / sim->dt);
 }
 
 void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3])

@@ -63,7 +63,13 @@ struct coupling_report {
                            which linear interpolation may make smaller */
 };
 
-struct replacement;
+/* Of removed particles (population/). */
+struct replacement {
+    double *unpaid_impulse; /* [N s/m^3] that has not acted on the fluid yet, 3
+                               a cell */
+    double unpaid_sum[3];   /* [N s] its integral; 0 after it has acted */
+    double *eps_before;     /* [-] fluid fraction before they were removed */
+};
 
 struct coupling {
     struct coupling_options options;
@@ -76,7 +82,7 @@ struct coupling {
     double *u_mean; /* [m/s] mean velocity over the sub-steps [XS11 3.20], 3 */
     double *unpaid_impulse; /* [N s] impulse on the particle whose reaction has
                                not acted on the fluid yet, 3 */
-    /* Of coupling_add_inertia; NULL if no effect has called it. */
+    /* Of effect_force_inertia (effects/); NULL if no effect has called it. */
     double *inertia; /* [kg] */
     double *u_then;  /* [m/s] 3 */
     /* Work space. */
@@ -86,7 +92,7 @@ struct coupling {
     double *amount; /* up to 4 a particle */
     double *rate;   /* [kg/s] k at the end of the step */
     double *field;  /* up to 4 a cell */
-    struct replacement *replacement; /* NULL without insertion and removal */
+    struct replacement *replacement; /* NULL: none was removed or inserted */
 };
 
 struct coupling *coupling_create(struct simulation *sim,
@@ -102,6 +108,10 @@ int coupling_start(struct simulation *sim);
  * computation broke down; the reports say how. */
 int coupling_step(struct simulation *sim);
 
+/* Frozen drag updates [-] of a step that lasts x of the shortest relaxation
+ * time [XS11 section 3.3]; from that half on at least two. */
+double coupling_needed_substeps(double x);
+
 /* Visits what coupling, insertion and removal keep from step to step besides
  * the particles (state.h). */
 void coupling_state(struct simulation *sim, struct state *s);
@@ -113,19 +123,6 @@ void coupling_add_impulse(struct simulation *sim, int i,
 
 /* The slip u_f - v of particle i at this moment [m/s]. */
 void coupling_slip(const struct simulation *sim, int i, double w[3]);
-
-/* Adds a force f [N] of the fluid on particle i for the sub-step that follows,
- * and its impulse. For effects, before a sub-step. */
-void coupling_add_force(struct simulation *sim, int i, const double f[3]);
-
-/* For an effect whose force on a particle contains m du/dt. The first allocates
- * the arrays `inertia` and `u_then`, by which the next step of the fluid is
- * charged with m (u^new - u_then)/dt in advance. Charged one step later, this
- * term would make the fluid oscillate with a growing amplitude where m exceeds
- * the mass of the fluid. The second adds m [kg] of particle i, after the
- * particles have moved, for the step of the fluid that follows. */
-void coupling_add_inertia(struct simulation *sim);
-void coupling_charge_inertia(struct simulation *sim, int i, double m);
 
 /* Sum of unpaid_impulse over the particles [N s]. */
 void coupling_unpaid_impulse(const struct simulation *sim, double unpaid[3]);

@@ -3,7 +3,8 @@
 
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <string.h>
+
+#include "base/model.h"
 
 double drag_reynolds(double rho_f, double mu, double d, double u_r)
 {
@@ -114,13 +115,6 @@ const struct drag_law drag_schiller_naumann = {
     .resistance = schiller_naumann,
 };
 
-const struct drag_law *drag_law_named(const char *name)
-{
-    for (int i = 0; drag_laws[i] != NULL; i++)
-        if (strcmp(drag_laws[i]->name, name) == 0) return drag_laws[i];
-    return NULL;
-}
-
 double drag_beta(const struct drag_law *law, double eps_s, double rho_f,
                  double mu, double d, double u_r)
 {
@@ -155,3 +149,5 @@ double drag_schiller_naumann_time(double rho_p, double d, double mu, double Re)
 {
     return drag_stokes_time(rho_p, d, mu) / (1.0 + 0.15 * pow(Re, 0.687));
 }
+
+MODEL_NAMED(drag_law)

@@ -21,6 +21,7 @@ struct effect_scales;
 struct effect_estimate;
 struct effect_count;
 struct attraction;
+struct added_mass;
 struct attraction_scene;
 
 /* A field of the cells that an effect has written with those of the fluid. */
@@ -69,6 +70,8 @@ struct effect {
                          const struct attraction_scene *scene);
     /* Estimates its force in a case before the run (effect_scales.h). */
     struct effect_estimate (*estimate)(const struct effect_scales *k);
+    /* Adds the mass that it lets accelerate with a particle. */
+    void (*added_mass)(const struct effect_scales *k, struct added_mass *sum);
     struct effect_cost cost;
 };
 

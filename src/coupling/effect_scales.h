@@ -8,6 +8,7 @@
 
 struct effect_scales {
     double rho_f, mu;    /* [kg/m^3], [Pa s] */
+    double dt;           /* [s] step of the fluid */
     double rho_s, d;     /* [kg/m^3], [m] of the mean particle */
     double gravity;      /* [m/s^2] */
     double push;         /* [Pa/m] that drives the fluid through a period */
@@ -31,6 +32,12 @@ struct effect_estimate {
     double share;       /* [-] in the mean, or as the remark says */
     const char *remark; /* "" if there is nothing to add */
     int conditional;    /* [-] 1: only if the remark holds */
+};
+
+/* What accelerates with a particle, over the mass of the fluid in its place. */
+struct added_mass {
+    double C;         /* [-] for a change of the slip in this step */
+    double C_history; /* [-] for one in the step before, as a force */
 };
 
 #endif

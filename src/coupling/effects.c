@@ -3,19 +3,12 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "base/model.h"
 #include "base/vector.h"
 #include "coupling/transfer.h"
-
-const struct effect *effects_named(const char *name)
-{
-    for (const struct effect *const *e = effects; *e != NULL; e++)
-        if (strcmp((*e)->name, name) == 0) return *e;
-    return NULL;
-}
 
 void effects_add(struct simulation *sim, const struct effect *e, void *memory)
 {
@@ -71,3 +64,5 @@ void effects_measure_scale(struct simulation *sim)
         add(&sim->force_scale, fmax(drag, sim->particles->m[i] * size), 1.0);
     }
 }
+
+MODEL_NAMED(effect)

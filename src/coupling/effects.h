@@ -15,7 +15,7 @@ extern const struct effect pressure_gradient_effect;
 
 /* All of them, ended by NULL, and the one of that name or NULL. */
 extern const struct effect *const effects[];
-const struct effect *effects_named(const char *name);
+const struct effect *effect_named(const char *name);
 
 /* Adds an active effect to the simulation, which frees its memory. */
 void effects_add(struct simulation *sim, const struct effect *e, void *memory);

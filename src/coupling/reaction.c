@@ -7,7 +7,6 @@
 
 #include "coupling/coupling.h"
 #include "coupling/processes.h"
-#include "coupling/replacement.h"
 #include "coupling/transfer.h"
 
 /* From m fields a cell, of which the first is eps_s and the next, if there are
@@ -81,11 +80,29 @@ static void estimate_drag_impulse(struct simulation *sim)
     }
 }
 
-/* The inertia of effects beside the drag (coupling_add_inertia). */
-static void add_inertia(struct coupling *cp, int n, double dt)
+double reaction_share_in_advance(double C, double ratio, double eps_s)
 {
-    for (int i = 0; i < n; i++) {
-        const double k = cp->inertia[i] / dt;
+    const double q = eps_s / (1.0 - eps_s);
+    /* (20.11): a s^2 + b s + c = 0 */
+    const double a = q * C * q * C;
+    const double b = 2.0 * C * (q * (1.0 + 2.0 * C) + 2.0 * (ratio + C));
+    const double c = (1.0 + 2.0 * C) * (1.0 + 2.0 * C) - 4.0 * (ratio + C) * C;
+
+    return c < 0.0 ? -2.0 * c / (b + sqrt(b * b - 4.0 * a * c)) : 0.0;
+}
+
+/* The inertia of effects beside the drag (effects/effect_force.h): as
+ * much of it as keeps a bed stable (20.10). */
+static void add_inertia(struct coupling *cp, const struct simulation *sim)
+{
+    const struct particles *const ps = sim->particles;
+
+    for (int i = 0; i < ps->n; i++) {
+        const double m_f = sim->fluid->options.rho * particles_volume(ps, i);
+        const double eps_s = fmin(1.0 - cp->eps[i], 0.9);
+        cp->inertia[i] *= reaction_share_in_advance(
+            cp->inertia[i] / m_f, ps->m[i] / m_f, fmax(eps_s, 0.0));
+        const double k = cp->inertia[i] / sim->dt;
         cp->amount[4 * i] += k;
         for (int a = 0; a < 3; a++)
             cp->amount[4 * i + 1 + a] += k * cp->u_then[3 * i + a];
@@ -113,12 +130,14 @@ static void take_drag_terms(struct simulation *sim)
 void reaction_drag_terms(struct simulation *sim)
 {
     struct coupling *const cp = sim->coupling;
+    const struct replacement *const removed = cp->replacement;
 
     estimate_drag_impulse(sim);
-    if (cp->inertia != NULL) add_inertia(cp, sim->particles->n, sim->dt);
+    if (cp->inertia != NULL) add_inertia(cp, sim);
     averaging_spread(sim->averaging, 4, cp->amount, cp->field);
-    replacement_add_force(cp->replacement, sim->mesh->n_cells, sim->dt,
-                          cp->field);
+    for (int j = 0; removed != NULL && j < 3 * sim->mesh->n_cells; j++)
+        cp->field[4 * (j / 3) + 1 + j % 3] -=
+            removed->unpaid_impulse[j] / sim->dt;
     take_drag_terms(sim);
 }
 
@@ -148,13 +167,16 @@ static void check_payment(struct simulation *sim, const double charged[3],
 }
 
 /* The fluid has received the unpaid impulse of removed particles. */
-static void add_removed(const struct replacement *r, double charged[3],
+static void add_removed(struct replacement *r, int n_cells, double charged[3],
                         double *scale)
 {
-    for (int k = 0; k < 3 && r != NULL; k++) {
+    for (int k = 0; k < 3; k++) {
         charged[k] += r->unpaid_sum[k];
         *scale += fabs(r->unpaid_sum[k]);
+        r->unpaid_sum[k] = 0.0;
     }
+    memset(r->unpaid_impulse, 0,
+           3 * (size_t)n_cells * sizeof *r->unpaid_impulse);
 }
 
 /* What it received of the inertia of effects. */
@@ -189,9 +211,9 @@ static void subtract_payment(struct simulation *sim)
         }
     if (cp->inertia != NULL)
         subtract_inertia(cp, sim->particles->n, charged, &scale);
-    add_removed(cp->replacement, charged, &scale);
+    if (cp->replacement != NULL)
+        add_removed(cp->replacement, sim->mesh->n_cells, charged, &scale);
     check_payment(sim, charged, scale);
-    replacement_reset(cp->replacement, sim->mesh->n_cells);
 }
 
 void reaction_receive(struct simulation *sim)

@@ -20,12 +20,22 @@
 struct coupling;
 struct population;
 struct processes;
+struct simulation;
 
 /* Wall-clock seconds spent so far, by part; and processor seconds of all
  * threads, without output. */
 struct seconds {
     double cfd, dem, averaging, exchange, output;
     double processor;
+};
+
+/* Insertion and removal of particles (population/). */
+struct population_functions {
+    /* Before each step; non-zero if the solid volume of a cell exceeds its
+     * volume. */
+    int (*step)(struct simulation *sim);
+    void (*state)(struct population *l, struct state *s); /* state.h */
+    void (*free)(struct population *l);
 };
 
 struct simulation {
@@ -38,7 +48,8 @@ struct simulation {
     const char **surface_names; /* n_surfaces */
     struct prescribed_particle
         *prescribed; /* particles of prescribed motion; NULL: none */
-    struct population *population;  /* NULL: no insertion or removal */
+    struct population *population; /* NULL: no insertion or removal */
+    const struct population_functions *insert_remove; /* and its functions */
     struct case_walls *walls;       /* of a polyhedral mesh; or NULL */
     struct placement_region region; /* where particles may be placed */
     struct materials *materials;    /* NULL: all are of one */

@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "base/thread_tuner.h"
+#include "base/model.h"
+#include "base/thread_choice.h"
 #include "base/vector.h"
 #include "dem/limits.h"
 
@@ -124,15 +125,14 @@ static int call_saver(struct bed_settling *b, enum bed_moment when)
 static int run_to_rest(struct bed_settling *b, double least, double factor)
 {
     struct bed_report *const r = b->r;
-    struct thread_tuner tuner;
+    void *const threads = thread_choice_create();
     int lost = 0;
 
-    thread_tuner_use_all(&tuner);
     do {
         if (call_saver(b, BED_MOVES) != 0) break;
-        thread_tuner_begin(&tuner);
+        MODELS_EACH(thread_choices, before_step, threads);
         lost = dem_run(b->run, CHECK_EVERY, &r->dem);
-        thread_tuner_end(&tuner);
+        MODELS_EACH(thread_choices, after_step, threads);
         r->steps += r->dem.steps;
         r->time += (double)r->dem.steps * b->step;
         r->kinetic = (r->dem.translation + r->dem.rotation) /
@@ -140,7 +140,7 @@ static int run_to_rest(struct bed_settling *b, double least, double factor)
         r->settled = r->kinetic < BED_SETTLED_ENERGY && r->time >= least;
         if (factor < 1.0) slow_down(b->ps, factor);
     } while (!lost && !r->settled && r->time < b->bed->settle);
-    thread_tuner_restore(&tuner);
+    MODELS_EACH(thread_choices, free, threads);
     return lost;
 }
 

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/alloc.h"
+#include "base/model.h"
 
 double dem_mean_diameter(const struct particles *ps)
 {
@@ -24,13 +24,6 @@ double dem_range(const struct dem_options *o)
     for (int k = 0; k < o->n_attractions; k++)
         range = fmax(range, o->attractions[k].range);
     return range;
-}
-
-const struct dem_method *dem_method_named(const char *name)
-{
-    for (int i = 0; dem_methods[i] != NULL; i++)
-        if (strcmp(dem_methods[i]->name, name) == 0) return dem_methods[i];
-    return NULL;
 }
 
 static const struct dem_method *method_of(const struct dem_options *o)
@@ -226,3 +219,5 @@ void dem_remove(struct dem *dem, const int *gone)
     dem_restore_springs(dem, springs, n);
     free(springs);
 }
+
+MODEL_NAMED(dem_method)

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dem/integrators.h"
 
-#include <stddef.h>
-#include <string.h>
+#include "base/model.h"
 
 const struct integrator integrators_velocity_verlet = {
     .name = "velocity-verlet",
@@ -21,9 +20,4 @@ const struct integrator integrators_symplectic_euler = {
     .first = 1.0,
 };
 
-const struct integrator *integrators_named(const char *name)
-{
-    for (int i = 0; integrators[i] != NULL; i++)
-        if (strcmp(integrators[i]->name, name) == 0) return integrators[i];
-    return NULL;
-}
+MODEL_NAMED(integrator)

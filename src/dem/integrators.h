@@ -28,9 +28,9 @@ struct integrator {
     int predicts;       /* [-] 1: Heun */
 };
 
-/* All of them, ended by NULL, the default first; integrators_named: NULL for an
+/* All of them, ended by NULL, the default first; integrator_named: NULL for an
  * unknown name. */
 extern const struct integrator *const integrators[];
-const struct integrator *integrators_named(const char *name);
+const struct integrator *integrator_named(const char *name);
 
 #endif

@@ -19,7 +19,25 @@
 
 #include "linear/csr.h"
 
-struct chebyshev;
+struct chebyshev {
+    const struct chebyshev_loop *loop;
+    const struct csr *K; /* borrowed */
+    double *factor;      /* [1/m] 2 / (lambda V) of each row */
+    int products;
+    double *c;          /* [-] products + 1 coefficients */
+    int m;              /* fields there is room for */
+    double *y[2], *sum; /* two terms y_k, and the series so far */
+};
+
+/* How the series is summed; all ways give the same bits. */
+struct chebyshev_loop {
+    const char *name;
+    int (*fields)(int m); /* for how many fields y and sum have room */
+    void (*apply)(struct chebyshev *s, int m, double *u);
+};
+/* Ended by NULL; the first one is used. */
+extern const struct chebyshev_loop *const chebyshev_loops[];
+extern const struct chebyshev_loop chebyshev_plain;
 
 /* The series of exp(-T L) for up to m fields. K is symmetric, its entries off
  * the diagonal are <= 0 [m] and its rows sum to zero (no flux leaves); K and V

@@ -3,8 +3,6 @@
 
 #include "base/parallel_ranges.h"
 
-#include <assert.h>
-
 enum { LANES = 32 };
 
 double reduce_range(int first, int last, const double *x, const double *y)
@@ -70,25 +68,4 @@ void reduce_range_many(int first, int last, int m, const double *x,
     default:
         range_many(first, last, m, x, y, dot);
     }
-}
-
-static void range_fields(int first, int last, int n, int m, const double *x,
-                         const double *y, double (*partial)[REDUCE_FIELDS])
-{
-    reduce_range_many(first, last, m, x, y,
-                      partial[parallel_ranges_of(n, first)]);
-}
-
-void reduce_dot_many(int n, int m, const double *x, const double *y,
-                     double *dot)
-{
-    double partial[PARALLEL_RANGES_COUNT][REDUCE_FIELDS] = {{0.0}};
-
-    assert(m >= 1 && m <= REDUCE_FIELDS);
-    PARALLEL_RANGES(n, m, range_fields, n, m, x, y, partial);
-    for (int k = 0; k < m; k++)
-        dot[k] = 0.0;
-    for (int s = 0; s < PARALLEL_RANGES_COUNT; s++)
-        for (int k = 0; k < m; k++)
-            dot[k] += partial[s][k];
 }

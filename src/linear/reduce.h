@@ -13,8 +13,6 @@ double reduce_dot(int n, const double *x, const double *y);
 double reduce_range(int first, int last, const double *x, const double *y);
 
 /* dot[k] = sum_i x[m * i + k] y[m * i + k] for m fields side by side. */
-void reduce_dot_many(int n, int m, const double *x, const double *y,
-                     double *dot);
 void reduce_range_many(int first, int last, int m, const double *x,
                        const double *y, double *dot);
 

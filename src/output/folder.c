@@ -12,7 +12,6 @@ struct folder {
     char *dir;
     void *own;   /* of the owner */
     int resumes; /* [-] 1: tables that are there are continued */
-    int quiet;   /* [-] 1: what is removed is not told */
 };
 
 /* NULL: nothing keeps the folder for this run. */
@@ -45,14 +44,9 @@ void folder_leave(struct folder *f)
     if (owner() != NULL) owner()->leave(f->own);
 }
 
-void folder_set_quiet(struct folder *f)
+int folder_begin(struct folder *f, int quiet)
 {
-    f->quiet = 1;
-}
-
-int folder_begin(struct folder *f)
-{
-    return owner() != NULL ? owner()->begin(f->own, f->quiet) : 0;
+    return owner() != NULL ? owner()->begin(f->own, quiet) : 0;
 }
 
 char *folder_ahead(struct folder *f)

@@ -1,7 +1,7 @@
 /* folder.h -- the folder of a run.
  *
  *     struct folder *f = folder_take("out/bed");   before the work
- *     if (folder_begin(f) != 0) ...                before the first file
+ *     if (folder_begin(f, quiet) != 0) ...         before the first file
  *     char *path = folder_file(f, "history.csv");  before each file
  *     folder_free(f);
  *
@@ -28,12 +28,9 @@ void folder_free(struct folder *f);
  * was begun and nothing was made ahead. f must still be freed. */
 void folder_leave(struct folder *f);
 
-/* Lets folder_begin remove without a word. */
-void folder_set_quiet(struct folder *f);
-
-/* Removes the files of the previous run, with a message on stderr. Non-zero
- * after a message. */
-int folder_begin(struct folder *f);
+/* Removes the files of the previous run, with a message on stderr unless quiet.
+ * Non-zero after a message. */
+int folder_begin(struct folder *f, int quiet);
 
 /* The path of the one file that a run may make before folder_begin, as a new
  * string; no list has it, and as long as it is there the folder stays when it

@@ -1,30 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/vtk.h"
 
-#include "base/alloc.h"
-#include "output/vtk_file.h"
-
-#include <stdlib.h>
-
-struct vtk_writer {
-    struct vtk_file *file;
-};
-
-struct vtk_writer *vtk_writer_create(void)
-{
-    struct vtk_writer *const w = alloc_zeroed(1, sizeof *w);
-
-    w->file = vtk_file_create();
-    return w;
-}
-
-void vtk_writer_free(struct vtk_writer *w)
-{
-    if (w == NULL) return;
-    vtk_file_free(w->file);
-    free(w);
-}
-
 /* The edges of the cells along x, y and z: n + 1 numbers each. */
 static void put_edges(struct vtk_file *f, const struct box *b)
 {
@@ -40,18 +16,17 @@ static void put_edges(struct vtk_file *f, const struct box *b)
     fprintf(vtk_file_stream(f), "</Coordinates>\n");
 }
 
-int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
+int vtk_write_box(struct vtk_file *f, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays)
 {
     static const int at[3] = {0, 0, 0};
-    return vtk_write_box_at(w, path, m, at, time, n_arrays, arrays);
+    return vtk_write_box_at(f, path, m, at, time, n_arrays, arrays);
 }
 
-int vtk_write_box_at(struct vtk_writer *w, const char *path,
-                     const struct mesh *m, const int at[3], double time,
-                     int n_arrays, const struct vtk_array *arrays)
+int vtk_write_box_at(struct vtk_file *f, const char *path, const struct mesh *m,
+                     const int at[3], double time, int n_arrays,
+                     const struct vtk_array *arrays)
 {
-    struct vtk_file *const f = w->file;
     const int *const n = m->box.n;
     char extent[96], whole[128];
 
@@ -66,19 +41,6 @@ int vtk_write_box_at(struct vtk_writer *w, const char *path,
     return vtk_file_end(f);
 }
 
-int vtk_write_cells(struct vtk_writer *w, const char *path,
-                    const struct vtk_grid *grid, const void *cells, double time,
-                    int n_arrays, const struct vtk_array *arrays)
-{
-    struct vtk_file *const f = w->file;
-
-    if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
-    grid->put(f, cells);
-    vtk_file_section(f, "CellData", grid->number(cells), n_arrays, arrays);
-    fprintf(vtk_file_stream(f), "</Piece>\n");
-    return vtk_file_end(f);
-}
-
 /* Points without a cell are not drawn, so each point is a cell. */
 static void put_verts(struct vtk_file *f, int n)
 {
@@ -89,11 +51,10 @@ static void put_verts(struct vtk_file *f, int n)
     vtk_file_section(f, "Verts", n, 2, verts);
 }
 
-int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
+int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,
                         const struct vtk_array *arrays)
 {
-    struct vtk_file *const f = w->file;
     /* with n = 0 there may be no arrays; the type is real all the same */
     static const double none;
     const struct vtk_array centres = {
@@ -111,49 +72,4 @@ int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
     vtk_file_section(f, "PointData", n, n_arrays, arrays);
     fprintf(vtk_file_stream(f), "</Piece>\n");
     return vtk_file_end(f);
-}
-
-/* As lines or as polygons. */
-static int write_shapes(struct vtk_writer *w, const char *path, int as_lines,
-                        const struct vtk_polygons *p, double time, int n_arrays,
-                        const struct vtk_array *arrays)
-{
-    const char *const kind = as_lines ? "Lines" : "Polys";
-    struct vtk_file *const f = w->file;
-    const struct vtk_array points = {
-        .name = "position", .components = 3, .values = p->x};
-    const struct vtk_array corner = {
-        .name = "connectivity", .components = 1, .ints = p->corner};
-    const struct vtk_array end = {
-        .name = "offsets", .components = 1, .ints = p->end};
-
-    if (vtk_file_begin(f, path, "PolyData", "", time) != 0) return 1;
-    fprintf(vtk_file_stream(f),
-            "<Piece NumberOfPoints=\"%d\" NumberOfVerts=\"0\" "
-            "NumberOfLines=\"%d\" NumberOfStrips=\"0\" "
-            "NumberOfPolys=\"%d\">\n",
-            p->n_points, as_lines ? p->n_polygons : 0,
-            as_lines ? 0 : p->n_polygons);
-    vtk_file_section(f, "Points", p->n_points, 1, &points);
-    fprintf(vtk_file_stream(f), "<%s>\n", kind);
-    vtk_file_array(f, &corner, p->n_points);
-    vtk_file_array(f, &end, p->n_polygons);
-    fprintf(vtk_file_stream(f), "</%s>\n", kind);
-    vtk_file_section(f, "CellData", p->n_polygons, n_arrays, arrays);
-    fprintf(vtk_file_stream(f), "</Piece>\n");
-    return vtk_file_end(f);
-}
-
-int vtk_write_polygons(struct vtk_writer *w, const char *path,
-                       const struct vtk_polygons *p, double time, int n_arrays,
-                       const struct vtk_array *arrays)
-{
-    return write_shapes(w, path, 0, p, time, n_arrays, arrays);
-}
-
-int vtk_write_lines(struct vtk_writer *w, const char *path,
-                    const struct vtk_polygons *p, double time, int n_arrays,
-                    const struct vtk_array *arrays)
-{
-    return write_shapes(w, path, 1, p, time, n_arrays, arrays);
 }

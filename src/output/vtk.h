@@ -12,61 +12,32 @@
 #define OUTPUT_VTK_H
 
 #include "mesh/mesh.h"
-#include "output/vtk_array.h"
+#include "output/vtk_file.h"
 
-/* Buffers that all writes of a run use. */
-struct vtk_writer;
-
-struct vtk_writer *vtk_writer_create(void);
-void vtk_writer_free(struct vtk_writer *w);
-
-/* Both return non-zero after a message if the file could not be written
+/* These return non-zero after a message if the file could not be written
  * completely; it then does not exist. Time in s; names must differ. */
-int vtk_write_box(struct vtk_writer *w, const char *path, const struct mesh *m,
+int vtk_write_box(struct vtk_file *f, const char *path, const struct mesh *m,
                   double time, int n_arrays, const struct vtk_array *arrays);
 
 /* The same as a piece of a larger box, from its cell `at` on. */
-int vtk_write_box_at(struct vtk_writer *w, const char *path,
-                     const struct mesh *m, const int at[3], double time,
-                     int n_arrays, const struct vtk_array *arrays);
+int vtk_write_box_at(struct vtk_file *f, const char *path, const struct mesh *m,
+                     const int at[3], double time, int n_arrays,
+                     const struct vtk_array *arrays);
 
-/* A form of a mesh that is no box: put opens the <Piece> and declares its
- * points and cells. All that are built in, ended by NULL. */
-struct vtk_file;
+/* A form of a mesh that is no box, .vtu, with what it has created of it. All
+ * that are built in, ended by NULL. */
 struct vtk_grid {
     const char *name;
     void *(*create)(const struct mesh *m); /* the mesh is borrowed */
     void (*free)(void *cells);
-    int (*number)(const void *cells);
-    void (*put)(struct vtk_file *f, const void *cells);
+    int (*write)(struct vtk_file *f, const char *path, const void *cells,
+                 double time, int n_arrays, const struct vtk_array *arrays);
 };
 extern const struct vtk_grid *const vtk_grids[];
 
-/* The same for such a mesh, .vtu; cells is what the grid has created. */
-int vtk_write_cells(struct vtk_writer *w, const char *path,
-                    const struct vtk_grid *grid, const void *cells, double time,
-                    int n_arrays, const struct vtk_array *arrays);
-
 /* n particles, 0 allowed, with centres x[0][i], x[1][i], x[2][i] [m]. */
-int vtk_write_particles(struct vtk_writer *w, const char *path, int n,
+int vtk_write_particles(struct vtk_file *f, const char *path, int n,
                         const double *const x[3], double time, int n_arrays,
                         const struct vtk_array *arrays);
-
-/* Polygons with values a polygon: point k is at x[3 k], x[3 k + 1], x[3 k + 2]
- * [m]; corner lists the points of all polygons one after the other, end the end
- * of each. */
-struct vtk_polygons {
-    int n_points, n_polygons;
-    const double *x;
-    const int *corner, *end;
-};
-int vtk_write_polygons(struct vtk_writer *w, const char *path,
-                       const struct vtk_polygons *p, double time, int n_arrays,
-                       const struct vtk_array *arrays);
-
-/* The same, each polygon an open line. */
-int vtk_write_lines(struct vtk_writer *w, const char *path,
-                    const struct vtk_polygons *p, double time, int n_arrays,
-                    const struct vtk_array *arrays);
 
 #endif

@@ -2,18 +2,13 @@
 #include "study/choices.h"
 
 #include "base/alloc.h"
+#include "study/study.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int refuse(const char *text, const char *why)
-{
-    fprintf(stderr, "winnow: study: %s: %s\n", text, why);
-    return 2;
-}
 
 /* The length of the text up to the separator, or to its end, outside of
  * brackets and quotes; *open is set if one of these is not closed. */
@@ -137,7 +132,7 @@ int choices_add(struct choices *c, const char *text)
     }
     if (why != NULL) {
         choice_free(&one);
-        return refuse(text, why);
+        return study_wrong("%s: %s", text, why);
     }
     c->of = realloc(c->of, ((size_t)c->n + 1) * sizeof *c->of);
     if (c->of == NULL) exit(4);

@@ -10,6 +10,7 @@
 #include "case/resume/read_summary.h"
 #include "study/results.h"
 #include "study/statistics.h"
+#include "study/study.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,13 +31,12 @@ static const char in_summary[] =
 
 static int refuse(const struct measure *m, const char *why)
 {
-    fprintf(stderr, "winnow: study: measure %s: %s\n", m->text, why);
-    return 2;
+    return study_wrong("measure %s: %s", m->text, why);
 }
 
 /* --- what is meant -------------------------------------------------------- */
 
-/* Takes "mean:" and the like off; the rest. */
+/* Takes "mean:" and the like off; the rest. A profile is a curve. */
 static const char *take_how(struct measure *m, const char *text)
 {
     static const char *const words[] = {
@@ -47,7 +47,7 @@ static const char *take_how(struct measure *m, const char *text)
             m->how = (enum measure_how)i;
             return text + strlen(words[i]);
         }
-    m->how = MEASURE_LAST;
+    m->how = strncmp(text, "profile.", 8) == 0 ? MEASURE_CURVE : MEASURE_LAST;
     return text;
 }
 
@@ -97,8 +97,10 @@ static const struct history_column *in_columns(const struct history_column *c,
 /* Those of all runs, or of a folder. */
 static const struct history_column *in_history(const char *name)
 {
-    const struct history_column *found = in_columns(history_columns, name);
+    const struct history_column *found = NULL;
 
+    for (int i = 0; history_tables[i] != NULL && found == NULL; i++)
+        found = in_columns(history_tables[i]->columns, name);
     for (int i = 0; recorder_parts[i] != NULL && found == NULL; i++)
         if (recorder_parts[i]->columns != NULL)
             found = in_columns(recorder_parts[i]->columns, name);
@@ -146,20 +148,17 @@ static void offer(struct nearest *n, const char *word)
 static int unknown(const struct measure *m)
 {
     struct nearest n;
-    char why[MEASURE_NAME + 128];
 
     nearest_init(&n, m->name);
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        offer(&n, c->name);
+    HISTORY_EACH(t, c)
+    offer(&n, c->name);
     for (const char *at = in_summary; (at = strchr(at, ' ')) != NULL;)
         offer(&n, ++at);
     const char *const best = nearest_best(&n);
-    snprintf(why, sizeof why,
-             "no column of history.csv or probes.csv is called so, and no "
-             "number of summary.json%s%s%s",
-             best != NULL ? "; did you mean " : "", best != NULL ? best : "",
-             best != NULL ? "?" : "");
-    return refuse(m, why);
+    return study_wrong("measure %s: no column of history.csv or probes.csv is "
+                       "called so, and no number of summary.json%s%s%s",
+                       m->text, best != NULL ? "; did you mean " : "",
+                       best != NULL ? best : "", best != NULL ? "?" : "");
 }
 
 /* Where the measure is found in the folder of a run. */
@@ -246,17 +245,34 @@ static int error_column(const struct results_table *t, int column)
     return results_column(t, error);
 }
 
-/* The rows that count: first and last column, from .. to. */
+/* Of a table in time the last row that was due; where the run ends it has one
+ * more, sooner after that than those before are apart. */
+static double last_due(const struct results_table *t, double last)
+{
+    double at[3] = {last}; /* [s] the last three times; some have many rows */
+    int n = 1;
+
+    if (strncmp(t->name[0], "time ", 5) != 0) return last;
+    for (int i = t->n_rows - 1; i >= 0 && n < 3; i--)
+        if (t->value[i * t->n_columns] != at[n - 1])
+            at[n++] = t->value[i * t->n_columns];
+    return n == 3 && last - at[1] < (1.0 - 1e-6) * (at[1] - at[2]) ? at[1]
+                                                                   : last;
+}
+
+/* The rows that count: first and last column, from .. to. In a mean each stands
+ * for the time between two of them, and one that was not due for less. */
 static struct curve within(const struct measure *m,
                            const struct results_table *t, int column)
 {
-    const int error = error_column(t, column);
-    const double *const last = t->value + (t->n_rows - 1) * t->n_columns;
-    const double near = 1e-9 * fabs(last[0]);
-    const double from = isfinite(m->from)        ? m->from
-                        : m->how == MEASURE_MEAN ? 0.5 * last[0]
-                                                 : -INFINITY;
-    const double to = isfinite(m->to) ? m->to : INFINITY;
+    const int error = error_column(t, column), mean = m->how == MEASURE_MEAN;
+    const double last = t->value[(t->n_rows - 1) * t->n_columns];
+    const double near = 1e-9 * fabs(last), due = last_due(t, last);
+    const double from = isfinite(m->from) ? m->from
+                        : mean            ? 0.5 * last
+                                          : -INFINITY;
+    const double end = mean && due >= from ? due : INFINITY;
+    const double to = isfinite(m->to) ? fmin(m->to, end) : end;
     struct curve c = curve_create(t->n_rows);
 
     c.n = 0;

@@ -3,7 +3,8 @@
  *     mean_fall_velocity            the last value in history.csv
  *     mean_height@0.4               the value at 0.4 s
  *     mean:pressure_drop@0.3..0.6   the mean over a time; left out: the second
- *                                   half of the run
+ *                                   half of the run. Of the rows that were due:
+ *                                   each stands for the same time
  *     max:max_overlap   min:...     the largest, the smallest
  *     curve:us_y                    the whole course, here of a probe's field
  *     probe.1   profile.0           probes and profiles by number, from 0

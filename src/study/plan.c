@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "case/case_file.h"
 #include "case/schema.h"
+#include "study/study.h"
 
 #include <math.h>
 #include <omp.h>
@@ -16,12 +17,6 @@ enum { MOST_RUNS = 10000 };
 
 /* How the path of a seed ends. */
 #define SEED ".seed"
-
-static int wrong(const char *what, const char *why)
-{
-    fprintf(stderr, "winnow: study: %s%s\n", what, why);
-    return 2;
-}
 
 /* --- what a run gets besides its choices --------------------------------- */
 
@@ -109,8 +104,9 @@ static int check_seeds(const struct plan *p)
     for (int i = 0; i < c->n; i++)
         for (int k = 0; k < c->of[i].key.n && c->of[i].n > 1; k++)
             if (is_seed(c->of[i].key.text[k]))
-                return wrong(c->of[i].key.text[k],
-                             ": is varied, so that --seeds cannot set it");
+                return study_wrong(
+                    "%s: is varied, so that --seeds cannot set it",
+                    c->of[i].key.text[k]);
     for (int v = 0; v < choices_variants(c) && code == 0 && !found; v++) {
         struct texts set = {0};
         code = plan_overrides(p, v, 0, &set);
@@ -119,8 +115,8 @@ static int check_seeds(const struct plan *p)
     }
     return code != 0 || found
                ? code
-               : wrong("--seeds", ": the case has no group with a seed, such "
-                                  "as particles.bed or particles.insert");
+               : study_wrong("--seeds: the case has no group with a seed, such "
+                             "as particles.bed or particles.insert");
 }
 
 /* --- the plan as a whole -------------------------------------------------- */
@@ -134,7 +130,7 @@ static int check_threads(const struct plan *p)
         if (text == NULL) return 0;
         const long n = strtol(text, &end, 10);
         if (*end != '\0' || n < 1 || n > 1024)
-            return wrong(PLAN_THREADS, " asks for numbers from 1 to 1024");
+            return study_wrong(PLAN_THREADS " asks for numbers from 1 to 1024");
     }
     return 0;
 }
@@ -145,14 +141,14 @@ static int add_choices(struct plan *p)
         if (choices_add(&p->choices, p->words.choice[i]) != 0) return 2;
     const int n = choices_variants(&p->choices);
     if (n < 2)
-        return wrong("nothing to compare", ": give a key several values, -s "
-                                           "key=value,value,...");
+        return study_wrong("nothing to compare: give a key several values, -s "
+                           "key=value,value,...");
     if (p->words.jobs == 0) /* runs of several threads one after the other */
         p->words.jobs = choices_value(&p->choices, 0, PLAN_THREADS) != NULL
                             ? 1
                             : omp_get_num_procs();
     if ((double)n * p->words.seeds * p->words.times > MOST_RUNS)
-        return wrong("", "more than 10000 runs");
+        return study_wrong("more than %d runs", MOST_RUNS);
     return check_threads(p);
 }
 
@@ -171,8 +167,8 @@ static int check_truth(const struct plan *p, const struct truth *t)
     if (t->kind != TRUTH_EXTRAPOLATED ||
         (axis >= 0 && ends_in_three_sizes(&p->choices.of[axis])))
         return 0;
-    return wrong("extrapolated", ": asks for a key with three numbers or more, "
-                                 "rising or falling");
+    return study_wrong("extrapolated: asks for a key with three numbers or "
+                       "more, rising or falling");
 }
 
 static int add_measures(struct plan *p, const struct settings *s)
@@ -180,9 +176,8 @@ static int add_measures(struct plan *p, const struct settings *s)
     const struct study_words *const w = &p->words;
 
     if (w->n_measures == 0)
-        return wrong("what is to be looked at?",
-                     " Give --measure NAME, a column of history.csv or a "
-                     "number of summary.json");
+        return study_wrong("what is to be looked at? Give --measure NAME, a "
+                           "column of history.csv or a number of summary.json");
     for (int i = 0; i < w->n_measures; i++) {
         const char *const own =
             w->truth[i] != NULL ? w->truth[i] : w->truth[w->n_measures - 1];

@@ -164,7 +164,7 @@ int runs_standing(const struct plan *p, int n, const struct run *runs)
 /* --- what has ended ------------------------------------------------------- */
 
 /* variant.txt is the identity; a run that was refused while it was built has a
- * line "exit code N" behind it. */
+ * line "exit code N" behind it, RUN_TO_DO if there is none. */
 static int is_same(const struct run *r, int *code)
 {
     char *const path = file_join(r->folder, "variant.txt");
@@ -174,24 +174,11 @@ static int is_same(const struct run *r, int *code)
     const size_t n = strlen(r->identity);
     const int same = text != NULL && strncmp(text, r->identity, n) == 0;
 
-    if (same && sscanf(text + n, "exit code %d", code) != 1) *code = RUN_TO_DO;
+    *code = RUN_TO_DO;
+    if (same) sscanf(text + n, "exit code %d", code);
     free(text);
     free(path);
     return same;
-}
-
-static void look(struct run *r)
-{
-    int refused;
-
-    r->code = RUN_TO_DO;
-    if (!is_same(r, &refused)) return;
-    const double code = read_summary_number(r->folder, "exit_code");
-    if (refused != RUN_TO_DO)
-        r->code = refused;
-    else if (isfinite(code) && code != RUN_NOT_WRITTEN &&
-             code != INTERRUPT_CODE)
-        r->code = (int)code;
 }
 
 int runs_is_begun(const struct run *r)
@@ -199,6 +186,14 @@ int runs_is_begun(const struct run *r)
     int code;
 
     return is_same(r, &code);
+}
+
+static void look(struct run *r)
+{
+    if (!is_same(r, &r->code) || r->code != RUN_TO_DO) return;
+    const double code = read_summary_number(r->folder, "exit_code");
+    if (isfinite(code) && code != RUN_NOT_WRITTEN && code != INTERRUPT_CODE)
+        r->code = (int)code;
 }
 
 int runs_look(int n, struct run *runs)

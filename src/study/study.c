@@ -13,10 +13,23 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+int study_wrong(const char *format, ...)
+{
+    va_list values;
+
+    fputs("winnow: study: ", stderr);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return 2;
+}
 
 static void say_what_would_run(const struct plan *p, int n, struct run *runs)
 {

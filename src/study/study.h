@@ -10,4 +10,7 @@
     "[--cost NAME] [--seeds N] [--times N] [-o DIR] [-j RUNS] [--dry-run] "    \
     "[--quiet]"
 
+/* Says on stderr what is wrong with a study; returns 2. */
+int study_wrong(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 #endif

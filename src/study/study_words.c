@@ -4,6 +4,7 @@
 #include "case/nearest.h"
 #include "case/source.h"
 #include "study/study.h"
+#include "study/truth.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -209,9 +210,7 @@ static int take_measured(struct study_words *w, int i)
 
     if (code != 0 || !settings_item_has(s, "measures", i, "truth")) return code;
     const char *const text = settings_item_text(s, "measures", i, "truth");
-    const size_t n = strlen(text);
-    const int table = n > 4 && strcmp(text + n - 4, ".csv") == 0;
-    return take_truth(w, table ? beside(w, text) : text);
+    return take_truth(w, truth_is_table(text) ? beside(w, text) : text);
 }
 
 /* What the study file says, as if it stood before the words. */

@@ -11,7 +11,7 @@
 /* Written by models.awk. */
 extern const struct truth_function *const truth_functions[];
 
-static int is_table(const char *text)
+int truth_is_table(const char *text)
 {
     const size_t n = strlen(text);
 
@@ -81,7 +81,7 @@ int truth_parse(struct truth *t, const char *text)
             t->kind = (enum truth_kind)(TRUTH_FINEST + i);
             return 0;
         }
-    if (is_table(text)) return read_table(t);
+    if (truth_is_table(text)) return read_table(t);
     t->kind = TRUTH_FUNCTION;
     for (int i = 0; truth_functions[i] != NULL && t->function == NULL; i++)
         if (truth_functions[i]->is_meant(text))

@@ -49,6 +49,9 @@ struct truth {
 int truth_parse(struct truth *t, const char *text);
 void truth_free(struct truth *t);
 
+/* 1 if a text is the name of a table. */
+int truth_is_table(const char *text);
+
 /* Of a function or a table; nan where a table has nothing. */
 double truth_value(const struct truth *t, double x);
 

@@ -316,6 +316,16 @@ function put_effects() {
     put("};")
 }
 
+# Each direction of a profile, and each of its two places.
+function course(i) {
+    if (i == 1) return "z = " 0.4 * size[3]
+    if (i == 2) return "height = 1e-3"
+    if (i == 3) return "along = \"y\"; z = " 0.4 * size[3]
+    if (i == 4) return "along = \"y\"; x = " 0.4 * size[1]
+    if (i == 5) return "along = \"z\"; x = " 0.4 * size[1]
+    return "along = \"z\"; height = 1e-3"
+}
+
 function put_output(    h, p, i, n, f) {
     put("output = { end = " 10 * step "; every = " (is("every", "each") ? step : 10 * step) ";")
     h = is("history", "each") ? step : is("history", "second") ? 2 * step : 20 * step
@@ -324,7 +334,7 @@ function put_output(    h, p, i, n, f) {
     if (on("profiles")) {
         put("  profiles = (")
         for (i = 1; i <= n; i++)
-            put("    { field = \"" f[i] "\"; height = " i * 1e-3 "; from = 1e-3; }" (i < n ? "," : ""))
+            put("    { field = \"" f[i] "\"; " course(i % 6 + 1) "; from = 1e-3; }" (i < n ? "," : ""))
         put("  );")
     }
     if (on("probes")) {

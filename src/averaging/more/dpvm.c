@@ -8,7 +8,7 @@
 #include "averaging/poly/facets.h"
 #include "averaging/more/overlap.h"
 #include "averaging/more/stored_weights.h"
-#include "averaging/weights.h"
+#include "averaging/kernel/weights.h"
 #include "base/alloc.h"
 
 struct dpvm;

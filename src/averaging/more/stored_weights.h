@@ -9,7 +9,7 @@
 #ifndef AVERAGING_MORE_STORED_WEIGHTS_H
 #define AVERAGING_MORE_STORED_WEIGHTS_H
 
-#include "averaging/weights.h"
+#include "averaging/kernel/weights.h"
 
 struct stored_weights {
     int *start;        /* [-] the weights of particle h->particle[a] are */

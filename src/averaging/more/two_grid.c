@@ -9,7 +9,7 @@
 #include "averaging/averaging.h"
 #include "averaging/poly/facets.h"
 #include "averaging/cell_of_particle.h"
-#include "averaging/stencil.h"
+#include "averaging/kernel/stencil.h"
 #include "base/alloc.h"
 #include "base/number.h"
 

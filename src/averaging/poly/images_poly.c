@@ -6,7 +6,7 @@
 
 #include "averaging/averaging.h"
 #include "averaging/poly/gaussian_moments.h"
-#include "averaging/weights.h"
+#include "averaging/kernel/weights.h"
 #include "base/alloc.h"
 #include "base/vector.h"
 

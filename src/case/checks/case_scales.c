@@ -5,12 +5,14 @@
 #include <stdio.h>
 
 #include "averaging/averaging.h"
+#include "averaging/kernel/weights.h"
 #include "base/vector.h"
 #include "case/build.h"
 #include "case/boundaries/inlet_builder.h"
 #include "case/checks/case_limits.h"
 #include "case/checks/case_memory.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/particle_options.h"
@@ -80,7 +82,7 @@ struct case_scales case_scales_of(const struct settings *s)
     struct case_scales k = {.cells = m->n_cells};
     double g[3];
 
-    k.S_c = cbrt(case_mesh_volume(s) / k.cells); /* [SX15 10] */
+    k.S_c = cbrt(case_extent_volume(s) / k.cells); /* [SX15 10] */
     k.end = settings_real(s, "output.end");
     k.dt = case_steps_length(s);
     k.dem_steps = case_steps_within(s);
@@ -106,7 +108,7 @@ int case_scales_check_memory(const struct settings *s,
     if (!settings_has(s, "averaging")) return 0;
     struct mesh *const m = case_mesh_outline(s);
     const struct averaging_options o = build_averaging_options(s);
-    const double bytes = averaging_bytes(
+    const double bytes = weights_bytes(
         averaging_method_named(settings_text(s, "averaging.method")), m,
         k->d_most, &o);
 

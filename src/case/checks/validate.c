@@ -15,6 +15,7 @@
 #include "case/case_part.h"
 #include "case/case_steps.h"
 #include "case/case_mesh.h"
+#include "case/extent/case_extent.h"
 #include "case/checks/model_choice.h"
 #include "case/recorder_part.h"
 #include "case/particle_options.h"
@@ -185,7 +186,7 @@ static int check_bed_fits(const struct settings *s)
         if (range.max > size[k] && b.count > 0)
             return settings_wrong(s, key, "%g m is larger than the box, %g m",
                                   range.max, size[k]);
-    const double share = range.volume / case_mesh_volume(s);
+    const double share = range.volume / case_extent_volume(s);
     if (share > 0.6)
         return settings_wrong(s, "particles.bed.count",
                               "%d spheres of %g m would fill %.0f %% of the "
@@ -212,6 +213,8 @@ static int check_place(const struct settings *s)
             settings_item_real(s, "particles.place", i, "diameter");
         settings_item_vector(s, "particles.place", i, "position", x);
         for (int k = 0; k < 3; k++) {
+            /* the period of a box that is oblique leads back into it */
+            if (periodic[k] && settings_mesh(s) != NULL) continue;
             const double margin =
                 periodic[k] ? 0.0
                             : (0.5 - particle_options_wall_overlap(s)) * d;
@@ -223,7 +226,7 @@ static int check_place(const struct settings *s)
                     "as it is if its centre is",
                     i, x[0], x[1], x[2], d);
         }
-        if (!case_mesh_holds(s, x))
+        if (!case_extent_holds(s, x))
             return settings_wrong(s, "particles.place",
                                   "sphere %d at [%g, %g, %g] m is not inside "
                                   "the mesh",
@@ -237,7 +240,7 @@ static int check_integrator(const struct settings *s)
 {
     const char *const name = settings_text(s, "particles.integrator");
 
-    if (!settings_has(s, "exchange") || !integrators_named(name)->predicts)
+    if (!settings_has(s, "exchange") || !integrator_named(name)->predicts)
         return 0;
     return settings_wrong(s, "particles.integrator",
                           "%s is for cases without exchange; with it there are "
@@ -278,7 +281,7 @@ static int check_particles(const struct settings *s)
 
     if (code == 0) code = materials_check(s);
     if (code == 0) code = check_mesh_walls(s);
-    if (code == 0) code = case_part_check(s);
+    MODELS_UNTIL(code, case_parts, check, s);
     if (code == 0) code = check_list(s);
     if (code != 0) return code;
     if (bed == place && (bed || !settings_has(s, "particles.insert")))
@@ -289,7 +292,7 @@ static int check_particles(const struct settings *s)
 
 static int check_time_average(const struct settings *s)
 {
-    if (effects_named("time_average") == NULL ||
+    if (effect_named("time_average") == NULL ||
         !settings_has(s, "effects.time_average") || build_two_way(s))
         return 0;
     return settings_wrong(s, "effects.time_average",
@@ -299,11 +302,10 @@ static int check_time_average(const struct settings *s)
 
 static int check_output(const struct settings *s)
 {
-    for (int i = 0; recorder_parts[i] != NULL; i++)
-        if (recorder_parts[i]->check != NULL &&
-            recorder_parts[i]->check(s) != 0)
-            return 2;
-    return check_time_average(s);
+    int code = 0;
+
+    MODELS_UNTIL(code, recorder_parts, check, s);
+    return code != 0 ? code : check_time_average(s);
 }
 
 int validate_case(const struct settings *s)
@@ -320,6 +322,6 @@ int validate_case(const struct settings *s)
     if (code == 0 && settings_has(s, "particles")) code = check_particles(s);
     if (code == 0 && settings_has(s, "averaging"))
         code = case_averaging_check(s);
-    if (code == 0) code = case_part_check_any(s);
+    MODELS_UNTIL(code, case_parts, check_any, s);
     return code != 0 ? code : check_output(s);
 }

@@ -9,12 +9,12 @@
 #include "case/contacts/contact_list.h"
 #include "case/field_output.h"
 #include "output/series.h"
-#include "output/vtk.h"
+#include "output/polygons/vtk_polygons.h"
 
 struct contacts {
     struct folder *folder; /* borrowed */
     struct series *series;
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
     struct contact_list *found;
 };
 
@@ -40,7 +40,7 @@ static void release(void *part)
     struct contacts *const c = part;
 
     series_free(c->series);
-    vtk_writer_free(c->writer);
+    vtk_file_free(c->writer);
     contact_list_free(c->found);
     free(c);
 }
@@ -52,7 +52,7 @@ static void *create(const struct recorder_view *v, int *failed)
     struct contacts *const c = alloc_zeroed(1, sizeof *c);
 
     c->folder = v->folder;
-    c->writer = vtk_writer_create();
+    c->writer = vtk_file_create();
     c->found = contact_list_create(v->sim);
     c->series = field_output_series(v->folder, "contacts", "vtp");
     if (c->series != NULL) return c;

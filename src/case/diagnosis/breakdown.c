@@ -146,5 +146,7 @@ static int describe(const struct simulation *sim, char text[RUN_PART_TEXT])
     return 1;
 }
 
-const struct run_part breakdown_part = {.after_step = overlap_warn,
+const struct run_part breakdown_part = {.create = overlap_create,
+                                        .after_step = overlap_warn,
+                                        .after_run = overlap_free,
                                         .broke_down = describe};

@@ -2,6 +2,9 @@
 #include "case/diagnosis/overlap.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
 
 static void other_name(const struct simulation *sim, int other, char *text,
                        size_t size)
@@ -27,11 +30,33 @@ void overlap_describe(const struct simulation *sim, char text[OVERLAP_TEXT])
              deep.id, other, deep.depth, deep.at[0], deep.at[1], deep.at[2]);
 }
 
-void overlap_warn(const struct simulation *sim, int *told)
+static int is_deeper(const struct simulation *sim)
 {
+    return sim->dem != NULL && dem_deepest(sim->dem).id >= 0;
+}
+
+/* Of a run that goes on the warning was given before. */
+void *overlap_create(const struct settings *s, const struct simulation *sim)
+{
+    int *const told = alloc_ints(1);
+
+    (void)s;
+    *told = is_deeper(sim);
+    return told;
+}
+
+void overlap_free(void *told, const struct simulation *sim)
+{
+    (void)sim;
+    free(told);
+}
+
+void overlap_warn(void *of, const struct simulation *sim)
+{
+    int *const told = of;
     char text[OVERLAP_TEXT];
 
-    if (*told || sim->dem == NULL || dem_deepest(sim->dem).id < 0) return;
+    if (*told || !is_deeper(sim)) return;
     *told = 1;
     overlap_describe(sim, text);
     fprintf(stderr,

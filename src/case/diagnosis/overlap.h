@@ -3,6 +3,7 @@
 #ifndef CASE_DIAGNOSIS_OVERLAP_H
 #define CASE_DIAGNOSIS_OVERLAP_H
 
+#include "case/settings.h"
 #include "coupling/simulation.h"
 
 /* Describes the deepest overlap, its two partners and its place, as one clause
@@ -10,8 +11,9 @@
 enum { OVERLAP_TEXT = 256 };
 void overlap_describe(const struct simulation *sim, char text[OVERLAP_TEXT]);
 
-/* Warns of an overlap deeper than expected, where *told is 0, which becomes 1.
- */
-void overlap_warn(const struct simulation *sim, int *told);
+/* Warns once in a run of an overlap deeper than expected (run_part.h). */
+void *overlap_create(const struct settings *s, const struct simulation *sim);
+void overlap_warn(void *told, const struct simulation *sim);
+void overlap_free(void *told, const struct simulation *sim);
 
 #endif

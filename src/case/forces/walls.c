@@ -13,13 +13,13 @@
 #include "fluid/forces/wall_stress.h"
 #include "mesh/face_corners.h"
 #include "output/series.h"
-#include "output/vtk.h"
+#include "output/polygons/vtk_polygons.h"
 
 struct walls {
     const struct simulation *sim;
     struct folder *folder;
     struct series *series;
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
     struct vtk_polygons shape;
     double *x;          /* [m] 3 a point */
     int *corner, *end;  /* of the polygons */
@@ -109,7 +109,7 @@ static void release(void *memory)
 
     if (w == NULL) return;
     series_free(w->series);
-    vtk_writer_free(w->writer);
+    vtk_file_free(w->writer);
     free(w->x);
     free(w->corner);
     free(w->end);
@@ -130,7 +130,7 @@ static void *create(const struct recorder_view *v, int *failed)
 
     w->sim = v->sim;
     w->folder = v->folder;
-    w->writer = vtk_writer_create();
+    w->writer = vtk_file_create();
     set_shape(w);
     w->patch = alloc_ints(n);
     w->p = alloc_doubles(n);

@@ -18,6 +18,7 @@ static const char list[] = "output.profiles";
 struct line {
     struct profile *profile;
     char name[PROFILES_NAME]; /* of its file */
+    int upright; /* [-] 1: along gravity, so that no mirror leaves it alone */
 };
 
 struct profiles {
@@ -28,14 +29,37 @@ struct profiles {
     struct line *line;
 };
 
-/* What the file of a profile is called but for its ending: by field and height,
- * in millimetres. */
+/* The keys that give the place of a line, by direction. */
+static const char *const place[3] = {"x", "height", "z"};
+
+/* The line of a profile; `across` is -1 where the case does not say where it
+ * lies. */
+static struct profile_line line_of(const struct settings *s, int i)
+{
+    struct profile_line l = {
+        .along = settings_item_text(s, list, i, "along")[0] - 'x',
+        .across = -1,
+        .from = settings_item_real(s, list, i, "from")};
+
+    for (int k = 0; k < 3; k++)
+        if (k != l.along && settings_item_has(s, list, i, place[k])) {
+            l.across = k;
+            l.at = settings_item_real(s, list, i, place[k]);
+        }
+    return l;
+}
+
+/* What the file of a profile is called but for its ending: by field, direction
+ * if it is not x, and place, in millimetres. */
 static void short_name(const struct settings *s, int i,
                        char name[PROFILES_NAME])
 {
-    snprintf(name, PROFILES_NAME, "%s_y%gmm",
-             settings_item_text(s, list, i, "field"),
-             1e3 * settings_item_real(s, list, i, "height"));
+    static const char *const along[3] = {"", "_along_y", "_along_z"};
+    const struct profile_line l = line_of(s, i);
+
+    snprintf(name, PROFILES_NAME, "%s%s_%c%gmm",
+             settings_item_text(s, list, i, "field"), along[l.along],
+             "xyz"[l.across], 1e3 * l.at);
 }
 
 void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
@@ -55,17 +79,36 @@ void profiles_name(const struct settings *s, int i, char name[PROFILES_NAME])
 
 /* --- checks --------------------------------------------------------------- */
 
-/* A line lies within the box. */
-static int check_height(const struct settings *s, int i)
+/* A line has one place, in one of the two directions that it does not follow,
+ * and lies within the box. */
+static int check_place(const struct settings *s, int i)
 {
-    const double y = settings_item_real(s, list, i, "height");
+    const struct profile_line l = line_of(s, i);
+    const char *const one = place[l.along == 0];
+    const char *const two = place[l.along == 2 ? 1 : 2];
     double lo[3], hi[3];
 
+    if (settings_item_has(s, list, i, place[l.along]))
+        return settings_wrong(s, list,
+                              "profile %d goes along %c and so has no %s; "
+                              "expected %s or %s, in m",
+                              i, "xyz"[l.along], place[l.along], one, two);
+    if (settings_item_has(s, list, i, one) ==
+        settings_item_has(s, list, i, two))
+        return settings_wrong(s, list,
+                              "profile %d goes along %c: expected %s or %s, in "
+                              "m, the place of its line%s",
+                              i, "xyz"[l.along], one, two,
+                              l.across < 0 ? "" : ", and not both");
     case_mesh_ends(s, lo, hi);
-    if (y >= lo[1] && y <= hi[1]) return 0;
-    return settings_wrong(s, list, "height %g m is %s the box, %g m", y,
-                          y > hi[1] ? "above" : "below",
-                          y > hi[1] ? hi[1] : lo[1]);
+    if (l.at >= lo[l.across] && l.at <= hi[l.across]) return 0;
+    const int over = l.at > hi[l.across];
+    return settings_wrong(s, list, "%s %g m is %s the box, %g m",
+                          place[l.across], l.at,
+                          l.across != 1 ? "beyond"
+                          : over        ? "above"
+                                        : "below",
+                          over ? hi[l.across] : lo[l.across]);
 }
 
 /* Of two profiles in one file only the last would be left. */
@@ -78,8 +121,8 @@ static int check_name(const struct settings *s, int i)
         profiles_name(s, j, other);
         if (strcmp(own, other) == 0)
             return settings_wrong(s, list,
-                                  "profiles %d and %d are of the same field at "
-                                  "the same height from the same time: both "
+                                  "profiles %d and %d are of the same field on "
+                                  "the same line from the same time: both "
                                   "would be %s.csv; leave one of them out",
                                   j, i, own);
     }
@@ -92,7 +135,7 @@ static int check(const struct settings *s)
     int code = field_names_check(s, list);
 
     for (int i = 0; i < n && code == 0; i++)
-        code = check_height(s, i);
+        code = check_place(s, i);
     for (int i = 0; i < n && code == 0; i++)
         code = check_name(s, i);
     return code;
@@ -103,16 +146,13 @@ static int check(const struct settings *s)
 static int create_line(const struct recorder_view *v, int i, struct line *line)
 {
     const struct settings *const s = v->settings;
-    const struct profile_line where = {
-        .along = 0,
-        .up = 1,
-        .height = settings_item_real(s, list, i, "height"),
-        .from = settings_item_real(s, list, i, "from")};
+    const struct profile_line where = line_of(s, i);
     const struct profile_field field =
         field_names_find(v->whole, settings_item_text(s, list, i, "field"));
 
     if (field.values == NULL)
         return settings_wrong(s, list, "the case has no field %s", field.name);
+    line->upright = v->sim->gravity[where.along] != 0.0;
     line->profile = profile_create(v->seen->mesh, &where, 1, &field);
     profiles_name(s, i, line->name);
     return line->profile == NULL;
@@ -166,7 +206,8 @@ static void summarize(const void *part, struct summary *to)
     for (int i = 0; i < l->n; i++) {
         const struct profile *const p = l->line[i].profile;
         summary_begin(to, l->line[i].name);
-        summary_number(to, "mirror_error", profile_mirror_error(p, 0));
+        if (!l->line[i].upright)
+            summary_number(to, "mirror_error", profile_mirror_error(p, 0));
         summary_number(to, "block_error", profile_block_error(p, 0));
         summary_end(to);
     }
@@ -209,14 +250,21 @@ static int finish(void *part)
 
 static const struct key keys[] = {
     {"output.profiles", KEY_LIST, "", "", "",
-     "time averages on lines along x, each { field, height, from }",
+     "time averages on lines, each { field, along, height or x or z, from }; "
+     "over the third direction they are means",
      "SX15 Fig. 4-7", ""},
     {"output.profiles.field", KEY_NAME, "", FIELD_NAMES, NULL,
      "fluid or solid fraction, pressure, velocity of the fluid (u) or of the "
      "particles (us)",
      "", ""},
-    {"output.profiles.height", KEY_REAL, "m", ">= 0", NULL, "y of the line", "",
-     ""},
+    {"output.profiles.along", KEY_NAME, "", "x | y | z", "x",
+     "direction of the line", "SX15 Fig. 4-7", ""},
+    {"output.profiles.height", KEY_REAL, "m", ">= 0", KEY_OPTIONAL,
+     "y of a line along x or z", "", ""},
+    {"output.profiles.x", KEY_REAL, "m", "", KEY_OPTIONAL,
+     "x of a line along y or z", "", ""},
+    {"output.profiles.z", KEY_REAL, "m", "", KEY_OPTIONAL,
+     "z of a line along x or y", "", ""},
     {"output.profiles.from", KEY_REAL, "s", ">= 0", "0.0",
      "time at which the average begins; later than the end: none", "", ""},
     KEY_END};

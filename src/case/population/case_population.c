@@ -7,11 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/interrupt.h"
 #include "base/number.h"
+#include "coupling/population/replacement.h"
 #include "dem/population/overlaps.h"
 #include "dem/population/population.h"
 #include "case/cohesion/case_cohesion.h"
 #include "case/case_materials.h"
+#include "case/checks/materials_check.h"
 #include "case/case_mesh.h"
 #include "case/case_part.h"
 #include "case/population/case_sizes.h"
@@ -111,7 +114,7 @@ static int check_names(const struct settings *s, int i)
                               settings_item_text(s, sources, i, "sizes")) != 0)
         return 2;
     if (has(s, i, "material"))
-        return case_materials_check_name(
+        return materials_check_name(
             s, sources, settings_item_text(s, sources, i, "material"));
     return 0;
 }
@@ -362,6 +365,7 @@ static int add(const struct settings *s, struct simulation *sim)
     const struct box_domain box = box_domain_of(lo, hi, periodic);
     struct population *const l = sim->population =
         population_create(&box, n, m);
+    sim->insert_remove = &replacement_functions;
     for (int i = 0; i < n && code == 0; i++) {
         code = create_source(s, i, &l->sources[i]) != 0 ? 2 : 0;
         l->sources[i].options.region = sim->region;
@@ -372,8 +376,9 @@ static int add(const struct settings *s, struct simulation *sim)
 }
 
 /* Says which sources have spheres that are due and found no room. */
-static void report(const struct simulation *sim)
+static void report(void *none, const struct simulation *sim)
 {
+    (void)none;
     const struct population *const l = sim->population;
 
     for (int i = 0; l != NULL && i < l->n_sources && sim->steps > 0; i++) {
@@ -397,4 +402,13 @@ const struct case_part case_population_part = {.keys = case_population_keys,
                                                .place = place,
                                                .add = add};
 
-const struct run_part case_population_run = {.after_run = report};
+/* A step in which a signal ended the insertion early differs from that of a run
+ * without the signal. */
+static int is_cut_short(const struct simulation *sim)
+{
+    return interrupt_arrived() && sim->population != NULL &&
+           sim->population->totals.waiting > 0;
+}
+
+const struct run_part case_population_run = {.after_run = report,
+                                             .is_cut_short = is_cut_short};

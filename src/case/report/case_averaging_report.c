@@ -3,9 +3,10 @@
 
 #include "averaging/averaging.h"
 #include "averaging/averaging_method.h"
+#include "averaging/kernel/weights.h"
 #include "case/build.h"
 #include "case/case_mesh.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/particle_options.h"
 #include "mesh/mesh.h"
 
@@ -87,7 +88,7 @@ void case_averaging_print(const struct settings *s,
         averaging_method_named(settings_text(s, "averaging.method"));
     const double b = method->gaussian * o.bandwidth;
     const int steps = averaging_check(method, m, &o); /* of Crank-Nicolson */
-    const double bytes = averaging_bytes(method, m, k->d, &o);
+    const double bytes = weights_bytes(method, m, k->d, &o);
 
     puts("Averaging");
     if (o.bandwidth > 0.0)

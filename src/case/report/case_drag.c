@@ -4,15 +4,20 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "coupling/drag.h"
 #include "coupling/drag_laws/coefficient.h"
 #include "coupling/drag_laws/fluidization.h"
-#include "coupling/stability.h"
+#include "coupling/coupling.h"
+#include "coupling/stability/stability.h"
 #include "base/vector.h"
 #include "case/build.h"
-#include "case/check_line.h"
+#include "case/checks/check_line.h"
 #include "case/particle_options.h"
+#include "case/table_numbers.h"
+#include "coupling/effect_scales.h"
+#include "coupling/effects.h"
 
 /* tau_p [s] of spheres of diameter d [m] at the solids fraction eps_s. */
 static double relaxation_time(const struct settings *s,
@@ -83,17 +88,39 @@ static void print_fluidization(const struct settings *s,
     check_line("u_mf", u, "m/s", remark);
 }
 
-/* The criteria for a bed: (20.6), (20.9). */
+/* What the effects of the case add to the mass of a sphere of mean size. */
+static struct added_mass added_mass(const struct settings *s, double dt)
+{
+    struct effect_scales k = {.rho_f = settings_real(s, "fluid.density"),
+                              .mu = settings_real(s, "fluid.viscosity"),
+                              .dt = dt,
+                              .d = mean_diameter(s)};
+    struct added_mass sum = {0};
+
+    for (int i = 0; effects[i] != NULL; i++) {
+        double numbers[16] = {0.0};
+        if (effects[i]->added_mass == NULL ||
+            !settings_has(s, effects[i]->keys[0].path))
+            continue;
+        table_numbers(s, effects[i]->keys, numbers, 16);
+        k.numbers = numbers;
+        effects[i]->added_mass(&k, &sum);
+    }
+    return sum;
+}
+
+/* The criteria for a bed: (20.6), (20.10). */
 static void print_bed(const struct settings *s, const struct drag_scales *k)
 {
-    const int helped = settings_has(s, "effects.virtual_mass");
-    const double C =
-        helped ? settings_real(s, "effects.virtual_mass.coefficient") : 0.0;
+    const struct added_mass added = added_mass(s, k->dt);
+    const int implicit =
+        strcmp(settings_text(s, "exchange.treatment"), "semi-implicit") == 0;
     const double rho_s = settings_real(s, "particles.grains.density");
     const double rho_f = settings_real(s, "fluid.density");
     const double longest = stability_longest_step(
         1.0 - k->eps_s, relaxation_time(s, k, mean_diameter(s), k->eps_s));
-    const double densest = stability_max_solid_fraction(C, rho_s, rho_f);
+    const double densest =
+        stability_max_solid_fraction(&added, rho_s / rho_f, implicit);
 
     check_line("longest step for a packed bed", longest, "s",
                k->dt <= longest
@@ -101,18 +128,18 @@ static void print_bed(const struct settings *s, const struct drag_scales *k)
                    : "2 eps_f^2 tau_p: NOT STABLE, the step is above");
     check_line("mass loading M", stability_loading(rho_s, k->eps_s, rho_f), "-",
                "mass of the bed over that of the fluid in it");
-    check_line("amplification of the pressure",
-               stability_amplification(C, rho_s, k->eps_s, rho_f), "-",
-               k->eps_s < densest
-                   ? "factor in a step: it decays"
-                   : "NOT STABLE: it grows where the bed is packed");
+    check_line(
+        "amplification of the pressure",
+        stability_amplification(&added, rho_s / rho_f, k->eps_s, implicit), "-",
+        k->eps_s < densest ? "factor in a step: it decays"
+                           : "NOT STABLE: it grows where the bed is packed");
     /* Spheres of many sizes settle at up to three quarters. */
     check_line("largest stable solid fraction", densest, "-",
                densest < 0.75 && k->eps_s < densest &&
                        settings_has(s, "particles.bed.sizes")
                    ? "eps_s; NOT STABLE where many sizes are denser"
-               : helped ? "eps_s, with virtual mass"
-                        : "eps_s, without virtual mass");
+               : added.C > 0.0 ? "eps_s, with the added mass"
+                               : "eps_s, without an added mass");
 }
 
 void case_drag_print(const struct settings *s, const struct drag_scales *k)
@@ -125,8 +152,8 @@ void case_drag_print(const struct settings *s, const struct drag_scales *k)
     check_line("tau_p", relaxation_time(s, k, k->d, 0.0), "s",
                "of a lone particle");
     check_line(
-        "sub-steps", asked > 0 ? asked : stability_substeps(k->dt / bed), "-",
-        asked > 0 ? "as the case asks" : "drag updates in a step, about");
+        "sub-steps", asked > 0 ? asked : coupling_needed_substeps(k->dt / bed),
+        "-", asked > 0 ? "as the case asks" : "drag updates in a step, about");
     const int is_bed = settings_has(s, "particles.bed") &&
                        settings_int(s, "particles.bed.count") > 0;
     print_range(s, k, is_bed ? 1.0 - k->eps_s : 1.0);

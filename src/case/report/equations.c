@@ -2,7 +2,7 @@
 #include "case/report/equations.h"
 
 #include "averaging/diffusion.h"
-#include "averaging/kernel.h"
+#include "averaging/kernel/kernel.h"
 #include "coupling/effects/time_average.h"
 #include "coupling/drag.h"
 #include "case/report/exact.h"

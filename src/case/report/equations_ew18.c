@@ -2,7 +2,7 @@
 /* equations_ew18.c -- the rows of EW18 in equations.h. */
 #include "case/report/equations.h"
 
-#include "averaging/kernel.h"
+#include "averaging/averaging.h"
 #include "averaging/more/images.h"
 #include "coupling/drag.h"
 #include "coupling/drag_laws/beetstra.h"
@@ -14,7 +14,7 @@
 #include <stddef.h>
 
 /* Each function unpacks its inputs and calls the room's. */
-EQUATION_OF_1(kernel_sigma)
+EQUATION_OF_1(averaging_sigma)
 EQUATION_OF_2(images_kernel)
 EQUATION_OF_6(fluidization_velocity)
 EQUATION_OF_5(coefficient_of_force)
@@ -39,7 +39,7 @@ const struct equation equations_ew18[] = {
      "r [m], sigma_k [m]", "W", "1/m^3", EQUATION_BY(images_kernel)},
     {"EW18:20", "its width from that at half its height",
      "sigma_k = delta_05 / (2 sqrt(2 ln 2))", "delta_05 [m]", "sigma_k", "m",
-     EQUATION_BY(kernel_sigma)},
+     EQUATION_BY(averaging_sigma)},
     {"EW18:22", "velocity of minimum fluidization, superficial, Ergun",
      "(1 - eps) (rho_s - rho_f) g = beta u_mf, beta = 150 (1 - eps)^2 mu / "
      "(eps^3 d^2) + 1.75 (1 - eps) rho_f u_mf / (eps^3 d)",

@@ -21,7 +21,7 @@ struct record {
     struct folder *folder; /* borrowed */
     struct table *table;
     struct series *pictures;
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
     double *d;                          /* [m] as it is shown */
     struct surroundings_filter *filter; /* NULL: no such columns */
 };
@@ -153,7 +153,7 @@ static void release(void *record)
 
     table_free(r->table);
     series_free(r->pictures);
-    vtk_writer_free(r->writer);
+    vtk_file_free(r->writer);
     free(r->d);
     surroundings_free(r->filter);
     free(r);
@@ -174,7 +174,7 @@ static void *create(const struct recorder_view *v, int *failed)
                                         settings_real(v->settings, width));
     r->table = create_table(r, v->folder);
     r->pictures = r->table != NULL ? create_series(v->folder) : NULL;
-    r->writer = vtk_writer_create();
+    r->writer = vtk_file_create();
     r->d = alloc_doubles(r->bodies->ps->n);
     if (r->pictures != NULL) return r;
     release(r);

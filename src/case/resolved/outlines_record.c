@@ -11,13 +11,14 @@
 #include "case/recorder_part.h"
 #include "case/resolved/bodies_record.h"
 #include "output/series.h"
+#include "output/polygons/vtk_polygons.h"
 #include "output/vtk.h"
 
 struct outlines {
     const struct solid_bodies *bodies;
     struct folder *folder;            /* borrowed */
     struct series *clumps, *surfaces; /* NULL: there are none */
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
     int n_balls, n_triangles;
     double *x[3], *d;           /* [m] of the balls */
     double *corner;             /* [m] of the triangles, 9 each */
@@ -31,7 +32,7 @@ static void release(void *record)
 
     series_free(r->clumps);
     series_free(r->surfaces);
-    vtk_writer_free(r->writer);
+    vtk_file_free(r->writer);
     for (int k = 0; k < 3; k++)
         free(r->x[k]);
     free(r->d);
@@ -82,7 +83,7 @@ static void *create(const struct recorder_view *v, int *failed)
     struct outlines *const r = alloc_zeroed(1, sizeof *r);
     r->bodies = b;
     r->folder = v->folder;
-    r->writer = vtk_writer_create();
+    r->writer = vtk_file_create();
     count(r);
     make_room(r);
     if (r->n_balls > 0)

@@ -125,7 +125,7 @@ static int load(struct ahead *a, struct bed_settling *b)
 
     bed_settling_state(b, s);
     if (s->failed || state_file_all_visited(a->found) != 0) return WRONG;
-    if (!a->options->quiet)
+    if (!settings_quiet(a->settings))
         fprintf(stderr, "%s: the bed continues to settle from t = %g s\n",
                 folder_name(a->folder), bed_settling_time(b));
     forget_found(a);

@@ -215,7 +215,7 @@ static int load(struct resume *r)
         return 1;
     state_file_free(r->found);
     r->found = NULL;
-    if (!r->options->quiet)
+    if (!settings_quiet(r->settings))
         fprintf(stderr, "%s: resumed at t = %g s, after %ld steps\n",
                 folder_name(r->folder), r->sim->t, r->sim->steps);
     return recorder_begin(r->recorder);

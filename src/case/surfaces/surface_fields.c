@@ -13,14 +13,14 @@
 #include "output/series.h"
 #include "output/surfaces/outline.h"
 #include "output/surfaces/section.h"
-#include "output/vtk.h"
+#include "output/polygons/vtk_polygons.h"
 
 struct surface_fields {
     const struct simulation *sim;
     struct folder *folder; /* borrowed */
     struct series *series;
     struct outline outline;
-    struct vtk_writer *writer;
+    struct vtk_file *writer;
 };
 
 static void release(void *part)
@@ -29,7 +29,7 @@ static void release(void *part)
 
     series_free(p->series);
     outline_release(&p->outline);
-    vtk_writer_free(p->writer);
+    vtk_file_free(p->writer);
     free(p);
 }
 
@@ -40,7 +40,7 @@ static void *create(const struct recorder_view *v, int *failed)
 
     p->sim = v->sim;
     p->folder = v->folder;
-    p->writer = vtk_writer_create();
+    p->writer = vtk_file_create();
     p->series = field_output_series(v->folder, "surfaces", "vtp");
     if (p->series != NULL) return p;
     *failed = 1;

@@ -22,6 +22,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 #include "coupling/effect_scales.h"
 #include "coupling/effects.h"
 #include "dem/implicit_drag.h"
@@ -73,7 +74,7 @@ static void *basset_create(struct simulation *sim, const double *parameters)
     self->held = attached(ps, "basset_held", "N", 3);
     self->start = attached(ps, "basset_start", "m/s", 3);
     particles_add_implicit_drag(ps);
-    coupling_add_inertia(sim);
+    effect_force_inertia(sim);
     return self;
 }
 
@@ -96,11 +97,19 @@ static double *term(const struct basset *self, int k, int i)
     return &self->E[k / TERMS_A_ROW][ROW * i + 3 * (k % TERMS_A_ROW)];
 }
 
+/* Part of the change of the slip in the step before [-]. */
+static const double before = 2.0 * M_SQRT2 - 2.0;
+
+/* The added mass [kg] of a sphere of diameter d [m] in a step dt [s]. */
+static double mass_of(double dt, double rho, double mu, double d)
+{
+    return 4.0 / 3.0 * sqrt(dt) * basset_coefficient(rho, mu, d);
+}
+
 static double mass(const struct simulation *sim, int i)
 {
     const struct fluid_options *const o = &sim->fluid->options;
-    return 4.0 / 3.0 * sqrt(sim->dt) *
-           basset_coefficient(o->rho, o->mu, sim->particles->d[i]);
+    return mass_of(sim->dt, o->rho, o->mu, sim->particles->d[i]);
 }
 
 /* The held force over the added mass [m/s^2]: component a of particle i, whose
@@ -115,7 +124,7 @@ static double known_part(const struct basset *self,
 
     for (int k = 0; k < self->kernel.n; k++)
         older += self->kernel.c[k] * self->gain[k] * term(self, k, i)[a];
-    return du / dt + (2.0 * M_SQRT2 - 2.0) * self->change[3 * i + a] / dt +
+    return du / dt + before * self->change[3 * i + a] / dt +
            0.75 * (older / sqrt(dt) + 2.0 * w_0 / dt);
 }
 
@@ -178,7 +187,7 @@ static void basset_after_particles(void *memory, struct simulation *sim)
             self->u[j] = u[j];
         }
         self->age[i] = 1.0;
-        coupling_charge_inertia(sim, i, m);
+        effect_force_charge(sim, i, m);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, force, 1.0);
     }
@@ -195,6 +204,15 @@ static struct effect_estimate estimate(const struct effect_scales *k)
         k->slip * k->d * k->rho_f > k->mu ? "Re > 1: the kernel fades too late"
                                           : "",
         0};
+}
+
+static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+{
+    const double m_f = k->rho_f * M_PI / 6.0 * gsl_pow_3(k->d);
+    const double C = mass_of(k->dt, k->rho_f, k->mu, k->d) / m_f;
+
+    sum->C += C;
+    sum->C_history += before * C;
 }
 
 static const struct key keys[] = {
@@ -216,5 +234,6 @@ const struct effect basset_effect = {
     .after_particles = basset_after_particles,
     .free = basset_free,
     .estimate = estimate,
+    .added_mass = added_mass,
     .cost = {212.0, 0.0, 11.0},
 };

@@ -7,9 +7,11 @@
  * particle step (implicit_drag.h), the first a force that is constant in a
  * step. The reaction to the impulse of the step, C rho_f V_p (Du/Dt dt - change
  * of v), acts on the fluid in its next step, but for what is charged in advance
- * (coupling.h): the term C rho_f V_p du/dt acts in the step itself. Were it
- * left to the next step, each change of the fluid's velocity would be followed
- * there by one of -C eps_s/eps_f times itself, which is large in a packed bed.
+ * (coupling.h): a share of the term C rho_f V_p du/dt acts in the step itself.
+ * Were all of it left to the next step, each change of the fluid's velocity
+ * would be followed there by one of -C eps_s/eps_f times itself, which is large
+ * in a packed bed; were all of it charged in advance, a bed in a liquid would
+ * be unstable (reaction.h).
  *
  * Du/Dt from the last two fields: du/dt their difference, and u . grad u from
  * the fluxes, (1/(eps V)) sum phi (u_f - u_c); through a boundary u_f = u_c.
@@ -24,6 +26,7 @@
 
 #include "base/alloc.h"
 #include "coupling/coupling.h"
+#include "coupling/effects/effect_force.h"
 
 struct virtual_mass {
     double C; /* [-] */
@@ -49,7 +52,7 @@ static void *virtual_mass_create(struct simulation *sim,
     self->start = alloc_doubles(3 * n);
     self->mass = alloc_doubles(n);
     particles_add_implicit_drag(sim->particles);
-    coupling_add_inertia(sim);
+    effect_force_inertia(sim);
     particles_attach(sim->particles, "Du_Dt", "m/s^2", self->at, 3);
     particles_attach(sim->particles, "v_start", "m/s", self->start, 3);
     particles_attach(sim->particles, "virtual_mass", "kg", self->mass, 1);
@@ -134,7 +137,7 @@ static void virtual_mass_after_particles(void *memory, struct simulation *sim)
                                           self->start[3 * i + k]);
             f[k] = impulse[k] / sim->dt;
         }
-        coupling_charge_inertia(sim, i, self->mass[i]);
+        effect_force_charge(sim, i, self->mass[i]);
         coupling_add_impulse(sim, i, impulse);
         effects_report(sim, f, 1.0);
     }
@@ -154,6 +157,11 @@ static struct effect_estimate estimate(const struct effect_scales *k)
 
     return (struct effect_estimate){
         C * k->rho_f * V * k->acceleration / k->force, "", 0};
+}
+
+static void added_mass(const struct effect_scales *k, struct added_mass *sum)
+{
+    sum->C += k->numbers[0];
 }
 
 static const struct key keys[] = {
@@ -176,5 +184,6 @@ const struct effect virtual_mass_effect = {
     .state = virtual_mass_state,
     .free = virtual_mass_free,
     .estimate = estimate,
+    .added_mass = added_mass,
     .cost = {23.0, 37.0, 11.0},
 };

@@ -128,16 +128,11 @@ void population_free(struct population *l)
     free(l);
 }
 
-static const struct population_functions functions = {
-    population_mark, population_remove, population_insert, population_state,
-    population_free};
-
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks)
 {
     struct population *const l = alloc_zeroed(1, sizeof *l);
 
-    l->functions = &functions;
     l->box = *box;
     l->n_sources = n_sources;
     l->n_sinks = n_sinks;

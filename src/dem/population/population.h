@@ -8,7 +8,9 @@
 #ifndef DEM_POPULATION_POPULATION_H
 #define DEM_POPULATION_POPULATION_H
 
-#include "dem/population.h"
+#include "base/state.h"
+#include "dem/box_domain.h"
+#include "dem/dem.h"
 #include "dem/population/insertion.h"
 
 /* Removes particles whose centre is in a box, or that would touch a side of the
@@ -19,19 +21,47 @@ struct population_sink {
                             upper side of direction k */
 };
 
+/* Totals of inserted and removed particles. */
+struct population_totals {
+    long inserted, removed; /* [-] */
+    double mass_in;         /* [kg] */
+    double mass_out;        /* [kg] */
+    double momentum_in[3];  /* [N s] of the inserted particles */
+    double momentum_out[3]; /* [N s] of the removed particles */
+    long waiting;           /* [-] particles due, without a free position */
+};
+
+struct population {
+    struct box_domain box;
+    int n_sources, n_sinks;
+    struct insertion *sources;
+    struct population_sink *sinks;
+    struct population_totals totals;
+    int *is_removed; /* [-] 1 for each particle that is to be removed */
+    int capacity;    /* [-] entries of it */
+};
+
 /* Sources and sinks are all 0, for the caller to fill in. */
 struct population *population_create(const struct box_domain *box,
                                      int n_sources, int n_sinks);
 void population_free(struct population *l);
 
-/* The functions of the population (dem/population.h). */
+/* Between two steps of the loop: first mark, then remove if any were marked,
+ * then insert.
+ *
+ * Marks the particles that are removed before a step of dt [s], and adds them
+ * to the totals. Returns their number. */
 int population_mark(struct population *l, const struct particles *ps,
                     double dt);
+/* Removes the marked particles. The others keep their tangential displacements.
+ */
 void population_remove(struct population *l, struct dem *dem);
+/* Inserts the particles that are due at time t [s]. They follow the others,
+ * from the returned index on. */
 int population_insert(struct population *l, struct particles *ps,
                       struct dem *dem, double t);
 
-/* Visits what was inserted and removed (state.h). */
+/* Visits the totals and what the sources have inserted (state.h). */
 void population_state(struct population *l, struct state *s);
 
 #endif

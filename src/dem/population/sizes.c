@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/model.h"
 
 const struct key sizes_range_keys[] = {
     {"particles.sizes.min", KEY_REAL, "m", "> 0", KEY_OPTIONAL,
@@ -19,13 +20,6 @@ const struct key sizes_by_keys[] = {
      "whether shares are of the number or of the mass of the particles", "",
      ""},
     KEY_END};
-
-const struct sizes_law *sizes_law_named(const char *name)
-{
-    for (int i = 0; sizes_laws[i] != NULL; i++)
-        if (strcmp(sizes_laws[i]->name, name) == 0) return sizes_laws[i];
-    return NULL;
-}
 
 const char *sizes_wrong(const struct sizes_options *o)
 {
@@ -76,3 +70,5 @@ double sizes_max(const struct sizes *s)
 {
     return s->max;
 }
+
+MODEL_NAMED(sizes_law)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/model.h"
 #include "base/vector.h"
 #include "dem/surfaces/triangle.h"
 
@@ -97,14 +98,6 @@ int surface_wrong(const struct surface *s)
     return what != NULL;
 }
 
-const struct surface_shape *surface_shape_named(const char *name)
-{
-    for (int i = 0; surface_shapes[i] != NULL; i++)
-        if (strcmp(surface_shapes[i]->name, name) == 0)
-            return surface_shapes[i];
-    return NULL;
-}
-
 const struct key surface_point_keys[] = {
     {"particles.surfaces.point", KEY_VECTOR, "m", "", "[0.0, 0.0, 0.0]",
      "a point of the plane or of the axis; where the origin of a file is", "",
@@ -139,3 +132,5 @@ const struct surface_shape surface_stl = {
     .keys = {surface_point_keys, file_keys},
     .wrong = without_triangles,
 };
+
+MODEL_NAMED(surface_shape)

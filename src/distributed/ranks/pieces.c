@@ -39,7 +39,7 @@ void pieces_name(const char *path, int rank, int with_folder,
              dot + 2);
 }
 
-static int write_cells(const struct part *part, struct vtk_writer *w,
+static int write_cells(const struct part *part, struct vtk_file *w,
                        const char *piece, const struct snapshot *s, int n,
                        struct vtk_array *arrays)
 {
@@ -131,7 +131,7 @@ int pieces_write(const struct part *part, const struct snapshot *s,
     struct vtk_array arrays[FIELD_OUTPUT_ARRAYS];
     const int n = of_cells ? field_output_of_fluid(part->sim, s, arrays)
                            : field_output_of_particles(s, arrays);
-    struct vtk_writer *const w = vtk_writer_create();
+    struct vtk_file *const w = vtk_file_create();
     char piece[PIECES_PATH];
     int failed =
         part->p.rank == 0 && write_list(part, path, of_cells, n, arrays);
@@ -140,7 +140,7 @@ int pieces_write(const struct part *part, const struct snapshot *s,
     failed |= of_cells
                   ? write_cells(part, w, piece, s, n, arrays)
                   : vtk_write_particles(w, piece, s->n, x, s->t, n, arrays);
-    vtk_writer_free(w);
+    vtk_file_free(w);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, part->comm);
     return failed;
 }

@@ -182,8 +182,8 @@ static void add_row(struct engine *e)
     const struct simulation *const sim = e->part->sim;
 
     part_count_own(e->part);
-    for (const struct history_column *c = history_columns; c->name != NULL; c++)
-        if (history_applies(c, sim)) c->value(sim);
+    HISTORY_EACH(t, c)
+    if (history_applies(t, c, sim)) c->value(sim);
     second_half_add(e->rows);
 }
 

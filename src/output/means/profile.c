@@ -26,11 +26,11 @@ struct profile {
     struct profile_field *fields;
     double *x;       /* [m] of each point, ascending */
     double ends;     /* [m] sum of the two ends of the line */
-    int row[2];      /* [-] rows of cells below and above the line */
+    int row[2];      /* [-] rows of cells on both sides of the line */
     double share[2]; /* [-] weight of each */
     int n_deep;      /* [-] cells in the depth */
     double *dz;      /* [-] width of each over the whole depth */
-    int step[3];     /* [-] from a cell to the next along, up and in depth */
+    int step[3]; /* [-] from a cell to the next along, across and in depth */
     struct probe *probe;              /* n times n_deep, of a polyhedral mesh */
     double *sample, *weight, *amount; /* amount: weight times dt */
     struct mean *mean;
@@ -42,32 +42,32 @@ static double middle(const struct box *b, int k, int i)
     return 0.5 * (b->edge[k][i] + b->edge[k][i + 1]);
 }
 
-/* The two rows of centres around the height, and their linear weights. */
+/* The two rows of centres around the line, and their linear weights. */
 static void find_rows(struct profile *p, const struct box *b)
 {
-    const int k = p->line.up;
+    const int k = p->line.across;
     int j = 0;
 
-    while (j < b->n[k] - 1 && middle(b, k, j + 1) <= p->line.height)
+    while (j < b->n[k] - 1 && middle(b, k, j + 1) <= p->line.at)
         j++;
     const double low = middle(b, k, j);
     p->row[0] = p->row[1] = j;
     p->share[0] = 1.0;
-    if (j == b->n[k] - 1 || p->line.height < low)
+    if (j == b->n[k] - 1 || p->line.at < low)
         return; /* beyond the last centre */
     p->row[1] = j + 1;
-    p->share[1] = (p->line.height - low) / (middle(b, k, j + 1) - low);
+    p->share[1] = (p->line.at - low) / (middle(b, k, j + 1) - low);
     p->share[0] = 1.0 - p->share[1];
 }
 
 static void lay_out(struct profile *p, const struct box *b)
 {
-    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const int a = p->line.along, deep = 3 - a - p->line.across;
     const int stride[3] = {1, b->n[0], b->n[0] * b->n[1]};
     const double *const z = b->edge[deep];
 
     p->step[0] = stride[a];
-    p->step[1] = stride[p->line.up];
+    p->step[1] = stride[p->line.across];
     p->step[2] = stride[deep];
     p->n = b->n[a];
     p->x = alloc_doubles(p->n);
@@ -95,7 +95,7 @@ static double points_along(const struct mesh *m, int k, int *n)
 
 static void create_probes(struct profile *p, const struct mesh *m)
 {
-    const int a = p->line.along, deep = 3 - a - p->line.up;
+    const int a = p->line.along, deep = 3 - a - p->line.across;
     const double dx = points_along(m, a, &p->n);
     const double dz = points_along(m, deep, &p->n_deep);
 
@@ -104,7 +104,7 @@ static void create_probes(struct profile *p, const struct mesh *m)
     for (int i = 0; i < p->n; i++) {
         double x[3];
         x[a] = p->x[i] = m->lo[a] + (i + 0.5) * dx;
-        x[p->line.up] = p->line.height;
+        x[p->line.across] = p->line.at;
         for (int j = 0; j < p->n_deep; j++) {
             x[deep] = m->lo[deep] + (j + 0.5) * dz;
             p->probe[i * p->n_deep + j] = probe_at(m, x);
@@ -116,14 +116,14 @@ struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line, int n_fields,
                                const struct profile_field *fields)
 {
-    const double bottom = m->lo[line->up], top = m->hi[line->up];
+    const double lo = m->lo[line->across], hi = m->hi[line->across];
 
-    assert(line->along != line->up);
-    if (!(line->height >= bottom && line->height <= top)) {
+    assert(line->along != line->across);
+    if (!(line->at >= lo && line->at <= hi)) {
         fprintf(stderr,
-                "winnow: a profile at height %g m is outside the box, which "
+                "winnow: a profile at %c = %g m is outside the box, which "
                 "goes from %g to %g m\n",
-                line->height, bottom, top);
+                "xyz"[line->across], line -> at, lo, hi);
         return NULL;
     }
     struct profile *const p = alloc_zeroed(1, sizeof *p);

@@ -1,11 +1,11 @@
 /* profile.h -- averages in time on a line through the box.
  *
- * The line runs along one direction (x) at a given height in a second (y); the
+ * The line runs along one direction (x) at a given place in a second (y); the
  * third (z), the depth, is averaged over. Between the rows of cell centres the
- * values are linear in the height; below the first and above the last row they
- * are those of that row. One point for each column of cells. In a polyhedral
- * mesh the line is sampled by probes half a mean cell apart, along the line and
- * in the depth.
+ * values are linear in y; below the first and above the last row they are those
+ * of that row. One point for each column of cells. In a polyhedral mesh the
+ * line is sampled by probes half a mean cell apart, along the line and in the
+ * depth.
  *
  * A field may be weighted by another: a particle velocity by the solids
  * fraction, so that cells without particles do not count:
@@ -24,12 +24,12 @@
 #include "base/state.h"
 #include "mesh/mesh.h"
 
-/* Directions: 0, 1, 2 for x, y, z; along and up must differ. */
+/* Directions: 0, 1, 2 for x, y, z; along and across must differ. */
 struct profile_line {
     int along;
-    int up;
-    double height; /* [m] */
-    double from;   /* [s] samples from this time on count */
+    int across;
+    double at;   /* [m] place of the line in the direction `across` */
+    double from; /* [s] samples from this time on count */
 };
 
 /* A field to be averaged. The arrays are borrowed and must not be moved. */
@@ -43,7 +43,7 @@ struct profile_field {
 
 struct profile;
 
-/* NULL after a message if the height is outside the box. */
+/* NULL after a message if the line is outside the box. */
 struct profile *profile_create(const struct mesh *m,
                                const struct profile_line *line, int n_fields,
                                const struct profile_field *fields);

@@ -198,15 +198,8 @@ static void release(void *cells)
     free(v);
 }
 
-static int number(const void *cells)
+static void put(struct vtk_file *f, const struct vtk_cells *v)
 {
-    const struct vtk_cells *const v = cells;
-    return v->mesh->n_cells;
-}
-
-static void put(struct vtk_file *f, const void *cells)
-{
-    const struct vtk_cells *const v = cells;
     const struct mesh *const m = v->mesh;
     const struct vtk_array points = {
         .name = "position", .components = 3, .values = m->shape->point};
@@ -244,10 +237,22 @@ static void put(struct vtk_file *f, const void *cells)
     fprintf(vtk_file_stream(f), "</Cells>\n");
 }
 
+static int write_cells(struct vtk_file *f, const char *path, const void *cells,
+                       double time, int n_arrays,
+                       const struct vtk_array *arrays)
+{
+    const struct vtk_cells *const v = cells;
+
+    if (vtk_file_begin(f, path, "UnstructuredGrid", "", time) != 0) return 1;
+    put(f, v);
+    vtk_file_section(f, "CellData", v->mesh->n_cells, n_arrays, arrays);
+    fprintf(vtk_file_stream(f), "</Piece>\n");
+    return vtk_file_end(f);
+}
+
 const struct vtk_grid vtk_cells_grid = {
     .name = "cells",
     .create = create,
     .free = release,
-    .number = number,
-    .put = put,
+    .write = write_cells,
 };

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "coupling/population/replacement.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "coupling/coupling.h"
+#include "coupling/transfer.h"
+#include "dem/population/population.h"
+
+/* Of the first particles that are inserted or removed; coupling_free releases
+ * it. */
+static void create(struct coupling *cp, int n_cells)
+{
+    struct replacement *const r = alloc_zeroed(
+        1, sizeof *r + 4 * (size_t)n_cells * sizeof *r->eps_before);
+
+    r->eps_before = (double *)(r + 1);
+    r->unpaid_impulse = r->eps_before + n_cells;
+    cp->replacement = r;
+}
+
+/* Before the marked particles are removed: stores their unpaid impulse. */
+static void collect_unpaid(struct simulation *sim)
+{
+    struct coupling *const cp = sim->coupling;
+    double *const impulse = cp->smooth; /* not in use between two steps */
+
+    if (!cp->options.two_way) return;
+    if (cp->replacement == NULL) create(cp, sim->mesh->n_cells);
+    struct replacement *const r = cp->replacement;
+    for (int i = 0; i < sim->particles->n; i++)
+        for (int k = 0; k < 3; k++) {
+            const int j = 3 * i + k;
+            impulse[j] =
+                sim->population->is_removed[i] ? cp->unpaid_impulse[j] : 0.0;
+            r->unpaid_sum[k] += impulse[j];
+        }
+    averaging_spread(sim->averaging, 3, impulse, r->unpaid_impulse);
+}
+
+/* The mean velocity of an inserted particle is its own initial velocity. */
+static void start_velocity(struct simulation *sim, int first)
+{
+    const struct particles *const ps = sim->particles;
+
+    for (int i = first; i < ps->n; i++) {
+        double *const u_mean = &sim->coupling->u_mean[3 * i];
+        u_mean[0] = ps->vx[i];
+        u_mean[1] = ps->vy[i];
+        u_mean[2] = ps->vz[i];
+    }
+}
+
+/* The first drag of an inserted particle needs the fluid velocity there. */
+static void start_fluid_velocity(struct simulation *sim, int first)
+{
+    struct coupling *const cp = sim->coupling;
+    const size_t n = (size_t)(sim->particles->n - first);
+
+    if (n == 0) return;
+    transfer_velocity(sim, cp->smooth);
+    memcpy(&cp->u_f[3 * first], &cp->smooth[3 * first],
+           3 * n * sizeof *cp->u_f);
+}
+
+int replacement_apply(struct simulation *sim, int first)
+{
+    const int n_cells = sim->mesh->n_cells;
+    struct coupling *const cp = sim->coupling;
+
+    if (cp->replacement == NULL) create(cp, n_cells);
+    double *const eps_before = cp->replacement->eps_before;
+    start_velocity(sim, first);
+    memcpy(eps_before, sim->fluid->eps, (size_t)n_cells * sizeof *eps_before);
+    if (transfer_average(sim) != 0) return 1;
+    if (cp->options.two_way) {
+        cp->report.eps_lowest =
+            fmin(cp->report.eps_lowest, fluid_replace(sim->fluid, eps_before));
+        if (cp->report.eps_lowest <= 0.0) return 1;
+    }
+    start_fluid_velocity(sim, first);
+    transfer_drag_terms(sim);
+    return 0;
+}
+
+void replacement_momentum(const struct simulation *sim, double brought[3])
+{
+    const struct population_totals *const a = &sim->population->totals;
+
+    for (int k = 0; k < 3; k++) {
+        brought[k] = a->momentum_in[k] - a->momentum_out[k];
+        if (sim->fluid != NULL) brought[k] -= sim->fluid->replaced_momentum[k];
+    }
+}
+
+/* Removes and inserts particles before the step. With coupling, the averaged
+ * fields and the drag terms are then those of the new particles. */
+static int step(struct simulation *sim)
+{
+    struct particles *const ps = sim->particles;
+    struct population *const population = sim->population;
+    const int removed = population_mark(population, ps, sim->dt);
+
+    if (sim->coupling != NULL && removed > 0) collect_unpaid(sim);
+    if (removed > 0) population_remove(population, sim->dem);
+    const int first = population_insert(population, ps, sim->dem, sim->t);
+    if (sim->coupling == NULL || (removed == 0 && first == ps->n)) return 0;
+    return replacement_apply(sim, first);
+}
+
+const struct population_functions replacement_functions = {
+    step, population_state, population_free};
